@@ -1,0 +1,129 @@
+//! The one error type of the library.
+//!
+//! An [`Error`] is for the caller's data: a parameter out of range, a file that
+//! can't be read, a format that would be too wide. Wrong code panics instead,
+//! with a message that starts with `bug:`. Every message names what was given,
+//! what is legal, and what to do.
+
+use std::path::{Path, PathBuf};
+
+/// What every fallible function of this crate returns.
+pub type Result<T, E = Error> = std::result::Result<T, E>;
+
+/// An error in what the caller gave: data, parameters or files.
+#[derive(Debug, thiserror::Error)]
+#[error(transparent)]
+pub struct Error(Box<Kind>);
+
+#[derive(Debug, thiserror::Error)]
+enum Kind {
+    #[error("format of {bits} bits: a format has 1 to 63 bits")]
+    FormatBits { bits: u32 },
+    #[error("format with {frac_bits} fraction bits: fraction bits are from -127 to 127")]
+    FormatFrac { frac_bits: i32 },
+    #[error("`{text}` is not a format: write s16f14, u12f12 or sfix16_En14")]
+    FormatText { text: String },
+    #[error("word {raw} is outside format {format} ({min}..={max})")]
+    WordRange { raw: i64, format: String, min: i64, max: i64 },
+    #[error(
+        "word {raw} of format {format} needs {given_bits} significant bits and an f64 holds 53: use the raw word"
+    )]
+    NotExact { raw: i64, format: String, given_bits: u32 },
+    #[error("{value} can't be written in format {format}: give a finite number")]
+    NotFinite { value: f64, format: String },
+    #[error("{value} overflows format {format} and overflow mode `error` forbids it")]
+    ValueOverflow { value: String, format: String },
+    #[error(
+        "node `{node}` needs {given_bits} bits and words have at most {limit_bits}: lower the widths or guard bits that feed it"
+    )]
+    NodeTooWide { node: String, given_bits: u32, limit_bits: u32 },
+    #[error("node `{node}`: {problem}")]
+    Node { node: String, problem: String },
+    #[error(
+        "node `{node}` overflowed {count} times under overflow mode `error`: widen it or choose another overflow mode"
+    )]
+    NodeOverflow { node: String, count: u64 },
+    #[error("no unit `{given}`{hint}: `fixpath list` names them all")]
+    UnknownUnit { given: String, hint: String },
+    #[error("unit `{unit}` has no parameter `{given}`{hint}: `fixpath list {unit}` names them all")]
+    UnknownParameter { unit: String, given: String, hint: String },
+    #[error("parameter `{name}` = `{value}`: legal is {legal}")]
+    ParameterValue { name: String, value: String, legal: String },
+    #[error("`{given}` is not of the form {form}")]
+    Form { given: String, form: String },
+    #[error("{}: {problem}", .path.display())]
+    File { path: PathBuf, problem: String },
+    #[error("{}, line {line}{}: {problem}", .path.display(), .column.as_ref().map(|c| format!(", column `{c}`")).unwrap_or_default())]
+    Csv { path: PathBuf, line: u64, column: Option<String>, problem: String },
+    #[error("{}: {action}: {source}", .path.display())]
+    Io { path: PathBuf, action: &'static str, source: std::io::Error },
+    #[error("{0}")]
+    Usage(String),
+}
+
+macro_rules! constructors {
+    ($($(#[$doc:meta])* $name:ident($($arg:ident: $ty:ty),*) = $kind:expr;)*) => {
+        impl Error {
+            $($(#[$doc])* pub(crate) fn $name($($arg: $ty),*) -> Self { Self(Box::new($kind)) })*
+        }
+    };
+}
+
+constructors! {
+    format_bits(bits: u32) = Kind::FormatBits { bits };
+    format_frac(frac_bits: i32) = Kind::FormatFrac { frac_bits };
+    format_text(text: &str) = Kind::FormatText { text: text.to_owned() };
+    word_range(raw: i64, format: String, min: i64, max: i64) = Kind::WordRange { raw, format, min, max };
+    not_exact(raw: i64, format: String, given_bits: u32) = Kind::NotExact { raw, format, given_bits };
+    not_finite(value: f64, format: String) = Kind::NotFinite { value, format };
+    value_overflow(value: String, format: String) = Kind::ValueOverflow { value, format };
+    node_too_wide(node: String, given_bits: u32, limit_bits: u32) = Kind::NodeTooWide { node, given_bits, limit_bits };
+    node(node: String, problem: String) = Kind::Node { node, problem };
+    node_overflow(node: String, count: u64) = Kind::NodeOverflow { node, count };
+    parameter_value(name: &str, value: &str, legal: String) = Kind::ParameterValue { name: name.to_owned(), value: value.to_owned(), legal };
+    form(given: &str, form: &str) = Kind::Form { given: given.to_owned(), form: form.to_owned() };
+    file(path: &Path, problem: String) = Kind::File { path: path.to_owned(), problem };
+    csv(path: &Path, line: u64, column: Option<&str>, problem: String) = Kind::Csv { path: path.to_owned(), line, column: column.map(str::to_owned), problem };
+    io(path: &Path, action: &'static str, source: std::io::Error) = Kind::Io { path: path.to_owned(), action, source };
+    usage(text: String) = Kind::Usage(text);
+}
+
+impl Error {
+    pub(crate) fn unknown_unit<'a>(given: &str, known: impl Iterator<Item = &'a str>) -> Self {
+        Self(Box::new(Kind::UnknownUnit { given: given.to_owned(), hint: nearest(given, known) }))
+    }
+
+    pub(crate) fn unknown_parameter<'a>(
+        unit: &str,
+        given: &str,
+        known: impl Iterator<Item = &'a str>,
+    ) -> Self {
+        Self(Box::new(Kind::UnknownParameter {
+            unit: unit.to_owned(),
+            given: given.to_owned(),
+            hint: nearest(given, known),
+        }))
+    }
+
+    /// True if the run was stopped by a failed check (exit code 1) and not by wrong input (2).
+    #[must_use]
+    pub fn is_failed_check(&self) -> bool {
+        matches!(*self.0, Kind::NodeOverflow { .. })
+    }
+
+    /// True if writing failed because the reader of a pipe went away.
+    #[must_use]
+    pub fn is_broken_pipe(&self) -> bool {
+        matches!(&*self.0, Kind::Io { source, .. } if source.kind() == std::io::ErrorKind::BrokenPipe)
+    }
+}
+
+/// `, did you mean …` for the closest known name, or nothing if none is close.
+fn nearest<'a>(given: &str, known: impl Iterator<Item = &'a str>) -> String {
+    known
+        .map(|name| (strsim::damerau_levenshtein(given, name), name))
+        .min()
+        .filter(|(distance, name)| *distance <= 2.max(name.len() / 3))
+        .map(|(_, name)| format!(", did you mean `{name}`"))
+        .unwrap_or_default()
+}

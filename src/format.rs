@@ -1,0 +1,387 @@
+//! Fixed-point formats known at run time, and the one place that rounds.
+//!
+//! A *word* (raw) is an integer, a *value* is the real number that it stands
+//! for: `value = raw * 2^-frac_bits`. Formats print as `s16f14` (signed, 16 bits
+//! in all, 14 of them fraction bits) and `u12f12`; a negative number of fraction
+//! bits prints as `u8e2` (8 bits, in steps of 2^2). [`narrow`] is the only
+//! function of this crate that drops bits of a word.
+
+use crate::cast;
+use crate::error::{Error, Result};
+use std::fmt;
+use std::str::FromStr;
+
+/// A fixed-point format: sign, total bits and fraction bits.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub struct Format {
+    signed: bool,
+    bits: u8,
+    frac: i8,
+}
+
+/// What to do with the bits below the last one that is kept.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, PartialOrd, Ord)]
+pub enum Round {
+    /// Toward minus infinity: the bits are dropped.
+    Floor,
+    /// Toward zero.
+    TowardZero,
+    /// To nearest, ties toward plus infinity: half an ulp is added, then the bits are dropped.
+    HalfUp,
+    /// To nearest, ties away from zero.
+    HalfAway,
+    /// To nearest, ties to the even word.
+    HalfEven,
+}
+
+/// What to do with a value outside the format.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, PartialOrd, Ord)]
+pub enum Overflow {
+    /// Keep the low bits.
+    Wrap,
+    /// Take the nearest word of the format.
+    Saturate,
+    /// As `Saturate`, with the most negative word of a signed format left out.
+    Symmetric,
+    /// Keep the low bits and let the run end in an error that names the node.
+    Error,
+}
+
+macro_rules! named {
+    ($type:ident: $($variant:ident = $name:literal),*) => {
+        impl $type {
+            /// Every mode, in the order of the documentation.
+            pub const ALL: &'static [Self] = &[$(Self::$variant),*];
+            /// The mode's name on the command line and in files.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$variant => $name),* }
+            }
+        }
+        impl fmt::Display for $type {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result { f.pad(self.name()) }
+        }
+        impl FromStr for $type {
+            type Err = Error;
+            fn from_str(text: &str) -> Result<Self> {
+                Self::ALL.iter().copied().find(|mode| mode.name() == text).ok_or_else(|| {
+                    Error::form(text, concat!($("`", $name, "` "),*).trim_end())
+                })
+            }
+        }
+    };
+}
+named!(Round: Floor = "floor", TowardZero = "toward-zero", HalfUp = "half-up", HalfAway = "half-away", HalfEven = "half-even");
+named!(Overflow: Wrap = "wrap", Saturate = "saturate", Symmetric = "symmetric", Error = "error");
+
+/// Number of bits that it takes to write `x`: 0 for 0, 3 for 4 to 7.
+#[must_use]
+pub const fn bit_len(x: u64) -> u32 {
+    u64::BITS - x.leading_zeros()
+}
+
+/// Number of address bits that index `entries` entries: 0 for 1, 2 for 3 and 4, 3 for 5.
+///
+/// # Panics
+/// If `entries` is 0: nothing can be indexed.
+#[must_use]
+pub const fn addr_bits(entries: u64) -> u32 {
+    assert!(entries > 0, "bug: a table without entries has no addresses");
+    bit_len(entries - 1)
+}
+
+impl Format {
+    /// The most bits that a word can have.
+    pub const MAX_BITS: u32 = 63;
+
+    /// Makes a format of `bits` bits in all, `frac_bits` of them after the binary point.
+    ///
+    /// # Errors
+    /// If `bits` is not in 1 to 63 or `frac_bits` not in -127 to 127.
+    pub fn new(signed: bool, bits: u32, frac_bits: i32) -> Result<Self> {
+        let frac = i8::try_from(frac_bits)
+            .ok()
+            .filter(|frac| *frac != i8::MIN)
+            .ok_or_else(|| Error::format_frac(frac_bits))?;
+        match u8::try_from(bits) {
+            Ok(width) if (1..=Self::MAX_BITS).contains(&bits) => {
+                Ok(Self { signed, bits: width, frac })
+            }
+            Ok(_) | Err(_) => Err(Error::format_bits(bits)),
+        }
+    }
+
+    /// Makes a signed format, as [`Format::new`].
+    ///
+    /// # Errors
+    /// As [`Format::new`].
+    pub fn signed(bits: u32, frac_bits: i32) -> Result<Self> {
+        Self::new(true, bits, frac_bits)
+    }
+
+    /// Makes an unsigned format, as [`Format::new`].
+    ///
+    /// # Errors
+    /// As [`Format::new`].
+    pub fn unsigned(bits: u32, frac_bits: i32) -> Result<Self> {
+        Self::new(false, bits, frac_bits)
+    }
+
+    /// The format of a flag: one bit, 0 or 1.
+    pub const FLAG: Self = Self { signed: false, bits: 1, frac: 0 };
+
+    /// Makes the unsigned format of an integer word of `bits` bits, such as an address.
+    ///
+    /// # Errors
+    /// As [`Format::new`].
+    pub fn integer(bits: u32) -> Result<Self> {
+        Self::unsigned(bits, 0)
+    }
+
+    /// Makes the smallest format with `frac_bits` that holds every word of `lo..=hi`;
+    /// signed if `lo` is negative. `Err` carries the number of bits that it would take.
+    ///
+    /// # Panics
+    /// If `lo > hi`, or if `frac_bits` is outside -127 to 127.
+    pub fn spanning(lo: i128, hi: i128, frac_bits: i32) -> Result<Self, u32> {
+        assert!(lo <= hi, "bug: empty range {lo}..={hi}");
+        let magnitude = |x: i128| i128::BITS - if x < 0 { !x } else { x }.leading_zeros();
+        let signed = lo < 0;
+        let bits = if signed { magnitude(lo).max(magnitude(hi)) + 1 } else { magnitude(hi).max(1) };
+        if bits > Self::MAX_BITS {
+            return Err(bits);
+        }
+        Ok(Self::new(signed, bits, frac_bits).expect("bug: fraction bits out of range"))
+    }
+
+    /// True if words of this format can be negative.
+    #[must_use]
+    pub const fn is_signed(self) -> bool {
+        self.signed
+    }
+
+    /// Total bits, 1 to 63.
+    #[must_use]
+    pub fn bits(self) -> u32 {
+        u32::from(self.bits)
+    }
+
+    /// Bits after the binary point; negative if words count in steps of more than one.
+    #[must_use]
+    pub fn frac_bits(self) -> i32 {
+        i32::from(self.frac)
+    }
+
+    /// Bits before the binary point, without the sign; can be negative.
+    #[must_use]
+    pub fn int_bits(self) -> i32 {
+        i32::from(self.bits) - i32::from(self.frac) - i32::from(self.signed)
+    }
+
+    /// The least word.
+    #[must_use]
+    pub fn min_raw(self) -> i64 {
+        if self.signed { -(1i64 << (self.bits - 1)) } else { 0 }
+    }
+
+    /// The greatest word.
+    #[must_use]
+    pub fn max_raw(self) -> i64 {
+        let magnitude_bits = self.bits - u8::from(self.signed);
+        word_mask(u32::from(magnitude_bits))
+    }
+
+    /// Number of words: 2^bits.
+    #[must_use]
+    pub fn words(self) -> u64 {
+        1 << self.bits
+    }
+
+    /// True if `raw` is a word of this format.
+    #[must_use]
+    pub fn contains(self, raw: i64) -> bool {
+        (self.min_raw()..=self.max_raw()).contains(&raw)
+    }
+
+    /// Value of one unit in the last place: 2^-frac_bits.
+    #[must_use]
+    pub fn ulp(self) -> f64 {
+        2f64.powi(-i32::from(self.frac))
+    }
+
+    /// Nearest `f64` to the value of a word; exact for formats of at most 53 bits.
+    #[must_use]
+    pub fn value(self, raw: i64) -> f64 {
+        cast::f64_of(raw) * self.ulp()
+    }
+
+    /// Exact value of a word.
+    ///
+    /// # Errors
+    /// If `raw` is no word of this format, or its value is no `f64`.
+    pub fn exact_value(self, raw: i64) -> Result<f64> {
+        if !self.contains(raw) {
+            return Err(Error::word_range(raw, self.to_string(), self.min_raw(), self.max_raw()));
+        }
+        let magnitude = raw.unsigned_abs();
+        let significant_bits = bit_len(magnitude) - magnitude.trailing_zeros().min(bit_len(magnitude));
+        if significant_bits > f64::MANTISSA_DIGITS {
+            return Err(Error::not_exact(raw, self.to_string(), significant_bits));
+        }
+        Ok(self.value(raw))
+    }
+
+    /// The word with these low `bits` bits.
+    #[must_use]
+    pub fn wrap(self, raw: i64) -> i64 {
+        let low = raw & word_mask(u32::from(self.bits));
+        if self.signed && low > self.max_raw() { low - (1i64 << self.bits) } else { low }
+    }
+
+    /// The word's bit pattern as an unsigned number of `bits` bits.
+    #[must_use]
+    pub fn pattern(self, raw: i64) -> u64 {
+        cast::bits_of(raw & word_mask(u32::from(self.bits)))
+    }
+}
+
+/// The word whose low `bits` bits are set; `bits` is at most 63.
+pub(crate) const fn word_mask(bits: u32) -> i64 {
+    debug_assert!(bits <= 63);
+    i64::MAX >> (63 - bits)
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let sign = if self.signed { 's' } else { 'u' };
+        let (letter, digits) = if self.frac < 0 { ('e', -self.frac) } else { ('f', self.frac) };
+        f.pad(&format!("{sign}{}{letter}{digits}", self.bits))
+    }
+}
+
+impl FromStr for Format {
+    type Err = Error;
+
+    /// Reads `s16f14`, `u8e2`, `sfix16_En14`, `ufix8_E2`, and `sfix16` for an integer.
+    fn from_str(text: &str) -> Result<Self> {
+        let bad = || Error::format_text(text);
+        let (signed, rest) = match text.as_bytes().first() {
+            Some(b's') => (true, &text[1..]),
+            Some(b'u') => (false, &text[1..]),
+            Some(_) | None => return Err(bad()),
+        };
+        let number = |digits: &str| -> Result<i32> {
+            let plain = !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit());
+            if plain { digits.parse().map_err(|_| bad()) } else { Err(bad()) }
+        };
+        let (bits, frac) = if let Some(rest) = rest.strip_prefix("fix") {
+            match rest.split_once("_E") {
+                None => (number(rest)?, 0),
+                Some((bits, exponent)) => match exponent.strip_prefix('n') {
+                    Some(frac) => (number(bits)?, number(frac)?),
+                    None => (number(bits)?, -number(exponent)?),
+                },
+            }
+        } else if let Some((bits, frac)) = rest.split_once('f') {
+            (number(bits)?, number(frac)?)
+        } else if let Some((bits, steps)) = rest.split_once('e') {
+            (number(bits)?, -number(steps)?)
+        } else {
+            return Err(bad());
+        };
+        Self::new(signed, bits.unsigned_abs(), frac)
+    }
+}
+
+/// Brings a word of `from_frac` fraction bits into format `to`, and says whether it overflowed.
+///
+/// This is the only operation that loses bits. `raw` may be any word of up to 64 bits;
+/// rounding comes first, then overflow is judged on the rounded value. Under
+/// [`Overflow::Error`] the result is as under [`Overflow::Wrap`]: the caller sees the flag.
+#[must_use]
+pub fn narrow(raw: i64, from_frac: i32, to: Format, round: Round, overflow: Overflow) -> (i64, bool) {
+    let dropped_bits = from_frac - to.frac_bits();
+    // |raw| <= 2^63. Beyond these shifts nothing changes: everything is dropped, or all kept bits are 0.
+    let rounded = if dropped_bits > 0 {
+        round_shift(i128::from(raw), dropped_bits.unsigned_abs().min(100), round)
+    } else {
+        i128::from(raw) << dropped_bits.unsigned_abs().min(63) // |rounded| <= 2^126
+    };
+    fit(rounded, to, overflow)
+}
+
+/// `wide / 2^shift` rounded to a whole number.
+fn round_shift(wide: i128, shift: u32, round: Round) -> i128 {
+    let quotient = wide >> shift;
+    let rest = wide & ((1i128 << shift) - 1); // 0 <= rest < 2^shift
+    let half = 1i128 << (shift - 1);
+    let up = match round {
+        Round::Floor => false,
+        Round::TowardZero => wide < 0 && rest != 0,
+        Round::HalfUp => rest >= half,
+        Round::HalfAway => rest > half || (rest == half && wide >= 0),
+        Round::HalfEven => rest > half || (rest == half && quotient & 1 == 1),
+    };
+    quotient + i128::from(up)
+}
+
+/// The word of `to` for a whole number of its ulps, and whether it overflowed.
+fn fit(whole: i128, to: Format, overflow: Overflow) -> (i64, bool) {
+    let hi = to.max_raw();
+    let lo = match overflow {
+        Overflow::Symmetric if to.signed => -hi,
+        Overflow::Symmetric | Overflow::Wrap | Overflow::Saturate | Overflow::Error => to.min_raw(),
+    };
+    if (i128::from(lo)..=i128::from(hi)).contains(&whole) {
+        return (cast::low_i64(whole), false);
+    }
+    let word = match overflow {
+        Overflow::Wrap | Overflow::Error => to.wrap(cast::low_i64(whole)),
+        Overflow::Saturate | Overflow::Symmetric => {
+            if whole < 0 {
+                lo
+            } else {
+                hi
+            }
+        }
+    };
+    (word, true)
+}
+
+/// Writes a real number in a format, and says whether it overflowed.
+///
+/// # Errors
+/// If `value` is NaN or infinite, or overflows under [`Overflow::Error`].
+pub fn quantize(value: f64, to: Format, round: Round, overflow: Overflow) -> Result<(i64, bool)> {
+    if !value.is_finite() {
+        return Err(Error::not_finite(value, to.to_string()));
+    }
+    let (raw, overflowed) = fit(round_real(value, to.frac_bits(), round), to, overflow);
+    if overflowed && overflow == Overflow::Error {
+        return Err(Error::value_overflow(value.to_string(), to.to_string()));
+    }
+    Ok((raw, overflowed))
+}
+
+/// `value * 2^frac_bits` rounded to a whole number; past 2^126 any number of that sign and
+/// with 63 zero low bits, which overflows every format in the same way.
+fn round_real(value: f64, frac_bits: i32, round: Round) -> i128 {
+    let scaled = value * 2f64.powi(frac_bits); // exact, but for results below the least normal f64
+    if scaled.abs() >= 2f64.powi(126) {
+        return if scaled > 0.0 { 1 << 126 } else { -(1 << 126) };
+    }
+    if scaled == 0.0 && value != 0.0 {
+        // The product underflowed: only the directed modes can tell it from 0.
+        return if round == Round::Floor && value < 0.0 { -1 } else { 0 };
+    }
+    let floor = scaled.floor();
+    let rest = scaled - floor; // exact: 0 <= rest < 1
+    let up = match round {
+        Round::Floor => false,
+        Round::TowardZero => scaled < 0.0 && rest > 0.0,
+        Round::HalfUp => rest >= 0.5,
+        Round::HalfAway => rest > 0.5 || (rest == 0.5 && scaled >= 0.0),
+        Round::HalfEven => rest > 0.5 || (rest == 0.5 && cast::i128_of(floor) & 1 == 1),
+    };
+    cast::i128_of(floor) + i128::from(up)
+}

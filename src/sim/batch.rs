@@ -1,0 +1,834 @@
+//! Bit-true simulation of many samples: the netlist as a program over columns.
+//!
+//! [`Program::compile`] turns each node into one instruction over a column of words, and gives
+//! columns to nodes whose users are all done to later nodes, so that a block's columns stay in
+//! the first-level cache. A [`Runner`] holds the columns and takes any number of samples, block
+//! by block, without allocation; nothing is dispatched per sample. Lanes are `i32` where every
+//! word fits, else `i64`. The loops are plain Rust that the compiler vectorises, compiled twice:
+//! for the baseline processor and for AVX2, chosen at run time.
+//!
+//! [`RealProgram`] does the same on reals, for the algorithm's value at every node.
+
+use crate::cast;
+use crate::error::{Error, Result};
+use crate::format::{Format, Overflow, Round, narrow, word_mask};
+use crate::netlist::{Netlist, NodeId};
+use crate::op::{Meaning, Op};
+use num_traits::{PrimInt, WrappingAdd, WrappingMul, WrappingNeg, WrappingShl, WrappingShr, WrappingSub};
+use std::sync::Arc;
+
+/// Samples per block: two kilobytes a column in 32-bit lanes.
+pub const BLOCK: usize = 512;
+
+/// An integer that columns hold.
+trait Lane:
+    PrimInt
+    + WrappingAdd
+    + WrappingSub
+    + WrappingMul
+    + WrappingNeg
+    + WrappingShl
+    + WrappingShr
+    + Default
+    + Send
+    + Sync
+{
+    /// Bits of the lane.
+    const BITS: u32;
+    /// The word, which must fit.
+    fn of(raw: i64) -> Self;
+    /// The word.
+    fn raw(self) -> i64;
+    /// The word, known not to be negative, as an index.
+    fn index(self) -> usize;
+    /// 1 if set.
+    fn flag(set: bool) -> Self;
+}
+
+impl Lane for i32 {
+    const BITS: u32 = 32;
+    #[inline(always)]
+    fn of(raw: i64) -> Self {
+        cast::low_i32(raw)
+    }
+    #[inline(always)]
+    fn raw(self) -> i64 {
+        i64::from(self)
+    }
+    #[inline(always)]
+    fn index(self) -> usize {
+        cast::index_of_i32(self)
+    }
+    #[inline(always)]
+    fn flag(set: bool) -> Self {
+        Self::from(set)
+    }
+}
+
+impl Lane for i64 {
+    const BITS: u32 = 64;
+    #[inline(always)]
+    fn of(raw: i64) -> Self {
+        raw
+    }
+    #[inline(always)]
+    fn raw(self) -> i64 {
+        self
+    }
+    #[inline(always)]
+    fn index(self) -> usize {
+        cast::index_of(self)
+    }
+    #[inline(always)]
+    fn flag(set: bool) -> Self {
+        Self::from(set)
+    }
+}
+
+/// A column number.
+type Slot = usize;
+
+/// One instruction; shifts align operands to the result's fraction bits.
+#[derive(Clone, Copy, Debug)]
+enum Kernel {
+    Copy,
+    Add { shifts: [u32; 2] },
+    Sub { shifts: [u32; 2] },
+    AddSub { shifts: [u32; 2] },
+    Mul,
+    Neg,
+    Abs,
+    And,
+    Or,
+    Xor,
+    Equal { shifts: [u32; 2] },
+    Less { shifts: [u32; 2] },
+    Mux { shifts: [u32; 2] },
+    Slice { lo: u32, bits: u32 },
+    Concat { low_bits: u32 },
+    LeadingZeros { bits: u32 },
+    ShiftLeft { max: u32 },
+    Read { words: usize },
+    Wrap { to: Format },
+    Narrow(Narrow),
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Narrow {
+    from_frac: i32,
+    to: Format,
+    round: Round,
+    overflow: Overflow,
+    /// False if no word of the operand's format can overflow.
+    can_overflow: bool,
+    /// Counter that it feeds.
+    counter: usize,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Instruction {
+    kernel: Kernel,
+    of: [Slot; 3],
+    to: Slot,
+}
+
+/// A netlist compiled for blocks of samples.
+#[derive(Clone, Debug)]
+pub struct Program {
+    instructions: Vec<Instruction>,
+    constants: Vec<(Slot, i64)>,
+    tables: Vec<Arc<[i64]>>,
+    slots: usize,
+    inputs: Vec<Slot>,
+    outputs: Vec<Slot>,
+    /// The `narrow` nodes, in the order of the counters.
+    narrows: Vec<NodeId>,
+    wide: bool,
+}
+
+impl Program {
+    /// Compiles a netlist; the nodes of `outputs` are what a run gives.
+    ///
+    /// # Panics
+    /// If the netlist has an operation without a kernel: that is wrong code.
+    #[must_use]
+    pub fn compile(netlist: &Netlist, outputs: &[NodeId]) -> Self {
+        let nodes = netlist.nodes();
+        let mut last_use = vec![0; nodes.len()];
+        for (index, node) in nodes.iter().enumerate() {
+            for operand in &node.operands {
+                last_use[operand.index()] = index;
+            }
+        }
+        // Ports and constants keep their columns: a runner fills constants once.
+        for (index, node) in nodes.iter().enumerate() {
+            if matches!(node.op, Op::Input | Op::Const { .. }) {
+                last_use[index] = usize::MAX;
+            }
+        }
+        for id in outputs {
+            last_use[id.index()] = usize::MAX;
+        }
+
+        let mut program = Self {
+            instructions: Vec::new(),
+            constants: Vec::new(),
+            tables: Vec::new(),
+            slots: 0,
+            inputs: Vec::new(),
+            outputs: Vec::new(),
+            narrows: Vec::new(),
+            wide: nodes.iter().enumerate().any(|(i, _)| !fits_i32(netlist, i)),
+        };
+        let mut free: Vec<Slot> = Vec::new();
+        let mut slot_of = vec![usize::MAX; nodes.len()];
+        for (index, node) in nodes.iter().enumerate() {
+            let to = free.pop().unwrap_or_else(|| {
+                program.slots += 1;
+                program.slots - 1
+            });
+            slot_of[index] = to;
+            match node.op {
+                Op::Input => program.inputs.push(to),
+                Op::Const { raw } => program.constants.push((to, raw)),
+                _ => {
+                    let kernel = program.kernel(netlist, index);
+                    let mut of = [0; 3];
+                    for (slot, operand) in of.iter_mut().zip(&node.operands) {
+                        *slot = slot_of[operand.index()];
+                    }
+                    program.instructions.push(Instruction { kernel, of, to });
+                }
+            }
+            let mut operands = node.operands.clone();
+            operands.sort_unstable();
+            operands.dedup();
+            for operand in operands {
+                if last_use[operand.index()] == index {
+                    free.push(slot_of[operand.index()]);
+                }
+            }
+        }
+        program.outputs = outputs.iter().map(|id| slot_of[id.index()]).collect();
+        program
+    }
+
+    fn kernel(&mut self, netlist: &Netlist, index: usize) -> Kernel {
+        let node = &netlist.nodes()[index];
+        let format_of = |i: usize| netlist.node(node.operands[i]).format;
+        let shifts = |a: usize, b: usize| {
+            let (a, b) = (format_of(a).frac_bits(), format_of(b).frac_bits());
+            [a.max(b).abs_diff(a), a.max(b).abs_diff(b)]
+        };
+        match node.op {
+            Op::Input | Op::Const { .. } => panic!("bug: ports and constants have no kernel"),
+            Op::Add => Kernel::Add { shifts: shifts(0, 1) },
+            Op::Sub => Kernel::Sub { shifts: shifts(0, 1) },
+            Op::AddSub => Kernel::AddSub { shifts: shifts(1, 2) },
+            Op::Mul => Kernel::Mul,
+            Op::Neg => Kernel::Neg,
+            Op::Abs => Kernel::Abs,
+            Op::And => Kernel::And,
+            Op::Or => Kernel::Or,
+            Op::Xor => Kernel::Xor,
+            Op::Equal => Kernel::Equal { shifts: shifts(0, 1) },
+            Op::Less => Kernel::Less { shifts: shifts(0, 1) },
+            Op::Mux => Kernel::Mux { shifts: shifts(1, 2) },
+            Op::Slice { lo } => Kernel::Slice { lo, bits: node.format.bits() },
+            Op::Concat => Kernel::Concat { low_bits: format_of(1).bits() },
+            Op::Shift { .. } => Kernel::Copy,
+            Op::LeadingZeros => Kernel::LeadingZeros { bits: format_of(0).bits() },
+            Op::ShiftLeft { max } => Kernel::ShiftLeft { max },
+            Op::Read { table, column } => {
+                let column = usize::try_from(column).expect("bug: small");
+                let words = &netlist.tables()[table.index()].columns[column].words;
+                let known = self.tables.iter().position(|known| Arc::ptr_eq(known, words));
+                let words = known.unwrap_or_else(|| {
+                    self.tables.push(Arc::clone(words));
+                    self.tables.len() - 1
+                });
+                Kernel::Read { words }
+            }
+            Op::Modulo => Kernel::Wrap { to: node.format },
+            Op::Narrow { round, overflow } => {
+                self.narrows.push(netlist.id_at(index));
+                let from = format_of(0);
+                let overflows = |raw| narrow(raw, from.frac_bits(), node.format, round, overflow).1;
+                Kernel::Narrow(Narrow {
+                    from_frac: from.frac_bits(),
+                    to: node.format,
+                    round,
+                    overflow,
+                    // Rounding is monotone, so the ends of the format decide.
+                    can_overflow: overflows(from.min_raw()) || overflows(from.max_raw()),
+                    counter: self.narrows.len() - 1,
+                })
+            }
+        }
+    }
+
+    /// The `narrow` nodes, in the order of [`Runner::overflows`].
+    #[must_use]
+    pub fn narrows(&self) -> &[NodeId] {
+        &self.narrows
+    }
+
+    /// Makes a runner with columns of its own.
+    #[must_use]
+    pub fn runner(&self) -> Runner {
+        Runner {
+            columns: if self.wide {
+                Columns::Wide(Store::new(self))
+            } else {
+                Columns::Narrow(Store::new(self))
+            },
+            overflows: vec![0; self.narrows.len()],
+        }
+    }
+}
+
+/// True if the node's words, and its operands' words when they are aligned, fit 32-bit lanes.
+fn fits_i32(netlist: &Netlist, index: usize) -> bool {
+    let node = &netlist.nodes()[index];
+    let fits = |format: Format| format.bits() + u32::from(!format.is_signed()) <= 32;
+    let aligned = match node.op {
+        Op::Equal | Op::Less => {
+            let [a, b] = [0, 1].map(|i| netlist.node(node.operands[i]).format);
+            let frac = a.frac_bits().max(b.frac_bits());
+            [a, b].into_iter().all(|f| f.bits() + frac.abs_diff(f.frac_bits()) < 32)
+        }
+        _ => true,
+    };
+    aligned && fits(node.format)
+}
+
+#[derive(Debug)]
+struct Store<L> {
+    columns: Vec<Vec<L>>,
+    tables: Vec<Vec<L>>,
+}
+
+impl<L: Lane> Store<L> {
+    fn new(program: &Program) -> Self {
+        let mut columns = vec![vec![L::default(); BLOCK]; program.slots];
+        for (slot, raw) in &program.constants {
+            columns[*slot].fill(L::of(*raw));
+        }
+        let lanes = |words: &Arc<[i64]>| words.iter().map(|word| L::of(*word)).collect();
+        Self { columns, tables: program.tables.iter().map(lanes).collect() }
+    }
+}
+
+#[derive(Debug)]
+enum Columns {
+    Narrow(Store<i32>),
+    Wide(Store<i64>),
+}
+
+/// Columns for one thread.
+#[derive(Debug)]
+pub struct Runner {
+    columns: Columns,
+    overflows: Vec<u64>,
+}
+
+impl Runner {
+    /// Simulates as many samples as the input columns hold; `outputs` are overwritten.
+    ///
+    /// # Panics
+    /// If the columns don't match the program's ports or differ in length.
+    pub fn run(&mut self, program: &Program, inputs: &[&[i64]], outputs: &mut [Vec<i64>]) {
+        assert_eq!(inputs.len(), program.inputs.len(), "bug: one column per input");
+        assert_eq!(outputs.len(), program.outputs.len(), "bug: one column per output");
+        let count = inputs.first().map_or(0, |column| column.len());
+        assert!(inputs.iter().all(|column| column.len() == count), "bug: columns differ in length");
+        for column in outputs.iter_mut() {
+            column.resize(count, 0);
+        }
+        match &mut self.columns {
+            Columns::Narrow(store) => run(program, store, inputs, outputs, &mut self.overflows),
+            Columns::Wide(store) => run(program, store, inputs, outputs, &mut self.overflows),
+        }
+    }
+
+    /// How often each `narrow` overflowed so far, in the order of [`Program::narrows`].
+    #[must_use]
+    pub fn overflows(&self) -> &[u64] {
+        &self.overflows
+    }
+
+    /// An error if a `narrow` under [`Overflow::Error`] overflowed.
+    ///
+    /// # Errors
+    /// Names the node.
+    pub fn check(&self, program: &Program, netlist: &Netlist) -> Result<()> {
+        check_overflows(netlist, program.narrows(), &self.overflows)
+    }
+}
+
+/// An error if a `narrow` under [`Overflow::Error`] has a count above 0.
+///
+/// # Errors
+/// Names the node.
+pub fn check_overflows(netlist: &Netlist, narrows: &[NodeId], counts: &[u64]) -> Result<()> {
+    for (id, count) in narrows.iter().zip(counts) {
+        let forbidden = matches!(netlist.node(*id).op, Op::Narrow { overflow: Overflow::Error, .. });
+        if forbidden && *count > 0 {
+            return Err(Error::node_overflow(netlist.label(*id), *count));
+        }
+    }
+    Ok(())
+}
+
+fn run<L: Lane>(
+    program: &Program,
+    store: &mut Store<L>,
+    inputs: &[&[i64]],
+    outputs: &mut [Vec<i64>],
+    overflows: &mut [u64],
+) {
+    #[cfg(target_arch = "x86_64")]
+    if std::arch::is_x86_feature_detected!("avx2") {
+        // SAFETY: the processor has AVX2; the function is safe code that was compiled for it.
+        #[expect(unsafe_code, reason = "calling code compiled for a detected processor feature")]
+        unsafe {
+            run_avx2(program, store, inputs, outputs, overflows);
+        }
+        return;
+    }
+    run_blocks(program, store, inputs, outputs, overflows);
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,bmi1,bmi2,lzcnt,fma")]
+fn run_avx2<L: Lane>(
+    program: &Program,
+    store: &mut Store<L>,
+    inputs: &[&[i64]],
+    outputs: &mut [Vec<i64>],
+    overflows: &mut [u64],
+) {
+    run_blocks(program, store, inputs, outputs, overflows);
+}
+
+#[inline(always)]
+fn run_blocks<L: Lane>(
+    program: &Program,
+    store: &mut Store<L>,
+    inputs: &[&[i64]],
+    outputs: &mut [Vec<i64>],
+    overflows: &mut [u64],
+) {
+    let count = inputs.first().map_or(0, |column| column.len());
+    let Store { columns, tables } = store;
+    let mut start = 0;
+    while start < count {
+        let len = BLOCK.min(count - start);
+        for (slot, input) in program.inputs.iter().zip(inputs) {
+            let column = &mut columns[*slot][..len];
+            for (lane, word) in column.iter_mut().zip(&input[start..start + len]) {
+                *lane = L::of(*word);
+            }
+        }
+        for instruction in &program.instructions {
+            let mut to = std::mem::take(&mut columns[instruction.to]);
+            step(instruction, columns, tables, &mut to[..len], overflows);
+            columns[instruction.to] = to;
+        }
+        for (slot, output) in program.outputs.iter().zip(outputs.iter_mut()) {
+            for (word, lane) in output[start..start + len].iter_mut().zip(&columns[*slot][..len]) {
+                *word = lane.raw();
+            }
+        }
+        start += len;
+    }
+}
+
+#[inline(always)]
+fn step<L: Lane>(
+    instruction: &Instruction,
+    columns: &[Vec<L>],
+    tables: &[Vec<L>],
+    to: &mut [L],
+    overflows: &mut [u64],
+) {
+    let len = to.len();
+    let [a, b, c] = instruction.of.map(|slot| columns[slot].get(..len).unwrap_or_default());
+    let zero = L::zero();
+    match instruction.kernel {
+        Kernel::Copy => to.copy_from_slice(a),
+        Kernel::Add { shifts: [0, 0] } => map2(to, a, b, |a, b| a.wrapping_add(&b)),
+        Kernel::Add { shifts: [sa, sb] } => {
+            map2(to, a, b, |a, b| a.wrapping_shl(sa).wrapping_add(&b.wrapping_shl(sb)));
+        }
+        Kernel::Sub { shifts: [0, 0] } => map2(to, a, b, |a, b| a.wrapping_sub(&b)),
+        Kernel::Sub { shifts: [sa, sb] } => {
+            map2(to, a, b, |a, b| a.wrapping_shl(sa).wrapping_sub(&b.wrapping_shl(sb)));
+        }
+        Kernel::AddSub { shifts: [sa, sb] } => map3(to, a, b, c, |flag, a, b| {
+            // With the mask all ones, (b ^ mask) - mask is -b.
+            let mask = flag.wrapping_neg();
+            let b = (b.wrapping_shl(sb) ^ mask).wrapping_sub(&mask);
+            a.wrapping_shl(sa).wrapping_add(&b)
+        }),
+        Kernel::Mul => map2(to, a, b, |a, b| a.wrapping_mul(&b)),
+        Kernel::Neg => map1(to, a, |a| a.wrapping_neg()),
+        Kernel::Abs => map1(to, a, |a| if a < zero { a.wrapping_neg() } else { a }),
+        Kernel::And => map2(to, a, b, |a, b| a & b),
+        Kernel::Or => map2(to, a, b, |a, b| a | b),
+        Kernel::Xor => map2(to, a, b, |a, b| a ^ b),
+        Kernel::Equal { shifts: [sa, sb] } => {
+            map2(to, a, b, |a, b| L::flag(a.wrapping_shl(sa) == b.wrapping_shl(sb)));
+        }
+        Kernel::Less { shifts: [sa, sb] } => {
+            map2(to, a, b, |a, b| L::flag(a.wrapping_shl(sa) < b.wrapping_shl(sb)));
+        }
+        Kernel::Mux { shifts: [sa, sb] } => map3(to, a, b, c, |flag, a, b| {
+            if flag == zero { b.wrapping_shl(sb) } else { a.wrapping_shl(sa) }
+        }),
+        Kernel::Slice { lo, bits } => {
+            let mask = L::of(word_mask(bits));
+            map1(to, a, |a| a.wrapping_shr(lo) & mask);
+        }
+        Kernel::Concat { low_bits } => map2(to, a, b, |a, b| a.wrapping_shl(low_bits) | b),
+        Kernel::LeadingZeros { bits } => map1(to, a, |a| {
+            L::of(i64::from(a.leading_zeros().wrapping_sub(L::BITS - bits)))
+        }),
+        Kernel::ShiftLeft { max } => map2(to, a, b, |a, n| {
+            let places = n.raw().min(i64::from(max));
+            a.wrapping_shl(u32::try_from(places).unwrap_or_default())
+        }),
+        Kernel::Read { words } => {
+            // Addresses have as many bits as the table has; the mask tells the compiler so.
+            let words = &tables[words][..];
+            let mask = words.len() - 1;
+            debug_assert!(words.len().is_power_of_two(), "bug: table of {} rows", words.len());
+            map1(to, a, |address| words[address.index() & mask]);
+        }
+        Kernel::Wrap { to: format } => {
+            let wrap = Wrap::new::<L>(format);
+            map1(to, a, |a| wrap.apply(a));
+        }
+        Kernel::Narrow(narrow) => overflows[narrow.counter] += narrow_column(narrow, a, to),
+    }
+}
+
+#[inline(always)]
+fn map1<L: Lane>(to: &mut [L], a: &[L], f: impl Fn(L) -> L) {
+    for (to, a) in to.iter_mut().zip(a) {
+        *to = f(*a);
+    }
+}
+
+#[inline(always)]
+fn map2<L: Lane>(to: &mut [L], a: &[L], b: &[L], f: impl Fn(L, L) -> L) {
+    for ((to, a), b) in to.iter_mut().zip(a).zip(b) {
+        *to = f(*a, *b);
+    }
+}
+
+#[inline(always)]
+fn map3<L: Lane>(to: &mut [L], a: &[L], b: &[L], c: &[L], f: impl Fn(L, L, L) -> L) {
+    for (((to, a), b), c) in to.iter_mut().zip(a).zip(b).zip(c) {
+        *to = f(*a, *b, *c);
+    }
+}
+
+/// Keeps the low bits of a word: up against the top of the lane and back, with or without sign.
+#[derive(Clone, Copy)]
+struct Wrap {
+    places: u32,
+    signed: bool,
+    bits: u32,
+}
+
+impl Wrap {
+    #[inline(always)]
+    fn new<L: Lane>(format: Format) -> Self {
+        Self {
+            places: L::BITS - format.bits(),
+            signed: format.is_signed(),
+            bits: format.bits(),
+        }
+    }
+
+    #[inline(always)]
+    fn apply<L: Lane>(self, a: L) -> L {
+        if self.signed {
+            a.wrapping_shl(self.places).wrapping_shr(self.places)
+        } else {
+            a & L::of(word_mask(self.bits))
+        }
+    }
+}
+
+/// The twin of [`narrow`] on a column; returns how many words overflowed.
+#[inline(always)]
+fn narrow_column<L: Lane>(n: Narrow, from: &[L], to: &mut [L]) -> u64 {
+    let dropped = n.from_frac - n.to.frac_bits();
+    let shift = dropped.unsigned_abs();
+    if shift + 2 > L::BITS {
+        return narrow_slowly(n, from, to);
+    }
+    if dropped <= 0 {
+        // More fraction bits: what overflows is seen before the shift.
+        let hi = n.to.max_raw() >> shift;
+        let lo = -(-least(n) >> shift);
+        if L::of(lo).raw() != lo || L::of(hi).raw() != hi {
+            return narrow_slowly(n, from, to);
+        }
+        return fit_column(n, from, to, lo, hi, |a| (a, a.wrapping_shl(shift)));
+    }
+    let (lo, hi) = (least(n), n.to.max_raw());
+    if L::of(lo).raw() != lo || L::of(hi).raw() != hi {
+        return narrow_slowly(n, from, to);
+    }
+    let zero = L::zero();
+    let half = L::of(1i64 << (shift - 1));
+    let mask = L::of(word_mask(shift));
+    let twice = |q: L| (q, q);
+    match n.round {
+        Round::Floor => fit_column(n, from, to, lo, hi, |a| twice(a.wrapping_shr(shift))),
+        Round::TowardZero => fit_column(n, from, to, lo, hi, |a| {
+            let up = L::flag(a < zero) & L::flag(a & mask != zero);
+            twice(a.wrapping_shr(shift).wrapping_add(&up))
+        }),
+        Round::HalfUp => fit_column(n, from, to, lo, hi, |a| {
+            let up = a.wrapping_shr(shift - 1) & L::one();
+            twice(a.wrapping_shr(shift).wrapping_add(&up))
+        }),
+        Round::HalfAway => fit_column(n, from, to, lo, hi, |a| {
+            let rest = a & mask;
+            let up = L::flag(rest > half) | (L::flag(rest == half) & L::flag(a >= zero));
+            twice(a.wrapping_shr(shift).wrapping_add(&up))
+        }),
+        Round::HalfEven => fit_column(n, from, to, lo, hi, |a| {
+            let (rest, q) = (a & mask, a.wrapping_shr(shift));
+            let up = L::flag(rest > half) | (L::flag(rest == half) & q & L::one());
+            twice(q.wrapping_add(&up))
+        }),
+    }
+}
+
+/// Least word that doesn't saturate.
+fn least(n: Narrow) -> i64 {
+    match n.overflow {
+        Overflow::Symmetric if n.to.is_signed() => -n.to.max_raw(),
+        Overflow::Symmetric | Overflow::Wrap | Overflow::Saturate | Overflow::Error => n.to.min_raw(),
+    }
+}
+
+/// `rounded` gives what is compared with `lo..=hi` and the word if it is inside.
+#[inline(always)]
+fn fit_column<L: Lane>(
+    n: Narrow,
+    from: &[L],
+    to: &mut [L],
+    lo: i64,
+    hi: i64,
+    rounded: impl Fn(L) -> (L, L),
+) -> u64 {
+    if !n.can_overflow {
+        map1(to, from, |a| rounded(a).1);
+        return 0;
+    }
+    let (lo, hi) = (L::of(lo), L::of(hi));
+    let mut overflows = L::zero();
+    match n.overflow {
+        Overflow::Wrap | Overflow::Error => {
+            let wrap = Wrap::new::<L>(n.to);
+            for (to, a) in to.iter_mut().zip(from) {
+                let (compared, word) = rounded(*a);
+                overflows = overflows.wrapping_add(&L::flag(compared < lo))
+                    .wrapping_add(&L::flag(compared > hi));
+                *to = wrap.apply(word);
+            }
+        }
+        Overflow::Saturate | Overflow::Symmetric => {
+            let (least, most) = (L::of(least(n)), L::of(n.to.max_raw()));
+            for (to, a) in to.iter_mut().zip(from) {
+                let (compared, word) = rounded(*a);
+                let (under, over) = (compared < lo, compared > hi);
+                overflows =
+                    overflows.wrapping_add(&L::flag(under)).wrapping_add(&L::flag(over));
+                let word = if under { least } else { word };
+                *to = if over { most } else { word };
+            }
+        }
+    }
+    overflows.raw().unsigned_abs()
+}
+
+/// The reference on each word: for shifts as wide as the lane.
+#[inline(never)]
+fn narrow_slowly<L: Lane>(n: Narrow, from: &[L], to: &mut [L]) -> u64 {
+    let mut overflows = 0;
+    for (to, a) in to.iter_mut().zip(from) {
+        let (word, overflowed) = narrow(a.raw(), n.from_frac, n.to, n.round, n.overflow);
+        *to = L::of(word);
+        overflows += u64::from(overflowed);
+    }
+    overflows
+}
+
+/// How a node gets its value on reals.
+#[derive(Clone, Copy, Debug)]
+enum RealKernel {
+    Op(Op, Format),
+    Meaning(Meaning),
+    /// `narrow` and other operations that keep their operand.
+    Same,
+}
+
+/// A netlist compiled for blocks of reals; the twin of [`Netlist::eval_reals`].
+#[derive(Clone, Debug)]
+pub struct RealProgram {
+    steps: Vec<(RealKernel, [usize; 3], usize)>,
+    constants: Vec<(usize, f64)>,
+    slots: usize,
+    inputs: Vec<usize>,
+    outputs: Vec<usize>,
+}
+
+impl RealProgram {
+    /// Compiles what the nodes of `outputs` need, all of which must have a value on reals.
+    ///
+    /// # Panics
+    /// If an output has none.
+    #[must_use]
+    pub fn compile(netlist: &Netlist, outputs: &[NodeId]) -> Self {
+        let nodes = netlist.nodes();
+        let operands = |index: usize| -> Vec<usize> {
+            match nodes[index].meaning {
+                Some(meaning) => {
+                    meaning.arguments().into_iter().flatten().map(NodeId::index).collect()
+                }
+                None => nodes[index].operands.iter().map(|id| id.index()).collect(),
+            }
+        };
+        let mut needed = vec![false; nodes.len()];
+        for id in outputs {
+            assert!(netlist.node(*id).has_real, "bug: {} has no real value", netlist.label(*id));
+            needed[id.index()] = true;
+        }
+        for index in (0..nodes.len()).rev().filter(|i| nodes[*i].op != Op::Input) {
+            if needed[index] {
+                operands(index).into_iter().for_each(|operand| needed[operand] = true);
+            }
+        }
+        let mut last_use = vec![0; nodes.len()];
+        for index in (0..nodes.len()).filter(|i| needed[*i]) {
+            for operand in operands(index) {
+                last_use[operand] = index;
+            }
+            if matches!(nodes[index].op, Op::Input | Op::Const { .. }) {
+                last_use[index] = usize::MAX;
+            }
+        }
+        for id in outputs {
+            last_use[id.index()] = usize::MAX;
+        }
+        let mut program = Self {
+            steps: Vec::new(),
+            constants: Vec::new(),
+            slots: 0,
+            inputs: Vec::new(),
+            outputs: Vec::new(),
+        };
+        let mut free = Vec::new();
+        let mut slot_of = vec![usize::MAX; nodes.len()];
+        for (index, node) in nodes.iter().enumerate() {
+            if !needed[index] && node.op != Op::Input {
+                continue;
+            }
+            let to = free.pop().unwrap_or_else(|| {
+                program.slots += 1;
+                program.slots - 1
+            });
+            slot_of[index] = to;
+            let mut operands = if node.op == Op::Input { Vec::new() } else { operands(index) };
+            let mut of = [0; 3];
+            for (slot, operand) in of.iter_mut().zip(&operands) {
+                *slot = slot_of[*operand];
+            }
+            match (node.op, node.meaning) {
+                (Op::Input, _) => program.inputs.push(to),
+                (Op::Const { raw }, None) => program.constants.push((to, node.format.value(raw))),
+                (_, Some(meaning)) => program.steps.push((RealKernel::Meaning(meaning), of, to)),
+                (Op::Narrow { .. }, None) => program.steps.push((RealKernel::Same, of, to)),
+                (op, None) => program.steps.push((RealKernel::Op(op, node.format), of, to)),
+            }
+            operands.sort_unstable();
+            operands.dedup();
+            free.extend(
+                operands.into_iter().filter(|o| last_use[*o] == index).map(|o| slot_of[o]),
+            );
+        }
+        program.outputs = outputs.iter().map(|id| slot_of[id.index()]).collect();
+        program
+    }
+
+    /// Makes columns for one thread.
+    #[must_use]
+    pub fn runner(&self) -> RealRunner {
+        let mut columns = vec![vec![0.0; BLOCK]; self.slots];
+        for (slot, value) in &self.constants {
+            columns[*slot].fill(*value);
+        }
+        RealRunner { columns }
+    }
+}
+
+/// Columns of reals for one thread.
+#[derive(Debug)]
+pub struct RealRunner {
+    columns: Vec<Vec<f64>>,
+}
+
+impl RealRunner {
+    /// Evaluates as many samples as the input columns hold; `outputs` are overwritten.
+    ///
+    /// # Panics
+    /// If the columns don't match the program's ports.
+    pub fn run(&mut self, program: &RealProgram, inputs: &[&[f64]], outputs: &mut [Vec<f64>]) {
+        assert_eq!(inputs.len(), program.inputs.len(), "bug: one column per input");
+        let count = inputs.first().map_or(0, |column| column.len());
+        for column in outputs.iter_mut() {
+            column.resize(count, 0.0);
+        }
+        let mut start = 0;
+        while start < count {
+            let len = BLOCK.min(count - start);
+            for (slot, input) in program.inputs.iter().zip(inputs) {
+                self.columns[*slot][..len].copy_from_slice(&input[start..start + len]);
+            }
+            for (kernel, of, to_slot) in &program.steps {
+                let mut to = std::mem::take(&mut self.columns[*to_slot]);
+                let [a, b, c] =
+                    of.map(|slot| self.columns[slot].get(..len).unwrap_or_default());
+                match *kernel {
+                    RealKernel::Same => to[..len].copy_from_slice(a),
+                    RealKernel::Meaning(meaning) => {
+                        let b = if b.is_empty() { a } else { b };
+                        for ((to, a), b) in to.iter_mut().zip(a).zip(b) {
+                            *to = meaning.eval(*a, *b);
+                        }
+                    }
+                    RealKernel::Op(op, format) => {
+                        // Unused operands read some column; any will do.
+                        let filler = if a.is_empty() { b } else { a };
+                        let [b, c] = [b, c].map(|x| if x.is_empty() { filler } else { x });
+                        for (((to, a), b), c) in to.iter_mut().zip(a).zip(b).zip(c) {
+                            *to = op.eval_real([*a, *b, *c], format);
+                        }
+                    }
+                }
+                self.columns[*to_slot] = to;
+            }
+            for (slot, output) in program.outputs.iter().zip(outputs.iter_mut()) {
+                output[start..start + len].copy_from_slice(&self.columns[*slot][..len]);
+            }
+            start += len;
+        }
+    }
+}

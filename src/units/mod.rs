@@ -1,0 +1,423 @@
+//! Units: parameterised datapaths with their golden models.
+//!
+//! A unit is one file and one row of [`UNITS`]: its parameters with their legal
+//! ranges, its netlist, its golden function in plain floating point (written
+//! from the mathematics and not from the netlist), its input sampler, its hard
+//! cases and its stated error bound. The command line, the suite, the sweep and
+//! the reports know units only through this table.
+
+mod polar;
+pub mod rotation;
+
+use crate::error::{Error, Result};
+use crate::format::Format;
+use crate::lut::{Scheme, Spec};
+use crate::function::Function;
+use crate::format::Round;
+use crate::netlist::Netlist;
+use std::fmt;
+use std::sync::Arc;
+
+/// Every unit.
+pub static UNITS: &[&Unit] = &[&rotation::ROTATION];
+
+/// A parameterised datapath.
+#[derive(Debug)]
+pub struct Unit {
+    /// Name on the command line.
+    pub name: &'static str,
+    /// What it computes, in one line.
+    pub summary: &'static str,
+    /// Where it comes from.
+    pub source: &'static str,
+    /// Its own parameters; [`PIPELINE`] follows them.
+    pub params: &'static [Param],
+    /// Names of the input ports with what they measure, for `list`.
+    pub inputs: &'static str,
+    /// Names of the output ports, for `list`.
+    pub outputs: &'static str,
+    /// Builds the datapath.
+    pub build: fn(&Values) -> Result<Design>,
+}
+
+/// A parameter of a unit.
+#[derive(Debug)]
+pub struct Param {
+    /// Name on the command line.
+    pub name: &'static str,
+    /// What values it takes.
+    pub kind: Kind,
+    /// Its default, as one would write it.
+    pub default: &'static str,
+    /// One line of help.
+    pub help: &'static str,
+}
+
+/// What values a parameter takes.
+#[derive(Debug, Clone, Copy)]
+pub enum Kind {
+    /// A whole number in a range, or `auto` if there is a text that says what that means.
+    Int {
+        /// Least legal value.
+        min: i64,
+        /// Greatest legal value.
+        max: i64,
+        /// Meaning of `auto`, if it is legal.
+        auto: Option<&'static str>,
+    },
+    /// One of some names.
+    Choice(&'static [&'static str]),
+}
+
+impl Kind {
+    /// The legal values in words.
+    #[must_use]
+    pub fn legal(self) -> String {
+        match self {
+            Self::Int { min, max, auto: None } => format!("{min} to {max}"),
+            Self::Int { min, max, auto: Some(auto) } => format!("{min} to {max}, or auto ({auto})"),
+            Self::Choice(names) => names.join(", "),
+        }
+    }
+}
+
+/// Parameters of the pipeline, common to all units.
+pub static PIPELINE: &[Param] = &[
+    Param {
+        name: "period_ps",
+        kind: Kind::Int { min: 100, max: 1_000_000, auto: None },
+        default: "5000",
+        help: "target clock period of the pipeline in ps, by the stated delay model",
+    },
+    Param {
+        name: "stages",
+        kind: Kind::Int { min: 0, max: 256, auto: Some("as many as the target period asks for") },
+        default: "auto",
+        help: "latency in cycles; 0 is combinational and asks for rom=distributed",
+    },
+    Param {
+        name: "rom",
+        kind: Kind::Choice(&["block", "distributed"]),
+        default: "block",
+        help: "table reads take a clock (block RAM) or none (distributed logic)",
+    },
+];
+
+impl Unit {
+    /// The unit of this name.
+    ///
+    /// # Errors
+    /// If there is none; the message names the nearest.
+    pub fn find(name: &str) -> Result<&'static Self> {
+        UNITS
+            .iter()
+            .find(|unit| unit.name == name)
+            .copied()
+            .ok_or_else(|| Error::unknown_unit(name, UNITS.iter().map(|unit| unit.name)))
+    }
+
+    /// All parameters: its own, then the pipeline's.
+    pub fn all_params(&self) -> impl Iterator<Item = &'static Param> + use<> {
+        self.params.iter().chain(PIPELINE)
+    }
+
+    /// The defaults.
+    ///
+    /// # Panics
+    /// If a default is not legal: that is wrong code.
+    #[must_use]
+    pub fn defaults(&'static self) -> Values {
+        let values = self
+            .all_params()
+            .map(|param| param.parse(param.default).expect("bug: a default is legal"))
+            .collect();
+        Values { unit: self, values }
+    }
+
+    /// The defaults with some `key=value` assignments.
+    ///
+    /// # Errors
+    /// If a name is unknown or a value is not legal.
+    pub fn values<S: AsRef<str>>(&'static self, assignments: &[S]) -> Result<Values> {
+        let mut values = self.defaults();
+        for assignment in assignments {
+            let text = assignment.as_ref();
+            let (name, value) =
+                text.split_once('=').ok_or_else(|| Error::form(text, "key=value"))?;
+            values.set(name, value)?;
+        }
+        Ok(values)
+    }
+}
+
+/// Value of a parameter.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, PartialOrd, Ord)]
+pub enum Value {
+    /// A whole number.
+    Int(i64),
+    /// `auto`.
+    Auto,
+    /// A name.
+    Choice(&'static str),
+}
+
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Int(number) => f.pad(&number.to_string()),
+            Self::Auto => f.pad("auto"),
+            Self::Choice(name) => f.pad(name),
+        }
+    }
+}
+
+impl Param {
+    /// Reads a value.
+    ///
+    /// # Errors
+    /// If it is not legal; the message names the legal values.
+    pub fn parse(&self, text: &str) -> Result<Value> {
+        let value = match self.kind {
+            Kind::Int { auto: Some(_), .. } if text == "auto" => Some(Value::Auto),
+            Kind::Int { min, max, .. } => {
+                text.parse().ok().filter(|n| (min..=max).contains(n)).map(Value::Int)
+            }
+            Kind::Choice(names) => {
+                names.iter().find(|name| **name == text).map(|name| Value::Choice(name))
+            }
+        };
+        value.ok_or_else(|| Error::parameter_value(self.name, text, self.kind.legal()))
+    }
+}
+
+/// One value for each parameter of a unit.
+#[derive(Clone, Debug)]
+pub struct Values {
+    unit: &'static Unit,
+    values: Vec<Value>,
+}
+
+impl Values {
+    /// The unit that they belong to.
+    #[must_use]
+    pub fn unit(&self) -> &'static Unit {
+        self.unit
+    }
+
+    /// Sets one parameter from text.
+    ///
+    /// # Errors
+    /// If the name is unknown or the value not legal.
+    pub fn set(&mut self, name: &str, text: &str) -> Result<()> {
+        let position = self.unit.all_params().position(|param| param.name == name);
+        let index = position.ok_or_else(|| {
+            Error::unknown_parameter(self.unit.name, name, self.unit.all_params().map(|p| p.name))
+        })?;
+        let param = self.unit.all_params().nth(index).expect("bug: found above");
+        self.values[index] = param.parse(text)?;
+        Ok(())
+    }
+
+    /// Pairs of name and value in the order of the parameters.
+    pub fn iter(&self) -> impl Iterator<Item = (&'static str, Value)> + '_ {
+        self.unit.all_params().map(|param| param.name).zip(self.values.iter().copied())
+    }
+
+    /// The value of a parameter.
+    ///
+    /// # Panics
+    /// If there is no such parameter.
+    #[must_use]
+    pub fn get(&self, name: &str) -> Value {
+        self.iter().find(|(known, _)| *known == name).expect("bug: unknown parameter").1
+    }
+
+    /// A whole number; `None` for `auto`.
+    ///
+    /// # Panics
+    /// If the parameter is none.
+    #[must_use]
+    pub fn int(&self, name: &str) -> Option<i64> {
+        match self.get(name) {
+            Value::Int(number) => Some(number),
+            Value::Auto => None,
+            Value::Choice(_) => panic!("bug: `{name}` is a name"),
+        }
+    }
+
+    /// A count of bits that has no `auto`.
+    ///
+    /// # Panics
+    /// If the parameter is none.
+    #[must_use]
+    pub fn bits(&self, name: &str) -> u32 {
+        let number = self.int(name).expect("bug: no auto here");
+        u32::try_from(number).expect("bug: counts of bits are small")
+    }
+
+    /// A name.
+    ///
+    /// # Panics
+    /// If the parameter is none.
+    #[must_use]
+    pub fn choice(&self, name: &str) -> &'static str {
+        match self.get(name) {
+            Value::Choice(choice) => choice,
+            Value::Int(_) | Value::Auto => panic!("bug: `{name}` is no name"),
+        }
+    }
+
+    /// The error for a value that is legal by itself and not together with others.
+    #[must_use]
+    pub fn refuse(&self, name: &str, legal: &str) -> Error {
+        Error::parameter_value(name, &self.get(name).to_string(), legal.to_owned())
+    }
+
+    /// Builds the datapath.
+    ///
+    /// # Errors
+    /// If these values don't go together, or a word would be wider than 63 bits.
+    pub fn build(&self) -> Result<Design> {
+        (self.unit.build)(self)
+    }
+}
+
+/// What the outputs of a unit are together.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Shape {
+    /// A direction in three components; the golden gives x, y, z.
+    Cartesian,
+    /// A direction as azimuth and polar angle in turns; the golden gives x, y, z.
+    Polar,
+}
+
+/// A golden model on blocks: input columns in, output columns out.
+pub type Golden<F> = fn(&[&[F]], &mut [Vec<F>]);
+
+/// A stated bound on the error against the golden of the quantised inputs.
+#[derive(Clone, Copy)]
+pub enum Bound {
+    /// On the absolute error of each component, from the worst error of each table scheme.
+    Component(fn(&Values, &dyn Fn(&str) -> f64) -> f64),
+    /// On the angle between the vectors in rad, from the worst error of each table scheme.
+    Angle(fn(&Values, &dyn Fn(&str) -> f64) -> f64),
+    /// None, and why.
+    Unstated(&'static str),
+}
+
+impl fmt::Debug for Bound {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Component(_) => "Component",
+            Self::Angle(_) => "Angle",
+            Self::Unstated(why) => why,
+        })
+    }
+}
+
+/// A table scheme as a design uses it: what is needed to judge it alone.
+#[derive(Clone, Debug)]
+pub struct Tabulated {
+    /// Name of the table and of its scope.
+    pub name: &'static str,
+    /// Its functions.
+    pub functions: &'static [Function],
+    /// Scheme.
+    pub scheme: Scheme,
+    /// Address bits asked for.
+    pub addr_bits: u32,
+    /// Quarter-wave folding asked for.
+    pub quarter_wave: bool,
+    /// Value of the argument's word 0.
+    pub origin: f64,
+    /// Format of the result.
+    pub output: Format,
+    /// Rounding of its sums.
+    pub round: Round,
+    /// Format of the argument.
+    pub argument: Format,
+}
+
+impl Tabulated {
+    /// The specification for [`crate::lut::emit`].
+    #[must_use]
+    pub fn spec(&self) -> Spec<'_> {
+        Spec {
+            name: self.name,
+            functions: self.functions,
+            scheme: self.scheme,
+            addr_bits: self.addr_bits,
+            quarter_wave: self.quarter_wave,
+            origin: self.origin,
+            output: self.output,
+            round: self.round,
+        }
+    }
+}
+
+/// A group of hard cases.
+#[derive(Clone, Debug)]
+pub struct HardCase {
+    /// What is hard about them.
+    pub name: &'static str,
+    /// Input words, one vector per case.
+    pub words: Vec<Vec<i64>>,
+}
+
+/// Where inputs come from.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Sampler {
+    /// Vectors uniform on the sphere, with the light on the lit side of the surface.
+    Lit,
+    /// Vectors uniform on the sphere.
+    Sphere,
+    /// Every combination of input words.
+    Exhaustive,
+    /// The hard-case list.
+    Hard,
+}
+
+impl Sampler {
+    /// Names on the command line.
+    pub const ALL: &'static [(Self, &'static str)] = &[
+        (Self::Lit, "lit"),
+        (Self::Sphere, "sphere"),
+        (Self::Exhaustive, "exhaustive"),
+        (Self::Hard, "hard"),
+    ];
+
+    /// Name on the command line.
+    ///
+    /// # Panics
+    /// Never: every sampler is listed.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        Self::ALL.iter().find(|(known, _)| *known == self).expect("bug: every sampler is listed").1
+    }
+}
+
+/// Fills one column per input with values drawn from `next`, uniform in 0 to 1.
+pub type Draw = fn(Sampler, &mut dyn FnMut() -> f64, &mut [Vec<f64>], usize);
+
+/// A datapath with what it takes to run and judge it.
+#[derive(Debug)]
+pub struct Design {
+    /// Parameters that made it.
+    pub values: Values,
+    /// The datapath.
+    pub netlist: Arc<Netlist>,
+    /// What the outputs are together.
+    pub shape: Shape,
+    /// Golden model in `f64`.
+    pub golden: Golden<f64>,
+    /// The same in `f32`, to be judged as a rival.
+    pub golden_f32: Golden<f32>,
+    /// Stated error bound.
+    pub bound: Bound,
+    /// Table schemes in use.
+    pub tabulated: Vec<Tabulated>,
+    /// The hard cases.
+    pub hard: Vec<HardCase>,
+    /// Input sampler.
+    pub draw: Draw,
+}

@@ -1,0 +1,188 @@
+//! Parts shared by units: from Cartesian to polar, by CORDIC and by tables.
+
+use crate::cast;
+use crate::format::{Format, Overflow, Round, bit_len};
+use crate::function::Function;
+use crate::lut::{self, Spec};
+use crate::netlist::{Builder, NodeId};
+use crate::op::Meaning;
+use std::f64::consts::TAU;
+
+/// Angle of a vector and its length, as nodes.
+pub(crate) struct Polar {
+    /// Angle in turns, unsigned, modulo one.
+    pub(crate) angle: NodeId,
+    /// Length, times [`gain`] for CORDIC.
+    pub(crate) length: NodeId,
+}
+
+/// What CORDIC vectoring multiplies the length by.
+pub(crate) fn gain(iterations: u32) -> f64 {
+    (0..cast::signed_count(iterations)).map(|i| (1.0 + 4f64.powi(-i)).sqrt()).product()
+}
+
+/// Fraction bits that CORDIC works with, so that the dropped bits of all its steps stay
+/// below `2^-frac_bits` together.
+pub(crate) fn cordic_frac_bits(frac_bits: u32, iterations: u32) -> u32 {
+    frac_bits + bit_len(u64::from(iterations)) + 1
+}
+
+/// The angle word `half a turn on`: its top bit inverted.
+fn opposite(b: &mut Builder, angle: NodeId) -> NodeId {
+    let format = b.format(angle);
+    let top = b.constant(1 << (format.bits() - 1), format);
+    let turned = b.xor(angle, top);
+    b.means(turned, Meaning::Opposite(angle))
+}
+
+/// Unsigned turn format of `frac_bits` bits.
+fn turn(b: &mut Builder, frac_bits: u32) -> Format {
+    let format = Format::unsigned(frac_bits, cast::signed_count(frac_bits));
+    b.checked(format)
+}
+
+/// Angle and length of (x, y) by CORDIC in vectoring mode: adders and wires only.
+///
+/// |x|, |y| < 2 with |(x, y)| * gain < 4; steps drop bits toward minus infinity. Works
+/// with `work_bits` fraction bits, and `angle_bits` of them in the angle.
+pub(crate) fn cordic(
+    b: &mut Builder,
+    y: NodeId,
+    x: NodeId,
+    iterations: u32,
+    work_bits: u32,
+    angle_bits: u32,
+) -> Polar {
+    let work = Format::signed(work_bits + 3, cast::signed_count(work_bits));
+    let work = b.checked(work); // -4 <= word < 4
+    let fit = |b: &mut Builder, node| b.narrow(node, work, Round::Floor, Overflow::Saturate);
+    let (mut cx, mut cy) = (fit(b, x), fit(b, y));
+    let behind = b.negative(cx);
+    let (minus_x, minus_y) = (b.neg(cx), b.neg(cy));
+    cx = b.mux(behind, minus_x, cx);
+    cy = b.mux(behind, minus_y, cy);
+    cx = fit(b, cx);
+    cy = fit(b, cy);
+
+    let turns = Format::signed(angle_bits, cast::signed_count(angle_bits));
+    let turns = b.checked(turns); // -½ <= angle < ½; the sum of all steps is below 0.28
+    let one = b.constant(1, Format::FLAG);
+    let mut angle = b.constant(0, turns);
+    for i in 0..cast::signed_count(iterations) {
+        let below = b.negative(cy);
+        let above = b.xor(below, one);
+        let (dx, dy) = (b.shift(cy, -i), b.shift(cx, -i));
+        let (next_x, next_y) = (b.addsub(below, cx, dx), b.addsub(above, cy, dy));
+        let step = (2f64.powi(-i).atan() / TAU * 2f64.powi(cast::signed_count(angle_bits))).round();
+        let step = b.constant(cast::i64_of(step), turns);
+        let sum = b.addsub(below, angle, step);
+        angle = b.narrow(sum, turns, Round::Floor, Overflow::Saturate);
+        cx = fit(b, next_x);
+        cy = fit(b, next_y);
+    }
+    let whole = turn(b, angle_bits);
+    let ahead = b.modulo(angle, whole);
+    let turned = opposite(b, ahead);
+    let angle = b.mux(behind, turned, ahead);
+    b.means(angle, Meaning::Atan2 { y, x });
+    Polar { angle: b.turns(angle), length: cx }
+}
+
+/// `x * factor` with the factor rounded to `frac_bits` bits, as additions of shifted words
+/// (canonical signed digits): no multiplier.
+pub(crate) fn scale(b: &mut Builder, x: NodeId, factor: f64, frac_bits: u32) -> NodeId {
+    let frac = cast::signed_count(frac_bits);
+    let mut digits = cast::i64_of((factor * 2f64.powi(frac)).round());
+    let mut sum: Option<NodeId> = None;
+    let mut place = -frac;
+    while digits != 0 {
+        if digits & 1 == 1 {
+            let negative = digits & 3 == 3;
+            let term = b.shift(x, place);
+            sum = Some(match (sum, negative) {
+                (None, false) => term,
+                (None, true) => b.neg(term),
+                (Some(sum), false) => b.add(sum, term),
+                (Some(sum), true) => b.sub(sum, term),
+            });
+            digits += if negative { 1 } else { -1 };
+        }
+        digits >>= 1;
+        place += 1;
+    }
+    sum.expect("bug: the factor is not 0")
+}
+
+/// Table specifications of [`table`].
+pub(crate) struct PolarTables<'a> {
+    /// 1/x of a mantissa from ½ up; its argument is the mantissa without its top bit.
+    pub(crate) recip: Spec<'a>,
+    /// atan and secant of a ratio from 0 to 1.
+    pub(crate) atan: Spec<'a>,
+    /// Fraction bits of the ratio.
+    pub(crate) ratio_bits: u32,
+}
+
+/// Format of the reciprocal table's argument for components of format `component`.
+pub(crate) fn mantissa_argument(component: Format) -> crate::error::Result<Format> {
+    // |component| has as many bits as the component; without its top bit, one less.
+    Format::unsigned(component.bits() - 1, cast::signed_count(component.bits()))
+}
+
+/// Angle and length of (x, y), both of one signed format: octant fold, normalised
+/// reciprocal table, one product for the ratio, a table of atan and secant, one product
+/// for the length. (0, 0) gives angle 0.
+pub(crate) fn table(b: &mut Builder, y: NodeId, x: NodeId, tables: &PolarTables<'_>) -> Polar {
+    let component = b.format(x);
+    assert_eq!(component, b.format(y), "bug: components have one format");
+    let bits = component.bits(); // of |x|, since -2^(bits-1) has the magnitude 2^(bits-1)
+    let (ax, ay) = (b.abs(x), b.abs(y));
+    let steep = b.less(ax, ay);
+    let (major, minor) = (b.mux(steep, ay, ax), b.mux(steep, ax, ay));
+    // Shift both so that the major one has its top bit set; nothing is lost off the top.
+    let places = b.leading_zeros(major);
+    let mantissa = |b: &mut Builder, node| {
+        let shifted = b.shift_left(node, places, bits);
+        b.slice(shifted, 0, bits)
+    };
+    let (major_mantissa, minor_mantissa) = (mantissa(b, major), mantissa(b, minor));
+    let argument = b.slice(major_mantissa, 0, bits - 1);
+    let argument = b.shift(argument, -cast::signed_count(bits));
+    let recip = lut::emit(b, &tables.recip, argument)[0]; // 1 < recip <= 2
+    let numerator = b.shift(minor_mantissa, -cast::signed_count(bits)); // 0 <= numerator < 1
+    let quotient = b.mul(numerator, recip);
+    let ratio = turn(b, tables.ratio_bits); // 0 <= ratio < 1
+    let ratio = b.narrow(quotient, ratio, tables.recip.round, Overflow::Saturate);
+    b.name(ratio, "ratio");
+    let [octant, secant] = lut::emit(b, &tables.atan, ratio)[..] else {
+        panic!("bug: two functions were asked for")
+    };
+
+    // Unfold: ¼ - angle in the steep octants, ½ - angle behind, -angle below.
+    let out = tables.atan.output;
+    let fold = |b: &mut Builder, flag, angle, from: Option<f64>| {
+        let folded = match from {
+            None => b.neg(angle),
+            Some(turns) => {
+                let raw = cast::i64_of(turns / out.ulp());
+                let from = b.constant(raw, out);
+                b.sub(from, angle)
+            }
+        };
+        b.mux(flag, folded, angle)
+    };
+    let angle = fold(b, steep, octant, Some(0.25));
+    let behind = b.negative(x);
+    let angle = fold(b, behind, angle, Some(0.5));
+    let below = b.negative(y);
+    let angle = fold(b, below, angle, None);
+    let whole = turn(b, out.frac_bits().unsigned_abs());
+    let angle = b.modulo(angle, whole);
+    b.means(angle, Meaning::Atan2 { y, x });
+    let length = b.mul(major, secant);
+    let length_format = Format::signed(bits + 1, component.frac_bits());
+    let length_format = b.checked(length_format);
+    let length = b.narrow(length, length_format, tables.atan.round, Overflow::Saturate);
+    b.means(length, Meaning::Hypot { x, y });
+    Polar { angle: b.turns(angle), length }
+}

@@ -1,0 +1,744 @@
+//! The polar rotation unit of seed 001 (Lee et al.), Fig. 7.
+//!
+//! It takes a direction A = (phi_a, theta_a) and the normal N = (phi_n, theta_n), all in
+//! turns, and gives A' = A turned by -phi_n about z, then by -theta_n about y. Three variants:
+//!
+//! - `printed`: eqs (5)-(9), (16)-(21), (26), (27) letter for letter;
+//! - `corrected`: the same tables, multipliers and adders with the identities mended;
+//! - `exact`: the rotation's triple products expanded to sums, one table read per term.
+
+use super::polar::{self, PolarTables};
+use super::{Bound, Design, HardCase, Kind, Param, Sampler, Shape, Tabulated, Unit, Values};
+use crate::cast;
+use crate::error::Result;
+use crate::format::{Format, Overflow, Round};
+use crate::function::Function;
+use crate::lut::{self, Scheme};
+use crate::netlist::{Builder, NodeId, Quantity};
+use crate::op::Meaning;
+use num_traits::{Float, FloatConst};
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// The unit.
+pub static ROTATION: Unit = Unit {
+    name: "rotation",
+    summary: "turns a direction in polar form into the frame of a surface normal",
+    source: "seed 001 (Lee et al.), section 3.1 and Fig. 7",
+    params: PARAMS,
+    inputs: "phi_a, theta_a, phi_n, theta_n: angles",
+    outputs: "x, y, z (output=cartesian) or phi, theta: angles (the others)",
+    build,
+};
+
+const TABLE_BITS: Kind = Kind::Int { min: 2, max: 20, auto: Some("table_addr_bits") };
+
+static PARAMS: &[Param] = &[
+    Param {
+        name: "variant",
+        kind: Kind::Choice(&["printed", "corrected", "exact"]),
+        default: "exact",
+        help: "the seed letter for letter, the seed with its identities mended, or the exact rotation",
+    },
+    Param {
+        name: "output",
+        kind: Kind::Choice(&["auto", "cartesian", "polar-cordic", "polar-table"]),
+        default: "auto",
+        help: "form of the result; auto is cartesian for exact, and the seed's own polar form for the others",
+    },
+    Param {
+        name: "angle_bits",
+        kind: Kind::Int { min: 2, max: 24, auto: None },
+        default: "16",
+        help: "bits of every angle port; a word counts 2^-angle_bits turns",
+    },
+    Param {
+        name: "table_addr_bits",
+        kind: Kind::Int { min: 2, max: 20, auto: None },
+        default: "10",
+        help: "address bits of every table that has none of its own",
+    },
+    Param {
+        name: "scheme",
+        kind: Kind::Choice(&["direct", "linear", "bipartite"]),
+        default: "direct",
+        help: "how tables approximate: one word per cell, base + slope, or two tables added",
+    },
+    Param {
+        name: "quarter_wave",
+        kind: Kind::Choice(&["off", "on"]),
+        default: "off",
+        help: "store a quarter turn of sin, cos and their reciprocals and fold",
+    },
+    Param {
+        name: "frac_bits",
+        kind: Kind::Int { min: 2, max: 32, auto: None },
+        default: "16",
+        help: "fraction bits of the components x, y, z",
+    },
+    Param {
+        name: "guard_bits",
+        kind: Kind::Int { min: 0, max: 8, auto: None },
+        default: "2",
+        help: "extra fraction bits inside",
+    },
+    Param {
+        name: "rounding",
+        kind: Kind::Choice(&["floor", "toward-zero", "half-up", "half-away", "half-even"]),
+        default: "half-up",
+        help: "rounding wherever bits are dropped",
+    },
+    Param {
+        name: "overflow",
+        kind: Kind::Choice(&["wrap", "saturate", "symmetric", "error"]),
+        default: "saturate",
+        help: "overflow of the results; indices into tables always saturate",
+    },
+    Param {
+        name: "sincos_addr_bits",
+        kind: TABLE_BITS,
+        default: "auto",
+        help: "address bits of the sin & cos table",
+    },
+    Param {
+        name: "asin_addr_bits",
+        kind: TABLE_BITS,
+        default: "auto",
+        help: "address bits of the asin table (printed, corrected)",
+    },
+    Param {
+        name: "recip_addr_bits",
+        kind: TABLE_BITS,
+        default: "auto",
+        help: "address bits of the reciprocal tables",
+    },
+    Param {
+        name: "atan_addr_bits",
+        kind: TABLE_BITS,
+        default: "auto",
+        help: "address bits of the atan table",
+    },
+    Param {
+        name: "prop_addr_bits",
+        kind: TABLE_BITS,
+        default: "auto",
+        help: "address bits of T_prop (printed, corrected)",
+    },
+    Param {
+        name: "recip_int_bits",
+        kind: Kind::Int { min: 1, max: 16, auto: None },
+        default: "8",
+        help: "1/(2 sin Z) and 1/(2 cos Z) saturate at 2^recip_int_bits (printed, corrected)",
+    },
+    Param {
+        name: "atan_int_bits",
+        kind: Kind::Int { min: 1, max: 10, auto: None },
+        default: "4",
+        help: "the index of the atan table saturates at 2^atan_int_bits (printed, corrected)",
+    },
+    Param {
+        name: "quadrants",
+        kind: Kind::Choice(&["full", "half"]),
+        default: "full",
+        help: "phi' over the full circle, or plain atan as eq (9) is printed (printed, corrected)",
+    },
+    Param {
+        name: "cordic_iterations",
+        kind: Kind::Int { min: 1, max: 40, auto: Some("frac_bits + guard_bits") },
+        default: "auto",
+        help: "steps of each CORDIC (polar-cordic)",
+    },
+];
+
+/// Parameters in the form that the netlist is written in.
+struct Plan<'a> {
+    values: &'a Values,
+    angle_bits: u32,
+    /// Fraction bits of components inside.
+    work_bits: u32,
+    /// Fraction bits of angles inside.
+    work_angle_bits: u32,
+    frac_bits: u32,
+    scheme: Scheme,
+    quarter_wave: bool,
+    round: Round,
+    overflow: Overflow,
+    tabulated: Vec<Tabulated>,
+}
+
+fn build(values: &Values) -> Result<Design> {
+    let variant = values.choice("variant");
+    let output = match (variant, values.choice("output")) {
+        ("exact", "auto") => "cartesian",
+        ("exact", given) => given,
+        (_, "auto" | "polar-table") => "polar-table",
+        (_, _) => {
+            return Err(values.refuse("output", &format!("auto or polar-table when variant={variant}")));
+        }
+    };
+    let named = |name: &str| values.choice(name);
+    let scheme = Scheme::ALL.iter().find(|scheme| scheme.name() == named("scheme"));
+    let guard_bits = values.bits("guard_bits");
+    let mut plan = Plan {
+        values,
+        angle_bits: values.bits("angle_bits"),
+        work_bits: values.bits("frac_bits") + guard_bits,
+        work_angle_bits: values.bits("angle_bits") + guard_bits,
+        frac_bits: values.bits("frac_bits"),
+        scheme: *scheme.expect("bug: every choice is a scheme"),
+        quarter_wave: named("quarter_wave") == "on",
+        round: named("rounding").parse()?,
+        overflow: named("overflow").parse()?,
+        tabulated: Vec::new(),
+    };
+    let mut b = Builder::new("rotation");
+    let turn = turn(plan.angle_bits)?;
+    let inputs = ["phi_a", "theta_a", "phi_n", "theta_n"]
+        .map(|name| b.input(name, turn, Quantity::Turns));
+    if variant == "exact" {
+        exact(&mut b, &mut plan, inputs, output)?;
+    } else {
+        seed(&mut b, &mut plan, inputs, variant == "corrected")?;
+    }
+    let tabulated = plan.tabulated;
+    let netlist = b.build()?;
+    let bound = match (variant, output) {
+        ("exact", "cartesian") => Bound::Component(component_bound),
+        ("exact", _) => Bound::Angle(angle_bound),
+        _ => Bound::Unstated(
+            "asin, 1/sin and 1/cos have infinite slopes, which no word length bounds; each table's own error is stated",
+        ),
+    };
+    Ok(Design {
+        hard: hard_cases(values),
+        values: values.clone(),
+        netlist: Arc::new(netlist),
+        shape: if output == "cartesian" { Shape::Cartesian } else { Shape::Polar },
+        golden: golden::<f64>,
+        golden_f32: golden::<f32>,
+        bound,
+        tabulated,
+        draw,
+    })
+}
+
+/// Unsigned turns of `bits` bits: 0 to 1.
+fn turn(bits: u32) -> Result<Format> {
+    Format::unsigned(bits, cast::signed_count(bits))
+}
+
+/// Signed turns of `bits` bits: -½ to ½.
+fn signed_turn(bits: u32) -> Result<Format> {
+    Format::signed(bits, cast::signed_count(bits))
+}
+
+/// Signed numbers below 2^int_bits with `frac_bits` fraction bits.
+fn number(int_bits: u32, frac_bits: u32) -> Result<Format> {
+    Format::signed(int_bits + frac_bits + 1, cast::signed_count(frac_bits))
+}
+
+impl Plan<'_> {
+    /// Tabulates functions of `argument`; the table's size comes from `<size>_addr_bits`.
+    fn table(
+        &mut self,
+        b: &mut Builder,
+        name: &'static str,
+        size: &str,
+        functions: &'static [Function],
+        argument: NodeId,
+        output: Format,
+    ) -> Vec<NodeId> {
+        let tabulated = self.tabulate(name, size, functions, 0.0, output, b.format(argument));
+        lut::emit(b, &tabulated.spec(), argument)
+    }
+
+    fn tabulate(
+        &mut self,
+        name: &'static str,
+        size: &str,
+        functions: &'static [Function],
+        origin: f64,
+        output: Format,
+        argument: Format,
+    ) -> Tabulated {
+        let addr_bits = match self.values.int(size) {
+            Some(bits) => u32::try_from(bits).expect("bug: counts of bits are small"),
+            None => self.values.bits("table_addr_bits"),
+        };
+        let tabulated = Tabulated {
+            name,
+            functions,
+            scheme: self.scheme,
+            addr_bits,
+            quarter_wave: self.quarter_wave,
+            origin,
+            output,
+            round: self.round,
+            argument,
+        };
+        if self.tabulated.iter().all(|known| known.name != name) {
+            self.tabulated.push(tabulated.clone());
+        }
+        tabulated
+    }
+
+    /// sin and cos of an angle.
+    fn sincos(&mut self, b: &mut Builder, angle: NodeId) -> Result<(NodeId, NodeId)> {
+        let output = number(1, self.work_bits)?; // -2 to 2: 1.0 has a code
+        let functions = &[Function::Sin, Function::Cos];
+        let pair = self.table(b, "sincos", "sincos_addr_bits", functions, angle, output);
+        Ok((pair[0], pair[1]))
+    }
+
+    /// An angle inside, rounded to the port's bits, modulo a turn.
+    fn angle_out(&self, b: &mut Builder, name: &str, angle: NodeId) -> Result<()> {
+        let format = b.format(angle);
+        let int_bits = u32::try_from(format.int_bits().max(0)).expect("bug: not negative");
+        // One more whole bit, so that rounding up past the top is no overflow but the next turn.
+        let wide = Format::new(
+            format.is_signed(),
+            int_bits + 1 + u32::from(format.is_signed()) + self.angle_bits,
+            cast::signed_count(self.angle_bits),
+        )?;
+        let rounded = b.narrow(angle, wide, self.round, Overflow::Saturate);
+        let word = b.modulo(rounded, turn(self.angle_bits)?);
+        b.turns(word);
+        b.name(word, name);
+        b.output(name, word);
+        Ok(())
+    }
+}
+
+/// Sum or difference of angles, modulo a turn.
+fn angle(b: &mut Builder, name: &str, exact: NodeId, format: Format) -> NodeId {
+    let word = b.modulo(exact, format);
+    b.turns(word);
+    b.name(word, name)
+}
+
+/// Variant `exact`: every product of sines and cosines as a sum of sines or cosines.
+fn exact(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], output: &str) -> Result<()> {
+    let [phi_a, theta_a, phi_n, theta_n] = inputs;
+    let turn = turn(plan.angle_bits)?;
+    let [big_y, big_x, xp, xm, yp, ym, ap, am] = b.scope("angles", |b| {
+        let delta = b.sub(phi_a, phi_n);
+        let delta = angle(b, "delta", delta, turn);
+        let sum = |b: &mut Builder, name: &str, p, q| {
+            let exact = b.add(p, q);
+            angle(b, name, exact, turn)
+        };
+        let difference = |b: &mut Builder, name: &str, p, q| {
+            let exact = b.sub(p, q);
+            angle(b, name, exact, turn)
+        };
+        let big_x = sum(b, "ang_x", theta_a, delta);
+        let big_y = difference(b, "ang_y", theta_a, delta);
+        [
+            big_y,
+            big_x,
+            sum(b, "x_plus_n", big_x, theta_n),
+            difference(b, "x_minus_n", big_x, theta_n),
+            sum(b, "y_plus_n", big_y, theta_n),
+            difference(b, "y_minus_n", big_y, theta_n),
+            sum(b, "a_plus_n", theta_a, theta_n),
+            difference(b, "a_minus_n", theta_a, theta_n),
+        ]
+    });
+    let mut read = |b: &mut Builder, angle, suffix: &str| -> Result<(NodeId, NodeId)> {
+        let (sin, cos) = plan.sincos(b, angle)?;
+        b.name(sin, &format!("sin_{suffix}"));
+        b.name(cos, &format!("cos_{suffix}"));
+        Ok((sin, cos))
+    };
+    let (_, cos_y) = read(b, big_y, "y")?;
+    let (_, cos_x) = read(b, big_x, "x")?;
+    let (sin_xp, cos_xp) = read(b, xp, "xpn")?;
+    let (sin_xm, cos_xm) = read(b, xm, "xmn")?;
+    let (sin_yp, cos_yp) = read(b, yp, "ypn")?;
+    let (sin_ym, cos_ym) = read(b, ym, "ymn")?;
+    let (sin_ap, cos_ap) = read(b, ap, "apn")?;
+    let (sin_am, cos_am) = read(b, am, "amn")?;
+    // Each sum is below 1 in magnitude but for table error; formats grow to hold any words.
+    let [x, y, z] = b.scope("sums", |b| {
+        let quarters = |b: &mut Builder, [p, q, r, s]: [NodeId; 4], minus: bool| {
+            // p + q + r + s, or p - q + r - s
+            let (first, second) = if minus {
+                (b.sub(p, q), b.sub(r, s))
+            } else {
+                (b.add(p, q), b.add(r, s))
+            };
+            let sum = b.add(first, second);
+            b.shift(sum, -2)
+        };
+        let quarter_x = quarters(b, [sin_xp, sin_xm, sin_yp, sin_ym], false);
+        let difference = b.sub(sin_ap, sin_am);
+        let half_x = b.shift(difference, -1);
+        let x = b.sub(quarter_x, half_x);
+        let difference = b.sub(cos_y, cos_x);
+        let y = b.shift(difference, -1);
+        let quarter_z = quarters(b, [cos_xm, cos_xp, cos_ym, cos_yp], true);
+        let sum = b.add(cos_ap, cos_am);
+        let half_z = b.shift(sum, -1);
+        let z = b.add(quarter_z, half_z);
+        [b.name(x, "x_sum"), b.name(y, "y_sum"), b.name(z, "z_sum")]
+    });
+    if output == "cartesian" {
+        let format = number(1, plan.frac_bits)?;
+        for (name, node) in [("x", x), ("y", y), ("z", z)] {
+            let word = b.narrow(node, format, plan.round, plan.overflow);
+            b.name(word, name);
+            b.output(name, word);
+        }
+        return Ok(());
+    }
+    let component = number(1, plan.work_bits)?;
+    let [x, y, z] = [("x", x), ("y", y), ("z", z)].map(|(name, node)| {
+        let word = b.narrow(node, component, plan.round, Overflow::Saturate);
+        b.name(word, name)
+    });
+    let (phi, theta) = if output == "polar-cordic" {
+        let iterations = cordic_iterations(plan.values);
+        let work_bits = polar::cordic_frac_bits(plan.work_bits, iterations);
+        let angle_bits = polar::cordic_frac_bits(plan.work_angle_bits, iterations);
+        let azimuth =
+            b.scope("azimuth", |b| polar::cordic(b, y, x, iterations, work_bits, angle_bits));
+        let theta = b.scope("polar_angle", |b| {
+            // The first CORDIC's length is too long by its gain, so z is made so too.
+            let z = polar::scale(b, z, polar::gain(iterations), work_bits);
+            polar::cordic(b, azimuth.length, z, iterations, work_bits, angle_bits)
+        });
+        (azimuth.angle, theta.angle)
+    } else {
+        let frac_bits = plan.work_bits.max(plan.work_angle_bits);
+        let round = plan.round;
+        let recip_output = Format::unsigned(frac_bits + 2, cast::signed_count(frac_bits))?;
+        let atan_output = Format::unsigned(frac_bits + 1, cast::signed_count(frac_bits))?;
+        let mut convert = |b: &mut Builder, y, x, scope: &str| -> Result<polar::Polar> {
+            let argument = polar::mantissa_argument(b.format(x))?;
+            let recip = plan.tabulate(
+                "recip",
+                "recip_addr_bits",
+                &[Function::Recip],
+                0.5,
+                recip_output,
+                argument,
+            );
+            let atan = plan.tabulate(
+                "atan",
+                "atan_addr_bits",
+                &[Function::Atan, Function::Secant],
+                0.0,
+                atan_output,
+                Format::unsigned(frac_bits, cast::signed_count(frac_bits))?,
+            );
+            let tables =
+                PolarTables { recip: recip.spec(), atan: atan.spec(), ratio_bits: frac_bits };
+            Ok(b.scope(scope, |b| polar::table(b, y, x, &tables)))
+        };
+        let azimuth = convert(b, y, x, "azimuth")?;
+        let length = b.narrow(azimuth.length, component, round, Overflow::Saturate);
+        (azimuth.angle, convert(b, length, z, "polar_angle")?.angle)
+    };
+    plan.angle_out(b, "phi", phi)?;
+    plan.angle_out(b, "theta", theta)
+}
+
+fn cordic_iterations(values: &Values) -> u32 {
+    match values.int("cordic_iterations") {
+        Some(iterations) => u32::try_from(iterations).expect("bug: counts are small"),
+        None => values.bits("frac_bits") + values.bits("guard_bits"),
+    }
+}
+
+/// Variants `printed` and `corrected`: Fig. 7 with 6 tables, 3 multipliers, 8 adders.
+fn seed(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], corrected: bool) -> Result<()> {
+    let [phi_a, theta_a, phi_n, theta_n] = inputs;
+    let (work, work_angle) = (plan.work_bits, plan.work_angle_bits);
+    let full_circle = plan.values.choice("quadrants") == "full";
+    let inner_turn = turn(work_angle)?;
+
+    // (6): X, Y. As printed they are halved, and then Δ may not be reduced modulo a turn first.
+    let (big_x, big_y) = b.scope("angles", |b| -> Result<_> {
+        let difference = b.sub(phi_a, phi_n);
+        b.name(difference, "delta_exact");
+        let (delta, halves, format) = if corrected {
+            (angle(b, "delta", difference, turn(plan.angle_bits)?), 0, turn(plan.angle_bits)?)
+        } else {
+            (difference, 1, turn(plan.angle_bits + 1)?)
+        };
+        let sum = b.add(theta_a, delta);
+        let sum = b.shift(sum, -halves);
+        let difference = b.sub(theta_a, delta);
+        let difference = b.shift(difference, -halves);
+        Ok((angle(b, "ang_x", sum, format), angle(b, "ang_y", difference, format)))
+    })?;
+    let (sin_x, cos_x) = plan.sincos(b, big_x)?;
+    let (sin_y, cos_y) = plan.sincos(b, big_y)?;
+    for (node, name) in [(sin_x, "sin_x"), (cos_x, "cos_x"), (sin_y, "sin_y"), (cos_y, "cos_y")] {
+        b.name(node, name);
+    }
+
+    // (7): theta_x = asin((sin X + sin Y) / 2), index -1 to 1.
+    let sum = b.add(sin_x, sin_y);
+    let mean = b.shift(sum, -1);
+    let index = b.narrow(mean, number(0, work)?, plan.round, Overflow::Saturate);
+    b.name(index, "sin_theta_x");
+    let asin = plan.table(
+        b,
+        "asin",
+        "asin_addr_bits",
+        &[Function::Asin],
+        index,
+        signed_turn(work_angle)?,
+    )[0];
+    b.turns(asin);
+    let theta_x = if corrected {
+        // ½ - asin where cos theta_a < 0: the negated angle with its top bit inverted.
+        let quarter = b.constant(1 << (plan.angle_bits - 2), turn(plan.angle_bits)?);
+        let three_quarters = b.constant(3 << (plan.angle_bits - 2), turn(plan.angle_bits)?);
+        let (past, before) = (b.less(quarter, theta_a), b.less(theta_a, three_quarters));
+        let behind = b.and(past, before);
+        b.means(behind, Meaning::CosNegative(theta_a));
+        b.name(behind, "behind");
+        let minus = b.neg(asin);
+        let minus = b.modulo(minus, inner_turn);
+        let top = b.constant(1 << (work_angle - 1), inner_turn);
+        let mirrored = b.xor(minus, top);
+        b.means(mirrored, Meaning::Opposite(minus));
+        let ahead = b.modulo(asin, inner_turn);
+        b.mux(behind, mirrored, ahead)
+    } else {
+        asin
+    };
+    b.turns(theta_x);
+    b.name(theta_x, "theta_x");
+
+    // Z = theta_x - theta_n; tables see it modulo a turn.
+    let difference = b.sub(theta_x, theta_n);
+    b.name(difference, "z_exact");
+    let big_z = angle(b, "ang_z", difference, signed_turn(work_angle)?);
+
+    // (9), (27): (cos Y - cos X) over 2 sin Z and 2 cos Z.
+    let y_double = b.sub(cos_y, cos_x);
+    b.name(y_double, "y_double");
+    let recip = number(plan.values.bits("recip_int_bits"), work)?;
+    let size = "recip_addr_bits";
+    let recip_sin = plan.table(b, "recip_sin", size, &[Function::HalfRecipSin], big_z, recip)[0];
+    let recip_cos = plan.table(b, "recip_cos", size, &[Function::HalfRecipCos], big_z, recip)[0];
+    b.name(recip_sin, "half_recip_sin");
+    b.name(recip_cos, "half_recip_cos");
+    let over = |function| Meaning::OverTwice { y: y_double, function, angle: big_z };
+    let tan = b.mul(y_double, recip_sin);
+    b.means(tan, over(Function::Sin));
+    let tan_format = number(plan.values.bits("atan_int_bits"), work)?;
+    let tan = b.narrow(tan, tan_format, plan.round, Overflow::Saturate);
+    b.name(tan, "tan_phi");
+    let atan =
+        plan.table(b, "atan", "atan_addr_bits", &[Function::Atan], tan, signed_turn(work_angle)?)[0];
+    let phi = b.modulo(atan, inner_turn);
+    let phi = if full_circle {
+        let behind = b.negative(big_z);
+        let top = b.constant(1 << (work_angle - 1), inner_turn);
+        let turned = b.xor(phi, top);
+        b.means(turned, Meaning::Opposite(phi));
+        b.mux(behind, turned, phi)
+    } else {
+        phi
+    };
+
+    // (26), (27): theta_prop of y_k. Symmetric saturation leaves its magnitude below 1.
+    let y_k = b.mul(y_double, recip_cos);
+    b.means(y_k, over(Function::Cos));
+    let y_k = b.narrow(y_k, number(0, work)?, plan.round, Overflow::Symmetric);
+    b.name(y_k, "y_k");
+    let (index, distance) = if corrected {
+        let magnitude = b.abs(y_k);
+        (b.modulo(magnitude, Format::unsigned(work, cast::signed_count(work))?), b.abs(big_z))
+    } else {
+        (y_k, difference)
+    };
+    let prop = plan.table(
+        b,
+        "prop",
+        "prop_addr_bits",
+        &[Function::Prop],
+        index,
+        number(1, work)?,
+    )[0];
+    b.name(prop, "theta_prop");
+
+    // (19): theta' = Z + (90° - Z) * theta_prop.
+    let quarter = b.constant(1, Format::unsigned(1, 2)?);
+    let rest = b.sub(quarter, distance);
+    let part = b.mul(rest, prop);
+    let theta = b.add(distance, part);
+    plan.angle_out(b, "phi", phi)?;
+    plan.angle_out(b, "theta", theta)
+}
+
+/// |x', y', z'| each: the terms' weights add up to 2, so twice the table's worst error, and
+/// the last rounding.
+fn component_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
+    let ulp = 2f64.powi(-cast::signed_count(values.bits("frac_bits")));
+    2.0 * worst("sincos") + rounding_ulp(values) * ulp
+}
+
+/// Largest error of one rounding in ulp.
+fn rounding_ulp(values: &Values) -> f64 {
+    match values.choice("rounding") {
+        "floor" | "toward-zero" => 1.0,
+        _ => 0.5,
+    }
+}
+
+/// Angle between vectors in rad: the components' error, then the conversion's.
+fn angle_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
+    let work_bits = values.bits("frac_bits") + values.bits("guard_bits");
+    let work_ulp = 2f64.powi(-cast::signed_count(work_bits));
+    let half = rounding_ulp(values);
+    // Each component is off by at most `component`; a vector that far off turns by at most
+    // asin of its length, and asin e <= 1.6 e.
+    let component = 2.0 * worst("sincos") + half * work_ulp;
+    let vector = 3f64.sqrt() * component;
+    // Two output angles (theta, and phi times sin theta <= 1) rounded to the port's words.
+    let port = 2.0 * half * TAU * 2f64.powi(-cast::signed_count(values.bits("angle_bits")));
+    // Two conversions, each in rad.
+    let conversion = if values.choice("output") == "polar-cordic" {
+        // The last step's angle, and the dropped bits, which `cordic_frac_bits` keeps below one
+        // work ulp in x, y and in the angle.
+        let iterations = cast::signed_count(cordic_iterations(values));
+        let angle_ulp = 2f64
+            .powi(-cast::signed_count(values.bits("angle_bits") + values.bits("guard_bits")));
+        2f64.powi(1 - iterations) + 2.0 * work_ulp + TAU * angle_ulp
+    } else {
+        // The ratio is off by the reciprocal's error (times a minor mantissa below 1) and one
+        // rounding; atan has slope <= 1. The length is off relatively by the secant's error.
+        let ratio_ulp = work_ulp; // at least as fine
+        TAU * worst("atan") + worst("recip") + half * ratio_ulp + worst("atan") + 2.0 * work_ulp
+    };
+    1.6 * vector.min(1.0) + port + 2.0 * conversion
+}
+
+/// The golden model: the rotation in plain floating point, angles in turns.
+///
+/// Written from the mathematics; knows no netlist. Exact up to float rounding, singular nowhere.
+fn golden<F: Float + FloatConst>(inputs: &[&[F]], outputs: &mut [Vec<F>]) {
+    let [phi_a, theta_a, phi_n, theta_n] = inputs else { panic!("bug: four inputs") };
+    let [xs, ys, zs] = outputs else { panic!("bug: three outputs") };
+    for i in 0..phi_a.len() {
+        let (sin_delta, cos_delta) = ((phi_a[i] - phi_n[i]) * F::TAU()).sin_cos();
+        let (sin_a, cos_a) = (theta_a[i] * F::TAU()).sin_cos();
+        let (sin_n, cos_n) = (theta_n[i] * F::TAU()).sin_cos();
+        let (x, y, z) = (sin_a * cos_delta, sin_a * sin_delta, cos_a);
+        xs[i] = x * cos_n - z * sin_n;
+        ys[i] = y;
+        zs[i] = x * sin_n + z * cos_n;
+    }
+}
+
+/// Directions A and N uniform on the sphere; on the lit side, A is mirrored where N·A < 0.
+fn draw(sampler: Sampler, next: &mut dyn FnMut() -> f64, columns: &mut [Vec<f64>], count: usize) {
+    let [phi_a, theta_a, phi_n, theta_n] = columns else { panic!("bug: four inputs") };
+    for column in [&mut *phi_a, &mut *theta_a, &mut *phi_n, &mut *theta_n] {
+        column.clear();
+    }
+    for _ in 0..count {
+        let mut direction = || {
+            let phi = next();
+            (phi, (1.0 - 2.0 * next()).acos() / TAU)
+        };
+        let ((mut pa, mut ta), (pn, tn)) = (direction(), direction());
+        let along = (ta * TAU).cos() * (tn * TAU).cos()
+            + (ta * TAU).sin() * (tn * TAU).sin() * ((pa - pn) * TAU).cos();
+        if sampler == Sampler::Lit && along < 0.0 {
+            (pa, ta) = ((pa + 0.5).fract(), 0.5 - ta);
+        }
+        phi_a.push(pa);
+        theta_a.push(ta);
+        phi_n.push(pn);
+        theta_n.push(tn);
+    }
+}
+
+/// The named hard cases, as words.
+fn hard_cases(values: &Values) -> Vec<HardCase> {
+    let bits = values.bits("angle_bits");
+    let turn = 1i64 << bits;
+    let (half, quarter, eighth) = (turn / 2, turn / 4, turn / 8);
+    let word = |w: i64| w.rem_euclid(turn);
+    let cases = |name, words: Vec<[i64; 4]>| HardCase {
+        name,
+        words: words.into_iter().map(|case| case.map(word).to_vec()).collect(),
+    };
+    let near = |centre: i64| [centre - 1, centre, centre + 1];
+    let azimuths = [0, 1, eighth, quarter, half - 1, half, half + quarter, turn - 1];
+    let polars = [0, 1, eighth, quarter - 1, quarter, quarter + 1, half - eighth, half - 1, half];
+
+    let mut poles = Vec::new();
+    let mut both_poles = Vec::new();
+    for pole in [0, 1, half - 1, half, half + 1] {
+        for phi in azimuths {
+            for theta in polars {
+                poles.push([phi, pole, 0, theta]);
+                poles.push([0, theta, phi, pole]);
+            }
+        }
+        for other in [0, 1, half - 1, half, half + 1] {
+            both_poles.extend(azimuths.map(|phi| [phi, pole, 0, other]));
+        }
+    }
+    let mut wrap = Vec::new();
+    for (a, n) in [(0, turn - 1), (turn - 1, 0), (0, 0), (turn - 1, turn - 1), (half, 0), (0, half)] {
+        for theta in polars {
+            wrap.extend(polars.map(|normal| [a, theta, n, normal]));
+        }
+    }
+    let (mut parallel, mut opposite, mut right_angle, mut grazing) = (vec![], vec![], vec![], vec![]);
+    for phi in azimuths {
+        for theta in polars {
+            parallel.extend(near(theta).map(|t| [phi, t, phi, theta]));
+            opposite.extend(near(half - theta).map(|t| [phi + half, t, phi, theta]));
+            right_angle.extend(near(theta + quarter).map(|t| [phi, t, phi, theta]));
+            grazing.extend(near(quarter).map(|t| [phi + quarter, t, phi, theta]));
+        }
+    }
+    let mut sin_z = Vec::new();
+    let mut cos_z = Vec::new();
+    let mut cancel = Vec::new();
+    let mut unit = Vec::new();
+    for theta in polars {
+        for delta in [-1, 0, 1] {
+            sin_z.extend(near(theta).map(|t| [delta, t, 0, theta]));
+            cos_z.extend(near(theta + quarter).map(|t| [delta, t, 0, theta]));
+            cancel.extend(polars.map(|t| [delta, t, 0, theta]));
+            cancel.extend(polars.map(|t| [half + delta, t, 0, theta]));
+            unit.extend(near(quarter).map(|t| [quarter + delta, t, 0, theta]));
+            unit.extend(near(quarter).map(|t| [-quarter + delta, t, 0, theta]));
+        }
+    }
+    // First and last entry and every joint of the sin & cos table, through theta_a.
+    let addr_bits = match values.int("sincos_addr_bits") {
+        Some(own) => own,
+        None => values.int("table_addr_bits").expect("bug: no auto here"),
+    };
+    let cells = 1i64 << addr_bits.min(i64::from(bits)).min(12);
+    let step = turn / cells;
+    let joints = (0..cells)
+        .flat_map(|cell| [cell * step - 1, cell * step])
+        .map(|theta| [0, theta, 0, 0])
+        .collect();
+    vec![
+        cases("poles: theta = 0 or half a turn, and one word either side", poles),
+        cases("both vectors at a pole", both_poles),
+        cases("phi wrap: first and last word", wrap),
+        cases("A parallel to N, and one word off", parallel),
+        cases("A opposite to N, and one word off", opposite),
+        cases("A at a right angle to N in its plane", right_angle),
+        cases("grazing light across N", grazing),
+        cases("sin Z at and next to 0", sin_z),
+        cases("cos Z at and next to 0", cos_z),
+        cases("cancellation in cos Y - cos X", cancel),
+        cases("y_k and components at plus and minus 1", unit),
+        cases("first and last entry and joints of the sin & cos table", joints),
+    ]
+}
