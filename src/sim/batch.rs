@@ -183,10 +183,7 @@ impl Program {
         let mut free: Vec<Slot> = Vec::new();
         let mut slot_of = vec![usize::MAX; nodes.len()];
         for (index, node) in nodes.iter().enumerate() {
-            let to = free.pop().unwrap_or_else(|| {
-                program.slots += 1;
-                program.slots - 1
-            });
+            let to = program.slot(&mut free, node.op);
             slot_of[index] = to;
             match node.op {
                 Op::Input => program.inputs.push(to),
@@ -211,6 +208,16 @@ impl Program {
         }
         program.outputs = outputs.iter().map(|id| slot_of[id.index()]).collect();
         program
+    }
+
+    /// A column for the result of an operation. A constant's column is filled once, so it may
+    /// not have been another node's before.
+    fn slot(&mut self, free: &mut Vec<Slot>, op: Op) -> Slot {
+        let used = if matches!(op, Op::Const { .. }) { None } else { free.pop() };
+        used.unwrap_or_else(|| {
+            self.slots += 1;
+            self.slots - 1
+        })
     }
 
     fn kernel(&mut self, netlist: &Netlist, index: usize) -> Kernel {
@@ -721,7 +728,9 @@ impl RealProgram {
             for operand in operands(index) {
                 last_use[operand] = index;
             }
-            if matches!(nodes[index].op, Op::Input | Op::Const { .. }) {
+        }
+        for (index, node) in nodes.iter().enumerate() {
+            if matches!(node.op, Op::Input | Op::Const { .. }) {
                 last_use[index] = usize::MAX;
             }
         }
@@ -741,10 +750,7 @@ impl RealProgram {
             if !needed[index] && node.op != Op::Input {
                 continue;
             }
-            let to = free.pop().unwrap_or_else(|| {
-                program.slots += 1;
-                program.slots - 1
-            });
+            let to = program.slot(&mut free, node.op);
             slot_of[index] = to;
             let mut operands = if node.op == Op::Input { Vec::new() } else { operands(index) };
             let mut of = [0; 3];
@@ -766,6 +772,16 @@ impl RealProgram {
         }
         program.outputs = outputs.iter().map(|id| slot_of[id.index()]).collect();
         program
+    }
+
+    /// A column for the result of an operation. A constant's column is filled once, so it may
+    /// not have been another node's before.
+    fn slot(&mut self, free: &mut Vec<Slot>, op: Op) -> Slot {
+        let used = if matches!(op, Op::Const { .. }) { None } else { free.pop() };
+        used.unwrap_or_else(|| {
+            self.slots += 1;
+            self.slots - 1
+        })
     }
 
     /// Makes columns for one thread.

@@ -546,14 +546,15 @@ fn seed(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], corrected: bo
         phi
     };
 
-    // (26), (27): theta_prop of y_k. Symmetric saturation leaves its magnitude below 1.
+    // (26), (27): theta_prop of y_k, which its approximations let pass 1: the index saturates.
     let y_k = b.mul(y_double, recip_cos);
     b.means(y_k, over(Function::Cos));
-    let y_k = b.narrow(y_k, number(0, work)?, plan.round, Overflow::Symmetric);
+    let y_k = b.narrow(y_k, number(0, work)?, plan.round, Overflow::Saturate);
     b.name(y_k, "y_k");
     let (index, distance) = if corrected {
         let magnitude = b.abs(y_k);
-        (b.modulo(magnitude, Format::unsigned(work, cast::signed_count(work))?), b.abs(big_z))
+        let index = Format::unsigned(work, cast::signed_count(work))?; // -1 has the magnitude 1.0
+        (b.narrow(magnitude, index, plan.round, Overflow::Saturate), b.abs(big_z))
     } else {
         (y_k, difference)
     };
