@@ -9,5 +9,6 @@ pub mod lut;
 pub mod measure;
 pub mod netlist;
 pub mod op;
+pub mod output;
 pub mod sim;
 pub mod units;
