@@ -10,5 +10,8 @@ pub mod measure;
 pub mod netlist;
 pub mod op;
 pub mod output;
+pub mod rtl;
+pub mod schedule;
 pub mod sim;
 pub mod units;
+pub mod wave;

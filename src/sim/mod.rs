@@ -2,3 +2,4 @@
 //! cycles.
 
 pub mod batch;
+pub mod cycle;

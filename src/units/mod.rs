@@ -15,6 +15,8 @@ use crate::lut::{Scheme, Spec};
 use crate::function::Function;
 use crate::format::Round;
 use crate::netlist::Netlist;
+use crate::rtl::Rtl;
+use crate::schedule::{Depth, Rom, Schedule};
 use std::fmt;
 use std::sync::Arc;
 
@@ -93,7 +95,7 @@ pub static PIPELINE: &[Param] = &[
         name: "stages",
         kind: Kind::Int { min: 0, max: 256, auto: Some("as many as the target period asks for") },
         default: "auto",
-        help: "latency in cycles; 0 is combinational and asks for rom=distributed",
+        help: "latency in cycles, over period_ps; 0 is combinational and asks for rom=distributed",
     },
     Param {
         name: "rom",
@@ -279,6 +281,24 @@ impl Values {
     /// If these values don't go together, or a word would be wider than 63 bits.
     pub fn build(&self) -> Result<Design> {
         (self.unit.build)(self)
+    }
+}
+
+impl Design {
+    /// The pipelined hardware that the pipeline parameters ask for.
+    ///
+    /// # Errors
+    /// If the latency asked for is too short.
+    pub fn rtl(&self) -> Result<Rtl> {
+        let values = &self.values;
+        let rom = if values.choice("rom") == "block" { Rom::Block } else { Rom::Distributed };
+        let count = |n: i64| u32::try_from(n).expect("bug: legal values are small");
+        let depth = match (values.int("stages"), values.int("period_ps")) {
+            (Some(stages), _) => Depth::Stages(count(stages)),
+            (None, period) => Depth::Period(count(period.expect("bug: no auto here"))),
+        };
+        let schedule = Schedule::pipeline(&self.netlist, rom, depth)?;
+        Ok(Rtl::new(Arc::clone(&self.netlist), schedule))
     }
 }
 

@@ -1,0 +1,517 @@
+//! Waves of the pipelined hardware: a VCD file and a GTKWave save file beside it.
+//!
+//! Words are declared with the binary point as a negative least index, so `[1:-14]` is a
+//! 16-bit word with 14 fraction bits. Beside each named word stand three reals: its value, the
+//! netlist evaluated on reals for the same sample (`ideal`), and the difference (`error`);
+//! beside each output port also the golden. Angles are in degrees there, and their errors are
+//! taken modulo a turn. In stage s, cycle t shows the sample that entered at cycle t - s;
+//! what no data has reached yet is `x`.
+
+use crate::cast;
+use crate::error::{Error, Result};
+use crate::measure::ports_of_direction;
+use crate::netlist::{Netlist, NodeId, Quantity};
+use crate::op::Op;
+use crate::rtl::{Rtl, Signal};
+use crate::sim::cycle::Cycle;
+use crate::units::Design;
+use std::collections::{BTreeSet, VecDeque};
+use std::io::{self, Write};
+use std::ops::Range;
+use std::path::Path;
+use std::sync::Arc;
+use vcd::{IdCode, ReferenceIndex, TimescaleUnit, Value, VarType};
+
+/// What to put into a wave.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// Cycles to write; all if `None`.
+    pub cycles: Option<Range<u64>>,
+    /// Patterns of signals to write, with `*` for any text; every named one if empty.
+    pub signals: Vec<String>,
+    /// Also nodes without a name, and the registers that carry words to later stages.
+    pub all: bool,
+    /// No real twins.
+    pub words_only: bool,
+}
+
+/// One signal of the wave.
+#[derive(Clone, Debug)]
+struct Trace {
+    signal: Signal,
+    /// Scopes and name.
+    path: Vec<String>,
+    name: String,
+    quantity: Quantity,
+    /// True if there are twins.
+    twins: bool,
+    /// Number of the output port that it is.
+    port: Option<usize>,
+}
+
+impl Trace {
+    fn names(&self) -> [String; 4] {
+        let unit = match self.quantity {
+            Quantity::Turns => "_deg",
+            Quantity::Number => "",
+        };
+        ["value", "ideal", "error", "golden"].map(|twin| format!("{}_{twin}{unit}", self.name))
+    }
+
+    /// Factor from values to what twins show.
+    fn scale(&self) -> f64 {
+        match self.quantity {
+            Quantity::Turns => 360.0,
+            Quantity::Number => 1.0,
+        }
+    }
+}
+
+/// A wave that is ready to be written.
+#[derive(Debug)]
+pub struct Wave<'a> {
+    design: &'a Design,
+    rtl: Arc<Rtl>,
+    traces: Vec<Trace>,
+    options: Options,
+    period_ps: u64,
+}
+
+/// True if `text` matches a pattern with `*` for any text.
+fn matches(pattern: &str, text: &str) -> bool {
+    match pattern.split_once('*') {
+        None => pattern == text,
+        Some((head, rest)) => text.strip_prefix(head).is_some_and(|text| {
+            (0..=text.len()).filter(|i| text.is_char_boundary(*i)).any(|i| matches(rest, &text[i..]))
+        }),
+    }
+}
+
+impl<'a> Wave<'a> {
+    /// Chooses the signals.
+    ///
+    /// # Errors
+    /// If a pattern matches none, or the pipeline can't be built.
+    pub fn new(design: &'a Design, options: Options) -> Result<Self> {
+        let rtl = Arc::new(design.rtl()?);
+        let mut traces = all_traces(&rtl, &options);
+        for pattern in &options.signals {
+            if !traces.iter().any(|trace| matches(pattern, &full_name(trace))) {
+                let mut names: Vec<String> = traces.iter().map(full_name).collect();
+                names.truncate(8);
+                return Err(Error::usage(format!(
+                    "no signal matches `{pattern}`: there are {}, …; --all adds unnamed ones",
+                    names.join(", ")
+                )));
+            }
+        }
+        if !options.signals.is_empty() {
+            traces.retain(|trace| {
+                options.signals.iter().any(|pattern| matches(pattern, &full_name(trace)))
+            });
+        }
+        traces.iter_mut().for_each(|trace| trace.twins &= !options.words_only);
+        let target = design.values.int("period_ps").expect("bug: no auto here");
+        let period_ps = u64::from(rtl.schedule().period_ps()).max(target.unsigned_abs());
+        Ok(Self { design, rtl, traces, options, period_ps: period_ps.next_multiple_of(2) })
+    }
+
+    /// The hardware that it shows.
+    #[must_use]
+    pub fn rtl(&self) -> &Rtl {
+        &self.rtl
+    }
+
+    /// Number of signals.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.traces.len()
+    }
+
+    /// True if there is no signal.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.traces.is_empty()
+    }
+
+    /// Simulates one sample per cycle and writes the VCD; runs on until the last result is out.
+    ///
+    /// # Errors
+    /// If `to` can't be written.
+    ///
+    /// # Panics
+    /// If the samples don't match the input ports.
+    pub fn write(&self, samples: &[Vec<i64>], to: &mut dyn Write) -> io::Result<u64> {
+        let netlist = self.rtl.netlist();
+        let latency = self.rtl.schedule().latency();
+        let mut writer = vcd::Writer::new(to);
+        writer.comment(&format!(
+            "fixpath {}: unit {}, latency {latency} cycles; {}",
+            env!("CARGO_PKG_VERSION"),
+            netlist.name(),
+            self.design
+                .values
+                .iter()
+                .map(|(name, value)| format!("{name}={value}"))
+                .collect::<Vec<_>>()
+                .join(" ")
+        ))?;
+        writer.timescale(1, TimescaleUnit::PS)?;
+        let mut codes = Codes::declare(&mut writer, self)?;
+
+        let total = cast::count_of(samples.len()) + u64::from(latency);
+        let window = self.options.cycles.clone().unwrap_or(0..total);
+        let mut cycle = Cycle::new(Arc::clone(&self.rtl));
+        // Real values of the samples in the pipeline, the latest first.
+        let depth = cast::index_of(i64::from(latency)) + 1;
+        let mut ideals: VecDeque<Option<Ideal>> = VecDeque::with_capacity(depth + 1);
+        let idle = vec![0; netlist.inputs().len()];
+        let mut first = true;
+        for at in 0..total.min(window.end) {
+            let sample = usize::try_from(at).ok().and_then(|at| samples.get(at));
+            cycle.settle(sample.unwrap_or(&idle), sample.is_some());
+            // Twins are only evaluated for samples that can be seen.
+            let seen = at + u64::from(latency) >= window.start;
+            ideals.push_front(sample.filter(|_| seen).map(|words| self.ideal(words)));
+            ideals.truncate(depth);
+            if at >= window.start {
+                writer.timestamp(at * self.period_ps)?;
+                if first {
+                    writer.begin(vcd::SimulationCommand::Dumpvars)?;
+                }
+                codes.change(&mut writer, self, &cycle, &ideals)?;
+                if first {
+                    writer.end()?;
+                    first = false;
+                }
+                writer.timestamp(at * self.period_ps + self.period_ps / 2)?;
+                codes.fall(&mut writer)?;
+            }
+            cycle.clock();
+        }
+        writer.timestamp(total.min(window.end) * self.period_ps)?;
+        writer.flush()?;
+        Ok(total.min(window.end).saturating_sub(window.start))
+    }
+
+    fn ideal(&self, words: &[i64]) -> Ideal {
+        let netlist = self.rtl.netlist();
+        let inputs: Vec<f64> = netlist
+            .inputs()
+            .iter()
+            .zip(words)
+            .map(|(id, word)| netlist.node(*id).format.value(*word))
+            .collect();
+        let columns: Vec<&[f64]> = inputs.iter().map(std::slice::from_ref).collect();
+        let mut direction = [vec![0.0], vec![0.0], vec![0.0]];
+        (self.design.golden)(&columns, &mut direction);
+        let direction = [direction[0][0], direction[1][0], direction[2][0]];
+        Ideal {
+            nodes: netlist.eval_reals(&inputs),
+            ports: ports_of_direction(self.design.shape, direction),
+        }
+    }
+
+    /// Writes the GTKWave save file for a VCD of this name.
+    ///
+    /// # Errors
+    /// If `to` can't be written.
+    pub fn write_gtkw(&self, vcd: &Path, to: &mut dyn Write) -> io::Result<()> {
+        let netlist = self.rtl.netlist();
+        let unit = netlist.name();
+        // The name alone: the pair of files can be moved together.
+        let file = vcd.file_name().unwrap_or_default().to_string_lossy();
+        writeln!(to, "[*] fixpath {}: unit {unit}", env!("CARGO_PKG_VERSION"))?;
+        writeln!(to, "[dumpfile] \"{file}\"\n[timestart] 0\n[size] 1500 1000\n[pos] -1 -1")?;
+        writeln!(to, "[sst_width] 210\n[signals_width] 330\n[sst_expanded] 0\n[treeopen] {unit}.")?;
+        let zoom = -(cast::f64_of_count(self.period_ps).log2() + 1.0);
+        writeln!(to, "*{zoom:.6} 0 {}", "-1 ".repeat(26).trim_end())?;
+        writeln!(to, "@28\n{unit}.clk\n{unit}.rst\n{unit}.valid_in\n{unit}.valid_out")?;
+        let latency = self.rtl.schedule().latency();
+        let mut stages: Vec<u32> = self.traces.iter().map(|trace| trace.signal.stage).collect();
+        stages.sort_unstable();
+        stages.dedup();
+        for stage in stages {
+            let title = match stage {
+                0 => "stage 0, input ports".to_owned(),
+                s if s == latency => format!("stage {s}, output ports"),
+                s => format!("stage {s}"),
+            };
+            writeln!(to, "@200\n-{title}")?;
+            for trace in self.traces.iter().filter(|trace| trace.signal.stage == stage) {
+                self.write_gtkw_trace(trace, to)?;
+            }
+        }
+        writeln!(to, "[pattern_trace] 1\n[pattern_trace] 0")
+    }
+
+    fn write_gtkw_trace(&self, trace: &Trace, to: &mut dyn Write) -> io::Result<()> {
+        let netlist = self.rtl.netlist();
+        let node = netlist.node(trace.signal.node);
+        let (format, dots) = (node.format, path_text(netlist, trace));
+        let port = trace.port.is_some() || node.op == Op::Input;
+        let color = if port { 2 } else { 3 };
+        let range = if format.bits() == 1 {
+            String::new()
+        } else {
+            format!("[{}:{}]", top_index(format), -format.frac_bits())
+        };
+        // Fixed-point shift of the decimal display; signed or not.
+        if format.bits() == 1 {
+            writeln!(to, "@28\n[color] {color}\n{dots}{}", trace.name)?;
+        } else if format.frac_bits() > 0 {
+            let flags = if format.is_signed() { "40000420" } else { "40000024" };
+            writeln!(to, "@{flags}\n[fpshift_count] {}\n[color] {color}", format.frac_bits())?;
+            writeln!(to, "{dots}{}{range}", trace.name)?;
+        } else {
+            let flags = if format.is_signed() { "420" } else { "24" };
+            writeln!(to, "@{flags}\n[color] {color}\n{dots}{}{range}", trace.name)?;
+        }
+        if !trace.twins {
+            return Ok(());
+        }
+        let [value, ideal, error, golden] = trace.names();
+        if trace.quantity == Quantity::Turns {
+            writeln!(to, "@20\n[color] {color}\n{dots}{value}")?;
+        }
+        if trace.port.is_some() {
+            writeln!(to, "@20\n[color] 5\n{dots}{golden}\n@20\n[color] 5\n{dots}{ideal}")?;
+            // As an analog trace: step, scaled to all of the data, three rows high.
+            writeln!(to, "@88420\n[color] 1\n{dots}{error}\n@20000\n-\n-\n-")?;
+        } else if node.op != Op::Input && self.traces.len() < 100 {
+            writeln!(to, "@20\n[color] 1\n{dots}{error}")?;
+        }
+        Ok(())
+    }
+}
+
+/// Values on reals of one sample.
+#[derive(Debug)]
+struct Ideal {
+    nodes: Vec<f64>,
+    ports: Vec<f64>,
+}
+
+fn top_index(format: crate::format::Format) -> i32 {
+    cast::signed_count(format.bits()) - format.frac_bits() - 1
+}
+
+fn path_text(netlist: &Netlist, trace: &Trace) -> String {
+    let mut text = format!("{}.", netlist.name());
+    for scope in &trace.path {
+        text.push_str(scope);
+        text.push('.');
+    }
+    text
+}
+
+/// `scope.name`, what patterns are matched with.
+fn full_name(trace: &Trace) -> String {
+    let mut names = trace.path.clone();
+    names.push(trace.name.clone());
+    names.join(".")
+}
+
+/// Every signal that could be shown, ports first.
+fn all_traces(rtl: &Rtl, options: &Options) -> Vec<Trace> {
+    let netlist = rtl.netlist();
+    let trace = |signal: Signal, path: Vec<String>, name: String, port: Option<usize>| {
+        let node = netlist.node(signal.node);
+        let twins = node.has_real && node.format.bits() > 1;
+        Trace { signal, path, name, quantity: node.quantity, twins, port }
+    };
+    let mut traces = Vec::new();
+    for (port, output) in netlist.outputs().iter().enumerate() {
+        traces.push(trace(rtl.output(output.node), Vec::new(), output.name.clone(), Some(port)));
+    }
+    for id in netlist.ids() {
+        let node = netlist.node(id);
+        if matches!(node.op, Op::Const { .. }) {
+            continue;
+        }
+        let path: Vec<String> =
+            netlist.scope_path(node.scope).into_iter().map(str::to_owned).collect();
+        let own = Signal { node: id, stage: rtl.schedule().stage(id) };
+        let is_port = |name: &str| path.is_empty() && traces.iter().any(|t: &Trace| t.port.is_some() && t.name == name);
+        let name = match &node.name {
+            // What goes into an output register has the port's name.
+            Some(name) if is_port(name) => {
+                if !options.all {
+                    continue;
+                }
+                format!("{name}_next")
+            }
+            Some(name) => name.clone(),
+            None if options.all => format!("n{}", id.index()),
+            None => continue,
+        };
+        traces.push(trace(own, path.clone(), name.clone(), None));
+        if options.all {
+            for register in rtl.registers(id) {
+                let is_output = netlist.outputs().iter().any(|o| rtl.output(o.node) == register);
+                if !is_output {
+                    let name = format!("{name}_s{}", register.stage);
+                    let mut copy = trace(register, path.clone(), name, None);
+                    copy.twins = false;
+                    traces.push(copy);
+                }
+            }
+        }
+    }
+    let mut names = BTreeSet::new();
+    traces.retain(|trace| names.insert(full_name(trace)));
+    traces
+}
+
+/// Identifiers and last values of the signals.
+struct Codes {
+    clk: IdCode,
+    rst: IdCode,
+    valid_in: IdCode,
+    valid_out: IdCode,
+    last_valid: [Option<bool>; 2],
+    words: Vec<(IdCode, Option<Option<i64>>)>,
+    twins: Vec<Option<[(IdCode, f64); 4]>>,
+    started: bool,
+}
+
+impl Codes {
+    fn declare<W: Write>(writer: &mut vcd::Writer<W>, wave: &Wave<'_>) -> io::Result<Self> {
+        let netlist = wave.rtl.netlist();
+        writer.add_module(netlist.name())?;
+        let mut wire = |name: &str| writer.add_wire(1, name);
+        let mut codes = Self {
+            clk: wire("clk")?,
+            rst: wire("rst")?,
+            valid_in: wire("valid_in")?,
+            valid_out: wire("valid_out")?,
+            last_valid: [None; 2],
+            words: Vec::new(),
+            twins: Vec::new(),
+            started: false,
+        };
+        let mut order: Vec<usize> = (0..wave.traces.len()).collect();
+        order.sort_by(|a, b| wave.traces[*a].path.cmp(&wave.traces[*b].path));
+        let placeholder = codes.clk;
+        codes.words = vec![(placeholder, None); wave.traces.len()];
+        codes.twins = vec![None; wave.traces.len()];
+        let mut open: Vec<String> = Vec::new();
+        for index in order {
+            let trace = &wave.traces[index];
+            while !trace.path.starts_with(&open) {
+                writer.upscope()?;
+                open.pop();
+            }
+            for scope in &trace.path[open.len()..] {
+                writer.add_module(scope)?;
+                open.push(scope.clone());
+            }
+            let format = netlist.node(trace.signal.node).format;
+            let range = (format.bits() > 1)
+                .then(|| ReferenceIndex::Range(top_index(format), -format.frac_bits()));
+            codes.words[index].0 =
+                writer.add_var(VarType::Wire, format.bits(), &trace.name, range)?;
+            if trace.twins {
+                let mut twins = [(placeholder, f64::NAN); 4];
+                let count = if trace.port.is_some() { 4 } else { 3 };
+                for (twin, name) in twins.iter_mut().zip(trace.names()).take(count) {
+                    twin.0 = writer.add_var(VarType::Real, 64, &name, None)?;
+                }
+                codes.twins[index] = Some(twins);
+            }
+        }
+        for _ in open {
+            writer.upscope()?;
+        }
+        writer.upscope()?;
+        writer.enddefinitions()?;
+        Ok(codes)
+    }
+
+    /// Writes what changed after a rising edge.
+    fn change<W: Write>(
+        &mut self,
+        writer: &mut vcd::Writer<W>,
+        wave: &Wave<'_>,
+        cycle: &Cycle,
+        ideals: &VecDeque<Option<Ideal>>,
+    ) -> io::Result<()> {
+        let netlist = wave.rtl.netlist();
+        writer.change_scalar(self.clk, true)?;
+        if !self.started {
+            writer.change_scalar(self.rst, false)?;
+            self.started = true;
+        }
+        let valid = [cycle.valid(0), cycle.valid(wave.rtl.schedule().latency())];
+        for ((code, now), last) in
+            [self.valid_in, self.valid_out].into_iter().zip(valid).zip(&mut self.last_valid)
+        {
+            if *last != Some(now) {
+                writer.change_scalar(code, now)?;
+                *last = Some(now);
+            }
+        }
+        for ((trace, word), twins) in wave.traces.iter().zip(&mut self.words).zip(&mut self.twins) {
+            let node = netlist.node(trace.signal.node);
+            let known = cycle.known(trace.signal.stage);
+            let now = known.then(|| cycle.word(trace.signal));
+            if word.1 != Some(now) {
+                word.1 = Some(now);
+                change_word(writer, word.0, node.format, now)?;
+            }
+            let stage = cast::index_of(i64::from(trace.signal.stage));
+            let (Some(twins), Some(now), Some(Some(ideal))) = (twins, now, ideals.get(stage)) else {
+                continue;
+            };
+            let scale = trace.scale();
+            let value = node.format.value(now) * scale;
+            let ideal_value = ideal.nodes[trace.signal.node.index()] * scale;
+            let mut shown = [value, ideal_value, value - ideal_value, 0.0];
+            if trace.quantity == Quantity::Turns {
+                shown[2] -= 360.0 * (shown[2] / 360.0).round();
+            }
+            if let Some(port) = trace.port {
+                shown[3] = ideal.ports[port] * scale;
+            }
+            let count = if trace.port.is_some() { 4 } else { 3 };
+            for (twin, shown) in twins.iter_mut().zip(shown).take(count) {
+                if twin.1.to_bits() != shown.to_bits() {
+                    twin.1 = shown;
+                    writer.change_real(twin.0, shown)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn fall<W: Write>(&mut self, writer: &mut vcd::Writer<W>) -> io::Result<()> {
+        writer.change_scalar(self.clk, false)
+    }
+}
+
+fn change_word<W: Write>(
+    writer: &mut vcd::Writer<W>,
+    code: IdCode,
+    format: crate::format::Format,
+    word: Option<i64>,
+) -> io::Result<()> {
+    if format.bits() == 1 {
+        return writer.change_scalar(code, word.map_or(Value::X, |word| (word != 0).into()));
+    }
+    match word {
+        None => writer.change_vector(code, [Value::X]),
+        Some(word) => {
+            let pattern = format.pattern(word);
+            let bits = (0..format.bits()).rev().map(|bit| Value::from(pattern >> bit & 1 == 1));
+            writer.change_vector(code, bits)
+        }
+    }
+}
+
+/// The nodes that a wave shows, for tests.
+impl Wave<'_> {
+    /// Names and nodes of the signals, with their stages.
+    pub fn signals(&self) -> impl Iterator<Item = (String, NodeId, u32)> + '_ {
+        self.traces.iter().map(|trace| (full_name(trace), trace.signal.node, trace.signal.stage))
+    }
+}
