@@ -2,7 +2,9 @@
 #![deny(unsafe_code)]
 
 mod cast;
+pub mod cli;
 pub mod error;
+pub mod eval;
 pub mod format;
 pub mod function;
 pub mod lut;
@@ -13,5 +15,6 @@ pub mod output;
 pub mod rtl;
 pub mod schedule;
 pub mod sim;
+pub mod sweep;
 pub mod units;
 pub mod wave;

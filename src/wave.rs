@@ -3,7 +3,8 @@
 //! Words are declared with the binary point as a negative least index, so `[1:-14]` is a
 //! 16-bit word with 14 fraction bits. Beside each named word stand three reals: its value, the
 //! netlist evaluated on reals for the same sample (`ideal`), and the difference (`error`);
-//! beside each output port also the golden. Angles are in degrees there, and their errors are
+//! beside each output port also the golden. Words that are exact, such as sums of inputs, have
+//! only their value. Angles are in degrees there, and their errors are
 //! taken modulo a turn. In stage s, cycle t shows the sample that entered at cycle t - s;
 //! what no data has reached yet is `x`.
 
@@ -43,8 +44,8 @@ struct Trace {
     path: Vec<String>,
     name: String,
     quantity: Quantity,
-    /// True if there are twins.
-    twins: bool,
+    /// How many of value, ideal, error and golden stand beside it.
+    twins: usize,
     /// Number of the output port that it is.
     port: Option<usize>,
 }
@@ -110,7 +111,9 @@ impl<'a> Wave<'a> {
                 options.signals.iter().any(|pattern| matches(pattern, &full_name(trace)))
             });
         }
-        traces.iter_mut().for_each(|trace| trace.twins &= !options.words_only);
+        if options.words_only {
+            traces.iter_mut().for_each(|trace| trace.twins = 0);
+        }
         let target = design.values.int("period_ps").expect("bug: no auto here");
         let period_ps = u64::from(rtl.schedule().period_ps()).max(target.unsigned_abs());
         Ok(Self { design, rtl, traces, options, period_ps: period_ps.next_multiple_of(2) })
@@ -227,22 +230,29 @@ impl<'a> Wave<'a> {
         let zoom = -(cast::f64_of_count(self.period_ps).log2() + 1.0);
         writeln!(to, "*{zoom:.6} 0 {}", "-1 ".repeat(26).trim_end())?;
         writeln!(to, "@28\n{unit}.clk\n{unit}.rst\n{unit}.valid_in\n{unit}.valid_out")?;
+        let is_input = |trace: &Trace| netlist.node(trace.signal.node).op == Op::Input;
+        self.write_group("input ports", is_input, to)?;
         let latency = self.rtl.schedule().latency();
-        let mut stages: Vec<u32> = self.traces.iter().map(|trace| trace.signal.stage).collect();
-        stages.sort_unstable();
-        stages.dedup();
-        for stage in stages {
-            let title = match stage {
-                0 => "stage 0, input ports".to_owned(),
-                s if s == latency => format!("stage {s}, output ports"),
-                s => format!("stage {s}"),
-            };
-            writeln!(to, "@200\n-{title}")?;
-            for trace in self.traces.iter().filter(|trace| trace.signal.stage == stage) {
-                self.write_gtkw_trace(trace, to)?;
-            }
+        let title = format!("output ports, {latency} cycles later");
+        self.write_group(&title, |trace| trace.port.is_some(), to)?;
+        for stage in 0..=latency {
+            let inner =
+                |trace: &Trace| trace.signal.stage == stage && trace.port.is_none() && !is_input(trace);
+            self.write_group(&format!("stage {stage}"), inner, to)?;
         }
         writeln!(to, "[pattern_trace] 1\n[pattern_trace] 0")
+    }
+
+    fn write_group(
+        &self,
+        title: &str,
+        belongs: impl Fn(&Trace) -> bool,
+        to: &mut dyn Write,
+    ) -> io::Result<()> {
+        if self.traces.iter().any(&belongs) {
+            writeln!(to, "@200\n-{title}")?;
+        }
+        self.traces.iter().filter(|trace| belongs(trace)).try_for_each(|trace| self.write_gtkw_trace(trace, to))
     }
 
     fn write_gtkw_trace(&self, trace: &Trace, to: &mut dyn Write) -> io::Result<()> {
@@ -251,10 +261,11 @@ impl<'a> Wave<'a> {
         let (format, dots) = (node.format, path_text(netlist, trace));
         let port = trace.port.is_some() || node.op == Op::Input;
         let color = if port { 2 } else { 3 };
-        let range = if format.bits() == 1 {
-            String::new()
-        } else {
+        // GTKWave counts anew from 0 where the declared top index is not above 0.
+        let range = if top_index(format) > 0 {
             format!("[{}:{}]", top_index(format), -format.frac_bits())
+        } else {
+            format!("[{}:0]", format.bits() - 1)
         };
         // Fixed-point shift of the decimal display; signed or not.
         if format.bits() == 1 {
@@ -267,21 +278,23 @@ impl<'a> Wave<'a> {
             let flags = if format.is_signed() { "420" } else { "24" };
             writeln!(to, "@{flags}\n[color] {color}\n{dots}{}{range}", trace.name)?;
         }
-        if !trace.twins {
-            return Ok(());
-        }
-        let [value, ideal, error, golden] = trace.names();
-        if trace.quantity == Quantity::Turns {
+        let [value, _, error, golden] = trace.names();
+        if trace.quantity == Quantity::Turns && trace.twins > 0 {
             writeln!(to, "@20\n[color] {color}\n{dots}{value}")?;
         }
-        if trace.port.is_some() {
-            writeln!(to, "@20\n[color] 5\n{dots}{golden}\n@20\n[color] 5\n{dots}{ideal}")?;
-            // As an analog trace: step, scaled to all of the data, three rows high.
-            writeln!(to, "@88420\n[color] 1\n{dots}{error}\n@20000\n-\n-\n-")?;
-        } else if node.op != Op::Input && self.traces.len() < 100 {
-            writeln!(to, "@20\n[color] 1\n{dots}{error}")?;
+        match trace.twins {
+            4 => {
+                // GTKWave shows small fixed-point words as 0, reals in full.
+                if trace.quantity == Quantity::Number {
+                    writeln!(to, "@20\n[color] {color}\n{dots}{value}")?;
+                }
+                writeln!(to, "@20\n[color] 5\n{dots}{golden}")?;
+                // As an analog trace: step, scaled to all of the data, three rows high.
+                writeln!(to, "@88420\n[color] 1\n{dots}{error}\n@20000\n-\n-\n-")
+            }
+            3 => writeln!(to, "@20\n[color] 1\n{dots}{error}"),
+            _ => Ok(()),
         }
-        Ok(())
     }
 }
 
@@ -315,9 +328,20 @@ fn full_name(trace: &Trace) -> String {
 /// Every signal that could be shown, ports first.
 fn all_traces(rtl: &Rtl, options: &Options) -> Vec<Trace> {
     let netlist = rtl.netlist();
+    // Nothing upstream of an exact node was rounded or tabulated: its error is 0 always.
+    let mut exact: Vec<bool> = Vec::new();
+    for node in netlist.nodes() {
+        let lossy = node.meaning.is_some() || matches!(node.op, Op::Narrow { .. } | Op::Read { .. });
+        exact.push(!lossy && node.operands.iter().all(|operand| exact[operand.index()]));
+    }
     let trace = |signal: Signal, path: Vec<String>, name: String, port: Option<usize>| {
         let node = netlist.node(signal.node);
-        let twins = node.has_real && node.format.bits() > 1;
+        let twins = match port {
+            _ if !node.has_real || node.format.bits() == 1 => 0,
+            Some(_) => 4,
+            None if exact[signal.node.index()] => 1,
+            None => 3,
+        };
         Trace { signal, path, name, quantity: node.quantity, twins, port }
     };
     let mut traces = Vec::new();
@@ -352,7 +376,7 @@ fn all_traces(rtl: &Rtl, options: &Options) -> Vec<Trace> {
                 if !is_output {
                     let name = format!("{name}_s{}", register.stage);
                     let mut copy = trace(register, path.clone(), name, None);
-                    copy.twins = false;
+                    copy.twins = 0;
                     traces.push(copy);
                 }
             }
@@ -371,7 +395,7 @@ struct Codes {
     valid_out: IdCode,
     last_valid: [Option<bool>; 2],
     words: Vec<(IdCode, Option<Option<i64>>)>,
-    twins: Vec<Option<[(IdCode, f64); 4]>>,
+    twins: Vec<Vec<(IdCode, f64)>>,
     started: bool,
 }
 
@@ -394,7 +418,7 @@ impl Codes {
         order.sort_by(|a, b| wave.traces[*a].path.cmp(&wave.traces[*b].path));
         let placeholder = codes.clk;
         codes.words = vec![(placeholder, None); wave.traces.len()];
-        codes.twins = vec![None; wave.traces.len()];
+        codes.twins = vec![Vec::new(); wave.traces.len()];
         let mut open: Vec<String> = Vec::new();
         for index in order {
             let trace = &wave.traces[index];
@@ -411,13 +435,8 @@ impl Codes {
                 .then(|| ReferenceIndex::Range(top_index(format), -format.frac_bits()));
             codes.words[index].0 =
                 writer.add_var(VarType::Wire, format.bits(), &trace.name, range)?;
-            if trace.twins {
-                let mut twins = [(placeholder, f64::NAN); 4];
-                let count = if trace.port.is_some() { 4 } else { 3 };
-                for (twin, name) in twins.iter_mut().zip(trace.names()).take(count) {
-                    twin.0 = writer.add_var(VarType::Real, 64, &name, None)?;
-                }
-                codes.twins[index] = Some(twins);
+            for name in trace.names().iter().take(trace.twins) {
+                codes.twins[index].push((writer.add_var(VarType::Real, 64, name, None)?, f64::NAN));
             }
         }
         for _ in open {
@@ -460,9 +479,7 @@ impl Codes {
                 change_word(writer, word.0, node.format, now)?;
             }
             let stage = cast::index_of(i64::from(trace.signal.stage));
-            let (Some(twins), Some(now), Some(Some(ideal))) = (twins, now, ideals.get(stage)) else {
-                continue;
-            };
+            let (Some(now), Some(Some(ideal))) = (now, ideals.get(stage)) else { continue };
             let scale = trace.scale();
             let value = node.format.value(now) * scale;
             let ideal_value = ideal.nodes[trace.signal.node.index()] * scale;
@@ -473,8 +490,7 @@ impl Codes {
             if let Some(port) = trace.port {
                 shown[3] = ideal.ports[port] * scale;
             }
-            let count = if trace.port.is_some() { 4 } else { 3 };
-            for (twin, shown) in twins.iter_mut().zip(shown).take(count) {
+            for (twin, shown) in twins.iter_mut().zip(shown) {
                 if twin.1.to_bits() != shown.to_bits() {
                     twin.1 = shown;
                     writer.change_real(twin.0, shown)?;

@@ -2,7 +2,6 @@
 
 use crate::cast;
 use crate::format::{Format, Overflow, Round, bit_len};
-use crate::function::Function;
 use crate::lut::{self, Spec};
 use crate::netlist::{Builder, NodeId};
 use crate::op::Meaning;

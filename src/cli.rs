@@ -1,0 +1,453 @@
+//! The command line. Exit codes: 0 done, 1 a check failed, 2 wrong use or unreadable input.
+
+mod demo;
+mod text;
+
+use crate::cast;
+use crate::error::{Error, Result};
+use crate::eval::{self, AngleUnit, InputFile};
+use crate::measure::{self, BoundCheck, Inputs, Report};
+use crate::output;
+use crate::sweep::{Axis, Sweep};
+use crate::units::{Design, Sampler, UNITS, Unit, Values};
+use crate::wave::{Options, Wave};
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use indicatif::{ProgressBar, ProgressStyle};
+use std::fs::File;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Generator and bit-true simulator of fixed-point datapaths.
+#[derive(Parser)]
+#[command(
+    name = "fixpath",
+    version,
+    max_term_width = 100,
+    after_help = "Examples:\n  \
+        fixpath list rotation\n  \
+        fixpath show rotation -p variant=corrected\n  \
+        fixpath sim rotation -p scheme=linear --samples 1000000\n  \
+        fixpath sim rotation --hard\n  \
+        fixpath wave rotation --out rotation.vcd && gtkwave rotation.vcd rotation.gtkw\n  \
+        fixpath sweep rotation --axis table_addr_bits=6..14:2 --axis variant=corrected,exact --out sweep\n  \
+        fixpath demo"
+)]
+struct Cli {
+    /// Threads to use; all cores if not given.
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// List units, their ports and parameters with defaults and legal ranges.
+    #[command(after_help = "Examples:\n  fixpath list\n  fixpath list rotation --json")]
+    List {
+        /// Only this unit.
+        unit: Option<String>,
+        /// As JSON.
+        #[arg(long)]
+        json: bool,
+    },
+    /// Show a datapath: formats, tables, operator counts, ROM bits, stages, netlist.
+    #[command(
+        after_help = "Examples:\n  fixpath show rotation\n  fixpath show rotation -p variant=corrected -p scheme=linear --json\n  fixpath show rotation --dot | dot -Tsvg > rotation.svg"
+    )]
+    Show {
+        #[command(flatten)]
+        unit: UnitArgs,
+        /// As JSON.
+        #[arg(long, conflicts_with = "dot")]
+        json: bool,
+        /// The netlist as a Graphviz graph.
+        #[arg(long)]
+        dot: bool,
+    },
+    /// Run a unit on a CSV of real inputs.
+    #[command(
+        after_help = "Input columns are named by port (see `fixpath list`); for rotation phi_a,theta_a,phi_n,theta_n.\nOutput: P_q and P_raw per input port, P, P_raw and P_golden per output port.\n\nExample:\n  fixpath eval rotation -p scheme=linear --in vectors.csv --out results.csv --angle degrees"
+    )]
+    Eval {
+        #[command(flatten)]
+        unit: UnitArgs,
+        /// CSV to read; - is the standard input.
+        #[arg(long = "in", value_name = "FILE")]
+        input: PathBuf,
+        /// CSV to write; - is the standard output.
+        #[arg(long, value_name = "FILE")]
+        out: PathBuf,
+        /// Unit of angles in both files.
+        #[arg(long, value_enum, default_value = "radians")]
+        angle: AngleUnit,
+    },
+    /// Measure errors against the golden model, with the input that gives the worst.
+    #[command(
+        after_help = "Examples:\n  fixpath sim rotation --samples 10000000\n  fixpath sim rotation -p variant=corrected --json\n  fixpath sim rotation -p angle_bits=5 --sampler exhaustive\n  fixpath sim rotation --hard"
+    )]
+    Sim {
+        #[command(flatten)]
+        unit: UnitArgs,
+        #[command(flatten)]
+        inputs: InputArgs,
+        /// The hard-case list: each case with f32 and f64 results and a verdict.
+        #[arg(long, conflicts_with = "sampler")]
+        hard: bool,
+        /// As JSON.
+        #[arg(long)]
+        json: bool,
+    },
+    /// Simulate the pipeline cycle by cycle into a VCD, with a GTKWave save file beside it.
+    #[command(
+        after_help = "Examples:\n  fixpath wave rotation --out rotation.vcd\n  fixpath wave rotation --in vectors.csv --cycles 0..50 --signals 'x*' --out short.vcd\n  fixpath wave rotation -p stages=0 -p rom=distributed --out combinational.vcd"
+    )]
+    Wave {
+        #[command(flatten)]
+        unit: UnitArgs,
+        /// CSV of inputs, one row a cycle; without it, hard cases and random vectors.
+        #[arg(long = "in", value_name = "FILE")]
+        input: Option<PathBuf>,
+        /// Unit of angles in that file.
+        #[arg(long, value_enum, default_value = "radians")]
+        angle: AngleUnit,
+        /// VCD to write; FILE.gtkw is written beside it.
+        #[arg(long, value_name = "FILE")]
+        out: PathBuf,
+        /// Samples if there is no CSV.
+        #[arg(long, default_value_t = 200)]
+        samples: u64,
+        /// Seed of the random vectors.
+        #[arg(long, default_value_t = 1)]
+        seed: u64,
+        /// Cycles to write, as FIRST..END.
+        #[arg(long, value_name = "A..B", value_parser = parse_window)]
+        cycles: Option<std::ops::Range<u64>>,
+        /// Signals to write, as scope.name with * for any text.
+        #[arg(long, value_name = "PATTERN", value_delimiter = ',')]
+        signals: Vec<String>,
+        /// Also unnamed nodes and pipeline registers.
+        #[arg(long)]
+        all: bool,
+        /// Leave out the real twins of words.
+        #[arg(long)]
+        words_only: bool,
+    },
+    /// Measure a grid of parameters: CSV, JSON, Markdown and plots.
+    #[command(
+        after_help = "Results are saved as points finish; the same command continues after an interruption.\n\nExamples:\n  fixpath sweep rotation --axis table_addr_bits=6..14:2 --axis variant=printed,corrected,exact --out sweep\n  fixpath sweep rotation -p scheme=linear --axis frac_bits=8..20 --samples 100000 --out widths"
+    )]
+    Sweep {
+        #[command(flatten)]
+        unit: UnitArgs,
+        /// An axis: key=v,v,… or key=a..b[:step]; several make a grid.
+        #[arg(long = "axis", value_name = "KEY=VALUES", required = true)]
+        axes: Vec<String>,
+        #[command(flatten)]
+        inputs: InputArgs,
+        /// Folder to write.
+        #[arg(long, value_name = "DIR")]
+        out: PathBuf,
+        /// Start anew, whatever is in the folder.
+        #[arg(long)]
+        fresh: bool,
+    },
+    /// All of the above on built-in settings, in under half a minute.
+    #[command(after_help = "Example:\n  fixpath demo --out demo_out")]
+    Demo {
+        /// Folder to write.
+        #[arg(long, value_name = "DIR", default_value = "demo_out")]
+        out: PathBuf,
+    },
+}
+
+#[derive(Args)]
+struct UnitArgs {
+    /// Unit; `fixpath list` names them.
+    unit: String,
+    /// Set a parameter.
+    #[arg(short = 'p', long = "param", value_name = "KEY=VALUE")]
+    params: Vec<String>,
+}
+
+impl UnitArgs {
+    fn values(&self) -> Result<Values> {
+        Unit::find(&self.unit)?.values(&self.params)
+    }
+
+    fn design(&self) -> Result<Design> {
+        self.values()?.build()
+    }
+}
+
+#[derive(Args)]
+struct InputArgs {
+    /// Number of random samples.
+    #[arg(long, default_value_t = 1_000_000, value_parser = clap::value_parser!(u64).range(1..))]
+    samples: u64,
+    /// Seed of the random samples.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Where samples come from.
+    #[arg(long, value_enum, default_value = "lit")]
+    sampler: SamplerArg,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum SamplerArg {
+    /// Uniform on the sphere, light on the lit side of the surface.
+    Lit,
+    /// Uniform on the sphere.
+    Sphere,
+    /// Every combination of input words (up to 2^32).
+    Exhaustive,
+}
+
+impl InputArgs {
+    fn inputs(&self) -> Inputs {
+        let sampler = match self.sampler {
+            SamplerArg::Lit => Sampler::Lit,
+            SamplerArg::Sphere => Sampler::Sphere,
+            SamplerArg::Exhaustive => Sampler::Exhaustive,
+        };
+        Inputs { sampler, samples: self.samples, seed: self.seed }
+    }
+}
+
+fn parse_window(text: &str) -> Result<std::ops::Range<u64>, String> {
+    let range = text.split_once("..").and_then(|(a, b)| Some(a.parse().ok()?..b.parse().ok()?));
+    range
+        .filter(|range: &std::ops::Range<u64>| range.start < range.end)
+        .ok_or_else(|| "write FIRST..END with FIRST below END, such as 10..60".to_owned())
+}
+
+/// Runs the command line; the binary's `main`.
+#[must_use]
+pub fn main() -> ExitCode {
+    let cli = Cli::parse();
+    if let Some(threads) = cli.threads {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads));
+        if let Err(why) = pool.build_global() {
+            eprintln!("error: can't start {threads} threads: {why}");
+            return ExitCode::from(2);
+        }
+    }
+    match run(&cli.command) {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::from(1),
+        Err(error) if error.is_broken_pipe() => ExitCode::SUCCESS,
+        Err(error) => {
+            // The message, not its chain: it already holds the cause. A lost stderr changes nothing.
+            let _ = writeln!(io::stderr(), "error: {error}");
+            ExitCode::from(if error.is_failed_check() { 1 } else { 2 })
+        }
+    }
+}
+
+/// Runs a command; false means that a check failed.
+fn run(command: &Command) -> Result<bool> {
+    match command {
+        Command::List { unit, json } => {
+            let units = match unit {
+                Some(name) => vec![Unit::find(name)?],
+                None => UNITS.to_vec(),
+            };
+            print(&if *json { pretty(&text::list_json(&units)) } else { text::list(&units) })?;
+        }
+        Command::Show { unit, json, dot } => {
+            let design = unit.design()?;
+            print(&if *dot {
+                design.netlist.to_dot()
+            } else if *json {
+                pretty(&text::show_json(&design)?)
+            } else {
+                text::show(&design)?
+            })?;
+        }
+        Command::Eval { unit, input, out, angle } => {
+            eval_command(&unit.design()?, input, out, *angle)?;
+        }
+        Command::Sim { unit, inputs, hard, json } => {
+            let mut inputs = inputs.inputs();
+            if *hard {
+                inputs.sampler = Sampler::Hard;
+            }
+            let sim = Sim::run(unit.design()?, &inputs)?;
+            print(&if *json { pretty(&text::sim_json(&sim)) } else { text::sim(&sim) })?;
+            return Ok(sim.passed());
+        }
+        Command::Wave {
+            unit,
+            input,
+            angle,
+            out,
+            samples,
+            seed,
+            cycles,
+            signals,
+            all,
+            words_only,
+        } => {
+            let design = unit.design()?;
+            let stimulus = match input {
+                Some(path) => read_stimulus(&design, path, *angle)?,
+                None => stimulus(&design, *samples, *seed)?,
+            };
+            let options = Options {
+                cycles: cycles.clone(),
+                signals: signals.clone(),
+                all: *all,
+                words_only: *words_only,
+            };
+            print(&write_wave(&design, options, &stimulus, out)?)?;
+        }
+        Command::Sweep { unit, axes, inputs, out, fresh } => {
+            let base = unit.values()?;
+            let axes: Result<Vec<Axis>> =
+                axes.iter().map(|axis| Axis::parse(axis, base.unit())).collect();
+            let sweep = Sweep::new(base, axes?, inputs.inputs())?;
+            print(&run_sweep(&sweep, out, *fresh)?)?;
+        }
+        Command::Demo { out } => return demo::run(out),
+    }
+    Ok(true)
+}
+
+/// Writes to the standard output; a reader that went away is no error worth telling.
+fn print(text: &str) -> Result<()> {
+    let mut stdout = io::stdout().lock();
+    let written = stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush());
+    written.map_err(output::at(Path::new("standard output")))
+}
+
+fn pretty(value: &serde_json::Value) -> String {
+    let mut text = serde_json::to_string_pretty(value).expect("bug: JSON values can be written");
+    text.push('\n');
+    text
+}
+
+/// A bar on a terminal, nothing elsewhere.
+fn progress_bar(total: u64, what: &str) -> ProgressBar {
+    let style = ProgressStyle::with_template(
+        "{prefix} [{bar:30}] {human_pos}/{human_len} {percent}% {per_sec}, {eta} left",
+    );
+    let bar = ProgressBar::new(total);
+    bar.set_style(style.expect("bug: the template is right").progress_chars("=> "));
+    bar.set_prefix(what.to_owned());
+    bar
+}
+
+fn open(path: &Path) -> Result<File> {
+    let file = File::open(path).map_err(|why| Error::io(path, "can't read", why))?;
+    if file.metadata().is_ok_and(|metadata| metadata.is_dir()) {
+        return Err(Error::file(path, "can't read: it is a folder".to_owned()));
+    }
+    Ok(file)
+}
+
+fn eval_command(design: &Design, input: &Path, out: &Path, angle: AngleUnit) -> Result<()> {
+    let dash = Path::new("-");
+    let from: Box<dyn io::Read> =
+        if input == dash { Box::new(io::stdin().lock()) } else { Box::new(open(input)?) };
+    if out == dash {
+        let path = Path::new("standard output");
+        eval::eval(design, from, input, &mut io::stdout().lock(), path, angle)?;
+    } else {
+        output::write_file(out, |to| eval::eval(design, from, input, to, out, angle).map(|_| ()))?;
+    }
+    Ok(())
+}
+
+/// A measured design with all that `sim` tells.
+struct Sim {
+    design: Design,
+    inputs: Inputs,
+    report: Report,
+    bound: BoundCheck,
+    hard: Vec<measure::HardVerdict>,
+}
+
+impl Sim {
+    fn run(design: Design, inputs: &Inputs) -> Result<Self> {
+        let bar = progress_bar(inputs.count(&design)?, design.values.unit().name);
+        let mut reports = measure::measure(&[&design], inputs, &|done| bar.set_position(done))?;
+        bar.finish_and_clear();
+        let bound = BoundCheck::new(&design)?;
+        let hard = if inputs.sampler == Sampler::Hard {
+            measure::hard_verdicts(&design, &bound)
+        } else {
+            Vec::new()
+        };
+        let report = reports.pop().expect("bug: one report per design");
+        Ok(Self { design, inputs: *inputs, report, bound, hard })
+    }
+
+    fn passed(&self) -> bool {
+        self.bound.holds(&self.report) && self.hard.iter().all(|case| case.holds != Some(false))
+    }
+}
+
+/// Input words from a CSV, one row a cycle.
+fn read_stimulus(design: &Design, path: &Path, angle: AngleUnit) -> Result<Vec<Vec<i64>>> {
+    let mut file = InputFile::open(open(path)?, path, &design.netlist, angle)?;
+    let (mut values, mut words, mut rows) = (Vec::new(), Vec::new(), Vec::new());
+    loop {
+        let count = file.read(1 << 12, &mut values)?;
+        measure::quantize_inputs(&design.netlist, &values, &mut words)?;
+        rows.extend((0..count).map(|row| words.iter().map(|column| column[row]).collect()));
+        if count < 1 << 12 {
+            return Ok(rows);
+        }
+    }
+}
+
+/// One vector of each hard case, then a turn of the first input with the others held, which
+/// makes smooth curves, then random vectors.
+fn stimulus(design: &Design, samples: u64, seed: u64) -> Result<Vec<Vec<i64>>> {
+    const RAMP: u64 = 64;
+    let mut rows: Vec<Vec<i64>> =
+        design.hard.iter().filter_map(|case| case.words.first().cloned()).collect();
+    let netlist = &design.netlist;
+    for step in 0..RAMP {
+        let ports = netlist.inputs().iter().enumerate().map(|(port, id)| {
+            let format = netlist.node(*id).format;
+            let share = if port == 0 { (step, RAMP) } else { (1, 4 + 3 * cast::count_of(port)) };
+            let pattern = u128::from(format.words()) * u128::from(share.0) / u128::from(share.1);
+            format.wrap(cast::word_of_bits(u64::try_from(pattern).expect("bug: below 2^63")))
+        });
+        rows.push(ports.collect());
+    }
+    let inputs = Inputs { sampler: Sampler::Lit, samples, seed };
+    rows.extend(measure::sample_words(design, &inputs)?);
+    rows.truncate(usize::try_from(samples).unwrap_or(usize::MAX));
+    Ok(rows)
+}
+
+/// Writes a VCD and its save file; returns what to tell.
+fn write_wave(design: &Design, options: Options, samples: &[Vec<i64>], out: &Path) -> Result<String> {
+    let wave = Wave::new(design, options)?;
+    let mut cycles = 0;
+    output::write_file(out, |to| {
+        cycles = wave.write(samples, to).map_err(output::at(out))?;
+        Ok(())
+    })?;
+    let save = out.with_extension("gtkw");
+    output::write_file(&save, |to| wave.write_gtkw(out, to).map_err(output::at(&save)))?;
+    Ok(format!(
+        "{}: {cycles} cycles, {} signals, latency {}\nopen with: gtkwave {} {}\n",
+        out.display(),
+        wave.len(),
+        wave.rtl().schedule().latency(),
+        out.display(),
+        save.display()
+    ))
+}
+
+/// Runs a sweep into a folder; returns what to tell.
+fn run_sweep(sweep: &Sweep, out: &Path, fresh: bool) -> Result<String> {
+    let bar = progress_bar(sweep.len(), "points");
+    let result = sweep.run(out, fresh, &|done, _| bar.set_position(done))?;
+    bar.finish_and_clear();
+    Ok(text::sweep(&result, out))
+}

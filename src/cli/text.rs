@@ -1,0 +1,448 @@
+//! What the commands print, as text and as JSON.
+
+use super::Sim;
+use crate::error::Result;
+use crate::measure::{self, Basis, Figures, Report, TableFigures, Witness};
+use crate::netlist::{Netlist, Operators, Quantity};
+use crate::schedule::stage_sizes;
+use crate::sweep::SweepResult;
+use crate::units::{Design, Kind, PIPELINE, Param, Unit, Values};
+use serde_json::{Map, Value, json};
+use std::fmt::Write as _;
+use std::path::Path;
+
+/// Rows under headings, columns padded to their widest cell; columns whose heading starts with
+/// `>` are flush right.
+pub(super) fn table(headings: &[&str], rows: &[Vec<String>]) -> String {
+    let right: Vec<bool> = headings.iter().map(|heading| heading.starts_with('>')).collect();
+    let headings: Vec<String> =
+        headings.iter().map(|heading| heading.trim_start_matches('>').to_owned()).collect();
+    let width = |column: usize| {
+        let cells = rows.iter().map(|row| row[column].chars().count());
+        cells.chain([headings[column].chars().count()]).max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..headings.len()).map(width).collect();
+    let mut text = String::new();
+    for row in std::iter::once(&headings).chain(rows) {
+        let mut line = String::from(" ");
+        for ((cell, width), right) in row.iter().zip(&widths).zip(&right) {
+            let _ = if *right {
+                write!(line, " {cell:>width$}")
+            } else {
+                write!(line, " {cell:<width$}")
+            };
+        }
+        text.push_str(line.trim_end());
+        text.push('\n');
+    }
+    text
+}
+
+/// A number to four digits, in the form that is easiest to read.
+pub(super) fn number(x: f64) -> String {
+    if x == 0.0 {
+        "0".to_owned()
+    } else if (1e-2..1e5).contains(&x.abs()) {
+        let digits = if x.abs() >= 100.0 { 1 } else if x.abs() >= 1.0 { 3 } else { 4 };
+        format!("{x:.digits$}")
+    } else {
+        format!("{x:.2e}")
+    }
+}
+
+/// A rate in millions per second.
+fn rate(per_second: f64) -> String {
+    format!("{:.1} M/s", per_second / 1e6)
+}
+
+pub(super) fn list(units: &[&'static Unit]) -> String {
+    let mut text = String::new();
+    for unit in units {
+        let _ = writeln!(text, "{}: {}\n  source: {}", unit.name, unit.summary, unit.source);
+        let _ = writeln!(text, "  inputs: {}\n  outputs: {}\n", unit.inputs, unit.outputs);
+        let row = |param: &Param| {
+            vec![
+                param.name.to_owned(),
+                param.default.to_owned(),
+                param.kind.legal(),
+                param.help.to_owned(),
+            ]
+        };
+        let rows: Vec<Vec<String>> = unit.params.iter().map(row).collect();
+        text.push_str(&table(&["parameter", "default", "legal", "meaning"], &rows));
+        text.push_str("\n  of the pipeline, for every unit:\n");
+        let rows: Vec<Vec<String>> = PIPELINE.iter().map(row).collect();
+        text.push_str(&table(&["parameter", "default", "legal", "meaning"], &rows));
+    }
+    text
+}
+
+pub(super) fn list_json(units: &[&'static Unit]) -> Value {
+    let param = |param: &Param| {
+        let mut entry = json!({
+            "name": param.name, "default": param.default, "legal": param.kind.legal(), "help": param.help,
+        });
+        let extra = match param.kind {
+            Kind::Int { min, max, auto } => json!({"min": min, "max": max, "auto": auto.is_some()}),
+            Kind::Choice(names) => json!({ "choices": names }),
+        };
+        let fields = entry.as_object_mut().expect("bug: an object");
+        fields.extend(extra.as_object().expect("bug: an object").clone());
+        entry
+    };
+    let unit = |unit: &&'static Unit| {
+        json!({
+            "name": unit.name,
+            "summary": unit.summary,
+            "source": unit.source,
+            "inputs": unit.inputs,
+            "outputs": unit.outputs,
+            "parameters": unit.all_params().map(param).collect::<Vec<_>>(),
+        })
+    };
+    Value::Array(units.iter().map(unit).collect())
+}
+
+fn parameters(values: &Values) -> Value {
+    let value = |value| match value {
+        crate::units::Value::Int(number) => json!(number),
+        crate::units::Value::Auto => json!("auto"),
+        crate::units::Value::Choice(name) => json!(name),
+    };
+    Value::Object(values.iter().map(|(name, v)| (name.to_owned(), value(v))).collect())
+}
+
+fn parameter_line(values: &Values) -> String {
+    let pairs: Vec<String> = values.iter().map(|(name, value)| format!("{name}={value}")).collect();
+    pairs.join(" ")
+}
+
+fn ports(netlist: &Netlist) -> (Vec<Vec<String>>, Value) {
+    let quantity = |quantity| match quantity {
+        Quantity::Turns => "turns",
+        Quantity::Number => "number",
+    };
+    let inputs = netlist.inputs().iter().enumerate().map(|(i, id)| {
+        let node = netlist.node(*id);
+        ("in", netlist.input_name(i).to_owned(), node.format, quantity(node.quantity))
+    });
+    let outputs = netlist.outputs().iter().map(|output| {
+        let node = netlist.node(output.node);
+        ("out", output.name.clone(), node.format, quantity(node.quantity))
+    });
+    let all: Vec<_> = inputs.chain(outputs).collect();
+    let rows = all
+        .iter()
+        .map(|(way, name, format, quantity)| {
+            vec![(*way).to_owned(), name.clone(), format.to_string(), (*quantity).to_owned()]
+        })
+        .collect();
+    let json = all.iter().map(|(way, name, format, quantity)| {
+        json!({"direction": way, "name": name, "format": format.to_string(), "quantity": quantity})
+    });
+    (rows, Value::Array(json.collect()))
+}
+
+/// Exact statistics of every table scheme that can be gone through.
+fn tables(design: &Design) -> Result<Vec<TableFigures>> {
+    let mut all = Vec::new();
+    for tabulated in &design.tabulated {
+        all.extend(measure::table_figures(tabulated)?.unwrap_or_default());
+    }
+    Ok(all)
+}
+
+pub(super) fn show(design: &Design) -> Result<String> {
+    let netlist = &design.netlist;
+    let rtl = design.rtl()?;
+    let counts = netlist.counts();
+    let unit = design.values.unit();
+    let mut text = format!("{}: {}\n", unit.name, unit.summary);
+    let _ = writeln!(text, "  {}\n\nports", parameter_line(&design.values));
+    text.push_str(&table(&["", "name", "format", "quantity"], &ports(netlist).0));
+
+    let operators = |name: &str, o: Operators| {
+        let counts =
+            [o.multipliers, o.adders, o.negations, o.comparators, o.multiplexers, o.shifters, o.narrows];
+        let mut row = vec![name.to_owned()];
+        row.extend(counts.map(|count| count.to_string()));
+        row
+    };
+    text.push_str("\noperators\n");
+    text.push_str(&table(
+        &["", ">mul", ">add/sub", ">neg/abs", ">compare", ">mux", ">shift", ">narrow"],
+        &[operators("datapath", counts.datapath), operators("table schemes", counts.schemes)],
+    ));
+
+    let _ = writeln!(
+        text,
+        "\ntables: {}; words read {}, ports {}; ROM {} bits, {} with a copy for every two ports",
+        counts.tables, counts.reads, counts.ports, counts.rom_bits, counts.rom_bits_dual_port
+    );
+    let mut rows = Vec::new();
+    for t in netlist.tables() {
+        let columns: Vec<String> =
+            t.columns.iter().map(|column| format!("{} {}", column.name, column.format)).collect();
+        rows.push(vec![
+            t.name.clone(),
+            (1u64 << t.addr_bits).to_string(),
+            t.rom_bits().to_string(),
+            columns.join(", "),
+        ]);
+    }
+    text.push_str(&table(&["name", ">entries", ">bits", "columns"], &rows));
+
+    let figures = tables(design)?;
+    if !figures.is_empty() {
+        text.push_str(
+            "\ntable schemes over every word of their argument, against the function saturated to the output\n",
+        );
+        let rows: Vec<Vec<String>> = figures
+            .iter()
+            .map(|f| {
+                vec![
+                    format!("{}.{}", f.table, f.function),
+                    number(f.worst),
+                    number(f.worst_ulp),
+                    format!("{} (word {})", number(f.witness), f.witness_raw),
+                    number(f.jump),
+                    f.not_monotone.to_string(),
+                ]
+            })
+            .collect();
+        text.push_str(&table(
+            &["function", ">worst", ">ulp", "at", ">largest jump", ">not monotone"],
+            &rows,
+        ));
+    }
+    let unjudged = design.tabulated.len()
+        - design.tabulated.iter().filter(|t| figures.iter().any(|f| f.table == t.name)).count();
+    if unjudged > 0 {
+        let _ = writeln!(
+            text,
+            "  {unjudged} more have arguments of more than {} bits: too many words to go through",
+            measure::TABLE_ARGUMENT_BITS
+        );
+    }
+
+    let schedule = rtl.schedule();
+    let _ = writeln!(
+        text,
+        "\npipeline: latency {} cycles, {} flip-flops, tables read {}, {} ps by the delay model (target {} ps)",
+        schedule.latency(),
+        rtl.register_bits(),
+        if schedule.rom() == crate::schedule::Rom::Block { "on a clock" } else { "without a clock" },
+        schedule.period_ps(),
+        design.values.get("period_ps"),
+    );
+    let sizes: Vec<String> = stage_sizes(netlist, schedule).iter().map(ToString::to_string).collect();
+    let _ = writeln!(text, "  nodes per stage: {}\n", sizes.join(" "));
+    text.push_str(&netlist.to_text());
+    Ok(text)
+}
+
+pub(super) fn show_json(design: &Design) -> Result<Value> {
+    let netlist = &design.netlist;
+    let rtl = design.rtl()?;
+    let schedule = rtl.schedule();
+    let table = |t: &crate::netlist::Table| {
+        let columns: Vec<Value> = t
+            .columns
+            .iter()
+            .map(|column| json!({"name": column.name, "format": column.format.to_string()}))
+            .collect();
+        json!({"name": t.name, "entries": 1u64 << t.addr_bits, "rom_bits": t.rom_bits(), "columns": columns})
+    };
+    let node = |id| {
+        let node = netlist.node(id);
+        json!({
+            "label": netlist.label(id),
+            "op": node.op.name(),
+            "operands": node.operands.iter().map(|id| id.index()).collect::<Vec<_>>(),
+            "format": node.format.to_string(),
+            "stage": schedule.stage(id),
+        })
+    };
+    Ok(json!({
+        "tool": "fixpath",
+        "version": env!("CARGO_PKG_VERSION"),
+        "unit": design.values.unit().name,
+        "parameters": parameters(&design.values),
+        "ports": ports(netlist).1,
+        "counts": netlist.counts(),
+        "tables": netlist.tables().iter().map(table).collect::<Vec<_>>(),
+        "table_schemes": tables(design)?,
+        "pipeline": {
+            "latency_cycles": schedule.latency(),
+            "flip_flops": rtl.register_bits(),
+            "model_period_ps": schedule.period_ps(),
+            "rom": schedule.rom().to_string(),
+            "nodes_per_stage": stage_sizes(netlist, schedule),
+        },
+        "nodes": netlist.ids().map(node).collect::<Vec<_>>(),
+        "outputs": netlist.outputs().iter().map(|o| json!({"name": o.name, "node": o.node.index()})).collect::<Vec<_>>(),
+    }))
+}
+
+/// `phi_a=12 (0.0012), …` of a witness.
+fn witness(netlist: &Netlist, witness: &Witness) -> String {
+    let port = |i: usize| format!("{}={}", netlist.input_name(i), witness.words[i]);
+    let words: Vec<String> = (0..witness.words.len()).map(port).collect();
+    words.join(" ")
+}
+
+pub(super) fn sim(sim: &Sim) -> String {
+    let (design, report) = (&sim.design, &sim.report);
+    let netlist = &design.netlist;
+    let mut text = format!("{} {}\n", design.values.unit().name, parameter_line(&design.values));
+    let _ = writeln!(
+        text,
+        "{} samples, sampler {}, seed {}; errors are absolute, with the input words of the worst\n",
+        report.samples,
+        sim.inputs.sampler.name(),
+        sim.inputs.seed
+    );
+    let row = |f: &Figures| {
+        let (scale, unit) = if f.unit == "rad" { (1f64.to_degrees(), "°") } else { (1.0, "") };
+        let show = |x: f64| format!("{}{unit}", number(x * scale));
+        vec![
+            f.basis.name().to_owned(),
+            f.quantity.to_owned(),
+            show(f.max),
+            f.max_ulp.map(number).unwrap_or_default(),
+            show(f.mean),
+            show(f.bias),
+            show(f.rms),
+            show(f.p50),
+            show(f.p99),
+            show(f.p999),
+            f.witness.as_ref().map(|w| witness(netlist, w)).unwrap_or_default(),
+        ]
+    };
+    let rows: Vec<Vec<String>> = report.figures.iter().map(row).collect();
+    text.push_str(&table(
+        &[
+            "basis", "error of", ">max", ">max ulp", ">mean", ">bias", ">rms", ">p50", ">p99", ">p99.9",
+            "worst input",
+        ],
+        &rows,
+    ));
+    text.push_str(
+        "  total: bit-true against the golden of the quantised inputs = arithmetic (words and tables) + algorithm\n  \
+           end-to-end: against the golden of the inputs before quantisation; dot: of any unit vector with the result\n  \
+           percentiles are known to 1.6 %\n",
+    );
+    if !report.overflows.is_empty() {
+        text.push_str("\nnarrows that overflowed\n");
+        let rows: Vec<Vec<String>> = report
+            .overflows
+            .iter()
+            .map(|o| vec![o.node.clone(), o.mode.to_owned(), o.count.to_string()])
+            .collect();
+        text.push_str(&table(&["node", "mode", ">count"], &rows));
+    }
+    if !sim.hard.is_empty() {
+        text.push_str("\nhard cases, the worst of each group\n");
+        let vector = |v: [f64; 3]| format!("({:.5}, {:.5}, {:.5})", v[0], v[1], v[2]);
+        let rows: Vec<Vec<String>> = sim
+            .hard
+            .iter()
+            .map(|case| {
+                vec![
+                    case.name.to_owned(),
+                    case.cases.to_string(),
+                    case.words.iter().map(ToString::to_string).collect::<Vec<_>>().join(","),
+                    vector(case.fixed),
+                    vector(case.float32),
+                    vector(case.float64),
+                    number(case.error),
+                    number(case.float32_error),
+                    match case.holds {
+                        None => "no bound",
+                        Some(true) => "ok",
+                        Some(false) => "BROKEN",
+                    }
+                    .to_owned(),
+                ]
+            })
+            .collect();
+        text.push_str(&table(
+            &["case", ">cases", "words", "fixed", "f32", "f64", ">error", ">f32 error", "verdict"],
+            &rows,
+        ));
+        let unit = if sim.bound.quantity == Some("component") { "of the worst component" } else { "the angle in rad" };
+        let _ = writeln!(text, "  error: {unit}, against f64; f32 error: the angle in rad");
+    }
+    text.push('\n');
+    match (sim.bound.bound, sim.bound.seen(report), sim.bound.why) {
+        (Some(bound), Some(seen), _) => {
+            let verdict = if sim.bound.holds(report) { "holds" } else { "IS BROKEN" };
+            let _ = writeln!(
+                text,
+                "stated bound on each {}: {}; seen {}: {verdict}",
+                sim.bound.quantity.unwrap_or_default(),
+                number(bound),
+                number(seen)
+            );
+        }
+        (_, _, why) => {
+            let _ = writeln!(text, "no bound is stated: {}", why.unwrap_or_default());
+        }
+    }
+    let _ = writeln!(text, "{}", speed(report));
+    text
+}
+
+fn speed(report: &Report) -> String {
+    let speed = &report.speed;
+    format!(
+        "engine {} a thread; whole measurement {} on {} threads",
+        rate(speed.engine_samples_per_second_per_thread),
+        rate(speed.samples_per_second),
+        speed.threads
+    )
+}
+
+pub(super) fn sim_json(sim: &Sim) -> Value {
+    let (design, report) = (&sim.design, &sim.report);
+    let mut value = json!({
+        "tool": "fixpath",
+        "version": env!("CARGO_PKG_VERSION"),
+        "unit": design.values.unit().name,
+        "parameters": parameters(&design.values),
+        "inputs": {
+            "sampler": sim.inputs.sampler.name(),
+            "samples": report.samples,
+            "seed": sim.inputs.seed,
+            "ports": (0..design.netlist.inputs().len()).map(|i| design.netlist.input_name(i)).collect::<Vec<_>>(),
+        },
+        "counts": design.netlist.counts(),
+        "figures": report.figures,
+        "overflows": report.overflows,
+        "bound": {
+            "quantity": sim.bound.quantity,
+            "bound": sim.bound.bound,
+            "seen": sim.bound.seen(report),
+            "holds": sim.bound.bound.map(|_| sim.bound.holds(report)),
+            "why_none": sim.bound.why,
+        },
+    });
+    let fields: &mut Map<String, Value> = value.as_object_mut().expect("bug: an object");
+    if !sim.hard.is_empty() {
+        fields.insert("hard_cases".to_owned(), json!(sim.hard));
+    }
+    // Last and apart: the only figures that differ from run to run.
+    fields.insert("speed".to_owned(), json!(report.speed));
+    value
+}
+
+/// Angle figures of one basis in a line, for the demo.
+pub(super) fn angle_line(report: &Report, basis: Basis) -> String {
+    let f = report.figures("angle", basis);
+    format!("mean {}°, max {}°", number(f.mean.to_degrees()), number(f.max.to_degrees()))
+}
+
+pub(super) fn sweep(result: &SweepResult, out: &Path) -> String {
+    let _ = (result, out);
+    todo!()
+}
