@@ -17,6 +17,7 @@ use crate::format::{Overflow, Round, quantize};
 use crate::lut;
 use crate::netlist::{Builder, Netlist, NodeId, Quantity};
 use crate::sim::batch::{Program, RealProgram, RealRunner, Runner, check_overflows};
+use crate::trig::sin_cos_turns;
 use crate::units::{Bound, Design, Sampler, Shape, Tabulated};
 use rand_core::{RngCore, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -157,7 +158,7 @@ fn directions(shape: Shape, outputs: &[Vec<f64>], to: &mut [Vec<f64>; 3]) {
             zs.clear();
             for (phi, theta) in outputs[0].iter().zip(&outputs[1]) {
                 let ((sin_phi, cos_phi), (sin_theta, cos_theta)) =
-                    ((phi * TAU).sin_cos(), (theta * TAU).sin_cos());
+                    (sin_cos_turns(*phi), sin_cos_turns(*theta));
                 xs.push(sin_theta * cos_phi);
                 ys.push(sin_theta * sin_phi);
                 zs.push(cos_theta);

@@ -342,36 +342,8 @@ pub(super) fn sim(sim: &Sim) -> String {
         text.push_str(&table(&["node", "mode", ">count"], &rows));
     }
     if !sim.hard.is_empty() {
-        text.push_str("\nhard cases, the worst of each group\n");
-        let vector = |v: [f64; 3]| format!("({:.5}, {:.5}, {:.5})", v[0], v[1], v[2]);
-        let rows: Vec<Vec<String>> = sim
-            .hard
-            .iter()
-            .map(|case| {
-                vec![
-                    case.name.to_owned(),
-                    case.cases.to_string(),
-                    case.words.iter().map(ToString::to_string).collect::<Vec<_>>().join(","),
-                    vector(case.fixed),
-                    vector(case.float32),
-                    vector(case.float64),
-                    number(case.error),
-                    number(case.float32_error),
-                    match case.holds {
-                        None => "no bound",
-                        Some(true) => "ok",
-                        Some(false) => "BROKEN",
-                    }
-                    .to_owned(),
-                ]
-            })
-            .collect();
-        text.push_str(&table(
-            &["case", ">cases", "words", "fixed", "f32", "f64", ">error", ">f32 error", "verdict"],
-            &rows,
-        ));
-        let unit = if sim.bound.quantity == Some("component") { "of the worst component" } else { "the angle in rad" };
-        let _ = writeln!(text, "  error: {unit}, against f64; f32 error: the angle in rad");
+        text.push('\n');
+        text.push_str(&hard_cases(sim));
     }
     text.push('\n');
     match (sim.bound.bound, sim.bound.seen(report), sim.bound.why) {
@@ -390,6 +362,42 @@ pub(super) fn sim(sim: &Sim) -> String {
         }
     }
     let _ = writeln!(text, "{}", speed(report));
+    text
+}
+
+/// The hard-case table with its verdicts.
+pub(super) fn hard_cases(sim: &Sim) -> String {
+    let mut text =
+        format!("hard cases of {}, the worst of each group\n", parameter_line(&sim.design.values));
+    let vector = |v: [f64; 3]| format!("({:.5}, {:.5}, {:.5})", v[0], v[1], v[2]);
+    let rows: Vec<Vec<String>> = sim
+        .hard
+        .iter()
+        .map(|case| {
+            vec![
+                case.name.to_owned(),
+                case.cases.to_string(),
+                case.words.iter().map(ToString::to_string).collect::<Vec<_>>().join(","),
+                vector(case.fixed),
+                vector(case.float32),
+                vector(case.float64),
+                number(case.error),
+                number(case.float32_error),
+                match case.holds {
+                    None => "no bound",
+                    Some(true) => "ok",
+                    Some(false) => "BROKEN",
+                }
+                .to_owned(),
+            ]
+        })
+        .collect();
+    text.push_str(&table(
+        &["case", ">cases", "words", "fixed", "f32", "f64", ">error", ">f32 error", "verdict"],
+        &rows,
+    ));
+    let unit = if sim.bound.quantity == Some("component") { "of the worst component" } else { "the angle in rad" };
+    let _ = writeln!(text, "  error: {unit}, against f64; f32 error: the angle in rad");
     text
 }
 

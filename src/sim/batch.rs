@@ -4,16 +4,19 @@
 //! columns to nodes whose users are all done to later nodes, so that a block's columns stay in
 //! the first-level cache. A [`Runner`] holds the columns and takes any number of samples, block
 //! by block, without allocation; nothing is dispatched per sample. Lanes are `i32` where every
-//! word fits, else `i64`. The loops are plain Rust that the compiler vectorises, compiled twice:
-//! for the baseline processor and for AVX2, chosen at run time.
+//! word fits, else `i64`. The loops are plain Rust that the compiler vectorises, for the baseline
+//! processor and for AVX2.
 //!
 //! [`RealProgram`] does the same on reals, for the algorithm's value at every node.
 
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::format::{Format, Overflow, Round, narrow, word_mask};
+use crate::function::Function;
 use crate::netlist::{Netlist, NodeId};
 use crate::op::{Meaning, Op};
+use crate::simd::{Body, vectorised};
+use crate::trig::Real;
 use num_traits::{PrimInt, WrappingAdd, WrappingMul, WrappingNeg, WrappingShl, WrappingShr, WrappingSub};
 use std::sync::Arc;
 
@@ -352,9 +355,10 @@ impl Runner {
         for column in outputs.iter_mut() {
             column.resize(count, 0);
         }
+        let overflows = &mut self.overflows[..];
         match &mut self.columns {
-            Columns::Narrow(store) => run(program, store, inputs, outputs, &mut self.overflows),
-            Columns::Wide(store) => run(program, store, inputs, outputs, &mut self.overflows),
+            Columns::Narrow(store) => vectorised(Run { program, store, inputs, outputs, overflows }),
+            Columns::Wide(store) => vectorised(Run { program, store, inputs, outputs, overflows }),
         }
     }
 
@@ -387,35 +391,20 @@ pub fn check_overflows(netlist: &Netlist, narrows: &[NodeId], counts: &[u64]) ->
     Ok(())
 }
 
-fn run<L: Lane>(
-    program: &Program,
-    store: &mut Store<L>,
-    inputs: &[&[i64]],
-    outputs: &mut [Vec<i64>],
-    overflows: &mut [u64],
-) {
-    #[cfg(target_arch = "x86_64")]
-    if std::arch::is_x86_feature_detected!("avx2") {
-        // SAFETY: the processor has AVX2; the function is safe code that was compiled for it.
-        #[expect(unsafe_code, reason = "calling code compiled for a detected processor feature")]
-        unsafe {
-            run_avx2(program, store, inputs, outputs, overflows);
-        }
-        return;
-    }
-    run_blocks(program, store, inputs, outputs, overflows);
+/// A run over all blocks, to be compiled for the processor.
+struct Run<'a, 'b, L> {
+    program: &'a Program,
+    store: &'a mut Store<L>,
+    inputs: &'a [&'b [i64]],
+    outputs: &'a mut [Vec<i64>],
+    overflows: &'a mut [u64],
 }
 
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,bmi1,bmi2,lzcnt,fma")]
-fn run_avx2<L: Lane>(
-    program: &Program,
-    store: &mut Store<L>,
-    inputs: &[&[i64]],
-    outputs: &mut [Vec<i64>],
-    overflows: &mut [u64],
-) {
-    run_blocks(program, store, inputs, outputs, overflows);
+impl<L: Lane> Body for Run<'_, '_, L> {
+    #[inline(always)]
+    fn run(self) {
+        run_blocks(self.program, self.store, self.inputs, self.outputs, self.overflows);
+    }
 }
 
 #[inline(always)]
@@ -687,7 +676,8 @@ enum RealKernel {
     Same,
 }
 
-/// A netlist compiled for blocks of reals; the twin of [`Netlist::eval_reals`].
+/// A netlist compiled for blocks of reals; the twin of [`Netlist::eval_reals`], equal to it but
+/// for the last bits of sines and cosines, which come from [`crate::trig`].
 #[derive(Clone, Debug)]
 pub struct RealProgram {
     steps: Vec<(RealKernel, [usize; 3], usize)>,
@@ -812,6 +802,7 @@ impl RealRunner {
         for column in outputs.iter_mut() {
             column.resize(count, 0.0);
         }
+        let mut other = [0.0; BLOCK];
         let mut start = 0;
         while start < count {
             let len = BLOCK.min(count - start);
@@ -824,6 +815,12 @@ impl RealRunner {
                     of.map(|slot| self.columns[slot].get(..len).unwrap_or_default());
                 match *kernel {
                     RealKernel::Same => to[..len].copy_from_slice(a),
+                    RealKernel::Meaning(Meaning::Apply(Function::Sin, _)) => {
+                        f64::sin_cos_turns(a, &mut to[..len], &mut other[..len]);
+                    }
+                    RealKernel::Meaning(Meaning::Apply(Function::Cos, _)) => {
+                        f64::sin_cos_turns(a, &mut other[..len], &mut to[..len]);
+                    }
                     RealKernel::Meaning(meaning) => {
                         let b = if b.is_empty() { a } else { b };
                         for ((to, a), b) in to.iter_mut().zip(a).zip(b) {

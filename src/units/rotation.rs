@@ -16,7 +16,7 @@ use crate::function::Function;
 use crate::lut::{self, Scheme};
 use crate::netlist::{Builder, NodeId, Quantity};
 use crate::op::Meaning;
-use num_traits::{Float, FloatConst};
+use crate::trig::{Real, sin_cos_turns};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -623,17 +623,30 @@ fn angle_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
 /// The golden model: the rotation in plain floating point, angles in turns.
 ///
 /// Written from the mathematics; knows no netlist. Exact up to float rounding, singular nowhere.
-fn golden<F: Float + FloatConst>(inputs: &[&[F]], outputs: &mut [Vec<F>]) {
+fn golden<F: Real>(inputs: &[&[F]], outputs: &mut [Vec<F>]) {
+    const BLOCK: usize = 256;
     let [phi_a, theta_a, phi_n, theta_n] = inputs else { panic!("bug: four inputs") };
     let [xs, ys, zs] = outputs else { panic!("bug: three outputs") };
-    for i in 0..phi_a.len() {
-        let (sin_delta, cos_delta) = ((phi_a[i] - phi_n[i]) * F::TAU()).sin_cos();
-        let (sin_a, cos_a) = (theta_a[i] * F::TAU()).sin_cos();
-        let (sin_n, cos_n) = (theta_n[i] * F::TAU()).sin_cos();
-        let (x, y, z) = (sin_a * cos_delta, sin_a * sin_delta, cos_a);
-        xs[i] = x * cos_n - z * sin_n;
-        ys[i] = y;
-        zs[i] = x * sin_n + z * cos_n;
+    let zero = [F::default(); BLOCK];
+    let (mut delta, mut sin_delta, mut cos_delta) = (zero, zero, zero);
+    let (mut sin_a, mut cos_a, mut sin_n, mut cos_n) = (zero, zero, zero, zero);
+    for start in (0..phi_a.len()).step_by(BLOCK) {
+        let len = BLOCK.min(phi_a.len() - start);
+        let block = start..start + len;
+        for (delta, (a, n)) in
+            delta.iter_mut().zip(phi_a[block.clone()].iter().zip(&phi_n[block.clone()]))
+        {
+            *delta = *a - *n;
+        }
+        F::sin_cos_turns(&delta[..len], &mut sin_delta[..len], &mut cos_delta[..len]);
+        F::sin_cos_turns(&theta_a[block.clone()], &mut sin_a[..len], &mut cos_a[..len]);
+        F::sin_cos_turns(&theta_n[block], &mut sin_n[..len], &mut cos_n[..len]);
+        for i in 0..len {
+            let (x, y, z) = (sin_a[i] * cos_delta[i], sin_a[i] * sin_delta[i], cos_a[i]);
+            xs[start + i] = x * cos_n[i] - z * sin_n[i];
+            ys[start + i] = y;
+            zs[start + i] = x * sin_n[i] + z * cos_n[i];
+        }
     }
 }
 
@@ -644,16 +657,14 @@ fn draw(sampler: Sampler, next: &mut dyn FnMut() -> f64, columns: &mut [Vec<f64>
         column.clear();
     }
     for _ in 0..count {
-        let mut direction = || {
-            let phi = next();
-            (phi, (1.0 - 2.0 * next()).acos() / TAU)
-        };
-        let ((mut pa, mut ta), (pn, tn)) = (direction(), direction());
-        let along = (ta * TAU).cos() * (tn * TAU).cos()
-            + (ta * TAU).sin() * (tn * TAU).sin() * ((pa - pn) * TAU).cos();
+        let (mut pa, mut za, pn, zn) =
+            (next(), 1.0 - 2.0 * next(), next(), 1.0 - 2.0 * next());
+        let cos_delta = sin_cos_turns(pa - pn).1;
+        let along = za * zn + ((1.0 - za * za) * (1.0 - zn * zn)).sqrt() * cos_delta;
         if sampler == Sampler::Lit && along < 0.0 {
-            (pa, ta) = ((pa + 0.5).fract(), 0.5 - ta);
+            (pa, za) = ((pa + 0.5).fract(), -za);
         }
+        let (ta, tn) = (za.acos() / TAU, zn.acos() / TAU);
         phi_a.push(pa);
         theta_a.push(ta);
         phi_n.push(pn);
