@@ -106,6 +106,9 @@ impl Inputs {
     }
 }
 
+/// 1.5 * 2^52: the sum with a smaller number is a whole number.
+const ROUNDER: f64 = 6_755_399_441_055_744.0;
+
 /// Writes input columns as words of the ports: to nearest, angles modulo a turn, numbers saturated.
 ///
 /// # Errors
@@ -123,10 +126,24 @@ pub fn quantize_inputs(
             Quantity::Number => Overflow::Saturate,
         };
         to.clear();
+        let scale = 2f64.powi(node.format.frac_bits());
+        let (min, max) = (node.format.min_raw(), node.format.max_raw());
         for value in column {
-            // A whole turn is nothing; without it, huge angles keep their fraction.
-            let value = if node.quantity == Quantity::Turns { value % 1.0 } else { *value };
-            to.push(quantize(value, node.format, Round::HalfEven, overflow)?.0);
+            let scaled = value * scale;
+            to.push(if scaled.abs() < 2f64.powi(51) {
+                // Adding 1.5 * 2^52 rounds to a whole number, ties to even, in the low bits.
+                let whole = cast::word_of_bits((scaled + ROUNDER).to_bits())
+                    - cast::word_of_bits(ROUNDER.to_bits());
+                match overflow {
+                    Overflow::Wrap => node.format.wrap(whole),
+                    _ => whole.clamp(min, max),
+                }
+            } else {
+                // Far out, or not finite.
+                let turns = node.quantity == Quantity::Turns;
+                let value = if turns { value % 1.0 } else { *value };
+                quantize(value, node.format, Round::HalfEven, overflow)?.0
+            });
         }
     }
     Ok(())
@@ -190,11 +207,11 @@ pub fn angle_between(u: [f64; 3], v: [f64; 3]) -> f64 {
     ];
     let dot = u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
     let sine = (cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]).sqrt();
-    if sine < 1e-3 * dot {
-        // atan's series; the next term is below 1e-22.
+    if sine < 0.02 * dot {
+        // atan's series; the next term is below 1e-18 of the sum.
         let t = sine / dot;
         let t2 = t * t;
-        t * (1.0 - t2 * (1.0 / 3.0 - t2 * (0.2 - t2 / 7.0)))
+        t * (1.0 - t2 * (1.0 / 3.0 - t2 * (0.2 - t2 * (1.0 / 7.0 - t2 / 9.0))))
     } else if sine == 0.0 && dot == 0.0 {
         PI
     } else {

@@ -1,7 +1,7 @@
 //! `fixpath demo`: every command on built-in settings, into one folder.
 
 use super::{Sim, pretty, print, progress_bar, stimulus, text, write_wave};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::eval::{self, AngleUnit};
 use crate::measure::{Basis, Inputs};
 use crate::output;
@@ -102,7 +102,7 @@ pub(super) fn run(out: &Path) -> Result<bool> {
     write(&out.join("README.md"), &story)?;
     print(&format!("{story}\nwritten to {}\n", out.display()))?;
     if !passed {
-        return Err(Error::usage("a stated bound is broken: see sim/ and hard_cases.txt".to_owned()));
+        print("a stated bound is BROKEN: see sim/ and hard_cases.txt\n")?;
     }
-    Ok(true)
+    Ok(passed)
 }

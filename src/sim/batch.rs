@@ -798,50 +798,95 @@ impl RealRunner {
     /// If the columns don't match the program's ports.
     pub fn run(&mut self, program: &RealProgram, inputs: &[&[f64]], outputs: &mut [Vec<f64>]) {
         assert_eq!(inputs.len(), program.inputs.len(), "bug: one column per input");
+        assert_eq!(outputs.len(), program.outputs.len(), "bug: one column per output");
         let count = inputs.first().map_or(0, |column| column.len());
         for column in outputs.iter_mut() {
             column.resize(count, 0.0);
         }
+        vectorised(RealRun { program, columns: &mut self.columns, inputs, outputs });
+    }
+}
+
+/// A run over all blocks, to be compiled for the processor.
+struct RealRun<'a, 'b> {
+    program: &'a RealProgram,
+    columns: &'a mut [Vec<f64>],
+    inputs: &'a [&'b [f64]],
+    outputs: &'a mut [Vec<f64>],
+}
+
+impl Body for RealRun<'_, '_> {
+    #[inline(always)]
+    fn run(self) {
+        let Self { program, columns, inputs, outputs } = self;
+        let count = inputs.first().map_or(0, |column| column.len());
         let mut other = [0.0; BLOCK];
         let mut start = 0;
         while start < count {
             let len = BLOCK.min(count - start);
             for (slot, input) in program.inputs.iter().zip(inputs) {
-                self.columns[*slot][..len].copy_from_slice(&input[start..start + len]);
+                columns[*slot][..len].copy_from_slice(&input[start..start + len]);
             }
             for (kernel, of, to_slot) in &program.steps {
-                let mut to = std::mem::take(&mut self.columns[*to_slot]);
-                let [a, b, c] =
-                    of.map(|slot| self.columns[slot].get(..len).unwrap_or_default());
-                match *kernel {
-                    RealKernel::Same => to[..len].copy_from_slice(a),
-                    RealKernel::Meaning(Meaning::Apply(Function::Sin, _)) => {
-                        f64::sin_cos_turns(a, &mut to[..len], &mut other[..len]);
-                    }
-                    RealKernel::Meaning(Meaning::Apply(Function::Cos, _)) => {
-                        f64::sin_cos_turns(a, &mut other[..len], &mut to[..len]);
-                    }
-                    RealKernel::Meaning(meaning) => {
-                        let b = if b.is_empty() { a } else { b };
-                        for ((to, a), b) in to.iter_mut().zip(a).zip(b) {
-                            *to = meaning.eval(*a, *b);
-                        }
-                    }
-                    RealKernel::Op(op, format) => {
-                        // Unused operands read some column; any will do.
-                        let filler = if a.is_empty() { b } else { a };
-                        let [b, c] = [b, c].map(|x| if x.is_empty() { filler } else { x });
-                        for (((to, a), b), c) in to.iter_mut().zip(a).zip(b).zip(c) {
-                            *to = op.eval_real([*a, *b, *c], format);
-                        }
-                    }
-                }
-                self.columns[*to_slot] = to;
+                let mut to = std::mem::take(&mut columns[*to_slot]);
+                let of = of.map(|slot| columns[slot].get(..len).unwrap_or_default());
+                real_step(*kernel, of, &mut to[..len], &mut other[..len]);
+                columns[*to_slot] = to;
             }
             for (slot, output) in program.outputs.iter().zip(outputs.iter_mut()) {
-                output[start..start + len].copy_from_slice(&self.columns[*slot][..len]);
+                output[start..start + len].copy_from_slice(&columns[*slot][..len]);
             }
             start += len;
+        }
+    }
+}
+
+#[inline(always)]
+fn real_step(kernel: RealKernel, [a, b, c]: [&[f64]; 3], to: &mut [f64], other: &mut [f64]) {
+    let each1 = |to: &mut [f64], f: &dyn Fn(f64) -> f64| {
+        for (to, a) in to.iter_mut().zip(a) {
+            *to = f(*a);
+        }
+    };
+    match kernel {
+        RealKernel::Same => to.copy_from_slice(a),
+        RealKernel::Meaning(Meaning::Apply(Function::Sin, _)) => f64::sin_cos_turns(a, to, other),
+        RealKernel::Meaning(Meaning::Apply(Function::Cos, _)) => f64::sin_cos_turns(a, other, to),
+        RealKernel::Meaning(meaning) if b.is_empty() => each1(to, &|a| meaning.eval(a, 0.0)),
+        RealKernel::Meaning(meaning) => {
+            for ((to, a), b) in to.iter_mut().zip(a).zip(b) {
+                *to = meaning.eval(*a, *b);
+            }
+        }
+        // The operation is known per column, so these loops have no choice left in them.
+        RealKernel::Op(op @ (Op::Add | Op::Sub | Op::Mul | Op::Equal | Op::Less), format) => {
+            let each2 = |to: &mut [f64], op: Op| {
+                for ((to, a), b) in to.iter_mut().zip(a).zip(b) {
+                    *to = op.eval_real([*a, *b, 0.0], format);
+                }
+            };
+            match op {
+                Op::Add => each2(to, Op::Add),
+                Op::Sub => each2(to, Op::Sub),
+                Op::Mul => each2(to, Op::Mul),
+                other => each2(to, other),
+            }
+        }
+        RealKernel::Op(Op::Modulo, format) => {
+            for (to, a) in to.iter_mut().zip(a) {
+                *to = Op::Modulo.eval_real([*a, 0.0, 0.0], format);
+            }
+        }
+        RealKernel::Op(op @ (Op::Neg | Op::Abs | Op::Shift { .. }), format) => {
+            each1(to, &|a| op.eval_real([a, 0.0, 0.0], format));
+        }
+        RealKernel::Op(op, format) => {
+            // Unused operands read some column; any will do.
+            let filler = if a.is_empty() { b } else { a };
+            let [b, c] = [b, c].map(|x| if x.is_empty() { filler } else { x });
+            for (((to, a), b), c) in to.iter_mut().zip(a).zip(b).zip(c) {
+                *to = op.eval_real([*a, *b, *c], format);
+            }
         }
     }
 }
