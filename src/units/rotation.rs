@@ -77,6 +77,12 @@ static PARAMS: &[Param] = &[
         help: "fraction bits of the components x, y, z",
     },
     Param {
+        name: "int_bits",
+        kind: Kind::Int { min: 0, max: 1, auto: None },
+        default: "1",
+        help: "integer bits of the components; 1 gives 1.0 a code, 0 saves a bit and 1.0 overflows",
+    },
+    Param {
         name: "guard_bits",
         kind: Kind::Int { min: 0, max: 8, auto: None },
         default: "2",
@@ -92,7 +98,7 @@ static PARAMS: &[Param] = &[
         name: "overflow",
         kind: Kind::Choice(&["wrap", "saturate", "symmetric", "error"]),
         default: "saturate",
-        help: "overflow of the results; indices into tables always saturate",
+        help: "overflow of the components, with int_bits=0; indices into tables always saturate",
     },
     Param {
         name: "sincos_addr_bits",
@@ -200,9 +206,13 @@ fn build(values: &Values) -> Result<Design> {
     } else {
         seed(&mut b, &mut plan, inputs, variant == "corrected")?;
     }
-    let tabulated = plan.tabulated;
+    let (tabulated, overflow) = (plan.tabulated, plan.overflow);
     let netlist = b.build()?;
+    let wraps = values.bits("int_bits") == 0 && matches!(overflow, Overflow::Wrap | Overflow::Error);
     let bound = match (variant, output) {
+        ("exact", "cartesian") if wraps => {
+            Bound::Unstated("with int_bits=0 and without saturation, components near 1 wrap to -1")
+        }
         ("exact", "cartesian") => Bound::Component(component_bound),
         ("exact", _) => Bound::Angle(angle_bound),
         _ => Bound::Unstated(
@@ -383,7 +393,7 @@ fn exact(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], output: &str
         [b.name(x, "x_sum"), b.name(y, "y_sum"), b.name(z, "z_sum")]
     });
     if output == "cartesian" {
-        let format = number(1, plan.frac_bits)?;
+        let format = number(plan.values.bits("int_bits"), plan.frac_bits)?;
         for (name, node) in [("x", x), ("y", y), ("z", z)] {
             let word = b.narrow(node, format, plan.round, plan.overflow);
             b.name(word, name);
@@ -581,7 +591,9 @@ fn seed(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], corrected: bo
 /// the last rounding.
 fn component_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
     let ulp = 2f64.powi(-cast::signed_count(values.bits("frac_bits")));
-    2.0 * worst("sincos") + rounding_ulp(values) * ulp
+    // Without an integer bit, 1.0 saturates one ulp lower.
+    let saturation = if values.bits("int_bits") == 0 { ulp } else { 0.0 };
+    2.0 * worst("sincos") + rounding_ulp(values) * ulp + saturation
 }
 
 /// Largest error of one rounding in ulp.

@@ -1,0 +1,351 @@
+//! The command line as scripts use it: results, exit codes, messages, and files left whole.
+
+use assert_cmd::Command;
+use std::fs;
+use std::path::Path;
+
+fn fixpath() -> Command {
+    Command::cargo_bin("fixpath").unwrap()
+}
+
+/// Runs and gives exit code, standard output and standard error.
+fn run(args: &[&str]) -> (i32, String, String) {
+    let output = fixpath().args(args).output().unwrap();
+    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
+    (output.status.code().unwrap(), text(&output.stdout), text(&output.stderr))
+}
+
+/// Expects wrong use: exit code 2, nothing on standard output, one line that says `message`.
+fn refused(args: &[&str], message: &str) {
+    let (code, stdout, stderr) = run(args);
+    assert_eq!((code, stdout.as_str()), (2, ""), "{args:?}: {stderr}");
+    assert_eq!(stderr.trim_end().lines().count(), 1, "{args:?}: {stderr}");
+    assert!(stderr.contains(message), "{args:?}: {stderr}");
+}
+
+fn is_empty(folder: &Path) -> bool {
+    fs::read_dir(folder).unwrap().next().is_none()
+}
+
+#[test]
+fn units_and_parameters_are_checked_and_the_nearest_is_named() {
+    refused(
+        &["show", "rotatoin"],
+        "error: no unit `rotatoin`, did you mean `rotation`: `fixpath list` names them all",
+    );
+    refused(
+        &["show", "rotation", "-p", "angel_bits=8"],
+        "error: unit `rotation` has no parameter `angel_bits`, did you mean `angle_bits`: `fixpath list rotation` names them all",
+    );
+    refused(
+        &["show", "rotation", "-p", "angle_bits=0"],
+        "error: parameter `angle_bits` = `0`: legal is 2 to 24",
+    );
+    refused(
+        &["sim", "rotation", "-p", "frac_bits=64"],
+        "error: parameter `frac_bits` = `64`: legal is 2 to 32",
+    );
+    refused(
+        &["sim", "rotation", "-p", "table_addr_bits=40"],
+        "error: parameter `table_addr_bits` = `40`: legal is 2 to 20",
+    );
+    refused(
+        &["sim", "rotation", "-p", "scheme=cubic"],
+        "error: parameter `scheme` = `cubic`: legal is direct, linear, bipartite",
+    );
+    refused(&["sim", "rotation", "-p", "scheme"], "error: `scheme` is not of the form key=value");
+    refused(
+        &["sim", "rotation", "-p", "angle_bits=99999999999999999999"],
+        "error: parameter `angle_bits` = `99999999999999999999`: legal is 2 to 24",
+    );
+    refused(
+        &["sim", "rotation", "-p", "variant=corrected", "-p", "output=cartesian"],
+        "error: parameter `output` = `cartesian`: legal is auto or polar-table when variant=corrected",
+    );
+}
+
+#[test]
+fn words_past_63_bits_are_refused_with_the_node() {
+    let args = ["-p", "variant=corrected", "-p", "frac_bits=32", "-p", "guard_bits=8"];
+    refused(&[&["show", "rotation"], &args[..]].concat(), "words have at most 63: lower the widths");
+}
+
+#[test]
+fn every_parameter_at_both_ends_of_its_range_builds_or_says_why_not() {
+    let (code, text, _) = run(&["list", "rotation", "--json"]);
+    assert_eq!(code, 0);
+    let units: serde_json::Value = serde_json::from_str(&text).unwrap();
+    for param in units[0]["parameters"].as_array().unwrap() {
+        let name = param["name"].as_str().unwrap();
+        let choices = match param.get("choices") {
+            Some(choices) => choices.as_array().unwrap().clone(),
+            None => vec![param["min"].clone(), param["max"].clone()],
+        };
+        for choice in choices {
+            let value = choice.as_str().map_or_else(|| choice.to_string(), str::to_owned);
+            for variant in ["printed", "corrected", "exact"] {
+                let set = format!("{name}={value}");
+                let variant = format!("variant={variant}");
+                let args = ["sim", "rotation", "--samples", "200", "-p", &variant, "-p", &set];
+                let (code, _, stderr) = run(&args);
+                let fine = code == 0 || code == 2 && stderr.starts_with("error: ");
+                // Mode `error` may stop a run: that is what it is for.
+                let stopped = code == 1 && set == "overflow=error";
+                assert!(fine || stopped, "{args:?}: {code} {stderr}");
+            }
+        }
+    }
+}
+
+#[test]
+fn eval_writes_words_values_and_golden() {
+    let folder = tempfile::tempdir().unwrap();
+    let (input, out) = (folder.path().join("in.csv"), folder.path().join("out.csv"));
+    // Columns in another order, one more than needed, and spaces.
+    fs::write(&input, "note,theta_n,phi_n,theta_a,phi_a\na, 0, 0, 90, 90\nb,0,0,45,-360\n").unwrap();
+    let args = ["eval", "rotation", "-p", "scheme=linear", "--angle", "degrees"];
+    fixpath().args(args).arg("--in").arg(&input).arg("--out").arg(&out).assert().success();
+    let text = fs::read_to_string(&out).unwrap();
+    let mut lines = text.lines();
+    assert_eq!(
+        lines.next().unwrap(),
+        "phi_a_q,phi_a_raw,theta_a_q,theta_a_raw,phi_n_q,phi_n_raw,theta_n_q,theta_n_raw,\
+         x,x_raw,x_golden,y,y_raw,y_golden,z,z_raw,z_golden"
+    );
+    let row: Vec<&str> = lines.next().unwrap().split(',').collect();
+    assert_eq!(row[..4], ["90", "16384", "90", "16384"]);
+    let number = |i: usize| row[i].parse::<f64>().unwrap();
+    assert!((number(11) - 1.0).abs() < 2e-5 && (number(13) - 1.0).abs() < 1e-15, "y is 1: {row:?}");
+    assert_eq!(number(11), number(12) / 65536.0);
+    let row: Vec<&str> = lines.next().unwrap().split(',').collect();
+    assert_eq!(row[..2], ["0", "0"], "a whole turn is none");
+    assert_eq!(lines.next(), None);
+}
+
+#[test]
+fn eval_is_the_reference_on_every_hard_case() {
+    use fixpath::units::rotation::ROTATION;
+    let folder = tempfile::tempdir().unwrap();
+    for assignments in [
+        &["scheme=linear"][..],
+        &["variant=corrected"],
+        &["variant=printed"],
+        &["output=polar-cordic"],
+        &["output=polar-table", "scheme=bipartite"],
+    ] {
+        let design = ROTATION.values(assignments).unwrap().build().unwrap();
+        let rows: Vec<&Vec<i64>> = design.hard.iter().flat_map(|case| &case.words).collect();
+        let mut csv = "phi_a,theta_a,phi_n,theta_n\n".to_owned();
+        for row in &rows {
+            let turns: Vec<String> = row.iter().map(|w| (*w as f64 / 65536.0).to_string()).collect();
+            csv += &(turns.join(",") + "\n");
+        }
+        let (input, out) = (folder.path().join("in.csv"), folder.path().join("out.csv"));
+        fs::write(&input, csv).unwrap();
+        let mut command = fixpath();
+        command.args(["eval", "rotation", "--angle", "turns", "--in"]).arg(&input);
+        assignments.iter().for_each(|set| drop(command.args(["-p", set])));
+        command.arg("--out").arg(&out).assert().success();
+        let mut reader = csv::Reader::from_path(&out).unwrap();
+        let mut count = 0;
+        for (record, words) in reader.records().zip(&rows) {
+            let record = record.unwrap();
+            let (reference, _) = design.netlist.eval(words);
+            for (i, output) in design.netlist.outputs().iter().enumerate() {
+                assert_eq!(record[8 + 3 * i + 1], reference[output.node.index()].to_string());
+            }
+            count += 1;
+        }
+        assert_eq!(count, rows.len());
+    }
+}
+
+#[test]
+fn malformed_csv_names_line_and_column_and_leaves_nothing() {
+    let header = "phi_a,theta_a,phi_n,theta_n\n";
+    let cases: [(&[u8], &str); 11] = [
+        (b"", "in.csv, line 1: the file is empty; its first line should be phi_a,theta_a,phi_n,theta_n"),
+        (b"phi_a,theta_a,phi_n,theta_n\n", "in.csv, line 2: no rows after the header"),
+        (b"phi_a,theta_a,phi_n\n1,2,3\n", "line 1, column `theta_n`: no such column"),
+        (b"phi_a,phi_a,theta_a,phi_n,theta_n\n1,2,3,4,5\n", "line 1, column `phi_a`: the column is there twice"),
+        (b"phi_a,theta_a,phi_n,theta_n\n1,2,3,4\n1,2,3\n", "line 3: 3 fields where the header has 4"),
+        (b"phi_a,theta_a,phi_n,theta_n\n1,2,x,4\n", "line 2, column `phi_n`: `x` is not a number"),
+        (b"phi_a,theta_a,phi_n,theta_n\n1,2,,4\n", "line 2, column `phi_n`: `` is not a number"),
+        (b"phi_a,theta_a,phi_n,theta_n\n1,2,3,4\n1,NaN,3,4\n", "line 3, column `theta_a`: `NaN` is not a finite number"),
+        (b"phi_a,theta_a,phi_n,theta_n\n1,2,3,-inf\n", "line 2, column `theta_n`: `-inf` is not a finite number"),
+        (b"phi_a,theta_a,phi_n,theta_n\n1,2,3,1e999\n", "line 2, column `theta_n`: `1e999` is not a finite number"),
+        (b"phi_a,theta_a,phi_n,theta_n\n1,2,3,\xff\n", "line 2: the text is not UTF-8"),
+    ];
+    for (body, message) in cases {
+        let folder = tempfile::tempdir().unwrap();
+        let (input, out) = (folder.path().join("in.csv"), folder.path().join("out.csv"));
+        fs::write(&input, body).unwrap();
+        let (input, out) = (input.to_str().unwrap(), out.to_str().unwrap());
+        refused(&["eval", "rotation", "--in", input, "--out", out], message);
+        refused(&["wave", "rotation", "--in", input, "--out", out], message);
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "only the input is there");
+    }
+    // What was there stays.
+    let folder = tempfile::tempdir().unwrap();
+    let (input, out) = (folder.path().join("in.csv"), folder.path().join("out.csv"));
+    fs::write(&input, format!("{header}1,2,3,4\n1,2,3,oops\n")).unwrap();
+    fs::write(&out, "precious").unwrap();
+    fixpath().args(["eval", "rotation", "--in"]).arg(&input).arg("--out").arg(&out).assert().code(2);
+    assert_eq!(fs::read_to_string(&out).unwrap(), "precious");
+}
+
+#[test]
+fn files_that_cannot_be_read_or_written_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path().to_str().unwrap();
+    let input = folder.path().join("in.csv");
+    fs::write(&input, "phi_a,theta_a,phi_n,theta_n\n1,2,3,4\n").unwrap();
+    let input = input.to_str().unwrap();
+    refused(&["eval", "rotation", "--in", "/no/such.csv", "--out", "o.csv"], "/no/such.csv: can't read: ");
+    refused(&["eval", "rotation", "--in", here, "--out", "o.csv"], "can't read: it is a folder");
+    refused(&["eval", "rotation", "--in", input, "--out", "/no/such/out.csv"], "/no/such/out.csv: can't write: ");
+    refused(&["wave", "rotation", "--out", "/no/such/out.vcd"], "/no/such/out.vcd: can't write: ");
+    let blocked = format!("{input}/sweep");
+    refused(
+        &["sweep", "rotation", "--axis", "angle_bits=8", "--samples", "10", "--out", &blocked],
+        "sweep",
+    );
+    refused(&["demo", "--out", &blocked], "can't make the folder");
+    assert!(!Path::new("o.csv").exists());
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_full_disk_is_one_clear_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let input = folder.path().join("in.csv");
+    fs::write(&input, "phi_a,theta_a,phi_n,theta_n\n1,2,3,4\n").unwrap();
+    let input = input.to_str().unwrap();
+    // The device that is always full, and stays a device.
+    refused(&["eval", "rotation", "--in", input, "--out", "/dev/full"], "/dev/full: can't write: No space left");
+    refused(&["wave", "rotation", "--out", "/dev/full"], "/dev/full: can't write: No space left");
+    use std::os::unix::fs::FileTypeExt;
+    assert!(fs::metadata("/dev/full").unwrap().file_type().is_char_device());
+}
+
+#[test]
+fn a_reader_that_goes_away_is_no_error() {
+    use std::process::Stdio;
+    let mut child = std::process::Command::new(assert_cmd::cargo::cargo_bin("fixpath"))
+        .args(["show", "rotation", "-p", "output=polar-cordic", "--json"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(0));
+    assert_eq!(String::from_utf8(output.stderr).unwrap(), "");
+}
+
+#[test]
+fn sim_is_the_same_on_any_number_of_threads() {
+    let figures = |threads: &str| {
+        let args = ["--threads", threads, "sim", "rotation", "-p", "variant=corrected"];
+        let args = [&args[..], &["--samples", "150000", "--seed", "9", "--json"]].concat();
+        let (code, text, stderr) = run(&args);
+        assert_eq!((code, stderr.as_str()), (0, ""), "no progress in a pipe");
+        let mut value: serde_json::Value = serde_json::from_str(&text).unwrap();
+        value.as_object_mut().unwrap().remove("speed");
+        value
+    };
+    let one = figures("1");
+    assert_eq!(one, figures("2"));
+    assert_eq!(one, figures("5"));
+    assert_eq!(one["inputs"]["samples"], 150_000);
+}
+
+#[test]
+fn sim_tells_bounds_verdicts_and_overflows() {
+    let (code, text, _) = run(&["sim", "rotation", "-p", "scheme=linear", "--hard", "--json"]);
+    assert_eq!(code, 0);
+    let value: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(value["bound"]["holds"], true);
+    let cases = value["hard_cases"].as_array().unwrap();
+    assert!(cases.len() >= 10 && cases.iter().all(|case| case["holds"] == true));
+    let (code, text, _) = run(&["sim", "rotation", "-p", "variant=corrected", "--samples", "20000"]);
+    assert_eq!(code, 0);
+    assert!(text.contains("no bound is stated: asin, 1/sin and 1/cos have infinite slopes"));
+    assert!(text.contains("tan_phi"), "saturations are counted: {text}");
+}
+
+#[test]
+fn overflow_mode_error_stops_with_exit_code_1() {
+    let args = ["sim", "rotation", "-p", "overflow=error", "--samples", "1000"];
+    let (code, _, stderr) = run(&args);
+    assert_eq!((code, stderr.as_str()), (0, ""), "with an integer bit nothing overflows");
+    let args = ["sim", "rotation", "-p", "overflow=error", "-p", "int_bits=0", "--hard"];
+    let (code, stdout, stderr) = run(&args);
+    assert_eq!((code, stdout.as_str()), (1, ""));
+    assert!(stderr.starts_with("error: node `x` overflowed "), "{stderr}");
+}
+
+#[test]
+fn an_exhaustive_run_that_is_too_long_is_refused() {
+    refused(
+        &["sim", "rotation", "--sampler", "exhaustive"],
+        "the inputs have 2^64 combinations and an exhaustive run goes up to 2^32",
+    );
+    let (code, text, _) =
+        run(&["sim", "rotation", "-p", "angle_bits=3", "--sampler", "exhaustive", "--json"]);
+    assert_eq!(code, 0);
+    let value: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(value["inputs"]["samples"], 4096);
+}
+
+#[test]
+fn show_counts_what_the_seed_prints() {
+    let counts = |variant: &str| -> serde_json::Value {
+        let (code, text, _) = run(&["show", "rotation", "-p", &format!("variant={variant}"), "--json"]);
+        assert_eq!(code, 0);
+        serde_json::from_str::<serde_json::Value>(&text).unwrap()["counts"].clone()
+    };
+    for variant in ["printed", "corrected"] {
+        let counts = counts(variant);
+        assert_eq!(counts["datapath"]["multipliers"], 3);
+        assert_eq!(counts["datapath"]["adders"], 8);
+        assert_eq!(counts["tables"], 6);
+    }
+    assert_eq!(counts("exact")["datapath"]["multipliers"], 0);
+    let (_, dot, _) = run(&["show", "rotation", "--dot"]);
+    assert!(dot.starts_with("digraph rotation {") && dot.trim_end().ends_with('}'));
+}
+
+#[test]
+fn wave_writes_a_pair_of_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("r.vcd");
+    fixpath().args(["wave", "rotation", "--samples", "50", "--out"]).arg(&out).assert().success();
+    assert!(fs::read_to_string(&out).unwrap().contains("$var wire 18"));
+    let save = fs::read_to_string(folder.path().join("r.gtkw")).unwrap();
+    assert!(save.contains("[dumpfile] \"r.vcd\"") && save.contains("rotation.x[1:-16]"));
+    let out = folder.path().join("s.vcd");
+    let out = out.to_str().unwrap();
+    refused(&["wave", "rotation", "--signals", "nope*", "--out", out], "no signal matches `nope*`");
+    assert!(!Path::new(out).exists());
+}
+
+#[test]
+fn help_has_examples() {
+    for command in ["list", "show", "eval", "sim", "wave", "sweep", "demo"] {
+        let (code, text, _) = run(&[command, "--help"]);
+        assert_eq!(code, 0);
+        assert!(text.contains("Example"), "{command}: {text}");
+    }
+}
+
+#[test]
+fn an_empty_folder_stays_empty_when_nothing_is_asked_right() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("o");
+    let out = out.to_str().unwrap();
+    refused(&["sweep", "rotation", "--axis", "angle_bits=99", "--out", out], "angle_bits");
+    refused(&["sweep", "rotation", "--axis", "nope=1", "--out", out], "no parameter `nope`");
+    refused(&["sweep", "rotation", "--axis", "variant", "--out", out], "variant");
+    assert!(is_empty(folder.path()));
+}

@@ -1,0 +1,216 @@
+//! Waves are read back by independent readers and compared with the reference.
+
+use fixpath::units::rotation::ROTATION;
+use fixpath::units::{Design, Shape};
+use fixpath::wave::{Options, Wave};
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::process::Command;
+
+fn design(assignments: &[&str]) -> Design {
+    ROTATION.values(assignments).unwrap().build().unwrap()
+}
+
+fn samples(design: &Design) -> Vec<Vec<i64>> {
+    let mut rows: Vec<Vec<i64>> =
+        design.hard.iter().flat_map(|case| case.words.iter().take(3).cloned()).collect();
+    let words = design.netlist.node(design.netlist.inputs()[0]).format.words();
+    rows.extend((1..40u64).map(|i| {
+        (1..5u64).map(|port| ((i * i * 7919 * port + i * 104_729) % words) as i64).collect()
+    }));
+    rows
+}
+
+fn write(design: &Design, options: Options, rows: &[Vec<i64>], folder: &Path) -> std::path::PathBuf {
+    let path = folder.join("unit.vcd");
+    let wave = Wave::new(design, options).unwrap();
+    wave.write(rows, &mut std::fs::File::create(&path).unwrap()).unwrap();
+    wave.write_gtkw(&path, &mut std::fs::File::create(path.with_extension("gtkw")).unwrap()).unwrap();
+    path
+}
+
+/// Values by full name and time, as wellen reads them.
+struct ReadBack {
+    times: Vec<u64>,
+    signals: BTreeMap<String, BTreeMap<u64, String>>,
+}
+
+impl ReadBack {
+    fn open(path: &Path) -> Self {
+        let mut waves = wellen::simple::read(path).expect("a legal VCD");
+        let times = waves.time_table().to_vec();
+        let vars: Vec<(String, wellen::SignalRef)> = waves
+            .hierarchy()
+            .iter_vars()
+            .map(|var| (var.full_name(waves.hierarchy()), var.signal_ref()))
+            .collect();
+        let refs: Vec<wellen::SignalRef> = vars.iter().map(|(_, signal)| *signal).collect();
+        waves.load_signals(&refs);
+        let mut signals = BTreeMap::new();
+        for (name, signal) in vars {
+            let signal = waves.get_signal(signal).unwrap();
+            let changes = signal
+                .iter_changes()
+                .map(|(time, value)| (times[time as usize], value.to_string()))
+                .collect();
+            assert!(signals.insert(name.clone(), changes).is_none(), "{name} is there twice");
+        }
+        Self { times, signals }
+    }
+
+    /// The last change at or before a time.
+    fn at(&self, name: &str, time: u64) -> &str {
+        let changes = self.signals.get(name).unwrap_or_else(|| panic!("no signal {name}"));
+        changes.range(..=time).next_back().map_or("none", |(_, value)| value)
+    }
+}
+
+fn bits(pattern: u64, width: u32) -> String {
+    format!("{pattern:0width$b}", width = width as usize)
+}
+
+#[test]
+fn every_word_and_twin_is_the_reference_of_its_sample() {
+    let settings: [&[&str]; 5] = [
+        &[],
+        &["variant=corrected", "rom=distributed"],
+        &["variant=printed", "angle_bits=9", "frac_bits=7"],
+        &["output=polar-table", "scheme=linear", "period_ps=2500"],
+        &["scheme=bipartite", "stages=0", "rom=distributed"],
+    ];
+    for assignments in settings {
+        let design = design(assignments);
+        let folder = tempfile::tempdir().unwrap();
+        let rows = samples(&design);
+        let path = write(&design, Options { all: true, ..Options::default() }, &rows, folder.path());
+        let read = ReadBack::open(&path);
+        let wave = Wave::new(&design, Options { all: true, ..Options::default() }).unwrap();
+        let netlist = &design.netlist;
+        let latency = wave.rtl().schedule().latency() as usize;
+        let period = read.times[2] - read.times[0];
+        let mut compared = 0;
+        for at in 0..rows.len() + latency {
+            let time = at as u64 * period;
+            assert_eq!(read.at("rotation.valid_in", time), if at < rows.len() { "1" } else { "0" });
+            assert_eq!(read.at("rotation.valid_out", time), if at >= latency { "1" } else { "0" });
+            assert_eq!(read.at("rotation.clk", time), "1");
+            assert_eq!(read.at("rotation.clk", time + period / 2), "0");
+            for (name, node, stage) in wave.signals() {
+                let full = format!("rotation.{name}");
+                let Some(sample) = at.checked_sub(stage as usize) else {
+                    assert!(read.at(&full, time).chars().all(|c| c == 'x'), "{full} at {at}");
+                    continue;
+                };
+                let Some(words) = rows.get(sample) else { continue };
+                let (reference, _) = netlist.eval(words);
+                let format = netlist.node(node).format;
+                let word = reference[node.index()];
+                let should = bits(format.pattern(word), format.bits());
+                assert_eq!(read.at(&full, time), should, "{assignments:?}: {full} at cycle {at}");
+                compared += 1;
+                for (twin, scale) in [("_value", 1.0), ("_value_deg", 360.0)] {
+                    if let Some(changes) = read.signals.get(&format!("{full}{twin}")) {
+                        let (_, text) = changes.range(..=time).next_back().unwrap();
+                        assert_eq!(text.parse::<f64>().unwrap(), format.value(word) * scale, "{full}");
+                    }
+                }
+                if let Some(changes) = read.signals.get(&format!("{full}_error")) {
+                    let inputs: Vec<f64> = words
+                        .iter()
+                        .zip(netlist.inputs())
+                        .map(|(word, id)| netlist.node(*id).format.value(*word))
+                        .collect();
+                    let error = format.value(word) - netlist.eval_reals(&inputs)[node.index()];
+                    let (_, text) = changes.range(..=time).next_back().unwrap();
+                    let shown: f64 = text.parse().unwrap();
+                    assert!(shown == error || shown.is_nan() && error.is_nan(), "{full}: {shown}");
+                }
+            }
+        }
+        assert!(compared > 1000, "{assignments:?}: {compared} words were compared");
+    }
+}
+
+#[test]
+fn the_golden_stands_beside_output_ports() {
+    let design = design(&["variant=exact", "scheme=linear"]);
+    assert_eq!(design.shape, Shape::Cartesian);
+    let folder = tempfile::tempdir().unwrap();
+    let rows = vec![vec![0, 8192, 0, 0]]; // 45° from the pole, N at the pole
+    let read = ReadBack::open(&write(&design, Options::default(), &rows, folder.path()));
+    let end = *read.times.last().unwrap();
+    let z: f64 = read.at("rotation.z_golden", end).parse().unwrap();
+    assert!((z - 0.5f64.sqrt()).abs() < 1e-15);
+}
+
+#[test]
+fn a_window_and_a_choice_of_signals_cut_the_file() {
+    let design = design(&[]);
+    let folder = tempfile::tempdir().unwrap();
+    let rows = samples(&design);
+    let whole = ReadBack::open(&write(&design, Options::default(), &rows, folder.path()));
+    let options = Options {
+        cycles: Some(10..20),
+        signals: vec!["x".to_owned(), "angles.*".to_owned()],
+        ..Options::default()
+    };
+    let cut = ReadBack::open(&write(&design, options, &rows, folder.path()));
+    let period = whole.times[2];
+    assert_eq!((cut.times[0], *cut.times.last().unwrap()), (10 * period, 20 * period));
+    assert!(cut.signals.contains_key("rotation.x") && cut.signals.contains_key("rotation.angles.delta"));
+    assert!(!cut.signals.contains_key("rotation.y"));
+    for at in 10..20 {
+        for name in ["rotation.x", "rotation.x_value", "rotation.x_golden", "rotation.angles.ang_x"] {
+            assert_eq!(cut.at(name, at * period), whole.at(name, at * period), "{name} at {at}");
+        }
+    }
+    let error = Wave::new(&design, Options { signals: vec!["nothing".into()], ..Options::default() });
+    assert!(error.unwrap_err().to_string().starts_with("no signal matches `nothing`"));
+}
+
+/// GTKWave itself decodes the words: needs `gtkwave` and `xvfb-run`. Without them the test says
+/// so, and fails where FIXPATH_REQUIRE_TOOLS is set, as in CI.
+#[test]
+fn gtkwave_decodes_words_as_the_save_file_tells_it() {
+    let there = |tool: &str| Command::new("which").arg(tool).output().is_ok_and(|o| o.status.success());
+    if !there("gtkwave") || !there("xvfb-run") {
+        let missing = "gtkwave and xvfb-run are missing: apt-get install gtkwave xvfb xauth";
+        assert!(std::env::var_os("FIXPATH_REQUIRE_TOOLS").is_none(), "{missing}");
+        eprintln!("NOT CHECKED: {missing}");
+        return;
+    }
+    let design = design(&["scheme=linear"]);
+    let folder = tempfile::tempdir().unwrap();
+    let rows = vec![vec![65_000, 8192, 1234, 7000]; 3];
+    let path = write(&design, Options::default(), &rows, folder.path());
+    let script = folder.path().join("script.tcl");
+    let body = "gtkwave::setMarker 27000\n\
+        for {set i 0} {$i < [gtkwave::getTotalNumTraces]} {incr i} {\n\
+        puts \"TRACE [gtkwave::getTraceNameFromIndex $i] [gtkwave::getTraceValueAtMarkerFromIndex $i]\"\n}\n\
+        gtkwave::/File/Quit\n";
+    std::fs::write(&script, body).unwrap();
+    let output = Command::new("timeout")
+        .args(["120", "xvfb-run", "-a", "gtkwave", "-S"])
+        .args([&script, &path, &path.with_extension("gtkw")])
+        .output()
+        .unwrap();
+    let text = String::from_utf8_lossy(&output.stdout);
+    let shown: BTreeMap<&str, &str> = text
+        .lines()
+        .filter_map(|line| line.strip_prefix("TRACE ")?.rsplit_once(' '))
+        .collect();
+    let number = |name: &str| -> f64 {
+        let value = shown.get(name).unwrap_or_else(|| panic!("GTKWave shows no {name}: {text}"));
+        value.parse().unwrap_or_else(|_| panic!("{name} = {value}"))
+    };
+    let netlist = &design.netlist;
+    let (reference, _) = netlist.eval(&rows[0]);
+    let x = netlist.outputs()[0].node;
+    let value = netlist.node(x).format.value(reference[x.index()]);
+    // A signed word by its fixed-point shift, a real twin, and an unsigned angle in turns and degrees.
+    assert_eq!(number("x[1:-16]"), value);
+    assert_eq!(number("x_value"), value);
+    assert_eq!(number("phi_a[15:0]"), 65_000.0 / 65_536.0);
+    assert_eq!(number("phi_a_value_deg"), 360.0 * 65_000.0 / 65_536.0);
+    assert_eq!(number("clk"), 1.0);
+}
