@@ -235,7 +235,12 @@ impl Format {
     #[must_use]
     pub fn wrap(self, raw: i64) -> i64 {
         let low = raw & word_mask(u32::from(self.bits));
-        if self.signed && low > self.max_raw() { low - (1i64 << self.bits) } else { low }
+        // In two steps: 2^63 is no i64.
+        if self.signed && low > self.max_raw() {
+            low - self.max_raw() - 1 + self.min_raw()
+        } else {
+            low
+        }
     }
 
     /// The word's bit pattern as an unsigned number of `bits` bits.
