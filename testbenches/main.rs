@@ -7,5 +7,6 @@
     clippy::cast_sign_loss
 )]
 
+mod engines;
 mod format;
 mod op;
