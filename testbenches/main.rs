@@ -10,3 +10,4 @@
 mod engines;
 mod format;
 mod op;
+mod rotation;
