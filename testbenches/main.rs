@@ -9,5 +9,6 @@
 
 mod engines;
 mod format;
+mod lut;
 mod op;
 mod rotation;
