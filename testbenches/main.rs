@@ -9,6 +9,8 @@
 
 mod engines;
 mod format;
+mod layers;
 mod lut;
+mod netlist;
 mod op;
 mod rotation;
