@@ -71,7 +71,7 @@ pub(crate) fn random_netlist_of(seed: u64, operations: usize) -> Netlist {
         max_bits,
         nodes: Vec::new(),
         tables: Vec::new(),
-        inputs: 0,
+        ports: Vec::new(),
     };
     for _ in 0..=grower.random.below(4) {
         grower.input();
@@ -99,7 +99,7 @@ struct Grower {
     max_bits: u32,
     nodes: Vec<NodeId>,
     tables: Vec<(TableId, Table)>,
-    inputs: usize,
+    ports: Vec<NodeId>,
 }
 
 impl Grower {
@@ -119,9 +119,9 @@ impl Grower {
 
     fn input(&mut self) {
         let format = self.format();
-        let name = format!("in{}", self.inputs);
-        self.inputs += 1;
+        let name = format!("in{}", self.ports.len());
         let node = self.b.input(&name, format, Quantity::Number);
+        self.ports.push(node);
         self.nodes.push(node);
     }
 
@@ -171,7 +171,7 @@ impl Grower {
         if self.b.format(integer) == format { integer } else { self.narrow_to(integer, format) }
     }
 
-    /// Operands of a three-valued choice of arithmetic, narrowed until the result is a word.
+    /// Operands of an operation, narrowed until the result is a word.
     fn arithmetic(&mut self, op: Op, mut operands: Vec<NodeId>) -> Vec<NodeId> {
         loop {
             let formats: Vec<Format> = operands.iter().map(|id| self.b.format(*id)).collect();
@@ -220,20 +220,21 @@ impl Grower {
                 self.b.constant(raw, format)
             }
             kind @ 1..=7 => {
-                let op =
-                    [Op::Add, Op::Sub, Op::Mul, Op::Equal, Op::Less, Op::AddSub, Op::Mux][kind - 1];
+                type Build = fn(&mut Builder, &[NodeId]) -> NodeId;
+                let kinds: [(Op, Build); 7] = [
+                    (Op::Add, |b, of| b.add(of[0], of[1])),
+                    (Op::Sub, |b, of| b.sub(of[0], of[1])),
+                    (Op::Mul, |b, of| b.mul(of[0], of[1])),
+                    (Op::Equal, |b, of| b.equal(of[0], of[1])),
+                    (Op::Less, |b, of| b.less(of[0], of[1])),
+                    (Op::AddSub, |b, of| b.addsub(of[0], of[1], of[2])),
+                    (Op::Mux, |b, of| b.mux(of[0], of[1], of[2])),
+                ];
+                let (op, build) = kinds[kind - 1];
                 let mut operands = if op.arity() == 3 { vec![self.flag()] } else { Vec::new() };
                 operands.extend([self.any(), self.any()]);
                 let of = self.arithmetic(op, operands);
-                match op {
-                    Op::Add => self.b.add(of[0], of[1]),
-                    Op::Sub => self.b.sub(of[0], of[1]),
-                    Op::Mul => self.b.mul(of[0], of[1]),
-                    Op::Equal => self.b.equal(of[0], of[1]),
-                    Op::Less => self.b.less(of[0], of[1]),
-                    Op::AddSub => self.b.addsub(of[0], of[1], of[2]),
-                    _ => self.b.mux(of[0], of[1], of[2]),
-                }
+                build(&mut self.b, &of)
             }
             8 => {
                 let operand = self.any();
@@ -303,15 +304,15 @@ impl Grower {
         self.meaning(node);
     }
 
-    /// Sometimes a node stands for something else on reals; only live nodes may be named, and
-    /// the node's operands are.
+    /// Sometimes a node stands for something else on reals. Only live nodes may be named: the
+    /// node's operands are, and ports.
     fn meaning(&mut self, node: NodeId) {
-        if self.random.chance(88) {
+        if self.random.chance(80) {
             return;
         }
-        // A read or a slice of an earlier node, so that it has an operand of its own.
+        // A new node on `of` carries it, so that the meaning's node is its operand.
         let of = self.any();
-        if of >= node {
+        if of > node {
             return;
         }
         let to = self.format();
@@ -324,19 +325,21 @@ impl Grower {
             Function::Sin,
             Function::Cos,
             Function::HalfRecipSin,
+            Function::HalfRecipCos,
             Function::Asin,
             Function::Atan,
             Function::Prop,
             Function::Recip,
             Function::Secant,
         ];
+        let port = self.random.pick(&self.ports);
         let meaning = match self.random.below(7) {
             0 => Meaning::Negative(of),
             1 => Meaning::CosNegative(of),
             2 => Meaning::Opposite(of),
-            3 => Meaning::Atan2 { y: of, x: of },
-            4 => Meaning::Hypot { x: of, y: of },
-            5 => Meaning::OverTwice { y: of, function: Function::Cos, angle: of },
+            3 => Meaning::Atan2 { y: of, x: port },
+            4 => Meaning::Hypot { x: port, y: of },
+            5 => Meaning::OverTwice { y: port, function: Function::Cos, angle: of },
             _ => Meaning::Apply(self.random.pick(&functions), of),
         };
         self.b.means(stand_in, meaning);

@@ -76,7 +76,8 @@ fn text_form() {
           %10 = modulo %9 : u8f8 turns
           output result = %7
           output turned = %10
-    "#]].assert_eq(&small().to_text());
+    "#]]
+    .assert_eq(&small().to_text());
 }
 
 #[test]
@@ -114,7 +115,8 @@ fn dot_form() {
           out_result [label="result", shape=cds]; n7 -> out_result;
           out_turned [label="turned", shape=cds]; n10 -> out_turned;
         }
-    "##]].assert_eq(&small().to_dot());
+    "##]]
+    .assert_eq(&small().to_dot());
 }
 
 #[test]
@@ -319,7 +321,7 @@ fn recount(text: &str) -> BTreeMap<&'static str, u64> {
         let ports = ports[name].len() as u64;
         add("ports", ports);
         add("rom_bits", entries * row);
-        add("rom_bits_dual_port", entries * row * ((ports + 1) / 2));
+        add("rom_bits_dual_port", entries * row * ports.div_ceil(2));
     }
     counts
 }

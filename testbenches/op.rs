@@ -115,13 +115,14 @@ fn two_operand_arithmetic_and_comparison() {
                         let result = eval(op, &[(x, a), (y, b)]);
                         let (p, q) = (steps(x, a), steps(y, b));
                         let is = steps(result.0, result.1);
-                        match op {
-                            Op::Add => assert_eq!(is, p + q),
-                            Op::Sub => assert_eq!(is, p - q),
-                            Op::Mul => assert_eq!(is << FINE, p * q),
-                            Op::Equal => assert_eq!(result.0, i64::from(p == q)),
-                            _ => assert_eq!(result.0, i64::from(p < q)),
-                        }
+                        let expected = [
+                            (Op::Add, p + q),
+                            (Op::Sub, p - q),
+                            (Op::Mul, (p * q) >> FINE),
+                            (Op::Equal, i128::from(p == q) << FINE),
+                            (Op::Less, i128::from(p < q) << FINE),
+                        ];
+                        assert!(expected.contains(&(op, is)), "{op:?} {x} {a}, {y} {b}: {is}");
                         check_real(op, &[(x, a), (y, b)], result);
                         seen.push(result.0);
                         format = Some(result.1);
@@ -195,10 +196,14 @@ fn bitwise_operations() {
                     let expected: Vec<i64> = p
                         .iter()
                         .zip(&q)
-                        .map(|(p, q)| match op {
-                            Op::And => p * q,
-                            Op::Or => *p.max(q),
-                            _ => (p + q) % 2,
+                        .map(|(p, q)| {
+                            if op == Op::And {
+                                p * q
+                            } else if op == Op::Or {
+                                *p.max(q)
+                            } else {
+                                (p + q) % 2
+                            }
                         })
                         .collect();
                     assert_eq!(bits_of(result.0, a.bits()), expected, "{op:?} {x} {y} {a}");
