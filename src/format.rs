@@ -235,7 +235,12 @@ impl Format {
     #[must_use]
     pub fn wrap(self, raw: i64) -> i64 {
         let low = raw & word_mask(u32::from(self.bits));
-        if self.signed && low > self.max_raw() { low - (1i64 << self.bits) } else { low }
+        // In two steps: 2^63 is no i64.
+        if self.signed && low > self.max_raw() {
+            low - self.max_raw() - 1 + self.min_raw()
+        } else {
+            low
+        }
     }
 
     /// The word's bit pattern as an unsigned number of `bits` bits.
@@ -374,14 +379,20 @@ fn round_real(value: f64, frac_bits: i32, round: Round) -> i128 {
         // The product underflowed: only the directed modes can tell it from 0.
         return if round == Round::Floor && value < 0.0 { -1 } else { 0 };
     }
-    let floor = scaled.floor();
-    let rest = scaled - floor; // exact: 0 <= rest < 1
-    let up = match round {
-        Round::Floor => false,
-        Round::TowardZero => scaled < 0.0 && rest > 0.0,
-        Round::HalfUp => rest >= 0.5,
-        Round::HalfAway => rest > 0.5 || (rest == 0.5 && scaled >= 0.0),
-        Round::HalfEven => rest > 0.5 || (rest == 0.5 && cast::i128_of(floor) & 1 == 1),
+    // Toward zero, the difference is exact; from the floor, -½ + 2^-54 would look like a tie.
+    let whole = cast::i128_of(scaled);
+    let rest = (scaled - scaled.trunc()).abs(); // 0 <= rest < 1
+    let negative = scaled < 0.0;
+    let away = match round {
+        Round::Floor => negative && rest > 0.0,
+        Round::TowardZero => false,
+        Round::HalfUp => rest > 0.5 || (rest == 0.5 && !negative),
+        Round::HalfAway => rest >= 0.5,
+        Round::HalfEven => rest > 0.5 || (rest == 0.5 && whole & 1 == 1),
     };
-    cast::i128_of(floor) + i128::from(up)
+    match (away, negative) {
+        (false, _) => whole,
+        (true, false) => whole + 1,
+        (true, true) => whole - 1,
+    }
 }

@@ -213,10 +213,11 @@ impl Program {
         program
     }
 
-    /// A column for the result of an operation. A constant's column is filled once, so it may
-    /// not have been another node's before.
+    /// A column for the result of an operation. Constants are filled once and ports before the
+    /// first instruction, so their columns may not have been another node's before.
     fn slot(&mut self, free: &mut Vec<Slot>, op: Op) -> Slot {
-        let used = if matches!(op, Op::Const { .. }) { None } else { free.pop() };
+        let filled_before = matches!(op, Op::Const { .. } | Op::Input);
+        let used = if filled_before { None } else { free.pop() };
         used.unwrap_or_else(|| {
             self.slots += 1;
             self.slots - 1
@@ -764,10 +765,11 @@ impl RealProgram {
         program
     }
 
-    /// A column for the result of an operation. A constant's column is filled once, so it may
-    /// not have been another node's before.
+    /// A column for the result of an operation. Constants are filled once and ports before the
+    /// first instruction, so their columns may not have been another node's before.
     fn slot(&mut self, free: &mut Vec<Slot>, op: Op) -> Slot {
-        let used = if matches!(op, Op::Const { .. }) { None } else { free.pop() };
+        let filled_before = matches!(op, Op::Const { .. } | Op::Input);
+        let used = if filled_before { None } else { free.pop() };
         used.unwrap_or_else(|| {
             self.slots += 1;
             self.slots - 1

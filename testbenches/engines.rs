@@ -1,0 +1,642 @@
+//! The fast engines against the reference interpreter, on random netlists.
+
+use fixpath::format::{Format, Overflow, Round};
+use fixpath::function::Function;
+use fixpath::netlist::{Builder, Column, Netlist, NodeId, Quantity, Table, TableId};
+use fixpath::op::{Meaning, Op};
+use fixpath::sim::batch::{BLOCK, Program, RealProgram};
+use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
+use std::sync::Arc;
+
+/// A small generator of its own: the netlist of a seed is the same for ever.
+pub(crate) struct Random(u64);
+
+impl Random {
+    pub(crate) fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    /// splitmix64.
+    pub(crate) fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// A number below `count`.
+    pub(crate) fn below(&mut self, count: usize) -> usize {
+        (self.bits() % count as u64) as usize
+    }
+
+    fn chance(&mut self, percent: usize) -> bool {
+        self.below(100) < percent
+    }
+
+    /// A number of `lo..=hi`.
+    fn within(&mut self, lo: i64, hi: i64) -> i64 {
+        lo + (self.bits() % (hi - lo + 1) as u64) as i64
+    }
+
+    fn pick<T: Copy>(&mut self, of: &[T]) -> T {
+        of[self.below(of.len())]
+    }
+
+    /// A word of a format: an extreme one half of the time.
+    pub(crate) fn word(&mut self, format: Format) -> i64 {
+        let (lo, hi) = (format.min_raw(), format.max_raw());
+        let extremes = [lo, hi, 0, -1, 1, lo + 1, hi - 1, hi / 2, lo / 2];
+        let word = match self.below(2) {
+            0 => self.pick(&extremes),
+            _ => format.wrap(self.bits() as i64),
+        };
+        word.clamp(lo, hi)
+    }
+}
+
+/// A netlist of every sort of operation, as a function of `seed` alone.
+pub(crate) fn random_netlist(seed: u64) -> Netlist {
+    random_netlist_of(seed, 4 + (seed % 61) as usize)
+}
+
+/// As [`random_netlist`] with about `operations` operations.
+pub(crate) fn random_netlist_of(seed: u64, operations: usize) -> Netlist {
+    let mut random = Random::new(seed);
+    // Widths that keep 32-bit lanes, that just leave them, and any.
+    let max_bits = random.pick(&[6, 16, 31, 32, 33, 63, 63]);
+    let mut grower = Grower {
+        random,
+        b: Builder::new("random"),
+        max_bits,
+        nodes: Vec::new(),
+        tables: Vec::new(),
+        ports: Vec::new(),
+    };
+    for _ in 0..=grower.random.below(4) {
+        grower.input();
+    }
+    while grower.nodes.len() < operations {
+        // Ports may come late, when columns have been given back.
+        if grower.random.chance(3) { grower.input() } else { grower.operation() }
+    }
+    let Grower { mut random, mut b, nodes, .. } = grower;
+    // Every node should matter: the last few, and some from anywhere.
+    let mut outputs = vec![nodes[nodes.len() - 1]];
+    for _ in 0..random.below(6) {
+        let any = random.pick(&nodes);
+        outputs.push(any);
+    }
+    for (i, node) in outputs.into_iter().enumerate() {
+        b.output(&format!("out{i}"), node);
+    }
+    b.build().expect("the generator checks every operation first")
+}
+
+struct Grower {
+    random: Random,
+    b: Builder,
+    max_bits: u32,
+    nodes: Vec<NodeId>,
+    tables: Vec<(TableId, Table)>,
+    ports: Vec<NodeId>,
+}
+
+impl Grower {
+    fn format(&mut self) -> Format {
+        let bits = if self.random.chance(20) {
+            self.random.pick(&[1, 2, self.max_bits - 1, self.max_bits])
+        } else {
+            1 + self.random.below(self.max_bits as usize) as u32
+        };
+        let frac = if self.random.chance(5) {
+            self.random.within(-80, 80)
+        } else {
+            self.random.within(-3, i64::from(bits) + 2)
+        };
+        Format::new(self.random.chance(60), bits, frac as i32).unwrap()
+    }
+
+    fn input(&mut self) {
+        let format = self.format();
+        let name = format!("in{}", self.ports.len());
+        let node = self.b.input(&name, format, Quantity::Number);
+        self.ports.push(node);
+        self.nodes.push(node);
+    }
+
+    /// Any node, the latest ones more often.
+    fn any(&mut self) -> NodeId {
+        let len = self.nodes.len();
+        let recent = if self.random.chance(60) { len.min(8) } else { len };
+        self.nodes[len - 1 - self.random.below(recent)]
+    }
+
+    fn push(&mut self, node: NodeId) -> NodeId {
+        self.nodes.push(node);
+        node
+    }
+
+    fn narrow_to(&mut self, node: NodeId, format: Format) -> NodeId {
+        let (round, overflow) = (self.random.pick(Round::ALL), self.random.pick(Overflow::ALL));
+        let narrowed = self.b.narrow(node, format, round, overflow);
+        self.push(narrowed)
+    }
+
+    fn flag(&mut self) -> NodeId {
+        let flags: Vec<NodeId> =
+            self.nodes.iter().copied().filter(|n| self.b.format(*n) == Format::FLAG).collect();
+        if !flags.is_empty() && self.random.chance(50) {
+            return self.random.pick(&flags);
+        }
+        let node = self.any();
+        let lo = self.random.below(self.b.format(node).bits() as usize) as u32;
+        let flag = self.b.slice(node, lo, 1);
+        self.push(flag)
+    }
+
+    /// An unsigned integer of at most `bits` bits.
+    fn integer(&mut self, bits: u32) -> NodeId {
+        let node = self.any();
+        let of = self.b.format(node).bits();
+        let bits = 1 + self.random.below(bits.min(of) as usize) as u32;
+        let lo = self.random.below((of - bits + 1) as usize) as u32;
+        let slice = self.b.slice(node, lo, bits);
+        self.push(slice)
+    }
+
+    fn exactly(&mut self, bits: u32) -> NodeId {
+        let integer = self.integer(bits);
+        let format = Format::integer(bits).unwrap();
+        if self.b.format(integer) == format { integer } else { self.narrow_to(integer, format) }
+    }
+
+    /// Operands of an operation, narrowed until the result is a word.
+    fn arithmetic(&mut self, op: Op, mut operands: Vec<NodeId>) -> Vec<NodeId> {
+        loop {
+            let formats: Vec<Format> = operands.iter().map(|id| self.b.format(*id)).collect();
+            match op.result_format(&formats, None, &[]) {
+                Ok(format) if format.bits() <= self.max_bits => return operands,
+                Ok(_) | Err(_) => {
+                    // The flag in front is never the one to narrow.
+                    let first = usize::from(op.arity() == 3);
+                    for operand in &mut operands[first..] {
+                        let bits = (self.max_bits / 3).max(2);
+                        let bits = 1 + self.random.below(bits as usize / 2) as u32;
+                        let frac = self.random.within(-1, i64::from(bits / 2)) as i32;
+                        let signed = self.random.chance(50);
+                        let format = Format::new(signed, bits, frac).unwrap();
+                        *operand = self.narrow_to(*operand, format);
+                    }
+                }
+            }
+        }
+    }
+
+    fn table(&mut self) -> usize {
+        if self.tables.len() < 3 && self.random.chance(60) || self.tables.is_empty() {
+            let addr_bits = 1 + self.random.below(6) as u32;
+            let columns = (0..=self.random.below(2))
+                .map(|i| {
+                    let format = self.format();
+                    let words: Vec<i64> =
+                        (0..1 << addr_bits).map(|_| self.random.word(format)).collect();
+                    Column { name: format!("c{i}"), format, words: Arc::from(words) }
+                })
+                .collect();
+            let name = format!("t{}", self.tables.len());
+            let table = Table { name, addr_bits, columns };
+            let id = self.b.table(table.clone());
+            self.tables.push((id, table));
+        }
+        self.random.below(self.tables.len())
+    }
+
+    fn operation(&mut self) {
+        let node = match self.random.below(22) {
+            0 => {
+                let format = self.format();
+                let raw = self.random.word(format);
+                self.b.constant(raw, format)
+            }
+            kind @ 1..=7 => {
+                type Build = fn(&mut Builder, &[NodeId]) -> NodeId;
+                let kinds: [(Op, Build); 7] = [
+                    (Op::Add, |b, of| b.add(of[0], of[1])),
+                    (Op::Sub, |b, of| b.sub(of[0], of[1])),
+                    (Op::Mul, |b, of| b.mul(of[0], of[1])),
+                    (Op::Equal, |b, of| b.equal(of[0], of[1])),
+                    (Op::Less, |b, of| b.less(of[0], of[1])),
+                    (Op::AddSub, |b, of| b.addsub(of[0], of[1], of[2])),
+                    (Op::Mux, |b, of| b.mux(of[0], of[1], of[2])),
+                ];
+                let (op, build) = kinds[kind - 1];
+                let mut operands = if op.arity() == 3 { vec![self.flag()] } else { Vec::new() };
+                operands.extend([self.any(), self.any()]);
+                let of = self.arithmetic(op, operands);
+                build(&mut self.b, &of)
+            }
+            8 => {
+                let operand = self.any();
+                let of = self.arithmetic(Op::Neg, vec![operand]);
+                self.b.neg(of[0])
+            }
+            9 => {
+                let operand = self.any();
+                self.b.abs(operand)
+            }
+            kind @ 10..=12 => {
+                let (a, b) = (self.any(), self.any());
+                let format = self.b.format(a);
+                let b = if self.b.format(b) == format { b } else { self.narrow_to(b, format) };
+                match kind {
+                    10 => self.b.and(a, b),
+                    11 => self.b.or(a, b),
+                    _ => self.b.xor(a, b),
+                }
+            }
+            13 => {
+                let width = self.max_bits;
+                self.integer(width)
+            }
+            14 => {
+                let half = self.max_bits / 2;
+                let (high, low) = (self.integer(half), self.integer(half));
+                self.b.concat(high, low)
+            }
+            15 => {
+                let node = self.any();
+                let frac = self.b.format(node).frac_bits();
+                let left = self.random.within(-6, 6) as i32;
+                if (-127..=127).contains(&(frac - left)) { self.b.shift(node, left) } else { node }
+            }
+            16 => {
+                let node = self.any();
+                let node = if self.b.format(node).is_signed() { self.b.abs(node) } else { node };
+                self.push(node);
+                self.b.leading_zeros(node)
+            }
+            17 => {
+                let (node, count) = (self.any(), self.integer(7));
+                let room = self.max_bits - self.b.format(node).bits();
+                let max = self.random.below(room as usize + 1) as u32;
+                self.b.shift_left(node, count, max)
+            }
+            18 => {
+                let index = self.table();
+                let (id, table) = self.tables[index].clone();
+                let address = self.exactly(table.addr_bits);
+                let column = self.random.below(table.columns.len());
+                self.b.read(id, column, address)
+            }
+            19 => {
+                let node = self.any();
+                let to = self.format();
+                let frac = self.b.format(node).frac_bits();
+                self.b.modulo(node, Format::new(to.is_signed(), to.bits(), frac).unwrap())
+            }
+            _ => {
+                let (node, format) = (self.any(), self.format());
+                self.narrow_to(node, format)
+            }
+        };
+        self.push(node);
+        self.meaning(node);
+    }
+
+    /// Sometimes a node stands for something else on reals. Only live nodes may be named: the
+    /// node's operands are, and ports.
+    fn meaning(&mut self, node: NodeId) {
+        if self.random.chance(80) {
+            return;
+        }
+        // A new node on `of` carries it, so that the meaning's node is its operand.
+        let of = self.any();
+        if of > node {
+            return;
+        }
+        let to = self.format();
+        let (round, overflow) = (self.random.pick(Round::ALL), self.random.pick(Overflow::ALL));
+        let stand_in = self.b.narrow(of, to, round, overflow);
+        if stand_in <= node {
+            return;
+        }
+        let functions = [
+            Function::Sin,
+            Function::Cos,
+            Function::HalfRecipSin,
+            Function::HalfRecipCos,
+            Function::Asin,
+            Function::Atan,
+            Function::Prop,
+            Function::Recip,
+            Function::Secant,
+        ];
+        let port = self.random.pick(&self.ports);
+        let meaning = match self.random.below(7) {
+            0 => Meaning::Negative(of),
+            1 => Meaning::CosNegative(of),
+            2 => Meaning::Opposite(of),
+            3 => Meaning::Atan2 { y: of, x: port },
+            4 => Meaning::Hypot { x: port, y: of },
+            5 => Meaning::OverTwice { y: port, function: Function::Cos, angle: of },
+            _ => Meaning::Apply(self.random.pick(&functions), of),
+        };
+        self.b.means(stand_in, meaning);
+        self.push(stand_in);
+    }
+}
+
+/// Columns of random and extreme words for a netlist's ports.
+pub(crate) fn random_words(netlist: &Netlist, seed: u64, count: usize) -> Vec<Vec<i64>> {
+    let mut random = Random::new(seed ^ 0x5eed);
+    netlist
+        .inputs()
+        .iter()
+        .map(|id| (0..count).map(|_| random.word(netlist.node(*id).format)).collect())
+        .collect()
+}
+
+fn views<T>(columns: &[Vec<T>]) -> Vec<&[T]> {
+    columns.iter().map(Vec::as_slice).collect()
+}
+
+/// Cuts columns to a range of samples.
+fn part<T: Copy>(columns: &[Vec<T>], range: std::ops::Range<usize>) -> Vec<Vec<T>> {
+    columns.iter().map(|column| column[range.clone()].to_vec()).collect()
+}
+
+/// Says at which sample a column differs from the reference.
+fn compare<T: std::fmt::Debug>(
+    netlist: &Netlist,
+    id: NodeId,
+    is: &[T],
+    should: &[T],
+    equal: impl Fn(&T, &T) -> bool,
+) -> Result<(), String> {
+    let label = netlist.label(id);
+    if is.len() != should.len() {
+        return Err(format!("{label}: {} words and not {}", is.len(), should.len()));
+    }
+    match is.iter().zip(should).position(|(is, should)| !equal(is, should)) {
+        None => Ok(()),
+        Some(i) => Err(format!(
+            "{label} is {:?} and not {:?} at sample {i} of {}\n{}",
+            is[i],
+            should[i],
+            is.len(),
+            netlist.to_text()
+        )),
+    }
+}
+
+/// Runs samples through both engines, with all nodes and with the ports as outputs.
+pub(crate) fn check(netlist: &Netlist, seed: u64, count: usize) -> Result<(), String> {
+    let columns = random_words(netlist, seed, count);
+    let all: Vec<NodeId> = netlist.ids().collect();
+    let ports: Vec<NodeId> = netlist.outputs().iter().map(|output| output.node).collect();
+    let mut expected = vec![Vec::with_capacity(count); all.len()];
+    let mut flags = vec![0u64; all.len()];
+    for sample in 0..count {
+        let inputs: Vec<i64> = columns.iter().map(|column| column[sample]).collect();
+        let (words, overflowed) = netlist.eval(&inputs);
+        for (column, word) in expected.iter_mut().zip(words) {
+            column.push(word);
+        }
+        for (count, overflowed) in flags.iter_mut().zip(overflowed) {
+            *count += u64::from(overflowed);
+        }
+    }
+    let narrows: Vec<NodeId> = all
+        .iter()
+        .copied()
+        .filter(|id| matches!(netlist.node(*id).op, Op::Narrow { .. }))
+        .collect();
+    let counts: Vec<u64> = narrows.iter().map(|id| flags[id.index()]).collect();
+    for outputs in [&all, &ports] {
+        let program = Program::compile(netlist, outputs);
+        // In two parts with one runner: nothing of the first may stay but the counts.
+        let mut runner = program.runner();
+        let mut given = vec![vec![77; 3]; outputs.len()];
+        for range in [0..count / 2, count / 2..count] {
+            runner.run(&program, &views(&part(&columns, range.clone())), &mut given);
+            for (id, column) in outputs.iter().zip(&given) {
+                let should = &expected[id.index()][range.clone()];
+                compare(netlist, *id, column, should, |is, should| is == should)?;
+            }
+        }
+        let halves = runner.overflows().to_vec();
+        let mut runner = program.runner();
+        runner.run(&program, &views(&columns), &mut given);
+        for (id, column) in outputs.iter().zip(&given) {
+            compare(netlist, *id, column, &expected[id.index()], |is, should| is == should)?;
+        }
+        if program.narrows() != narrows || runner.overflows() != counts || halves != counts {
+            return Err(format!(
+                "overflows of {narrows:?} are {:?}, {halves:?} in two parts and not {counts:?}\n{}",
+                runner.overflows(),
+                netlist.to_text()
+            ));
+        }
+        check_refusal(netlist, &narrows, &counts, runner.check(&program, netlist))?;
+    }
+    check_reals(netlist, &columns, &all, &ports)
+}
+
+/// The error must name the first `narrow` that overflowed where that is forbidden.
+fn check_refusal(
+    netlist: &Netlist,
+    narrows: &[NodeId],
+    counts: &[u64],
+    given: fixpath::error::Result<()>,
+) -> Result<(), String> {
+    let forbidden = narrows.iter().zip(counts).find(|(id, count)| {
+        let op = netlist.node(**id).op;
+        matches!(op, Op::Narrow { overflow: Overflow::Error, .. }) && **count > 0
+    });
+    match (forbidden, given) {
+        (None, Ok(())) => Ok(()),
+        (Some((id, count)), Err(error)) => {
+            let start = format!("node `{}` overflowed {count} times", netlist.label(*id));
+            let right = error.to_string().starts_with(&start) && error.is_failed_check();
+            if right { Ok(()) } else { Err(format!("`{error}` for `{start}`")) }
+        }
+        (forbidden, given) => Err(format!("{given:?} for {forbidden:?}")),
+    }
+}
+
+fn check_reals(
+    netlist: &Netlist,
+    words: &[Vec<i64>],
+    all: &[NodeId],
+    ports: &[NodeId],
+) -> Result<(), String> {
+    let columns: Vec<Vec<f64>> = netlist
+        .inputs()
+        .iter()
+        .zip(words)
+        .map(|(id, column)| {
+            let format = netlist.node(*id).format;
+            column.iter().map(|raw| format.value(*raw)).collect()
+        })
+        .collect();
+    let count = words.first().map_or(0, Vec::len);
+    let mut expected = vec![Vec::with_capacity(count); all.len()];
+    for i in 0..count {
+        let inputs: Vec<f64> = columns.iter().map(|column| column[i]).collect();
+        for (column, value) in expected.iter_mut().zip(netlist.eval_reals(&inputs)) {
+            column.push(value);
+        }
+    }
+    let real = |ids: &[NodeId]| -> Vec<NodeId> {
+        ids.iter().copied().filter(|id| netlist.node(*id).has_real).collect()
+    };
+    for outputs in [real(all), real(ports)] {
+        let program = RealProgram::compile(netlist, &outputs);
+        let mut runner = program.runner();
+        let mut given = vec![Vec::new(); outputs.len()];
+        runner.run(&program, &views(&part(&columns, 0..count / 3)), &mut given);
+        runner.run(&program, &views(&columns), &mut given);
+        for (id, column) in outputs.iter().zip(&given) {
+            // A NaN is as good as another; all else is equal to the last bit.
+            compare(netlist, *id, column, &expected[id.index()], |a, b| {
+                a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan()
+            })?;
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn engines_agree_with_the_reference_on_random_netlists() {
+    let config = Config { cases: 400, failure_persistence: None, ..Config::default() };
+    let rng = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
+    let mut runner = TestRunner::new_with_rng(config, rng);
+    let cases = (proptest::num::u64::ANY, 1usize..70);
+    runner
+        .run(&cases, |(seed, operations)| {
+            let netlist = random_netlist_of(seed, operations);
+            check(&netlist, seed, 4 * BLOCK + 300).map_err(TestCaseError::fail)
+        })
+        .unwrap();
+}
+
+/// If the generator stopped making an operation, the test above would say less than it claims.
+#[test]
+fn random_netlists_have_every_operation_and_width() {
+    let mut seen = std::collections::BTreeMap::new();
+    let mut modes = std::collections::BTreeSet::new();
+    let mut widths = std::collections::BTreeSet::new();
+    let mut late_inputs = 0;
+    for seed in 0..300 {
+        let netlist = random_netlist(seed);
+        for (i, node) in netlist.nodes().iter().enumerate() {
+            *seen.entry(node.op.name()).or_insert(0) += 1;
+            widths.insert(node.format.bits());
+            if let Op::Narrow { round, overflow } = node.op {
+                modes.insert((round, overflow));
+            }
+            late_inputs += u32::from(node.op == Op::Input && i > 8);
+        }
+    }
+    let names = [
+        "input",
+        "const",
+        "add",
+        "sub",
+        "addsub",
+        "mul",
+        "neg",
+        "abs",
+        "and",
+        "or",
+        "xor",
+        "equal",
+        "less",
+        "mux",
+        "slice",
+        "concat",
+        "shift",
+        "leading_zeros",
+        "shift_left",
+        "read",
+        "modulo",
+        "narrow",
+    ];
+    for name in names {
+        let count = seen.get(name).copied().unwrap_or(0);
+        assert!(count >= 30, "only {count} of {name}");
+    }
+    assert_eq!(seen.len(), names.len());
+    assert_eq!(modes.len(), Round::ALL.len() * Overflow::ALL.len());
+    assert!(widths.len() > 55, "only widths {widths:?}");
+    assert!(late_inputs > 30, "only {late_inputs} late inputs");
+}
+
+#[test]
+fn blocks_of_every_length() {
+    for count in [0, 1, 2, BLOCK - 1, BLOCK, BLOCK + 1, 2 * BLOCK, 2 * BLOCK + 1] {
+        for seed in 0..20 {
+            check(&random_netlist(seed), seed, count).unwrap();
+        }
+    }
+}
+
+/// A port that is built after nodes whose columns are free again keeps its words.
+#[test]
+fn late_ports_keep_their_words() {
+    let format = Format::signed(8, 0).unwrap();
+    let mut b = Builder::new("late");
+    let a = b.input("a", format, Quantity::Number);
+    let minus = b.neg(a);
+    let size = b.abs(minus);
+    let late = b.input("late", format, Quantity::Number);
+    let sum = b.add(size, late);
+    b.output("sum", sum);
+    let netlist = b.build().unwrap();
+    check(&netlist, 1, 700).unwrap();
+}
+
+/// Words at the edge of 32-bit lanes, where alignment needs more than the result does.
+#[test]
+fn comparisons_that_need_wider_lanes_than_their_words() {
+    for (bits, frac) in [(16, 15), (16, 16), (15, 17), (32, 0), (31, 0), (31, 1)] {
+        for signed in [false, true] {
+            let narrow = Format::new(signed, bits.min(31), 0).unwrap();
+            let fine = Format::new(true, 4, frac).unwrap();
+            let mut b = Builder::new("lanes");
+            let a = b.input("a", narrow, Quantity::Number);
+            let c = b.input("c", fine, Quantity::Number);
+            let outputs = [b.less(a, c), b.less(c, a), b.equal(a, c)];
+            for (i, node) in outputs.into_iter().enumerate() {
+                b.output(&format!("out{i}"), node);
+            }
+            check(&b.build().unwrap(), 5, 900).unwrap();
+        }
+    }
+}
+
+/// Every pair of formats near the lanes' limits, every mode, through a single `narrow`.
+#[test]
+fn narrow_columns_agree_with_narrow() {
+    let bits = [1u32, 2, 8, 30, 31, 32, 33, 62, 63];
+    let mut random = Random::new(11);
+    for from_bits in bits {
+        for to_bits in bits {
+            for shift in [-70i32, -33, -31, -2, 0, 1, 2, 8, 29, 30, 31, 32, 33, 61, 62, 63, 70] {
+                let signed = [random.chance(50), random.chance(50)];
+                let from = Format::new(signed[0], from_bits, shift).unwrap();
+                let to = Format::new(signed[1], to_bits, 0).unwrap();
+                let mut b = Builder::new("narrow");
+                let a = b.input("a", from, Quantity::Number);
+                for (i, round) in Round::ALL.iter().enumerate() {
+                    for (j, overflow) in Overflow::ALL.iter().enumerate() {
+                        let narrowed = b.narrow(a, to, *round, *overflow);
+                        b.output(&format!("out{i}{j}"), narrowed);
+                    }
+                }
+                check(&b.build().unwrap(), u64::from(from_bits * to_bits), 60).unwrap();
+            }
+        }
+    }
+}

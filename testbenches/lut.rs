@@ -1,0 +1,414 @@
+//! Table schemes over every word of their arguments, against plain `std` mathematics.
+
+use fixpath::format::{Format, Round};
+use fixpath::function::Function;
+use fixpath::lut::{Scheme, emit};
+use fixpath::measure::{TableFigures, table_figures};
+use fixpath::netlist::{Builder, Netlist, Quantity};
+use fixpath::units::Tabulated;
+use std::f64::consts::{PI, TAU};
+
+/// The function in `std` mathematics. At a pole, the limit from above.
+fn real(function: Function, x: f64) -> f64 {
+    let half_turns = 2.0 * x;
+    let quarter_turns = 4.0 * x;
+    let odd = |n: f64| n.rem_euclid(2.0) == 1.0;
+    match function {
+        Function::Sin => (TAU * x).sin(),
+        Function::Cos => (TAU * x).cos(),
+        Function::HalfRecipSin if half_turns.fract() == 0.0 => {
+            if odd(half_turns) {
+                f64::NEG_INFINITY
+            } else {
+                f64::INFINITY
+            }
+        }
+        Function::HalfRecipSin => 1.0 / (2.0 * (TAU * x).sin()),
+        Function::HalfRecipCos if odd(quarter_turns) => {
+            // cos falls through 0 at ¼ and rises through it at ¾ = -¼.
+            if quarter_turns.rem_euclid(4.0) == 1.0 { f64::NEG_INFINITY } else { f64::INFINITY }
+        }
+        Function::HalfRecipCos => 1.0 / (2.0 * (TAU * x).cos()),
+        Function::Asin => x.clamp(-1.0, 1.0).asin() / TAU,
+        Function::Atan => x.atan() / TAU,
+        Function::Prop => 1.0 - x.clamp(-1.0, 1.0).acos() / (PI / 2.0),
+        Function::Recip => 1.0 / x,
+        Function::Secant => 1.0 / x.atan().cos(),
+    }
+}
+
+const FUNCTIONS: [Function; 9] = [
+    Function::Sin,
+    Function::Cos,
+    Function::HalfRecipSin,
+    Function::HalfRecipCos,
+    Function::Asin,
+    Function::Atan,
+    Function::Prop,
+    Function::Recip,
+    Function::Secant,
+];
+
+fn format(text: &str) -> Format {
+    text.parse().unwrap()
+}
+
+/// Each function over its whole domain.
+fn tabulated(function: Function, scheme: Scheme, addr_bits: u32, quarter_wave: bool) -> Tabulated {
+    let (argument, output, origin): (_, _, f64) = match function {
+        Function::Sin | Function::Cos => ("u11f11", "s14f12", 0.0),
+        Function::HalfRecipSin | Function::HalfRecipCos => ("s11f11", "s16f11", 0.0),
+        Function::Asin => ("s11f10", "s13f13", 0.0),
+        Function::Atan => ("s12f8", "s13f13", 0.0),
+        Function::Prop => ("s11f10", "s13f11", 0.0),
+        Function::Recip => ("u10f11", "u14f12", 0.5),
+        Function::Secant => ("u10f10", "u13f12", 0.0),
+    };
+    let functions: &'static [Function] =
+        FUNCTIONS.iter().position(|f| *f == function).map(|i| &FUNCTIONS[i..=i]).unwrap();
+    Tabulated {
+        name: "table",
+        functions,
+        scheme,
+        addr_bits,
+        quarter_wave,
+        origin,
+        output: format(output),
+        round: Round::HalfUp,
+        argument: format(argument),
+    }
+}
+
+fn netlist(tabulated: &Tabulated) -> Netlist {
+    let mut b = Builder::new("alone");
+    let argument = b.input("argument", tabulated.argument, Quantity::Number);
+    for (i, node) in emit(&mut b, &tabulated.spec(), argument).into_iter().enumerate() {
+        b.output(&format!("f{i}"), node);
+    }
+    b.build().unwrap()
+}
+
+/// Argument words, their real numbers and the words of the first function, by the reference.
+fn sweep(tabulated: &Tabulated) -> Vec<(i64, f64, i64)> {
+    let netlist = netlist(tabulated);
+    let (argument, out) = (tabulated.argument, netlist.outputs()[0].node);
+    assert_eq!(netlist.node(out).format, tabulated.output);
+    (argument.min_raw()..=argument.max_raw())
+        .map(|raw| {
+            let x = tabulated.origin + raw as f64 / 2f64.powi(argument.frac_bits());
+            (raw, x, netlist.eval(&[raw]).0[out.index()])
+        })
+        .collect()
+}
+
+/// The function saturated to the output format.
+fn target(tabulated: &Tabulated, x: f64) -> f64 {
+    let output = tabulated.output;
+    let ulp = 2f64.powi(-output.frac_bits());
+    let (lo, hi) = (output.min_raw() as f64 * ulp, output.max_raw() as f64 * ulp);
+    real(tabulated.functions[0], x).clamp(lo, hi)
+}
+
+fn figures(tabulated: &Tabulated) -> TableFigures {
+    table_figures(tabulated).unwrap().remove(0)
+}
+
+#[test]
+fn worst_errors_are_as_measured() {
+    for function in FUNCTIONS {
+        for scheme in Scheme::ALL {
+            for addr_bits in [2, 3, 4, 5, 6, 8, 10, 11, 12] {
+                for quarter_wave in [false, true] {
+                    let tabulated = tabulated(function, *scheme, addr_bits, quarter_wave);
+                    let ulp = 2f64.powi(-tabulated.output.frac_bits());
+                    let (mut worst, mut jump) = (0f64, 0f64);
+                    let mut before: Option<f64> = None;
+                    for (_, x, raw) in sweep(&tabulated) {
+                        let error = raw as f64 * ulp - target(&tabulated, x);
+                        worst = worst.max(error.abs());
+                        jump = jump.max(before.map_or(0.0, |before| (error - before).abs()));
+                        before = Some(error);
+                    }
+                    let figures = figures(&tabulated);
+                    let label = format!("{function:?} {scheme} {addr_bits} {quarter_wave}");
+                    assert!((figures.worst - worst).abs() < 1e-11, "{label}: {worst} {figures:?}");
+                    assert!((figures.jump - jump).abs() < 1e-11, "{label}: {jump} {figures:?}");
+                    assert!((figures.worst_ulp - figures.worst / ulp).abs() < 1e-9);
+                    // The witness gives the worst error.
+                    let x = figures.witness;
+                    let word = netlist(&tabulated).eval(&[figures.witness_raw]).0;
+                    let is = word[netlist(&tabulated).outputs()[0].node.index()] as f64 * ulp;
+                    assert!(((is - target(&tabulated, x)).abs() - worst).abs() < 1e-11, "{label}");
+                }
+            }
+        }
+    }
+}
+
+/// An entry for every word is the correctly rounded function, whatever the scheme.
+#[test]
+fn tables_of_every_word_are_correctly_rounded() {
+    for function in FUNCTIONS {
+        for scheme in Scheme::ALL {
+            for quarter_wave in [false, true] {
+                let tabulated = tabulated(function, *scheme, 12, quarter_wave);
+                let scale = 2f64.powi(tabulated.output.frac_bits());
+                for (raw, x, word) in sweep(&tabulated) {
+                    let mut exact = target(&tabulated, x) * scale;
+                    if quarter_wave && exact == tabulated.output.min_raw() as f64 {
+                        exact += 1.0; // folding stores magnitudes, and this one has none
+                    }
+                    let distance = (word as f64 - exact).abs();
+                    assert!(
+                        distance <= 0.5 + 1e-9,
+                        "{function:?} {scheme} {quarter_wave}: {raw} is {word}, {exact}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn direct_entries_are_the_rounded_mean_of_the_cells_ends() {
+    let mut ties = 0;
+    for function in FUNCTIONS {
+        for addr_bits in [2, 5, 8] {
+            let tabulated = tabulated(function, Scheme::Direct, addr_bits, false);
+            let words = sweep(&tabulated);
+            let scale = 2f64.powi(tabulated.output.frac_bits());
+            // Cells are runs of words with the same top bits; the order of words is that of
+            // patterns within each sign.
+            let per_cell = words.len() >> addr_bits;
+            for cell in words.chunks(per_cell) {
+                let (first, last) = (cell[0], cell[per_cell - 1]);
+                let mean = 0.5 * (target(&tabulated, first.1) + target(&tabulated, last.1)) * scale;
+                let near_tie = ((mean - mean.floor()) - 0.5).abs() < 1e-6;
+                ties += u32::from(near_tie);
+                for (raw, _, word) in cell {
+                    if near_tie {
+                        assert!((*word as f64 - mean).abs() < 0.5 + 1e-5);
+                    } else {
+                        assert_eq!(*word as f64, mean.round(), "{function:?} at {raw}");
+                    }
+                }
+            }
+        }
+    }
+    assert!(ties < 200, "{ties} ties leave too little to compare");
+}
+
+#[test]
+fn direct_halves_the_error_of_the_left_edge() {
+    for function in
+        [Function::Sin, Function::Cos, Function::Recip, Function::Secant, Function::Atan]
+    {
+        for addr_bits in [4, 5, 6] {
+            let tabulated = tabulated(function, Scheme::Direct, addr_bits, false);
+            let words = sweep(&tabulated);
+            let per_cell = words.len() >> addr_bits;
+            let left_edge = words
+                .chunks(per_cell)
+                .flat_map(|cell| {
+                    let left = target(&tabulated, cell[0].1);
+                    cell.iter().map(move |(_, x, _)| (x, left))
+                })
+                .map(|(x, left)| (target(&tabulated, *x) - left).abs())
+                .fold(0.0, f64::max);
+            let worst = figures(&tabulated).worst;
+            let half_ulp = 0.5 * 2f64.powi(-tabulated.output.frac_bits());
+            // Cells around an extreme lie on one side of their ends' mean.
+            let limit = if matches!(function, Function::Sin | Function::Cos) { 0.52 } else { 0.5 };
+            assert!(worst <= limit * left_edge + half_ulp, "{function:?}: {worst} of {left_edge}");
+            assert!(worst >= 0.5 * left_edge - half_ulp, "{function:?}: {worst} of {left_edge}");
+        }
+    }
+}
+
+#[test]
+fn linear_is_within_its_textbook_error_for_sin() {
+    for addr_bits in [2, 3, 4, 5, 6, 8] {
+        for quarter_wave in [false, true] {
+            let tabulated = tabulated(Function::Sin, Scheme::Linear, addr_bits, quarter_wave);
+            let cell_turns = 2f64.powi(-(addr_bits as i32));
+            let ulp = 2f64.powi(-tabulated.output.frac_bits());
+            // Chord h²/8 max|f''|, centred h²/16; the bases' and slopes' rounding of ¼ ulp / 2
+            // each, the sum's of ½ ulp, and 1 % for extremes between the words looked at.
+            let smooth = cell_turns * cell_turns / 16.0 * TAU * TAU * 1.01;
+            let worst = figures(&tabulated).worst;
+            assert!(worst <= smooth + ulp * (0.5 + 0.125 + 0.125), "{addr_bits}: {worst}");
+            if matches!(addr_bits, 4 | 5) {
+                assert!(worst >= 0.9 * smooth - ulp, "{addr_bits}: {worst} of {smooth}");
+            }
+        }
+    }
+}
+
+/// Bipartite is between direct and linear where the function is smooth, with no multiplier.
+#[test]
+fn schemes_in_order_of_error() {
+    for function in [Function::Sin, Function::Atan, Function::Recip, Function::Secant] {
+        let worst = |scheme| figures(&tabulated(function, scheme, 6, false)).worst;
+        let (direct, bipartite, linear) =
+            (worst(Scheme::Direct), worst(Scheme::Bipartite), worst(Scheme::Linear));
+        assert!(linear <= bipartite && 2.0 * bipartite < direct, "{function:?}");
+    }
+    let counts = |scheme| netlist(&tabulated(Function::Sin, scheme, 6, false)).counts().schemes;
+    assert_eq!(counts(Scheme::Direct), Default::default());
+    assert_eq!((counts(Scheme::Linear).multipliers, counts(Scheme::Linear).adders), (1, 1));
+    assert_eq!((counts(Scheme::Bipartite).multipliers, counts(Scheme::Bipartite).adders), (0, 1));
+}
+
+#[test]
+fn poles_saturate_to_both_ends() {
+    for scheme in Scheme::ALL {
+        for quarter_wave in [false, true] {
+            for (function, above, below) in
+                [(Function::HalfRecipSin, 0, 1024), (Function::HalfRecipCos, 1536, 512)]
+            {
+                let tabulated = tabulated(function, *scheme, 11, quarter_wave);
+                let netlist = netlist(&tabulated);
+                let at = |pattern: i64| {
+                    let raw = tabulated.argument.wrap(pattern);
+                    let (words, _) = netlist.eval(&[raw]);
+                    words[netlist.outputs()[0].node.index()]
+                };
+                let (lo, hi) = (tabulated.output.min_raw(), tabulated.output.max_raw());
+                // Folding stores magnitudes, and the format has no magnitude for its least word.
+                let folded_lo = if quarter_wave { -hi } else { lo };
+                assert_eq!((at(above), at(below)), (hi, folded_lo), "{function:?} {scheme}");
+                assert!((lo..=folded_lo).contains(&at(above - 1)), "{function:?} {scheme}");
+                assert_eq!(at(below - 1), hi, "{function:?} {scheme}");
+            }
+        }
+    }
+}
+
+#[test]
+fn arcsines_end_at_a_quarter_turn() {
+    for scheme in Scheme::ALL {
+        for addr_bits in [4, 8, 11] {
+            let tabulated = tabulated(Function::Asin, *scheme, addr_bits, false);
+            let words = sweep(&tabulated);
+            let ends = [words[0], words[words.len() - 1]];
+            for (_, x, word) in ends {
+                let value = word as f64 / 8192.0;
+                assert!(value.abs() <= 0.2501, "asin({x}) is {value} turns");
+                assert!((value - target(&tabulated, x)).abs() <= figures(&tabulated).worst + 1e-12);
+            }
+            if addr_bits == 11 {
+                assert_eq!(ends[0].2, -2048, "asin(-1) is -¼");
+            }
+        }
+    }
+}
+
+#[test]
+fn direct_tables_are_monotone_where_the_function_is() {
+    for (function, rising) in [
+        (Function::Asin, true),
+        (Function::Atan, true),
+        (Function::Prop, true),
+        (Function::Secant, true),
+        (Function::Recip, false),
+    ] {
+        for addr_bits in [2, 4, 7, 10, 11] {
+            let tabulated = tabulated(function, Scheme::Direct, addr_bits, false);
+            let words = sweep(&tabulated);
+            for pair in words.windows(2) {
+                let step = pair[1].2 - pair[0].2;
+                assert!(
+                    if rising { step >= 0 } else { step <= 0 },
+                    "{function:?} at {}",
+                    pair[1].0
+                );
+            }
+            assert_eq!(figures(&tabulated).not_monotone, 0);
+        }
+    }
+    // And the count is not idle: a coarse linear table of few bits steps back somewhere.
+    let mut coarse = tabulated(Function::Sin, Scheme::Direct, 11, false);
+    coarse.output = format("s14f12");
+    let sine = sweep(&coarse);
+    let back = sine
+        .windows(2)
+        .filter(|pair| {
+            let own = target(&coarse, pair[1].1) - target(&coarse, pair[0].1);
+            (pair[1].2 - pair[0].2) as f64 * own < 0.0
+        })
+        .count();
+    assert_eq!(figures(&coarse).not_monotone, back as u64);
+}
+
+#[test]
+fn stored_bits_follow_the_widths() {
+    let counts = |scheme, addr_bits, quarter_wave| {
+        netlist(&tabulated(Function::Sin, scheme, addr_bits, quarter_wave)).counts()
+    };
+    for addr_bits in [3, 6, 10] {
+        // 14-bit words; a quarter turn of 13-bit magnitudes.
+        assert_eq!(counts(Scheme::Direct, addr_bits, false).rom_bits, 14 << addr_bits);
+        assert_eq!(counts(Scheme::Direct, addr_bits, true).rom_bits, 13 << (addr_bits - 2));
+    }
+    for scheme in [Scheme::Linear, Scheme::Bipartite] {
+        let netlist = netlist(&tabulated(Function::Sin, scheme, 6, false));
+        let mut bits = 0;
+        for table in netlist.tables() {
+            for column in &table.columns {
+                assert_eq!(column.words.len(), 64);
+                // The narrowest format for its words.
+                let (lo, hi) =
+                    (column.words.iter().min().unwrap(), column.words.iter().max().unwrap());
+                let narrower = Format::new(
+                    column.format.is_signed(),
+                    column.format.bits() - 1,
+                    column.format.frac_bits(),
+                );
+                assert!(narrower.is_ok_and(|f| !(f.contains(*lo) && f.contains(*hi))));
+                bits += 64 * u64::from(column.format.bits());
+            }
+        }
+        assert_eq!(netlist.counts().rom_bits, bits);
+    }
+    // A table is never larger than its argument.
+    let sizes = |addr_bits| counts(Scheme::Direct, addr_bits, false).rom_bits;
+    assert_eq!(sizes(20), sizes(11));
+}
+
+#[test]
+fn identical_tables_are_stored_once() {
+    let tabulated = tabulated(Function::Sin, Scheme::Linear, 6, false);
+    let mut b = Builder::new("shared");
+    let [p, q] = ["p", "q"].map(|name| b.input(name, tabulated.argument, Quantity::Number));
+    for (i, argument) in [p, q, p].into_iter().enumerate() {
+        let node = emit(&mut b, &tabulated.spec(), argument)[0];
+        b.output(&format!("f{i}"), node);
+    }
+    let netlist = b.build().unwrap();
+    let counts = netlist.counts();
+    assert_eq!((counts.tables, counts.reads, counts.ports), (1, 4, 2));
+    assert_eq!(counts.rom_bits, counts.rom_bits_dual_port);
+    assert_eq!(netlist.outputs()[0].node, netlist.outputs()[2].node);
+    assert_eq!(counts.schemes.multipliers, 2);
+}
+
+/// On reals a table is its function of the argument, at every word.
+#[test]
+fn tables_stand_for_their_functions() {
+    for function in FUNCTIONS {
+        for scheme in Scheme::ALL {
+            let tabulated = tabulated(function, *scheme, 6, false);
+            let netlist = netlist(&tabulated);
+            let out = netlist.outputs()[0].node;
+            assert_eq!(netlist.node(out).has_real, tabulated.origin == 0.0, "{function:?}");
+            if tabulated.origin != 0.0 {
+                continue;
+            }
+            for (_, x, _) in sweep(&tabulated) {
+                let (is, should) = (netlist.eval_reals(&[x])[out.index()], real(function, x));
+                let close = is == should || (is - should).abs() <= 1e-11 * should.abs().max(1.0);
+                assert!(close, "{function:?} {scheme} at {x}: {is} and not {should}");
+            }
+        }
+    }
+}

@@ -1,0 +1,16 @@
+//! The integration suite, one binary.
+#![allow(
+    missing_docs,
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_precision_loss,
+    clippy::cast_sign_loss
+)]
+
+mod engines;
+mod format;
+mod layers;
+mod lut;
+mod netlist;
+mod op;
+mod rotation;
