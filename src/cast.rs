@@ -112,3 +112,9 @@ pub(crate) fn signed_count(count: u32) -> i32 {
 pub(crate) fn count_of(len: usize) -> u64 {
     len as u64
 }
+
+/// Nearest pixel to a real, kept inside `i32`; NaN gives 0.
+#[inline(always)]
+pub(crate) fn pixel_of(x: f64) -> i32 {
+    x.round() as i32
+}

@@ -10,5 +10,6 @@ pub mod measure;
 pub mod netlist;
 pub mod op;
 pub mod output;
+pub mod report;
 pub mod sim;
 pub mod units;

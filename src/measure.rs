@@ -21,7 +21,7 @@ use crate::units::{Bound, Design, Sampler, Shape, Tabulated};
 use rand_core::{RngCore, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
 use std::time::{Duration, Instant};
 
@@ -202,7 +202,7 @@ pub fn angle_between(u: [f64; 3], v: [f64; 3]) -> f64 {
 }
 
 /// What an error is measured against.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, PartialOrd, Ord)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize, PartialOrd, Ord)]
 #[serde(rename_all = "kebab-case")]
 pub enum Basis {
     /// Bit-true against the golden of the quantised inputs.
@@ -324,7 +324,7 @@ fn bin_middle(index: usize) -> f64 {
 }
 
 /// The input that gave a maximum.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Witness {
     /// Number of the sample.
     pub sample: u64,
@@ -386,7 +386,7 @@ pub struct OverflowCount {
 }
 
 /// Time spent.
-#[derive(Clone, Copy, Debug, Default, Serialize)]
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub struct Speed {
     /// Bit-true samples per second and thread: the engine alone.
     pub engine_samples_per_second_per_thread: f64,
