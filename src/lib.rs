@@ -12,4 +12,5 @@ pub mod op;
 pub mod output;
 pub mod report;
 pub mod sim;
+pub mod sweep;
 pub mod units;
