@@ -245,7 +245,7 @@ impl Sweep {
             header,
         };
         if fresh {
-            run.remove_reports()?;
+            run.remove_files()?;
         } else {
             run.resume()?;
         }
@@ -336,9 +336,10 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Removes what tells of an earlier sweep and would stay until this one is done.
-    fn remove_reports(&self) -> Result<()> {
-        for name in report::FILES {
+    /// Removes what an earlier sweep left, so that a sweep that is stopped before its first
+    /// point is done doesn't leave another one's points and reports behind.
+    fn remove_files(&self) -> Result<()> {
+        for name in ["sweep.json", "sweep.csv"].into_iter().chain(report::FILES) {
             let path = self.folder.join(name);
             match fs::remove_file(&path) {
                 Err(why) if why.kind() != io::ErrorKind::NotFound => {
