@@ -83,12 +83,6 @@ pub(crate) fn index_of_i32(raw: i32) -> usize {
     raw as usize
 }
 
-/// A length as a word; lengths are below 2^63.
-#[inline(always)]
-pub(crate) fn word_of_len(len: usize) -> i64 {
-    len as i64
-}
-
 /// The bit pattern of a word.
 #[inline(always)]
 pub(crate) fn bits_of(raw: i64) -> u64 {
@@ -111,4 +105,10 @@ pub(crate) fn signed_count(count: u32) -> i32 {
 #[inline(always)]
 pub(crate) fn count_of(len: usize) -> u64 {
     len as u64
+}
+
+/// Nearest pixel to a real, kept inside `i32`; NaN gives 0.
+#[inline(always)]
+pub(crate) fn pixel_of(x: f64) -> i32 {
+    x.round() as i32
 }

@@ -425,7 +425,12 @@ fn stimulus(design: &Design, samples: u64, seed: u64) -> Result<Vec<Vec<i64>>> {
 }
 
 /// Writes a VCD and its save file; returns what to tell.
-fn write_wave(design: &Design, options: Options, samples: &[Vec<i64>], out: &Path) -> Result<String> {
+fn write_wave(
+    design: &Design,
+    options: Options,
+    samples: &[Vec<i64>],
+    out: &Path,
+) -> Result<String> {
     let wave = Wave::new(design, options)?;
     let mut cycles = 0;
     output::write_file(out, |to| {
@@ -446,8 +451,10 @@ fn write_wave(design: &Design, options: Options, samples: &[Vec<i64>], out: &Pat
 
 /// Runs a sweep into a folder; returns what to tell.
 fn run_sweep(sweep: &Sweep, out: &Path, fresh: bool) -> Result<String> {
-    let bar = progress_bar(sweep.len(), "points");
-    let result = sweep.run(out, fresh, &|done, _| bar.set_position(done))?;
+    let bar = progress_bar(cast::count_of(sweep.points()), "points");
+    let record = sweep.run(out, fresh, &|progress| {
+        bar.set_position(cast::count_of(progress.points_done));
+    })?;
     bar.finish_and_clear();
-    Ok(text::sweep(&result, out))
+    Ok(text::sweep(&record, out))
 }

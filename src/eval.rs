@@ -77,7 +77,12 @@ impl<'a, R: Read> InputFile<'a, R> {
                 return Err(Error::csv(path, 1, Some(name), problem));
             };
             if found.next().is_some() {
-                return Err(Error::csv(path, 1, Some(name), "the column is there twice".to_owned()));
+                return Err(Error::csv(
+                    path,
+                    1,
+                    Some(name),
+                    "the column is there twice".to_owned(),
+                ));
             }
             positions.push(position);
         }
@@ -89,7 +94,15 @@ impl<'a, R: Read> InputFile<'a, R> {
                 Quantity::Number => 1.0,
             })
             .collect();
-        Ok(Self { reader, path, positions, names, scales, record: csv::StringRecord::new(), rows: 0 })
+        Ok(Self {
+            reader,
+            path,
+            positions,
+            names,
+            scales,
+            record: csv::StringRecord::new(),
+            rows: 0,
+        })
     }
 
     /// Reads up to `rows` rows into columns; fewer only at the end of the file.
@@ -125,6 +138,7 @@ impl<'a, R: Read> InputFile<'a, R> {
     }
 }
 
+#[expect(clippy::wildcard_enum_match_arm, reason = "a foreign enum that may grow")]
 fn csv_error(path: &Path, why: &csv::Error) -> Error {
     let line = why.position().map_or(1, csv::Position::line);
     let problem = match why.kind() {
@@ -156,10 +170,7 @@ pub fn eval(
     let outputs: Vec<NodeId> = netlist.outputs().iter().map(|output| output.node).collect();
     let program = Program::compile(netlist, &outputs);
     let mut runner = program.runner();
-    let written = |why: csv::Error| match why.into_kind() {
-        csv::ErrorKind::Io(why) => Error::io(to_path, "can't write", why),
-        other => Error::file(to_path, format!("{other:?}")),
-    };
+    let written = |why: csv::Error| Error::io(to_path, "can't write", why.into());
     let mut writer = csv::Writer::from_writer(to);
     let mut header = Vec::new();
     for i in 0..netlist.inputs().len() {

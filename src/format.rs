@@ -139,7 +139,10 @@ impl Format {
     }
 
     /// Makes the smallest format with `frac_bits` that holds every word of `lo..=hi`;
-    /// signed if `lo` is negative. `Err` carries the number of bits that it would take.
+    /// signed if `lo` is negative.
+    ///
+    /// # Errors
+    /// The number of bits that it would take, if they are more than 63.
     ///
     /// # Panics
     /// If `lo > hi`, or if `frac_bits` is outside -127 to 127.
@@ -224,7 +227,8 @@ impl Format {
             return Err(Error::word_range(raw, self.to_string(), self.min_raw(), self.max_raw()));
         }
         let magnitude = raw.unsigned_abs();
-        let significant_bits = bit_len(magnitude) - magnitude.trailing_zeros().min(bit_len(magnitude));
+        let significant_bits =
+            bit_len(magnitude) - magnitude.trailing_zeros().min(bit_len(magnitude));
         if significant_bits > f64::MANTISSA_DIGITS {
             return Err(Error::not_exact(raw, self.to_string(), significant_bits));
         }
@@ -304,7 +308,13 @@ impl FromStr for Format {
 /// rounding comes first, then overflow is judged on the rounded value. Under
 /// [`Overflow::Error`] the result is as under [`Overflow::Wrap`]: the caller sees the flag.
 #[must_use]
-pub fn narrow(raw: i64, from_frac: i32, to: Format, round: Round, overflow: Overflow) -> (i64, bool) {
+pub fn narrow(
+    raw: i64,
+    from_frac: i32,
+    to: Format,
+    round: Round,
+    overflow: Overflow,
+) -> (i64, bool) {
     let dropped_bits = from_frac - to.frac_bits();
     // |raw| <= 2^63. Beyond these shifts nothing changes: everything is dropped, or all kept bits are 0.
     let rounded = if dropped_bits > 0 {

@@ -149,7 +149,8 @@ impl Combination<'_> {
     #[must_use]
     pub fn eval(&self) -> f64 {
         let (lo, hi) = self.range;
-        let sum: f64 = self.terms.iter().map(|&(c, x)| c * self.function.eval(x).clamp(lo, hi)).sum();
+        let sum: f64 =
+            self.terms.iter().map(|&(c, x)| c * self.function.eval(x).clamp(lo, hi)).sum();
         sum + self.constant
     }
 
@@ -235,7 +236,8 @@ mod tests {
     #[test]
     fn ties_and_near_ties_round_to_nearest() {
         let range = (-4.0, 4.0);
-        let half = Combination { function: Function::Sin, terms: &[(0.5, 0.25)], constant: 0.0, range };
+        let half =
+            Combination { function: Function::Sin, terms: &[(0.5, 0.25)], constant: 0.0, range };
         assert_eq!(half.round(0), 0, "½ exactly: to even");
         let above = Combination { terms: &[(0.5, 0.25), (1.0, 2f64.powi(-70))], ..half.clone() };
         assert_eq!(above.round(0), 1, "½ + 2π 2^-70: f64 can't tell, the long evaluation can");

@@ -118,7 +118,9 @@ fn quarter_wave_of(function: Function) -> Option<(Function, bool)> {
         Function::Cos => Some((Function::Sin, true)),
         Function::HalfRecipSin => Some((Function::HalfRecipSin, false)),
         Function::HalfRecipCos => Some((Function::HalfRecipSin, true)),
-        Function::Asin | Function::Atan | Function::Prop | Function::Recip | Function::Secant => None,
+        Function::Asin | Function::Atan | Function::Prop | Function::Recip | Function::Secant => {
+            None
+        }
     }
 }
 
@@ -153,7 +155,15 @@ fn emit_folded(b: &mut Builder, spec: &Spec<'_>, function: Function, argument: N
         ..*spec
     };
     let inside = emit_cells(b, &quarter_spec, 0, index);
-    let end = entry(&Combination { function: base, terms: &[(1.0, 0.25)], constant: 0.0, range: range(magnitude) }, magnitude);
+    let end = entry(
+        &Combination {
+            function: base,
+            terms: &[(1.0, 0.25)],
+            constant: 0.0,
+            range: range(magnitude),
+        },
+        magnitude,
+    );
     let end = b.constant(end, magnitude);
     let value = b.mux(at_end, end, inside);
     let negated = b.neg(value);
@@ -313,7 +323,8 @@ impl Cells {
                         .map(|i| {
                             let coarse = i >> offset_bits << offset_bits;
                             let last = coarse | word_mask(offset_bits);
-                            let ends = offset[cast::index_of(coarse)] + offset[cast::index_of(last)];
+                            let ends =
+                                offset[cast::index_of(coarse)] + offset[cast::index_of(last)];
                             self.initial(spec, *function, i, ends, sum_frac)
                         })
                         .collect();
@@ -346,7 +357,13 @@ impl Cells {
 
     /// Rise of the function over the `2^bits` words from cell `i`, as terms and a constant.
     /// A pole at the upper end counts from this side.
-    fn rise(self, spec: &Spec<'_>, function: Function, i: i64, bits: u32) -> ([(f64, f64); 2], f64) {
+    fn rise(
+        self,
+        spec: &Spec<'_>,
+        function: Function,
+        i: i64,
+        bits: u32,
+    ) -> ([(f64, f64); 2], f64) {
         let start = self.after(i, bits, 0);
         let end = self.after(i, bits, 1 << bits);
         let inside = self.after(i, bits, word_mask(bits));

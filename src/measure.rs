@@ -16,13 +16,14 @@ use crate::error::{Error, Result};
 use crate::format::{Overflow, Round, quantize};
 use crate::lut;
 use crate::netlist::{Builder, Netlist, NodeId, Quantity};
-use crate::sim::batch::{Program, RealProgram, RealRunner, Runner, check_overflows};
+use crate::sim::batch::{Program, Runner, check_overflows};
+use crate::sim::real;
 use crate::trig::sin_cos_turns;
 use crate::units::{Bound, Design, Sampler, Shape, Tabulated};
 use rand_core::{RngCore, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
 use std::time::{Duration, Instant};
 
@@ -55,7 +56,8 @@ impl Inputs {
             }
             Sampler::Exhaustive => {
                 let netlist = &design.netlist;
-                let bits: u32 = netlist.inputs().iter().map(|id| netlist.node(*id).format.bits()).sum();
+                let bits: u32 =
+                    netlist.inputs().iter().map(|id| netlist.node(*id).format.bits()).sum();
                 if bits > EXHAUSTIVE_BITS {
                     return Err(Error::usage(format!(
                         "the inputs have 2^{bits} combinations and an exhaustive run goes up to 2^{EXHAUSTIVE_BITS}: take narrower inputs or another sampler"
@@ -136,7 +138,9 @@ pub fn quantize_inputs(
                     - cast::word_of_bits(ROUNDER.to_bits());
                 match overflow {
                     Overflow::Wrap => node.format.wrap(whole),
-                    _ => whole.clamp(min, max),
+                    Overflow::Saturate | Overflow::Symmetric | Overflow::Error => {
+                        whole.clamp(min, max)
+                    }
                 }
             } else {
                 // Far out, or not finite.
@@ -150,7 +154,12 @@ pub fn quantize_inputs(
 }
 
 /// Real values of columns of words.
-pub(crate) fn values_of(netlist: &Netlist, nodes: &[NodeId], words: &[Vec<i64>], to: &mut Vec<Vec<f64>>) {
+pub(crate) fn values_of(
+    netlist: &Netlist,
+    nodes: &[NodeId],
+    words: &[Vec<i64>],
+    to: &mut Vec<Vec<f64>>,
+) {
     to.resize(nodes.len(), Vec::new());
     for ((id, column), to) in nodes.iter().zip(words).zip(to) {
         let format = netlist.node(*id).format;
@@ -200,11 +209,7 @@ pub fn ports_of_direction(shape: Shape, [x, y, z]: [f64; 3]) -> Vec<f64> {
 /// direction and counts as opposite.
 #[must_use]
 pub fn angle_between(u: [f64; 3], v: [f64; 3]) -> f64 {
-    let cross = [
-        u[1] * v[2] - u[2] * v[1],
-        u[2] * v[0] - u[0] * v[2],
-        u[0] * v[1] - u[1] * v[0],
-    ];
+    let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
     let dot = u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
     let sine = (cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]).sqrt();
     if sine < 0.02 * dot {
@@ -220,7 +225,7 @@ pub fn angle_between(u: [f64; 3], v: [f64; 3]) -> f64 {
 }
 
 /// What an error is measured against.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, PartialOrd, Ord)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize, PartialOrd, Ord)]
 #[serde(rename_all = "kebab-case")]
 pub enum Basis {
     /// Bit-true against the golden of the quantised inputs.
@@ -342,7 +347,7 @@ fn bin_middle(index: usize) -> f64 {
 }
 
 /// The input that gave a maximum.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Witness {
     /// Number of the sample.
     pub sample: u64,
@@ -404,7 +409,7 @@ pub struct OverflowCount {
 }
 
 /// Time spent.
-#[derive(Clone, Copy, Debug, Default, Serialize)]
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub struct Speed {
     /// Bit-true samples per second and thread: the engine alone.
     pub engine_samples_per_second_per_thread: f64,
@@ -445,7 +450,7 @@ impl Report {
 struct Compiled<'a> {
     design: &'a Design,
     program: Program,
-    reals: RealProgram,
+    reals: real::Program,
     outputs: Vec<NodeId>,
     /// Which set of quantised inputs it shares.
     inputs: usize,
@@ -454,7 +459,7 @@ struct Compiled<'a> {
 /// Columns of one thread for one design.
 struct Lanes {
     runner: Runner,
-    real_runner: RealRunner,
+    real_runner: real::Runner,
     words: Vec<Vec<i64>>,
     values: Vec<Vec<f64>>,
     reals: Vec<Vec<f64>>,
@@ -519,10 +524,21 @@ pub fn measure(
         compiled.push(Compiled {
             design,
             program: Program::compile(netlist, &outputs),
-            reals: RealProgram::compile(netlist, &outputs),
+            reals: real::Program::compile(netlist, &outputs),
             outputs,
             inputs: index,
         });
+    }
+    let same_words = |design: &&Design| {
+        design.hard.len() == first.hard.len()
+            && design.hard.iter().zip(&first.hard).all(|(a, b)| a.words == b.words)
+    };
+    if formats.len() > 1 && !matches!(inputs.sampler, Sampler::Lit | Sampler::Sphere)
+        || inputs.sampler == Sampler::Hard && !designs.iter().all(same_words)
+    {
+        return Err(Error::usage(
+            "designs with different input words can't be measured together".to_owned(),
+        ));
     }
     let count = count.unwrap_or_default();
     let representatives: Vec<&Design> = (0..formats.len())
@@ -681,11 +697,11 @@ fn measure_chunk(
             };
             let at = |v: &[Vec<f64>; 3], i: usize| [v[0][i], v[1][i], v[2][i]];
             let errors = &mut shared.errors;
-            for (q, stream) in lanes.streams[b * QUANTITIES.len()..].iter_mut().enumerate().take(5) {
+            for (q, stream) in lanes.streams[b * QUANTITIES.len()..].iter_mut().enumerate().take(5)
+            {
                 errors.clear();
                 match q {
-                    0 => errors
-                        .extend((0..len).map(|i| angle_between(at(is, i), at(should, i)))),
+                    0 => errors.extend((0..len).map(|i| angle_between(at(is, i), at(should, i)))),
                     1 => errors.extend((0..len).map(|i| {
                         let (u, v) = (at(is, i), at(should, i));
                         let d = [u[0] - v[0], u[1] - v[1], u[2] - v[2]];
@@ -735,13 +751,15 @@ fn figures(design: &Design, merged: &[Merged]) -> Vec<Figures> {
         for ((quantity, unit), merged) in QUANTITIES.into_iter().zip(merged) {
             let stream = &merged.stream;
             let count = cast::f64_of_count(stream.count.max(1));
-            let component = design.shape == Shape::Cartesian && !matches!(quantity, "angle" | "dot");
+            let component =
+                design.shape == Shape::Cartesian && !matches!(quantity, "angle" | "dot");
             figures.push(Figures {
                 quantity,
                 unit,
                 basis,
-                max: stream.max.max(0.0),
-                max_ulp: component.then(|| stream.max.max(0.0) / ulp),
+                // -1 means that there was no sample; a NaN stays one.
+                max: if stream.count == 0 { 0.0 } else { stream.max },
+                max_ulp: component.then(|| stream.max / ulp),
                 witness: merged.witness.clone(),
                 mean: stream.sum_abs / count,
                 bias: stream.sum / count,
@@ -764,10 +782,7 @@ fn overflow_counts(c: &Compiled<'_>, counts: &[u64]) -> Vec<OverflowCount> {
         .filter(|(_, count)| **count > 0)
         .map(|(id, count)| OverflowCount {
             node: netlist.label(*id),
-            mode: match netlist.node(*id).op {
-                crate::op::Op::Narrow { overflow, .. } => overflow.name(),
-                _ => unreachable!("bug: only narrows are counted"),
-            },
+            mode: netlist.node(*id).op.overflow().expect("bug: only narrows are counted").name(),
             count: *count,
         })
         .collect()
@@ -925,6 +940,9 @@ impl BoundCheck {
     ///
     /// # Errors
     /// As [`table_figures`].
+    ///
+    /// # Panics
+    /// If the bound asks for a table that the design doesn't have: that is wrong code.
     pub fn new(design: &Design) -> Result<Self> {
         let (quantity, bound) = match design.bound {
             Bound::Component(bound) => ("component", bound),
@@ -973,7 +991,7 @@ impl BoundCheck {
     #[must_use]
     pub fn holds(&self, report: &Report) -> bool {
         match (self.bound, self.seen(report)) {
-            (Some(bound), Some(seen)) => seen <= bound,
+            (Some(bound), Some(seen)) => seen <= bound, // false for NaN
             _ => true,
         }
     }

@@ -32,6 +32,7 @@ pub struct ScopeId(u32);
 impl NodeId {
     /// Position in [`Netlist::nodes`].
     #[must_use]
+    #[expect(clippy::missing_panics_doc, reason = "32 bits always fit")]
     pub fn index(self) -> usize {
         usize::try_from(self.0).expect("bug: 32 bits fit")
     }
@@ -40,6 +41,7 @@ impl NodeId {
 impl TableId {
     /// Position in [`Netlist::tables`].
     #[must_use]
+    #[expect(clippy::missing_panics_doc, reason = "32 bits always fit")]
     pub fn index(self) -> usize {
         usize::try_from(self.0).expect("bug: 32 bits fit")
     }
@@ -48,6 +50,7 @@ impl TableId {
 impl ScopeId {
     /// Position in [`Netlist::scopes`].
     #[must_use]
+    #[expect(clippy::missing_panics_doc, reason = "32 bits always fit")]
     pub fn index(self) -> usize {
         usize::try_from(self.0).expect("bug: 32 bits fit")
     }
@@ -327,7 +330,8 @@ impl Netlist {
             let value = match node.meaning {
                 _ if node.op == Op::Input => *ports.next().expect("bug: counted above"),
                 Some(meaning) => {
-                    let [a, b] = meaning.arguments().map(|id| id.map_or(0.0, |id| values[id.index()]));
+                    let [a, b] =
+                        meaning.arguments().map(|id| id.map_or(0.0, |id| values[id.index()]));
                     meaning.eval(a, b)
                 }
                 None => {
@@ -349,7 +353,7 @@ impl Netlist {
         let mut counts = Counts {
             datapath: Operators::default(),
             schemes: Operators::default(),
-            tables: u64::try_from(self.tables.len()).expect("bug: small"),
+            tables: cast::count_of(self.tables.len()),
             reads: 0,
             ports: 0,
             rom_bits: self.tables.iter().map(Table::rom_bits).sum(),
@@ -383,7 +387,7 @@ impl Netlist {
             }
         }
         for (table, at) in addresses {
-            let ports = u64::try_from(at.len()).expect("bug: small");
+            let ports = cast::count_of(at.len());
             counts.ports += ports;
             counts.rom_bits_dual_port += self.tables[table.index()].rom_bits() * ports.div_ceil(2);
         }
@@ -475,12 +479,16 @@ impl Netlist {
             }
             for (id, node) in self.ids().zip(&self.nodes).filter(|(_, n)| n.scope.index() == s) {
                 let name = node.name.as_deref().map(|n| format!("{n}\\n")).unwrap_or_default();
-                let shape = match node.op {
-                    Op::Input => ", shape=cds",
-                    Op::Read { .. } => ", shape=cylinder",
-                    Op::Mul => ", style=filled, fillcolor=\"#ffd9b3\"",
-                    _ if scope.is_scheme => ", style=dotted",
-                    _ => "",
+                let shape = if node.op == Op::Input {
+                    ", shape=cds"
+                } else if matches!(node.op, Op::Read { .. }) {
+                    ", shape=cylinder"
+                } else if node.op == Op::Mul {
+                    ", style=filled, fillcolor=\"#ffd9b3\""
+                } else if scope.is_scheme {
+                    ", style=dotted"
+                } else {
+                    ""
                 };
                 let _ = writeln!(
                     text,
@@ -564,17 +572,19 @@ impl Builder {
 
     fn push(&mut self, op: Op, operands: &[NodeId], asked: Option<Format>) -> NodeId {
         let formats: Vec<Format> = operands.iter().map(|id| self.format(*id)).collect();
-        let format = op.result_format(&formats, asked, &self.netlist.tables).unwrap_or_else(|why| {
-            let operand = operands.first().map(|id| self.netlist.label(*id)).unwrap_or_default();
-            let node = format!("{} of {operand}", op.name());
-            self.fail(match why {
-                FormatProblem::TooWide(bits) => {
-                    Error::node_too_wide(node, bits, Format::MAX_BITS)
-                }
-                FormatProblem::Mismatch(problem) => Error::node(node, problem),
+        let format =
+            op.result_format(&formats, asked, &self.netlist.tables).unwrap_or_else(|why| {
+                let operand =
+                    operands.first().map(|id| self.netlist.label(*id)).unwrap_or_default();
+                let node = format!("{} of {operand}", op.name());
+                self.fail(match why {
+                    FormatProblem::TooWide(bits) => {
+                        Error::node_too_wide(node, bits, Format::MAX_BITS)
+                    }
+                    FormatProblem::Mismatch(problem) => Error::node(node, problem),
+                });
+                asked.unwrap_or(Format::FLAG)
             });
-            asked.unwrap_or(Format::FLAG)
-        });
         let key = (op, operands.to_vec(), format);
         if op != Op::Input
             && let Some(id) = self.known.get(&key)
@@ -655,6 +665,9 @@ impl Builder {
     }
 
     /// Adds a table; an identical one that is there already is used again.
+    ///
+    /// # Panics
+    /// If a column doesn't have one word of its format per address: that is wrong code.
     pub fn table(&mut self, table: Table) -> TableId {
         let index = self.netlist.tables.iter().position(|known| *known == table);
         let index = index.unwrap_or_else(|| {
@@ -793,7 +806,13 @@ impl Builder {
     }
 
     /// `a` in `format`: the one way to lose bits.
-    pub fn narrow(&mut self, a: NodeId, format: Format, round: Round, overflow: Overflow) -> NodeId {
+    pub fn narrow(
+        &mut self,
+        a: NodeId,
+        format: Format,
+        round: Round,
+        overflow: Overflow,
+    ) -> NodeId {
         // Only symmetric saturation changes a word that is in the format already.
         if self.format(a) == format && overflow != Overflow::Symmetric {
             return a;
@@ -892,7 +911,8 @@ impl Netlist {
                 "bug: operands of %{} come later",
                 id.0
             );
-            let formats: Vec<Format> = node.operands.iter().map(|id| self.node(*id).format).collect();
+            let formats: Vec<Format> =
+                node.operands.iter().map(|id| self.node(*id).format).collect();
             let format = node.op.result_format(&formats, Some(node.format), &self.tables);
             assert_eq!(format.as_ref(), Ok(&node.format), "bug: format of {}", self.label(id));
         }

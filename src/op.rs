@@ -126,10 +126,9 @@ impl Meaning {
     #[must_use]
     pub fn arguments(self) -> [Option<NodeId>; 2] {
         match self {
-            Self::Apply(_, a)
-            | Self::Negative(a)
-            | Self::CosNegative(a)
-            | Self::Opposite(a) => [Some(a), None],
+            Self::Apply(_, a) | Self::Negative(a) | Self::CosNegative(a) | Self::Opposite(a) => {
+                [Some(a), None]
+            }
             Self::Atan2 { y: a, x: b }
             | Self::Hypot { x: a, y: b }
             | Self::OverTwice { y: a, angle: b, .. } => [Some(a), Some(b)],
@@ -228,6 +227,12 @@ impl Op {
             Self::Modulo => "modulo",
             Self::Narrow { .. } => "narrow",
         }
+    }
+
+    /// Overflow mode of a `narrow`.
+    #[must_use]
+    pub const fn overflow(self) -> Option<Overflow> {
+        if let Self::Narrow { overflow, .. } = self { Some(overflow) } else { None }
     }
 
     /// Number of operands.
@@ -437,9 +442,7 @@ impl Op {
             }
             Self::Concat => i128::from(of[0].0) << of[1].1.bits() | i128::from(of[1].0),
             Self::Shift { .. } => i128::from(of[0].0),
-            Self::LeadingZeros => {
-                i128::from(of[0].1.bits() - bit_len(of[0].1.pattern(of[0].0)))
-            }
+            Self::LeadingZeros => i128::from(of[0].1.bits() - bit_len(of[0].1.pattern(of[0].0))),
             Self::ShiftLeft { max } => i128::from(of[0].0) << of[1].0.min(i64::from(max)),
             Self::Read { table, column } => {
                 let column = usize::try_from(column).expect("bug: small");

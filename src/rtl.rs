@@ -4,6 +4,7 @@
 //! stage, a register in each later stage up to the last one that uses it. The cycle simulator,
 //! the waves and the emitted hardware all read this, so they can't disagree.
 
+use crate::cast;
 use crate::netlist::{Netlist, NodeId};
 use crate::op::Op;
 use crate::schedule::Schedule;
@@ -99,8 +100,7 @@ impl Rtl {
             .map(|id| {
                 let copies = self.registers(id).count()
                     + usize::from(self.schedule.is_clocked(&self.netlist, id));
-                u64::from(self.netlist.node(id).format.bits())
-                    * u64::try_from(copies).expect("bug: small")
+                u64::from(self.netlist.node(id).format.bits()) * cast::count_of(copies)
             })
             .sum();
         data + u64::from(self.schedule.latency())

@@ -85,7 +85,10 @@ impl Schedule {
                     return Err(Error::parameter_value(
                         "stages",
                         &stages.to_string(),
-                        format!("{} or more: so many reads on a clock follow each other", most.latency),
+                        format!(
+                            "{} or more: so many reads on a clock follow each other",
+                            most.latency
+                        ),
                     ));
                 }
                 // The shortest period that this latency reaches; longer periods never need more stages.
@@ -109,7 +112,12 @@ impl Schedule {
     ///
     /// # Errors
     /// If a node would be before its operands, or an output after the latency.
-    pub fn from_stages(netlist: &Netlist, rom: Rom, stages: Vec<u32>, latency: u32) -> Result<Self> {
+    pub fn from_stages(
+        netlist: &Netlist,
+        rom: Rom,
+        stages: Vec<u32>,
+        latency: u32,
+    ) -> Result<Self> {
         let mut schedule = Self { stages, latency, period_ps: 0, rom };
         schedule.verify(netlist)?;
         let delays = schedule.arrivals(netlist);
@@ -213,7 +221,8 @@ impl Schedule {
 
     fn verify(&self, netlist: &Netlist) -> Result<()> {
         if self.stages.len() != netlist.nodes().len() {
-            let problem = format!("{} stages for {} nodes", self.stages.len(), netlist.nodes().len());
+            let problem =
+                format!("{} stages for {} nodes", self.stages.len(), netlist.nodes().len());
             return Err(Error::node(netlist.name().to_owned(), problem));
         }
         for id in netlist.ids() {
@@ -292,10 +301,13 @@ impl Narrowing {
     pub fn new(from: Format, to: Format, round: Round, overflow: Overflow) -> Self {
         let overflows = |raw| narrow(raw, from.frac_bits(), to, round, overflow).1;
         let saturating = matches!(overflow, Overflow::Saturate | Overflow::Symmetric);
+        let drops_up = match round {
+            Round::Floor => false,
+            Round::TowardZero => from.is_signed(),
+            Round::HalfUp | Round::HalfAway | Round::HalfEven => true,
+        };
         Self {
-            rounds: from.frac_bits() > to.frac_bits()
-                && round != Round::Floor
-                && !(round == Round::TowardZero && !from.is_signed()),
+            rounds: from.frac_bits() > to.frac_bits() && drops_up,
             // Rounding is monotone, so the ends of the format decide.
             saturates: saturating && (overflows(from.min_raw()) || overflows(from.max_raw())),
         }

@@ -83,7 +83,9 @@ fn matches(pattern: &str, text: &str) -> bool {
     match pattern.split_once('*') {
         None => pattern == text,
         Some((head, rest)) => text.strip_prefix(head).is_some_and(|text| {
-            (0..=text.len()).filter(|i| text.is_char_boundary(*i)).any(|i| matches(rest, &text[i..]))
+            (0..=text.len())
+                .filter(|i| text.is_char_boundary(*i))
+                .any(|i| matches(rest, &text[i..]))
         }),
     }
 }
@@ -93,6 +95,7 @@ impl<'a> Wave<'a> {
     ///
     /// # Errors
     /// If a pattern matches none, or the pipeline can't be built.
+    #[expect(clippy::missing_panics_doc, reason = "period_ps always has a value")]
     pub fn new(design: &'a Design, options: Options) -> Result<Self> {
         let rtl = Arc::new(design.rtl()?);
         let mut traces = all_traces(&rtl, &options);
@@ -236,8 +239,9 @@ impl<'a> Wave<'a> {
         let title = format!("output ports, {latency} cycles later");
         self.write_group(&title, |trace| trace.port.is_some(), to)?;
         for stage in 0..=latency {
-            let inner =
-                |trace: &Trace| trace.signal.stage == stage && trace.port.is_none() && !is_input(trace);
+            let inner = |trace: &Trace| {
+                trace.signal.stage == stage && trace.port.is_none() && !is_input(trace)
+            };
             self.write_group(&format!("stage {stage}"), inner, to)?;
         }
         writeln!(to, "[pattern_trace] 1\n[pattern_trace] 0")
@@ -252,7 +256,10 @@ impl<'a> Wave<'a> {
         if self.traces.iter().any(&belongs) {
             writeln!(to, "@200\n-{title}")?;
         }
-        self.traces.iter().filter(|trace| belongs(trace)).try_for_each(|trace| self.write_gtkw_trace(trace, to))
+        self.traces
+            .iter()
+            .filter(|trace| belongs(trace))
+            .try_for_each(|trace| self.write_gtkw_trace(trace, to))
     }
 
     fn write_gtkw_trace(&self, trace: &Trace, to: &mut dyn Write) -> io::Result<()> {
@@ -331,7 +338,8 @@ fn all_traces(rtl: &Rtl, options: &Options) -> Vec<Trace> {
     // Nothing upstream of an exact node was rounded or tabulated: its error is 0 always.
     let mut exact: Vec<bool> = Vec::new();
     for node in netlist.nodes() {
-        let lossy = node.meaning.is_some() || matches!(node.op, Op::Narrow { .. } | Op::Read { .. });
+        let lossy =
+            node.meaning.is_some() || matches!(node.op, Op::Narrow { .. } | Op::Read { .. });
         exact.push(!lossy && node.operands.iter().all(|operand| exact[operand.index()]));
     }
     let trace = |signal: Signal, path: Vec<String>, name: String, port: Option<usize>| {
@@ -356,7 +364,9 @@ fn all_traces(rtl: &Rtl, options: &Options) -> Vec<Trace> {
         let path: Vec<String> =
             netlist.scope_path(node.scope).into_iter().map(str::to_owned).collect();
         let own = Signal { node: id, stage: rtl.schedule().stage(id) };
-        let is_port = |name: &str| path.is_empty() && traces.iter().any(|t: &Trace| t.port.is_some() && t.name == name);
+        let is_port = |name: &str| {
+            path.is_empty() && traces.iter().any(|t: &Trace| t.port.is_some() && t.name == name)
+        };
         let name = match &node.name {
             // What goes into an output register has the port's name.
             Some(name) if is_port(name) => {

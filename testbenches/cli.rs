@@ -67,7 +67,10 @@ fn units_and_parameters_are_checked_and_the_nearest_is_named() {
 #[test]
 fn words_past_63_bits_are_refused_with_the_node() {
     let args = ["-p", "variant=corrected", "-p", "frac_bits=32", "-p", "guard_bits=8"];
-    refused(&[&["show", "rotation"], &args[..]].concat(), "words have at most 63: lower the widths");
+    refused(
+        &[&["show", "rotation"], &args[..]].concat(),
+        "words have at most 63: lower the widths",
+    );
 }
 
 #[test]
@@ -102,7 +105,8 @@ fn eval_writes_words_values_and_golden() {
     let folder = tempfile::tempdir().unwrap();
     let (input, out) = (folder.path().join("in.csv"), folder.path().join("out.csv"));
     // Columns in another order, one more than needed, and spaces.
-    fs::write(&input, "note,theta_n,phi_n,theta_a,phi_a\na, 0, 0, 90, 90\nb,0,0,45,-360\n").unwrap();
+    fs::write(&input, "note,theta_n,phi_n,theta_a,phi_a\na, 0, 0, 90, 90\nb,0,0,45,-360\n")
+        .unwrap();
     let args = ["eval", "rotation", "-p", "scheme=linear", "--angle", "degrees"];
     fixpath().args(args).arg("--in").arg(&input).arg("--out").arg(&out).assert().success();
     let text = fs::read_to_string(&out).unwrap();
@@ -137,14 +141,17 @@ fn eval_is_the_reference_on_every_hard_case() {
         let rows: Vec<&Vec<i64>> = design.hard.iter().flat_map(|case| &case.words).collect();
         let mut csv = "phi_a,theta_a,phi_n,theta_n\n".to_owned();
         for row in &rows {
-            let turns: Vec<String> = row.iter().map(|w| (*w as f64 / 65536.0).to_string()).collect();
+            let turns: Vec<String> =
+                row.iter().map(|w| (*w as f64 / 65536.0).to_string()).collect();
             csv += &(turns.join(",") + "\n");
         }
         let (input, out) = (folder.path().join("in.csv"), folder.path().join("out.csv"));
         fs::write(&input, csv).unwrap();
         let mut command = fixpath();
         command.args(["eval", "rotation", "--angle", "turns", "--in"]).arg(&input);
-        assignments.iter().for_each(|set| drop(command.args(["-p", set])));
+        for set in assignments {
+            command.args(["-p", set]);
+        }
         command.arg("--out").arg(&out).assert().success();
         let mut reader = csv::Reader::from_path(&out).unwrap();
         let mut count = 0;
@@ -164,16 +171,34 @@ fn eval_is_the_reference_on_every_hard_case() {
 fn malformed_csv_names_line_and_column_and_leaves_nothing() {
     let header = "phi_a,theta_a,phi_n,theta_n\n";
     let cases: [(&[u8], &str); 11] = [
-        (b"", "in.csv, line 1: the file is empty; its first line should be phi_a,theta_a,phi_n,theta_n"),
+        (
+            b"",
+            "in.csv, line 1: the file is empty; its first line should be phi_a,theta_a,phi_n,theta_n",
+        ),
         (b"phi_a,theta_a,phi_n,theta_n\n", "in.csv, line 2: no rows after the header"),
         (b"phi_a,theta_a,phi_n\n1,2,3\n", "line 1, column `theta_n`: no such column"),
-        (b"phi_a,phi_a,theta_a,phi_n,theta_n\n1,2,3,4,5\n", "line 1, column `phi_a`: the column is there twice"),
-        (b"phi_a,theta_a,phi_n,theta_n\n1,2,3,4\n1,2,3\n", "line 3: 3 fields where the header has 4"),
+        (
+            b"phi_a,phi_a,theta_a,phi_n,theta_n\n1,2,3,4,5\n",
+            "line 1, column `phi_a`: the column is there twice",
+        ),
+        (
+            b"phi_a,theta_a,phi_n,theta_n\n1,2,3,4\n1,2,3\n",
+            "line 3: 3 fields where the header has 4",
+        ),
         (b"phi_a,theta_a,phi_n,theta_n\n1,2,x,4\n", "line 2, column `phi_n`: `x` is not a number"),
         (b"phi_a,theta_a,phi_n,theta_n\n1,2,,4\n", "line 2, column `phi_n`: `` is not a number"),
-        (b"phi_a,theta_a,phi_n,theta_n\n1,2,3,4\n1,NaN,3,4\n", "line 3, column `theta_a`: `NaN` is not a finite number"),
-        (b"phi_a,theta_a,phi_n,theta_n\n1,2,3,-inf\n", "line 2, column `theta_n`: `-inf` is not a finite number"),
-        (b"phi_a,theta_a,phi_n,theta_n\n1,2,3,1e999\n", "line 2, column `theta_n`: `1e999` is not a finite number"),
+        (
+            b"phi_a,theta_a,phi_n,theta_n\n1,2,3,4\n1,NaN,3,4\n",
+            "line 3, column `theta_a`: `NaN` is not a finite number",
+        ),
+        (
+            b"phi_a,theta_a,phi_n,theta_n\n1,2,3,-inf\n",
+            "line 2, column `theta_n`: `-inf` is not a finite number",
+        ),
+        (
+            b"phi_a,theta_a,phi_n,theta_n\n1,2,3,1e999\n",
+            "line 2, column `theta_n`: `1e999` is not a finite number",
+        ),
         (b"phi_a,theta_a,phi_n,theta_n\n1,2,3,\xff\n", "line 2: the text is not UTF-8"),
     ];
     for (body, message) in cases {
@@ -190,7 +215,13 @@ fn malformed_csv_names_line_and_column_and_leaves_nothing() {
     let (input, out) = (folder.path().join("in.csv"), folder.path().join("out.csv"));
     fs::write(&input, format!("{header}1,2,3,4\n1,2,3,oops\n")).unwrap();
     fs::write(&out, "precious").unwrap();
-    fixpath().args(["eval", "rotation", "--in"]).arg(&input).arg("--out").arg(&out).assert().code(2);
+    fixpath()
+        .args(["eval", "rotation", "--in"])
+        .arg(&input)
+        .arg("--out")
+        .arg(&out)
+        .assert()
+        .code(2);
     assert_eq!(fs::read_to_string(&out).unwrap(), "precious");
 }
 
@@ -201,9 +232,15 @@ fn files_that_cannot_be_read_or_written_are_named() {
     let input = folder.path().join("in.csv");
     fs::write(&input, "phi_a,theta_a,phi_n,theta_n\n1,2,3,4\n").unwrap();
     let input = input.to_str().unwrap();
-    refused(&["eval", "rotation", "--in", "/no/such.csv", "--out", "o.csv"], "/no/such.csv: can't read: ");
+    refused(
+        &["eval", "rotation", "--in", "/no/such.csv", "--out", "o.csv"],
+        "/no/such.csv: can't read: ",
+    );
     refused(&["eval", "rotation", "--in", here, "--out", "o.csv"], "can't read: it is a folder");
-    refused(&["eval", "rotation", "--in", input, "--out", "/no/such/out.csv"], "/no/such/out.csv: can't write: ");
+    refused(
+        &["eval", "rotation", "--in", input, "--out", "/no/such/out.csv"],
+        "/no/such/out.csv: can't write: ",
+    );
     refused(&["wave", "rotation", "--out", "/no/such/out.vcd"], "/no/such/out.vcd: can't write: ");
     let blocked = format!("{input}/sweep");
     refused(
@@ -222,7 +259,10 @@ fn a_full_disk_is_one_clear_line() {
     fs::write(&input, "phi_a,theta_a,phi_n,theta_n\n1,2,3,4\n").unwrap();
     let input = input.to_str().unwrap();
     // The device that is always full, and stays a device.
-    refused(&["eval", "rotation", "--in", input, "--out", "/dev/full"], "/dev/full: can't write: No space left");
+    refused(
+        &["eval", "rotation", "--in", input, "--out", "/dev/full"],
+        "/dev/full: can't write: No space left",
+    );
     refused(&["wave", "rotation", "--out", "/dev/full"], "/dev/full: can't write: No space left");
     use std::os::unix::fs::FileTypeExt;
     assert!(fs::metadata("/dev/full").unwrap().file_type().is_char_device());
@@ -268,7 +308,8 @@ fn sim_tells_bounds_verdicts_and_overflows() {
     assert_eq!(value["bound"]["holds"], true);
     let cases = value["hard_cases"].as_array().unwrap();
     assert!(cases.len() >= 10 && cases.iter().all(|case| case["holds"] == true));
-    let (code, text, _) = run(&["sim", "rotation", "-p", "variant=corrected", "--samples", "20000"]);
+    let (code, text, _) =
+        run(&["sim", "rotation", "-p", "variant=corrected", "--samples", "20000"]);
     assert_eq!(code, 0);
     assert!(text.contains("no bound is stated: asin, 1/sin and 1/cos have infinite slopes"));
     assert!(text.contains("tan_phi"), "saturations are counted: {text}");
@@ -301,7 +342,8 @@ fn an_exhaustive_run_that_is_too_long_is_refused() {
 #[test]
 fn show_counts_what_the_seed_prints() {
     let counts = |variant: &str| -> serde_json::Value {
-        let (code, text, _) = run(&["show", "rotation", "-p", &format!("variant={variant}"), "--json"]);
+        let (code, text, _) =
+            run(&["show", "rotation", "-p", &format!("variant={variant}"), "--json"]);
         assert_eq!(code, 0);
         serde_json::from_str::<serde_json::Value>(&text).unwrap()["counts"].clone()
     };

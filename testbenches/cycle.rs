@@ -77,8 +77,11 @@ fn rotation_at_several_depths() {
     for variant in ["printed", "corrected", "exact"] {
         for rom in ["block", "distributed"] {
             for stages in ["auto", "8", "15"] {
-                let assignments =
-                    [format!("variant={variant}"), format!("rom={rom}"), format!("stages={stages}")];
+                let assignments = [
+                    format!("variant={variant}"),
+                    format!("rom={rom}"),
+                    format!("stages={stages}"),
+                ];
                 let design = ROTATION.values(&assignments).unwrap().build().unwrap();
                 let schedule = design.rtl().unwrap().schedule().clone();
                 check(&design.netlist, schedule, &assignments.join(" "));
@@ -156,7 +159,10 @@ fn reset_drops_data_in_flight() {
 fn a_combinational_unit_with_clocked_tables_is_refused() {
     let design = ROTATION.values(&["stages=0"]).unwrap().build().unwrap();
     let error = design.rtl().unwrap_err().to_string();
-    assert_eq!(error, "parameter `stages` = `0`: legal is 1 or more with rom=block, or rom=distributed");
+    assert_eq!(
+        error,
+        "parameter `stages` = `0`: legal is 1 or more with rom=block, or rom=distributed"
+    );
     let design = ROTATION.values(&["variant=corrected", "stages=2"]).unwrap().build().unwrap();
     let error = design.rtl().unwrap_err().to_string();
     assert!(error.starts_with("parameter `stages` = `2`: legal is "), "{error}");

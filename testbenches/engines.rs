@@ -4,7 +4,8 @@ use fixpath::format::{Format, Overflow, Round};
 use fixpath::function::Function;
 use fixpath::netlist::{Builder, Column, Netlist, NodeId, Quantity, Table, TableId};
 use fixpath::op::{Meaning, Op};
-use fixpath::sim::batch::{BLOCK, Program, RealProgram};
+use fixpath::sim::batch::{BLOCK, Program};
+use fixpath::sim::real;
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
 use std::sync::Arc;
 
@@ -492,7 +493,7 @@ fn check_reals(
         ids.iter().copied().filter(|id| netlist.node(*id).has_real).collect()
     };
     for outputs in [real(all), real(ports)] {
-        let program = RealProgram::compile(netlist, &outputs);
+        let program = real::Program::compile(netlist, &outputs);
         let mut runner = program.runner();
         let mut given = vec![Vec::new(); outputs.len()];
         runner.run(&program, &views(&part(&columns, 0..count / 3)), &mut given);

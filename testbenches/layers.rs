@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 
 /// From the top down. Modules on one line don't name each other, but for those of `FRIENDS`.
 const LAYERS: &[&[&str]] = &[
-    &["cast", "error", "output"],
+    &["cast", "error", "output", "simd"],
     &["format"],
-    &["function"],
+    &["function", "trig"],
     &["op", "netlist"],
     &["lut"],
     &["schedule"],
@@ -16,8 +16,8 @@ const LAYERS: &[&[&str]] = &[
     &["units"],
     &["sim"],
     &["measure", "wave"],
+    &["report", "eval"],
     &["sweep"],
-    &["report"],
     &["cli"],
 ];
 

@@ -110,7 +110,7 @@ fn target(tabulated: &Tabulated, x: f64) -> f64 {
 }
 
 fn figures(tabulated: &Tabulated) -> TableFigures {
-    table_figures(tabulated).unwrap().remove(0)
+    table_figures(tabulated).unwrap().expect("narrow arguments").remove(0)
 }
 
 #[test]

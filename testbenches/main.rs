@@ -7,6 +7,8 @@
     clippy::cast_sign_loss
 )]
 
+mod cli;
+mod cycle;
 mod engines;
 mod format;
 mod layers;
@@ -14,3 +16,4 @@ mod lut;
 mod netlist;
 mod op;
 mod rotation;
+mod wave;

@@ -21,11 +21,17 @@ fn samples(design: &Design) -> Vec<Vec<i64>> {
     rows
 }
 
-fn write(design: &Design, options: Options, rows: &[Vec<i64>], folder: &Path) -> std::path::PathBuf {
+fn write(
+    design: &Design,
+    options: Options,
+    rows: &[Vec<i64>],
+    folder: &Path,
+) -> std::path::PathBuf {
     let path = folder.join("unit.vcd");
     let wave = Wave::new(design, options).unwrap();
     wave.write(rows, &mut std::fs::File::create(&path).unwrap()).unwrap();
-    wave.write_gtkw(&path, &mut std::fs::File::create(path.with_extension("gtkw")).unwrap()).unwrap();
+    wave.write_gtkw(&path, &mut std::fs::File::create(path.with_extension("gtkw")).unwrap())
+        .unwrap();
     path
 }
 
@@ -41,8 +47,11 @@ impl ReadBack {
         let times = waves.time_table().to_vec();
         let vars: Vec<(String, wellen::SignalRef)> = waves
             .hierarchy()
-            .iter_vars()
-            .map(|var| (var.full_name(waves.hierarchy()), var.signal_ref()))
+            .all_vars()
+            .map(|var| {
+                let var = &waves.hierarchy()[var];
+                (var.full_name(waves.hierarchy()), var.signal_ref())
+            })
             .collect();
         let refs: Vec<wellen::SignalRef> = vars.iter().map(|(_, signal)| *signal).collect();
         waves.load_signals(&refs);
@@ -82,7 +91,8 @@ fn every_word_and_twin_is_the_reference_of_its_sample() {
         let design = design(assignments);
         let folder = tempfile::tempdir().unwrap();
         let rows = samples(&design);
-        let path = write(&design, Options { all: true, ..Options::default() }, &rows, folder.path());
+        let path =
+            write(&design, Options { all: true, ..Options::default() }, &rows, folder.path());
         let read = ReadBack::open(&path);
         let wave = Wave::new(&design, Options { all: true, ..Options::default() }).unwrap();
         let netlist = &design.netlist;
@@ -111,7 +121,11 @@ fn every_word_and_twin_is_the_reference_of_its_sample() {
                 for (twin, scale) in [("_value", 1.0), ("_value_deg", 360.0)] {
                     if let Some(changes) = read.signals.get(&format!("{full}{twin}")) {
                         let (_, text) = changes.range(..=time).next_back().unwrap();
-                        assert_eq!(text.parse::<f64>().unwrap(), format.value(word) * scale, "{full}");
+                        assert_eq!(
+                            text.parse::<f64>().unwrap(),
+                            format.value(word) * scale,
+                            "{full}"
+                        );
                     }
                 }
                 if let Some(changes) = read.signals.get(&format!("{full}_error")) {
@@ -157,14 +171,18 @@ fn a_window_and_a_choice_of_signals_cut_the_file() {
     let cut = ReadBack::open(&write(&design, options, &rows, folder.path()));
     let period = whole.times[2];
     assert_eq!((cut.times[0], *cut.times.last().unwrap()), (10 * period, 20 * period));
-    assert!(cut.signals.contains_key("rotation.x") && cut.signals.contains_key("rotation.angles.delta"));
+    assert!(
+        cut.signals.contains_key("rotation.x") && cut.signals.contains_key("rotation.angles.delta")
+    );
     assert!(!cut.signals.contains_key("rotation.y"));
     for at in 10..20 {
-        for name in ["rotation.x", "rotation.x_value", "rotation.x_golden", "rotation.angles.ang_x"] {
+        for name in ["rotation.x", "rotation.x_value", "rotation.x_golden", "rotation.angles.ang_x"]
+        {
             assert_eq!(cut.at(name, at * period), whole.at(name, at * period), "{name} at {at}");
         }
     }
-    let error = Wave::new(&design, Options { signals: vec!["nothing".into()], ..Options::default() });
+    let error =
+        Wave::new(&design, Options { signals: vec!["nothing".into()], ..Options::default() });
     assert!(error.unwrap_err().to_string().starts_with("no signal matches `nothing`"));
 }
 
@@ -172,7 +190,8 @@ fn a_window_and_a_choice_of_signals_cut_the_file() {
 /// so, and fails where FIXPATH_REQUIRE_TOOLS is set, as in CI.
 #[test]
 fn gtkwave_decodes_words_as_the_save_file_tells_it() {
-    let there = |tool: &str| Command::new("which").arg(tool).output().is_ok_and(|o| o.status.success());
+    let there =
+        |tool: &str| Command::new("which").arg(tool).output().is_ok_and(|o| o.status.success());
     if !there("gtkwave") || !there("xvfb-run") {
         let missing = "gtkwave and xvfb-run are missing: apt-get install gtkwave xvfb xauth";
         assert!(std::env::var_os("FIXPATH_REQUIRE_TOOLS").is_none(), "{missing}");
@@ -195,10 +214,8 @@ fn gtkwave_decodes_words_as_the_save_file_tells_it() {
         .output()
         .unwrap();
     let text = String::from_utf8_lossy(&output.stdout);
-    let shown: BTreeMap<&str, &str> = text
-        .lines()
-        .filter_map(|line| line.strip_prefix("TRACE ")?.rsplit_once(' '))
-        .collect();
+    let shown: BTreeMap<&str, &str> =
+        text.lines().filter_map(|line| line.strip_prefix("TRACE ")?.rsplit_once(' ')).collect();
     let number = |name: &str| -> f64 {
         let value = shown.get(name).unwrap_or_else(|| panic!("GTKWave shows no {name}: {text}"));
         value.parse().unwrap_or_else(|_| panic!("{name} = {value}"))

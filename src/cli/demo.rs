@@ -1,6 +1,6 @@
 //! `fixpath demo`: every command on built-in settings, into one folder.
 
-use super::{Sim, pretty, print, progress_bar, stimulus, text, write_wave};
+use super::{Sim, pretty, print, run_sweep, stimulus, text, write_wave};
 use crate::error::Result;
 use crate::eval::{self, AngleUnit};
 use crate::measure::{Basis, Inputs};
@@ -83,13 +83,15 @@ pub(super) fn run(out: &Path) -> Result<bool> {
         Ok(())
     })?;
 
-    let axes = ["table_addr_bits=6..14", "variant=printed,corrected,exact", "scheme=direct,bipartite,linear"];
+    let axes = [
+        "table_addr_bits=6..14",
+        "variant=printed,corrected,exact",
+        "scheme=direct,bipartite,linear",
+    ];
     let axes: Result<Vec<Axis>> = axes.iter().map(|axis| Axis::parse(axis, unit)).collect();
     let sweep_inputs = Inputs { samples: SWEEP_SAMPLES, ..inputs };
     let sweep = Sweep::new(unit.defaults(), axes?, sweep_inputs)?;
-    let bar = progress_bar(sweep.len(), "sweep");
-    sweep.run(&out.join("sweep"), true, &|done, _| bar.set_position(done))?;
-    bar.finish_and_clear();
+    run_sweep(&sweep, &out.join("sweep"), true)?;
 
     story.push_str(
         "\n- `sim/`: all figures with the inputs that give the worst, as text and JSON\n\

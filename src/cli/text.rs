@@ -1,11 +1,13 @@
 //! What the commands print, as text and as JSON.
 
 use super::Sim;
+use crate::cast;
 use crate::error::Result;
 use crate::measure::{self, Basis, Figures, Report, TableFigures, Witness};
 use crate::netlist::{Netlist, Operators, Quantity};
+use crate::report::pareto;
+use crate::report::record::{Measured, Point, Record};
 use crate::schedule::stage_sizes;
-use crate::sweep::SweepResult;
 use crate::units::{Design, Kind, PIPELINE, Param, Unit, Values};
 use serde_json::{Map, Value, json};
 use std::fmt::Write as _;
@@ -43,7 +45,13 @@ pub(super) fn number(x: f64) -> String {
     if x == 0.0 {
         "0".to_owned()
     } else if (1e-2..1e5).contains(&x.abs()) {
-        let digits = if x.abs() >= 100.0 { 1 } else if x.abs() >= 1.0 { 3 } else { 4 };
+        let digits = if x.abs() >= 100.0 {
+            1
+        } else if x.abs() >= 1.0 {
+            3
+        } else {
+            4
+        };
         format!("{x:.digits$}")
     } else {
         format!("{x:.2e}")
@@ -162,8 +170,15 @@ pub(super) fn show(design: &Design) -> Result<String> {
     text.push_str(&table(&["", "name", "format", "quantity"], &ports(netlist).0));
 
     let operators = |name: &str, o: Operators| {
-        let counts =
-            [o.multipliers, o.adders, o.negations, o.comparators, o.multiplexers, o.shifters, o.narrows];
+        let counts = [
+            o.multipliers,
+            o.adders,
+            o.negations,
+            o.comparators,
+            o.multiplexers,
+            o.shifters,
+            o.narrows,
+        ];
         let mut row = vec![name.to_owned()];
         row.extend(counts.map(|count| count.to_string()));
         row
@@ -231,11 +246,16 @@ pub(super) fn show(design: &Design) -> Result<String> {
         "\npipeline: latency {} cycles, {} flip-flops, tables read {}, {} ps by the delay model (target {} ps)",
         schedule.latency(),
         rtl.register_bits(),
-        if schedule.rom() == crate::schedule::Rom::Block { "on a clock" } else { "without a clock" },
+        if schedule.rom() == crate::schedule::Rom::Block {
+            "on a clock"
+        } else {
+            "without a clock"
+        },
         schedule.period_ps(),
         design.values.get("period_ps"),
     );
-    let sizes: Vec<String> = stage_sizes(netlist, schedule).iter().map(ToString::to_string).collect();
+    let sizes: Vec<String> =
+        stage_sizes(netlist, schedule).iter().map(ToString::to_string).collect();
     let _ = writeln!(text, "  nodes per stage: {}\n", sizes.join(" "));
     text.push_str(&netlist.to_text());
     Ok(text)
@@ -322,7 +342,16 @@ pub(super) fn sim(sim: &Sim) -> String {
     let rows: Vec<Vec<String>> = report.figures.iter().map(row).collect();
     text.push_str(&table(
         &[
-            "basis", "error of", ">max", ">max ulp", ">mean", ">bias", ">rms", ">p50", ">p99", ">p99.9",
+            "basis",
+            "error of",
+            ">max",
+            ">max ulp",
+            ">mean",
+            ">bias",
+            ">rms",
+            ">p50",
+            ">p99",
+            ">p99.9",
             "worst input",
         ],
         &rows,
@@ -396,7 +425,11 @@ pub(super) fn hard_cases(sim: &Sim) -> String {
         &["case", ">cases", "words", "fixed", "f32", "f64", ">error", ">f32 error", "verdict"],
         &rows,
     ));
-    let unit = if sim.bound.quantity == Some("component") { "of the worst component" } else { "the angle in rad" };
+    let unit = if sim.bound.quantity == Some("component") {
+        "of the worst component"
+    } else {
+        "the angle in rad"
+    };
     let _ = writeln!(text, "  error: {unit}, against f64; f32 error: the angle in rad");
     text
 }
@@ -450,7 +483,28 @@ pub(super) fn angle_line(report: &Report, basis: Basis) -> String {
     format!("mean {}°, max {}°", number(f.mean.to_degrees()), number(f.max.to_degrees()))
 }
 
-pub(super) fn sweep(result: &SweepResult, out: &Path) -> String {
-    let _ = (result, out);
-    todo!()
+/// What a sweep leaves, and its best points.
+pub(super) fn sweep(record: &Record, out: &Path) -> String {
+    let measured: Vec<(&Point, &Measured)> =
+        record.points.iter().filter_map(|p| Some((p, p.measured.as_ref()?))).collect();
+    let failed = record.points.len() - measured.len();
+    let mut text = format!("{} points, {failed} failed\n", record.points.len());
+    let rom = |m: &Measured| cast::f64_of_count(m.count("rom_bits_dual_port").unwrap_or_default());
+    let costs: Vec<(f64, f64)> = measured.iter().map(|(_, m)| (rom(m), m.angle_max())).collect();
+    let axes: Vec<&str> = record.header.axes.iter().map(|axis| axis.key.as_str()).collect();
+    let rows: Vec<Vec<String>> = pareto(&costs)
+        .into_iter()
+        .map(|i| {
+            let (point, m) = measured[i];
+            let mut row: Vec<String> = axes.iter().map(|key| point.text(key)).collect();
+            row.extend([format!("{}°", number(m.angle_max().to_degrees())), rom(m).to_string()]);
+            row
+        })
+        .collect();
+    text.push_str("no other point has both a smaller worst angle and fewer ROM bits than\n");
+    let mut headings = axes;
+    headings.extend([">worst angle", ">ROM bits"]);
+    text.push_str(&table(&headings, &rows));
+    let _ = writeln!(text, "see {}", out.join("report.md").display());
+    text
 }

@@ -7,17 +7,17 @@
 //! word fits, else `i64`. The loops are plain Rust that the compiler vectorises, for the baseline
 //! processor and for AVX2.
 //!
-//! [`RealProgram`] does the same on reals, for the algorithm's value at every node.
+//! [`super::real`] does the same on reals, for the algorithm's value at every node.
 
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::format::{Format, Overflow, Round, narrow, word_mask};
-use crate::function::Function;
 use crate::netlist::{Netlist, NodeId};
-use crate::op::{Meaning, Op};
+use crate::op::Op;
 use crate::simd::{Body, vectorised};
-use crate::trig::Real;
-use num_traits::{PrimInt, WrappingAdd, WrappingMul, WrappingNeg, WrappingShl, WrappingShr, WrappingSub};
+use num_traits::{
+    PrimInt, WrappingAdd, WrappingMul, WrappingNeg, WrappingShl, WrappingShr, WrappingSub,
+};
 use std::sync::Arc;
 
 /// Samples per block: two kilobytes a column in 32-bit lanes.
@@ -188,17 +188,17 @@ impl Program {
         for (index, node) in nodes.iter().enumerate() {
             let to = program.slot(&mut free, node.op);
             slot_of[index] = to;
-            match node.op {
-                Op::Input => program.inputs.push(to),
-                Op::Const { raw } => program.constants.push((to, raw)),
-                _ => {
-                    let kernel = program.kernel(netlist, index);
-                    let mut of = [0; 3];
-                    for (slot, operand) in of.iter_mut().zip(&node.operands) {
-                        *slot = slot_of[operand.index()];
-                    }
-                    program.instructions.push(Instruction { kernel, of, to });
+            if node.op == Op::Input {
+                program.inputs.push(to);
+            } else if let Op::Const { raw } = node.op {
+                program.constants.push((to, raw));
+            } else {
+                let kernel = program.kernel(netlist, index);
+                let mut of = [0; 3];
+                for (slot, operand) in of.iter_mut().zip(&node.operands) {
+                    *slot = slot_of[operand.index()];
                 }
+                program.instructions.push(Instruction { kernel, of, to });
             }
             let mut operands = node.operands.clone();
             operands.sort_unstable();
@@ -302,13 +302,11 @@ impl Program {
 fn fits_i32(netlist: &Netlist, index: usize) -> bool {
     let node = &netlist.nodes()[index];
     let fits = |format: Format| format.bits() + u32::from(!format.is_signed()) <= 32;
-    let aligned = match node.op {
-        Op::Equal | Op::Less => {
-            let [a, b] = [0, 1].map(|i| netlist.node(node.operands[i]).format);
-            let frac = a.frac_bits().max(b.frac_bits());
-            [a, b].into_iter().all(|f| f.bits() + frac.abs_diff(f.frac_bits()) < 32)
-        }
-        _ => true,
+    let compares = matches!(node.op, Op::Equal | Op::Less);
+    let aligned = !compares || {
+        let [a, b] = [0, 1].map(|i| netlist.node(node.operands[i]).format);
+        let frac = a.frac_bits().max(b.frac_bits());
+        [a, b].into_iter().all(|f| f.bits() + frac.abs_diff(f.frac_bits()) < 32)
     };
     aligned && fits(node.format)
 }
@@ -358,7 +356,9 @@ impl Runner {
         }
         let overflows = &mut self.overflows[..];
         match &mut self.columns {
-            Columns::Narrow(store) => vectorised(Run { program, store, inputs, outputs, overflows }),
+            Columns::Narrow(store) => {
+                vectorised(Run { program, store, inputs, outputs, overflows })
+            }
             Columns::Wide(store) => vectorised(Run { program, store, inputs, outputs, overflows }),
         }
     }
@@ -384,7 +384,7 @@ impl Runner {
 /// Names the node.
 pub fn check_overflows(netlist: &Netlist, narrows: &[NodeId], counts: &[u64]) -> Result<()> {
     for (id, count) in narrows.iter().zip(counts) {
-        let forbidden = matches!(netlist.node(*id).op, Op::Narrow { overflow: Overflow::Error, .. });
+        let forbidden = netlist.node(*id).op.overflow() == Some(Overflow::Error);
         if forbidden && *count > 0 {
             return Err(Error::node_overflow(netlist.label(*id), *count));
         }
@@ -480,17 +480,25 @@ fn step<L: Lane>(
         Kernel::Less { shifts: [sa, sb] } => {
             map2(to, a, b, |a, b| L::flag(a.wrapping_shl(sa) < b.wrapping_shl(sb)));
         }
-        Kernel::Mux { shifts: [sa, sb] } => map3(to, a, b, c, |flag, a, b| {
-            if flag == zero { b.wrapping_shl(sb) } else { a.wrapping_shl(sa) }
-        }),
+        Kernel::Mux { shifts: [sa, sb] } => {
+            map3(
+                to,
+                a,
+                b,
+                c,
+                |flag, a, b| {
+                    if flag == zero { b.wrapping_shl(sb) } else { a.wrapping_shl(sa) }
+                },
+            )
+        }
         Kernel::Slice { lo, bits } => {
             let mask = L::of(word_mask(bits));
             map1(to, a, |a| a.wrapping_shr(lo) & mask);
         }
         Kernel::Concat { low_bits } => map2(to, a, b, |a, b| a.wrapping_shl(low_bits) | b),
-        Kernel::LeadingZeros { bits } => map1(to, a, |a| {
-            L::of(i64::from(a.leading_zeros().wrapping_sub(L::BITS - bits)))
-        }),
+        Kernel::LeadingZeros { bits } => {
+            map1(to, a, |a| L::of(i64::from(a.leading_zeros().wrapping_sub(L::BITS - bits))))
+        }
         Kernel::ShiftLeft { max } => map2(to, a, b, |a, n| {
             let places = n.raw().min(i64::from(max));
             a.wrapping_shl(u32::try_from(places).unwrap_or_default())
@@ -542,11 +550,7 @@ struct Wrap {
 impl Wrap {
     #[inline(always)]
     fn new<L: Lane>(format: Format) -> Self {
-        Self {
-            places: L::BITS - format.bits(),
-            signed: format.is_signed(),
-            bits: format.bits(),
-        }
+        Self { places: L::BITS - format.bits(), signed: format.is_signed(), bits: format.bits() }
     }
 
     #[inline(always)]
@@ -611,7 +615,9 @@ fn narrow_column<L: Lane>(n: Narrow, from: &[L], to: &mut [L]) -> u64 {
 fn least(n: Narrow) -> i64 {
     match n.overflow {
         Overflow::Symmetric if n.to.is_signed() => -n.to.max_raw(),
-        Overflow::Symmetric | Overflow::Wrap | Overflow::Saturate | Overflow::Error => n.to.min_raw(),
+        Overflow::Symmetric | Overflow::Wrap | Overflow::Saturate | Overflow::Error => {
+            n.to.min_raw()
+        }
     }
 }
 
@@ -636,7 +642,8 @@ fn fit_column<L: Lane>(
             let wrap = Wrap::new::<L>(n.to);
             for (to, a) in to.iter_mut().zip(from) {
                 let (compared, word) = rounded(*a);
-                overflows = overflows.wrapping_add(&L::flag(compared < lo))
+                overflows = overflows
+                    .wrapping_add(&L::flag(compared < lo))
                     .wrapping_add(&L::flag(compared > hi));
                 *to = wrap.apply(word);
             }
@@ -646,8 +653,7 @@ fn fit_column<L: Lane>(
             for (to, a) in to.iter_mut().zip(from) {
                 let (compared, word) = rounded(*a);
                 let (under, over) = (compared < lo, compared > hi);
-                overflows =
-                    overflows.wrapping_add(&L::flag(under)).wrapping_add(&L::flag(over));
+                overflows = overflows.wrapping_add(&L::flag(under)).wrapping_add(&L::flag(over));
                 let word = if under { least } else { word };
                 *to = if over { most } else { word };
             }
@@ -666,229 +672,4 @@ fn narrow_slowly<L: Lane>(n: Narrow, from: &[L], to: &mut [L]) -> u64 {
         overflows += u64::from(overflowed);
     }
     overflows
-}
-
-/// How a node gets its value on reals.
-#[derive(Clone, Copy, Debug)]
-enum RealKernel {
-    Op(Op, Format),
-    Meaning(Meaning),
-    /// `narrow` and other operations that keep their operand.
-    Same,
-}
-
-/// A netlist compiled for blocks of reals; the twin of [`Netlist::eval_reals`], equal to it but
-/// for the last bits of sines and cosines, which come from [`crate::trig`].
-#[derive(Clone, Debug)]
-pub struct RealProgram {
-    steps: Vec<(RealKernel, [usize; 3], usize)>,
-    constants: Vec<(usize, f64)>,
-    slots: usize,
-    inputs: Vec<usize>,
-    outputs: Vec<usize>,
-}
-
-impl RealProgram {
-    /// Compiles what the nodes of `outputs` need, all of which must have a value on reals.
-    ///
-    /// # Panics
-    /// If an output has none.
-    #[must_use]
-    pub fn compile(netlist: &Netlist, outputs: &[NodeId]) -> Self {
-        let nodes = netlist.nodes();
-        let operands = |index: usize| -> Vec<usize> {
-            match nodes[index].meaning {
-                Some(meaning) => {
-                    meaning.arguments().into_iter().flatten().map(NodeId::index).collect()
-                }
-                None => nodes[index].operands.iter().map(|id| id.index()).collect(),
-            }
-        };
-        let mut needed = vec![false; nodes.len()];
-        for id in outputs {
-            assert!(netlist.node(*id).has_real, "bug: {} has no real value", netlist.label(*id));
-            needed[id.index()] = true;
-        }
-        for index in (0..nodes.len()).rev().filter(|i| nodes[*i].op != Op::Input) {
-            if needed[index] {
-                operands(index).into_iter().for_each(|operand| needed[operand] = true);
-            }
-        }
-        let mut last_use = vec![0; nodes.len()];
-        for index in (0..nodes.len()).filter(|i| needed[*i]) {
-            for operand in operands(index) {
-                last_use[operand] = index;
-            }
-        }
-        for (index, node) in nodes.iter().enumerate() {
-            if matches!(node.op, Op::Input | Op::Const { .. }) {
-                last_use[index] = usize::MAX;
-            }
-        }
-        for id in outputs {
-            last_use[id.index()] = usize::MAX;
-        }
-        let mut program = Self {
-            steps: Vec::new(),
-            constants: Vec::new(),
-            slots: 0,
-            inputs: Vec::new(),
-            outputs: Vec::new(),
-        };
-        let mut free = Vec::new();
-        let mut slot_of = vec![usize::MAX; nodes.len()];
-        for (index, node) in nodes.iter().enumerate() {
-            if !needed[index] && node.op != Op::Input {
-                continue;
-            }
-            let to = program.slot(&mut free, node.op);
-            slot_of[index] = to;
-            let mut operands = if node.op == Op::Input { Vec::new() } else { operands(index) };
-            let mut of = [0; 3];
-            for (slot, operand) in of.iter_mut().zip(&operands) {
-                *slot = slot_of[*operand];
-            }
-            match (node.op, node.meaning) {
-                (Op::Input, _) => program.inputs.push(to),
-                (Op::Const { raw }, None) => program.constants.push((to, node.format.value(raw))),
-                (_, Some(meaning)) => program.steps.push((RealKernel::Meaning(meaning), of, to)),
-                (Op::Narrow { .. }, None) => program.steps.push((RealKernel::Same, of, to)),
-                (op, None) => program.steps.push((RealKernel::Op(op, node.format), of, to)),
-            }
-            operands.sort_unstable();
-            operands.dedup();
-            free.extend(
-                operands.into_iter().filter(|o| last_use[*o] == index).map(|o| slot_of[o]),
-            );
-        }
-        program.outputs = outputs.iter().map(|id| slot_of[id.index()]).collect();
-        program
-    }
-
-    /// A column for the result of an operation. Constants are filled once and ports before the
-    /// first instruction, so their columns may not have been another node's before.
-    fn slot(&mut self, free: &mut Vec<Slot>, op: Op) -> Slot {
-        let filled_before = matches!(op, Op::Const { .. } | Op::Input);
-        let used = if filled_before { None } else { free.pop() };
-        used.unwrap_or_else(|| {
-            self.slots += 1;
-            self.slots - 1
-        })
-    }
-
-    /// Makes columns for one thread.
-    #[must_use]
-    pub fn runner(&self) -> RealRunner {
-        let mut columns = vec![vec![0.0; BLOCK]; self.slots];
-        for (slot, value) in &self.constants {
-            columns[*slot].fill(*value);
-        }
-        RealRunner { columns }
-    }
-}
-
-/// Columns of reals for one thread.
-#[derive(Debug)]
-pub struct RealRunner {
-    columns: Vec<Vec<f64>>,
-}
-
-impl RealRunner {
-    /// Evaluates as many samples as the input columns hold; `outputs` are overwritten.
-    ///
-    /// # Panics
-    /// If the columns don't match the program's ports.
-    pub fn run(&mut self, program: &RealProgram, inputs: &[&[f64]], outputs: &mut [Vec<f64>]) {
-        assert_eq!(inputs.len(), program.inputs.len(), "bug: one column per input");
-        assert_eq!(outputs.len(), program.outputs.len(), "bug: one column per output");
-        let count = inputs.first().map_or(0, |column| column.len());
-        for column in outputs.iter_mut() {
-            column.resize(count, 0.0);
-        }
-        vectorised(RealRun { program, columns: &mut self.columns, inputs, outputs });
-    }
-}
-
-/// A run over all blocks, to be compiled for the processor.
-struct RealRun<'a, 'b> {
-    program: &'a RealProgram,
-    columns: &'a mut [Vec<f64>],
-    inputs: &'a [&'b [f64]],
-    outputs: &'a mut [Vec<f64>],
-}
-
-impl Body for RealRun<'_, '_> {
-    #[inline(always)]
-    fn run(self) {
-        let Self { program, columns, inputs, outputs } = self;
-        let count = inputs.first().map_or(0, |column| column.len());
-        let mut other = [0.0; BLOCK];
-        let mut start = 0;
-        while start < count {
-            let len = BLOCK.min(count - start);
-            for (slot, input) in program.inputs.iter().zip(inputs) {
-                columns[*slot][..len].copy_from_slice(&input[start..start + len]);
-            }
-            for (kernel, of, to_slot) in &program.steps {
-                let mut to = std::mem::take(&mut columns[*to_slot]);
-                let of = of.map(|slot| columns[slot].get(..len).unwrap_or_default());
-                real_step(*kernel, of, &mut to[..len], &mut other[..len]);
-                columns[*to_slot] = to;
-            }
-            for (slot, output) in program.outputs.iter().zip(outputs.iter_mut()) {
-                output[start..start + len].copy_from_slice(&columns[*slot][..len]);
-            }
-            start += len;
-        }
-    }
-}
-
-#[inline(always)]
-fn real_step(kernel: RealKernel, [a, b, c]: [&[f64]; 3], to: &mut [f64], other: &mut [f64]) {
-    let each1 = |to: &mut [f64], f: &dyn Fn(f64) -> f64| {
-        for (to, a) in to.iter_mut().zip(a) {
-            *to = f(*a);
-        }
-    };
-    match kernel {
-        RealKernel::Same => to.copy_from_slice(a),
-        RealKernel::Meaning(Meaning::Apply(Function::Sin, _)) => f64::sin_cos_turns(a, to, other),
-        RealKernel::Meaning(Meaning::Apply(Function::Cos, _)) => f64::sin_cos_turns(a, other, to),
-        RealKernel::Meaning(meaning) if b.is_empty() => each1(to, &|a| meaning.eval(a, 0.0)),
-        RealKernel::Meaning(meaning) => {
-            for ((to, a), b) in to.iter_mut().zip(a).zip(b) {
-                *to = meaning.eval(*a, *b);
-            }
-        }
-        // The operation is known per column, so these loops have no choice left in them.
-        RealKernel::Op(op @ (Op::Add | Op::Sub | Op::Mul | Op::Equal | Op::Less), format) => {
-            let each2 = |to: &mut [f64], op: Op| {
-                for ((to, a), b) in to.iter_mut().zip(a).zip(b) {
-                    *to = op.eval_real([*a, *b, 0.0], format);
-                }
-            };
-            match op {
-                Op::Add => each2(to, Op::Add),
-                Op::Sub => each2(to, Op::Sub),
-                Op::Mul => each2(to, Op::Mul),
-                other => each2(to, other),
-            }
-        }
-        RealKernel::Op(Op::Modulo, format) => {
-            for (to, a) in to.iter_mut().zip(a) {
-                *to = Op::Modulo.eval_real([*a, 0.0, 0.0], format);
-            }
-        }
-        RealKernel::Op(op @ (Op::Neg | Op::Abs | Op::Shift { .. }), format) => {
-            each1(to, &|a| op.eval_real([a, 0.0, 0.0], format));
-        }
-        RealKernel::Op(op, format) => {
-            // Unused operands read some column; any will do.
-            let filler = if a.is_empty() { b } else { a };
-            let [b, c] = [b, c].map(|x| if x.is_empty() { filler } else { x });
-            for (((to, a), b), c) in to.iter_mut().zip(a).zip(b).zip(c) {
-                *to = op.eval_real([*a, *b, *c], format);
-            }
-        }
-    }
 }

@@ -34,7 +34,14 @@ impl Cycle {
         let nodes = rtl.netlist().nodes().len();
         let registers = rtl.netlist().ids().map(|id| vec![0; rtl.registers(id).count()]).collect();
         let stages = cast::index_of(i64::from(rtl.schedule().latency())) + 1;
-        Self { own: vec![0; nodes], registers, read: vec![0; nodes], valid: vec![false; stages], edges: 0, rtl }
+        Self {
+            own: vec![0; nodes],
+            registers,
+            read: vec![0; nodes],
+            valid: vec![false; stages],
+            edges: 0,
+            rtl,
+        }
     }
 
     /// Lets logic follow the input words; `valid` says whether they are data.

@@ -1,5 +1,6 @@
-//! Simulation of a netlist: [`batch`] for many independent samples, [`cycle`] for clock
-//! cycles.
+//! Simulation of a netlist: [`batch`] for many independent samples, [`real`] for the same on
+//! reals, [`cycle`] for clock cycles of the pipelined hardware.
 
 pub mod batch;
 pub mod cycle;
+pub mod real;

@@ -11,9 +11,9 @@ pub mod rotation;
 
 use crate::error::{Error, Result};
 use crate::format::Format;
-use crate::lut::{Scheme, Spec};
-use crate::function::Function;
 use crate::format::Round;
+use crate::function::Function;
+use crate::lut::{Scheme, Spec};
 use crate::netlist::Netlist;
 use crate::rtl::Rtl;
 use crate::schedule::{Depth, Rom, Schedule};
@@ -210,6 +210,7 @@ impl Values {
     ///
     /// # Errors
     /// If the name is unknown or the value not legal.
+    #[expect(clippy::missing_panics_doc, reason = "the index was found just before")]
     pub fn set(&mut self, name: &str, text: &str) -> Result<()> {
         let position = self.unit.all_params().position(|param| param.name == name);
         let index = position.ok_or_else(|| {
@@ -289,6 +290,7 @@ impl Design {
     ///
     /// # Errors
     /// If the latency asked for is too short.
+    #[expect(clippy::missing_panics_doc, reason = "legal values are small")]
     pub fn rtl(&self) -> Result<Rtl> {
         let values = &self.values;
         let rom = if values.choice("rom") == "block" { Rom::Block } else { Rom::Distributed };
@@ -314,13 +316,16 @@ pub enum Shape {
 /// A golden model on blocks: input columns in, output columns out.
 pub type Golden<F> = fn(&[&[F]], &mut [Vec<F>]);
 
+/// A bound from parameters and the exact worst error of each table scheme by its name.
+pub type BoundFn = fn(&Values, &dyn Fn(&str) -> f64) -> f64;
+
 /// A stated bound on the error against the golden of the quantised inputs.
 #[derive(Clone, Copy)]
 pub enum Bound {
-    /// On the absolute error of each component, from the worst error of each table scheme.
-    Component(fn(&Values, &dyn Fn(&str) -> f64) -> f64),
-    /// On the angle between the vectors in rad, from the worst error of each table scheme.
-    Angle(fn(&Values, &dyn Fn(&str) -> f64) -> f64),
+    /// On the absolute error of each component.
+    Component(BoundFn),
+    /// On the angle between the vectors in rad.
+    Angle(BoundFn),
     /// None, and why.
     Unstated(&'static str),
 }

@@ -179,7 +179,9 @@ fn build(values: &Values) -> Result<Design> {
         ("exact", given) => given,
         (_, "auto" | "polar-table") => "polar-table",
         (_, _) => {
-            return Err(values.refuse("output", &format!("auto or polar-table when variant={variant}")));
+            return Err(
+                values.refuse("output", &format!("auto or polar-table when variant={variant}"))
+            );
         }
     };
     let named = |name: &str| values.choice(name);
@@ -199,8 +201,8 @@ fn build(values: &Values) -> Result<Design> {
     };
     let mut b = Builder::new("rotation");
     let turn = turn(plan.angle_bits)?;
-    let inputs = ["phi_a", "theta_a", "phi_n", "theta_n"]
-        .map(|name| b.input(name, turn, Quantity::Turns));
+    let inputs =
+        ["phi_a", "theta_a", "phi_n", "theta_n"].map(|name| b.input(name, turn, Quantity::Turns));
     if variant == "exact" {
         exact(&mut b, &mut plan, inputs, output)?;
     } else {
@@ -208,7 +210,8 @@ fn build(values: &Values) -> Result<Design> {
     }
     let (tabulated, overflow) = (plan.tabulated, plan.overflow);
     let netlist = b.build()?;
-    let wraps = values.bits("int_bits") == 0 && matches!(overflow, Overflow::Wrap | Overflow::Error);
+    let wraps =
+        values.bits("int_bits") == 0 && matches!(overflow, Overflow::Wrap | Overflow::Error);
     let bound = match (variant, output) {
         ("exact", "cartesian") if wraps => {
             Bound::Unstated("with int_bits=0 and without saturation, components near 1 wrap to -1")
@@ -372,11 +375,8 @@ fn exact(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], output: &str
     let [x, y, z] = b.scope("sums", |b| {
         let quarters = |b: &mut Builder, [p, q, r, s]: [NodeId; 4], minus: bool| {
             // p + q + r + s, or p - q + r - s
-            let (first, second) = if minus {
-                (b.sub(p, q), b.sub(r, s))
-            } else {
-                (b.add(p, q), b.add(r, s))
-            };
+            let (first, second) =
+                if minus { (b.sub(p, q), b.sub(r, s)) } else { (b.add(p, q), b.add(r, s)) };
             let sum = b.add(first, second);
             b.shift(sum, -2)
         };
@@ -493,14 +493,9 @@ fn seed(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], corrected: bo
     let mean = b.shift(sum, -1);
     let index = b.narrow(mean, number(0, work)?, plan.round, Overflow::Saturate);
     b.name(index, "sin_theta_x");
-    let asin = plan.table(
-        b,
-        "asin",
-        "asin_addr_bits",
-        &[Function::Asin],
-        index,
-        signed_turn(work_angle)?,
-    )[0];
+    let asin =
+        plan.table(b, "asin", "asin_addr_bits", &[Function::Asin], index, signed_turn(work_angle)?)
+            [0];
     b.turns(asin);
     let theta_x = if corrected {
         // ½ - asin where cos theta_a < 0: the negated angle with its top bit inverted.
@@ -544,7 +539,8 @@ fn seed(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], corrected: bo
     let tan = b.narrow(tan, tan_format, plan.round, Overflow::Saturate);
     b.name(tan, "tan_phi");
     let atan =
-        plan.table(b, "atan", "atan_addr_bits", &[Function::Atan], tan, signed_turn(work_angle)?)[0];
+        plan.table(b, "atan", "atan_addr_bits", &[Function::Atan], tan, signed_turn(work_angle)?)
+            [0];
     let phi = b.modulo(atan, inner_turn);
     let phi = if full_circle {
         let behind = b.negative(big_z);
@@ -568,14 +564,8 @@ fn seed(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], corrected: bo
     } else {
         (y_k, difference)
     };
-    let prop = plan.table(
-        b,
-        "prop",
-        "prop_addr_bits",
-        &[Function::Prop],
-        index,
-        number(1, work)?,
-    )[0];
+    let prop =
+        plan.table(b, "prop", "prop_addr_bits", &[Function::Prop], index, number(1, work)?)[0];
     b.name(prop, "theta_prop");
 
     // (19): theta' = Z + (90° - Z) * theta_prop.
@@ -620,8 +610,8 @@ fn angle_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
         // The last step's angle, and the dropped bits, which `cordic_frac_bits` keeps below one
         // work ulp in x, y and in the angle.
         let iterations = cast::signed_count(cordic_iterations(values));
-        let angle_ulp = 2f64
-            .powi(-cast::signed_count(values.bits("angle_bits") + values.bits("guard_bits")));
+        let angle_ulp =
+            2f64.powi(-cast::signed_count(values.bits("angle_bits") + values.bits("guard_bits")));
         2f64.powi(1 - iterations) + 2.0 * work_ulp + TAU * angle_ulp
     } else {
         // The ratio is off by the reciprocal's error (times a minor mantissa below 1) and one
@@ -669,8 +659,7 @@ fn draw(sampler: Sampler, next: &mut dyn FnMut() -> f64, columns: &mut [Vec<f64>
         column.clear();
     }
     for _ in 0..count {
-        let (mut pa, mut za, pn, zn) =
-            (next(), 1.0 - 2.0 * next(), next(), 1.0 - 2.0 * next());
+        let (mut pa, mut za, pn, zn) = (next(), 1.0 - 2.0 * next(), next(), 1.0 - 2.0 * next());
         let cos_delta = sin_cos_turns(pa - pn).1;
         let along = za * zn + ((1.0 - za * za) * (1.0 - zn * zn)).sqrt() * cos_delta;
         if sampler == Sampler::Lit && along < 0.0 {
@@ -712,12 +701,14 @@ fn hard_cases(values: &Values) -> Vec<HardCase> {
         }
     }
     let mut wrap = Vec::new();
-    for (a, n) in [(0, turn - 1), (turn - 1, 0), (0, 0), (turn - 1, turn - 1), (half, 0), (0, half)] {
+    for (a, n) in [(0, turn - 1), (turn - 1, 0), (0, 0), (turn - 1, turn - 1), (half, 0), (0, half)]
+    {
         for theta in polars {
             wrap.extend(polars.map(|normal| [a, theta, n, normal]));
         }
     }
-    let (mut parallel, mut opposite, mut right_angle, mut grazing) = (vec![], vec![], vec![], vec![]);
+    let (mut parallel, mut opposite, mut right_angle, mut grazing) =
+        (vec![], vec![], vec![], vec![]);
     for phi in azimuths {
         for theta in polars {
             parallel.extend(near(theta).map(|t| [phi, t, phi, theta]));

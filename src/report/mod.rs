@@ -1,0 +1,124 @@
+//! Reports: a sweep's result as Markdown and plots.
+//!
+//! Everything here is made from a [`record::Record`] alone, so a sweep that was stopped and went
+//! on gives the same report as one that ran through.
+
+mod chart;
+mod markdown;
+mod plot;
+pub mod record;
+
+use crate::cast;
+use crate::error::Result;
+use crate::output;
+use record::{Measured, Point, Record};
+use std::path::Path;
+
+/// Every file that [`write()`] may write.
+pub const FILES: [&str; 5] = [
+    "report.md",
+    "error_vs_table.svg",
+    "error_vs_axis.svg",
+    "error_vs_rom.svg",
+    "error_vs_speed.svg",
+];
+
+/// Writes `report.md` and the plots that it links to into a folder.
+///
+/// # Errors
+/// If a file can't be written.
+pub fn write(folder: &Path, record: &Record) -> Result<()> {
+    let plots = plot::plots(record);
+    let text = |name: &str, text: &str| {
+        let path = folder.join(name);
+        output::write_file(&path, |to| to.write_all(text.as_bytes()).map_err(output::at(&path)))
+    };
+    for plot in &plots {
+        text(plot.file, &plot.svg)?;
+    }
+    text("report.md", &markdown::sweep(record, &plots))
+}
+
+/// A measured point with what it is judged by.
+struct Row<'a> {
+    point: &'a Point,
+    measured: &'a Measured,
+    /// Largest total angle error; NaN if it is none.
+    error_deg: f64,
+    rom_bits: f64,
+    /// Engine samples per second and thread.
+    speed: f64,
+}
+
+/// The measured points in grid order.
+fn rows(record: &Record) -> Vec<Row<'_>> {
+    fn row(point: &Point) -> Option<Row<'_>> {
+        let measured = point.measured.as_ref()?;
+        let rom_bits = measured.count("rom_bits_dual_port").unwrap_or(0);
+        Some(Row {
+            point,
+            measured,
+            error_deg: measured.angle_max().to_degrees(),
+            rom_bits: cast::f64_of_count(rom_bits),
+            speed: measured.speed.engine_samples_per_second_per_thread,
+        })
+    }
+    record.points.iter().filter_map(row).collect()
+}
+
+/// Positions of the rows that are best: error against ROM bits, cheapest first.
+fn best(rows: &[Row<'_>]) -> Vec<usize> {
+    let costs: Vec<_> = rows.iter().map(|row| (row.rom_bits, row.error_deg)).collect();
+    pareto(&costs)
+}
+
+/// Positions of the pairs that no other pair beats: one that is as small in both numbers and
+/// smaller in one. Equal pairs stay together; pairs with a NaN are left out. The result goes up
+/// in the first number, and equal pairs keep their order.
+#[must_use]
+pub fn pareto(costs: &[(f64, f64)]) -> Vec<usize> {
+    let mut order: Vec<usize> =
+        (0..costs.len()).filter(|i| !costs[*i].0.is_nan() && !costs[*i].1.is_nan()).collect();
+    order.sort_by(|a, b| {
+        let ((a0, a1), (b0, b1)) = (costs[*a], costs[*b]);
+        a0.total_cmp(&b0).then(a1.total_cmp(&b1))
+    });
+    let mut front: Vec<usize> = Vec::new();
+    for index in order {
+        // The last of the front has the smallest second number so far.
+        let beaten = front
+            .last()
+            .is_some_and(|last| costs[index].1 >= costs[*last].1 && costs[index] != costs[*last]);
+        if !beaten {
+            front.push(index);
+        }
+    }
+    front
+}
+
+/// Values of the axes at a point, as `exact, 10, 16`.
+fn axis_values(record: &Record, point: &Point) -> String {
+    let values: Vec<String> = record.header.axes.iter().map(|axis| point.text(&axis.key)).collect();
+    if values.is_empty() { record.header.unit.clone() } else { values.join(", ") }
+}
+
+/// Names of the axes, in the order of [`axis_values`].
+fn axis_names(record: &Record) -> String {
+    let names: Vec<&str> = record.header.axes.iter().map(|axis| axis.key.as_str()).collect();
+    names.join(", ")
+}
+
+/// Over which inputs, in words.
+fn inputs(record: &Record) -> String {
+    let header = &record.header;
+    match header.sampler.as_str() {
+        sampler @ ("lit" | "sphere") => {
+            format!("sampler {sampler}, {} samples, seed {}", header.samples, header.seed)
+        }
+        "exhaustive" => "sampler exhaustive: every combination of input words".to_owned(),
+        sampler => format!("sampler {sampler}"),
+    }
+}
+
+#[cfg(test)]
+mod tests;

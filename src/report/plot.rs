@@ -1,0 +1,250 @@
+//! The plots of a sweep.
+
+use super::chart::{Along, Chart, Front, Series, Style};
+use super::record::{Axis, Record, plain};
+use super::{Row, axis_names, axis_values, best, inputs, rows};
+use crate::measure::Basis;
+
+/// The most series that are told apart in one plot.
+const MAX_SERIES: usize = 8;
+/// Parameters that get colours and marks first.
+const COLOUR_KEY: &str = "variant";
+const MARK_KEY: &str = "scheme";
+/// Algorithm errors up to here are rounding of the golden itself.
+const LEAST_ALGORITHM_RAD: f64 = 1e-9;
+
+/// A plot and its file.
+pub(super) struct Plot {
+    pub(super) file: &'static str,
+    pub(super) title: String,
+    pub(super) svg: String,
+}
+
+/// Every plot that the sweep has numbers for.
+pub(super) fn plots(record: &Record) -> Vec<Plot> {
+    let rows = rows(record);
+    let charts = [
+        error_vs_axis(record, &rows),
+        Some(("error_vs_rom.svg", error_vs_rom(record, &rows))),
+        Some(("error_vs_speed.svg", error_vs_speed(record, &rows))),
+    ];
+    charts
+        .into_iter()
+        .flatten()
+        .map(|(file, chart)| Plot { file, svg: chart.svg(), title: chart.title })
+        .collect()
+}
+
+/// Title of every error axis.
+fn error_axis() -> (String, Along) {
+    ("largest total angle error (degrees)".to_owned(), Along::Log10)
+}
+
+/// What the errors of a plot are, and a word on those that a logarithmic axis can't hold.
+fn caption(record: &Record, rows: &[Row<'_>]) -> Vec<String> {
+    let mut caption =
+        vec![format!("Bit-true against the golden of the quantised inputs; {}.", inputs(record))];
+    if rows.iter().any(|row| row.error_deg == 0.0) {
+        caption.push("Points on the lower edge have no error at all.".to_owned());
+    }
+    caption
+}
+
+/// Axes that take more than one value.
+fn varied(record: &Record) -> impl Iterator<Item = &Axis> + Clone {
+    record.header.axes.iter().filter(|axis| axis.values.len() > 1)
+}
+
+/// A way to put points into series: by the values of some axes.
+struct Groups<'a> {
+    axes: Vec<&'a Axis>,
+}
+
+impl<'a> Groups<'a> {
+    /// By colour and mark alone.
+    fn few(record: &'a Record) -> Self {
+        let axes = varied(record).filter(|axis| axis.key == COLOUR_KEY || axis.key == MARK_KEY);
+        Self { axes: axes.collect() }
+    }
+
+    fn len(&self) -> usize {
+        self.axes.iter().map(|axis| axis.values.len()).product()
+    }
+
+    /// Number of the group of a point among all combinations.
+    fn of(&self, row: &Row<'_>) -> usize {
+        self.axes.iter().fold(0, |group, axis| {
+            let text = row.point.text(&axis.key);
+            let position = axis.values.iter().position(|value| plain(value) == text);
+            group * axis.values.len() + position.unwrap_or(0)
+        })
+    }
+
+    /// A name, a colour and a mark for each group.
+    fn looks(&self) -> Vec<(String, usize, usize)> {
+        let coloured = self.axes.iter().any(|axis| axis.key == COLOUR_KEY);
+        (0..self.len())
+            .map(|group| {
+                let (mut rest, mut colour, mut mark, mut scale) = (group, 0, 0, 1);
+                let mut names = Vec::new();
+                for axis in self.axes.iter().rev() {
+                    let index = rest % axis.values.len();
+                    rest /= axis.values.len();
+                    let value = plain(&axis.values[index]);
+                    if axis.key == COLOUR_KEY {
+                        colour = index;
+                    } else {
+                        mark += index * scale;
+                        scale *= axis.values.len();
+                    }
+                    let told_by_value = axis.key == COLOUR_KEY || axis.key == MARK_KEY;
+                    names.push(if told_by_value { value } else { format!("{}={value}", axis.key) });
+                }
+                names.reverse();
+                let name =
+                    if names.is_empty() { "all points".to_owned() } else { names.join(", ") };
+                (name, if coloured { colour } else { group }, mark)
+            })
+            .collect()
+    }
+
+    /// Series of points with a place, in the order of the rows; groups without points are left out.
+    fn series(
+        &self,
+        rows: &[Row<'_>],
+        style: Style,
+        place: impl Fn(&Row<'_>) -> Option<(f64, f64)>,
+    ) -> Vec<Series> {
+        let mut all: Vec<Series> = self
+            .looks()
+            .into_iter()
+            .map(|(label, colour, mark)| Series { label, colour, mark, style, points: Vec::new() })
+            .collect();
+        for row in rows.iter().filter(|row| !row.error_deg.is_nan()) {
+            all[self.of(row)].points.extend(place(row));
+        }
+        all.retain(|series| !series.points.is_empty());
+        all
+    }
+}
+
+/// Sorts points along x and keeps one for each x, as `keep` picks.
+fn one_per_x(points: &mut Vec<(f64, f64)>, keep: fn(f64, f64) -> f64) {
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    points.dedup_by(|later, kept| {
+        let same = later.0 == kept.0;
+        if same {
+            kept.1 = keep(kept.1, later.1);
+        }
+        same
+    });
+}
+
+/// Error against table size, or against the first axis of numbers.
+fn error_vs_axis(record: &Record, rows: &[Row<'_>]) -> Option<(&'static str, Chart)> {
+    let numeric =
+        || varied(record).filter(|axis| axis.values.iter().any(|value| value.is_number()));
+    let table = numeric()
+        .find(|axis| axis.key == "table_addr_bits")
+        .or_else(|| numeric().find(|axis| axis.key.ends_with("_addr_bits")));
+    let axis = table.or_else(|| numeric().next())?;
+    let is_table = table.is_some();
+    let x_of = |row: &Row<'_>| {
+        let number = row.point.number(&axis.key)?;
+        Some(if is_table { number.exp2() } else { number })
+    };
+    let (file, title, x) = if is_table {
+        let what = format!("table size before folding (2^{} entries)", axis.key);
+        ("error_vs_table.svg", "table size".to_owned(), (what, Along::Log2))
+    } else {
+        ("error_vs_axis.svg", axis.key.clone(), (axis.key.clone(), Along::Linear))
+    };
+    let mut caption = caption(record, rows);
+    let others = Groups { axes: varied(record).filter(|other| other.key != axis.key).collect() };
+    let groups = if others.len() <= MAX_SERIES {
+        others
+    } else {
+        let few = Groups::few(record);
+        let over: Vec<&str> = others
+            .axes
+            .iter()
+            .map(|axis| axis.key.as_str())
+            .filter(|key| *key != COLOUR_KEY && *key != MARK_KEY)
+            .collect();
+        if !over.is_empty() {
+            caption.push(format!("Each point is the best over {}.", over.join(", ")));
+        }
+        few
+    };
+    let mut series = groups.series(rows, Style::Joined, |row| Some((x_of(row)?, row.error_deg)));
+    for series in &mut series {
+        one_per_x(&mut series.points, f64::min);
+    }
+    let algorithm = algorithm_errors(record, rows, x_of);
+    if !algorithm.is_empty() {
+        caption.push("Dashed: what the algorithm alone does, on real numbers.".to_owned());
+    }
+    series.extend(algorithm);
+    let title = format!("{}: error against {title}", record.header.unit);
+    Some((file, Chart { title, caption, x, y: error_axis(), series, front: None }))
+}
+
+/// The largest algorithm error of each variant that has one.
+fn algorithm_errors(
+    record: &Record,
+    rows: &[Row<'_>],
+    x_of: impl Fn(&Row<'_>) -> Option<f64>,
+) -> Vec<Series> {
+    let variants = Groups { axes: varied(record).filter(|axis| axis.key == COLOUR_KEY).collect() };
+    let mut series = variants.series(rows, Style::Dashed, |row| {
+        let figures = row.measured.figures("angle", Basis::Algorithm)?;
+        let rad = figures.max.0;
+        (!rad.is_nan()).then_some((x_of(row)?, rad.to_degrees()))
+    });
+    series.retain(|s| s.points.iter().any(|(_, y)| y.to_radians() > LEAST_ALGORITHM_RAD));
+    for series in &mut series {
+        one_per_x(&mut series.points, f64::max);
+        series.label = if variants.axes.is_empty() {
+            "algorithm alone".to_owned()
+        } else {
+            format!("{}, algorithm alone", series.label)
+        };
+    }
+    series
+}
+
+/// Error against ROM bits, with the points that no other beats.
+fn error_vs_rom(record: &Record, rows: &[Row<'_>]) -> Chart {
+    let series =
+        Groups::few(record).series(rows, Style::Marks, |row| Some((row.rom_bits, row.error_deg)));
+    let front = best(rows).into_iter().map(|index| &rows[index]);
+    let points: Vec<_> =
+        front.map(|row| (row.rom_bits, row.error_deg, axis_values(record, row.point))).collect();
+    let mut caption = caption(record, rows);
+    let names = axis_names(record);
+    if !names.is_empty() {
+        caption.push(format!("Labels: {names}."));
+    }
+    Chart {
+        title: format!("{}: error against ROM bits", record.header.unit),
+        caption,
+        x: ("ROM bits, copies for two ports each".to_owned(), Along::Log10),
+        y: error_axis(),
+        series,
+        front: Some(Front { label: "Pareto-optimal".to_owned(), points }),
+    }
+}
+
+/// Error against the speed of the simulation.
+fn error_vs_speed(record: &Record, rows: &[Row<'_>]) -> Chart {
+    let series =
+        Groups::few(record).series(rows, Style::Marks, |row| Some((row.speed, row.error_deg)));
+    Chart {
+        title: format!("{}: error against simulation speed", record.header.unit),
+        caption: caption(record, rows),
+        x: ("bit-true engine alone (samples per second and thread)".to_owned(), Along::Log10),
+        y: error_axis(),
+        series,
+        front: None,
+    }
+}

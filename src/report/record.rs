@@ -1,0 +1,553 @@
+//! The result of a sweep as data: `sweep.json` and `sweep.csv`.
+//!
+//! `sweep.json` holds a `header` (what was swept, over which inputs) and `points` in grid order,
+//! one line each: its `parameters` (numbers, or names as text), and either `error`, the reason
+//! why there are no figures, or `measured`. Numbers that JSON can't write are the texts `NaN`,
+//! `inf` and `-inf`.
+//!
+//! `sweep.csv` has one row per point. Its columns, in this order:
+//!
+//! - one per swept parameter, then one per other parameter, each under the parameter's name;
+//! - `datapath_multipliers`, `datapath_adders` … operators of the datapath itself, and
+//!   `scheme_multipliers`, `scheme_adders` … those inside table schemes; `tables`, `reads`,
+//!   `ports`, `rom_bits` (one copy of each table) and `rom_bits_dual_port` (as many copies as two
+//!   ports per copy ask for);
+//! - `samples`;
+//! - `<quantity>_<basis>_<figure>_<unit>`, for instance `angle_total_max_rad`: the quantity is
+//!   `angle`, `dot`, `x`, `y` or `z`, the basis `total`, `arithmetic`, `algorithm` or
+//!   `end_to_end`, the figure `max`, `mean`, `bias`, `rms`, `p50`, `p99` or `p999`, the unit
+//!   `rad`, or `abs` for the absolute error of a number without a unit; components also have
+//!   `<quantity>_<basis>_max_ulp`, which is empty where the outputs are no components;
+//! - `angle_total_witness`: the input words that gave the largest total angle, as
+//!   `phi_a=123;theta_a=…`;
+//! - `overflows`: how often any `narrow` overflowed;
+//! - `samples_per_second`, `threads` and `engine_samples_per_second_per_thread`;
+//! - `error`: why a point has no figures; empty otherwise.
+
+use crate::error::{Error, Result};
+use crate::measure::{self, Basis, Speed, Witness};
+use crate::netlist::Counts;
+use crate::output;
+use crate::units::{Design, Value, Values};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_json::Map;
+use std::fs;
+use std::io;
+use std::path::Path;
+
+/// Version of the form of `sweep.json`.
+pub const FORMAT_VERSION: u32 = 1;
+
+/// A number that survives JSON even if it is not finite.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Real(pub f64);
+
+impl Serialize for Real {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        if self.0.is_finite() {
+            serializer.serialize_f64(self.0)
+        } else {
+            serializer.collect_str(&self.0)
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Real {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        #[derive(Deserialize)]
+        #[serde(untagged)]
+        enum Written {
+            Number(f64),
+            Text(String),
+        }
+        match Written::deserialize(deserializer)? {
+            Written::Number(number) => Ok(Self(number)),
+            Written::Text(text) => match text.as_str() {
+                "NaN" => Ok(Self(f64::NAN)),
+                "inf" => Ok(Self(f64::INFINITY)),
+                "-inf" => Ok(Self(f64::NEG_INFINITY)),
+                other => Err(serde::de::Error::custom(format!("`{other}` is no number"))),
+            },
+        }
+    }
+}
+
+/// Parameters by name, in the unit's order: numbers as numbers, names as text.
+pub type Parameters = Map<String, serde_json::Value>;
+
+/// One swept parameter.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Axis {
+    /// The parameter.
+    pub key: String,
+    /// Its values.
+    pub values: Vec<serde_json::Value>,
+}
+
+/// What was swept, over which inputs: what must be equal for a sweep to go on.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Header {
+    /// [`FORMAT_VERSION`] of the file.
+    pub format_version: u32,
+    /// Version of this crate.
+    pub crate_version: String,
+    /// Name of the unit.
+    pub unit: String,
+    /// Parameters that are not swept.
+    pub base: Parameters,
+    /// Swept parameters; the last one runs fastest.
+    pub axes: Vec<Axis>,
+    /// Name of the sampler.
+    pub sampler: String,
+    /// Samples asked for, for the random samplers.
+    pub samples: u64,
+    /// Seed of the random samplers.
+    pub seed: u64,
+}
+
+impl Header {
+    /// In words, where this header (that of a file) differs from the one asked for.
+    #[must_use]
+    pub fn differences(&self, asked: &Self) -> Vec<String> {
+        let mut found = Vec::new();
+        let mut compare = |what: &str, there: String, here: String| {
+            if there != here {
+                found.push(format!("{what} is {there} there and {here} here"));
+            }
+        };
+        let (there, here) = (self, asked);
+        compare("format", there.format_version.to_string(), here.format_version.to_string());
+        compare("version", there.crate_version.clone(), here.crate_version.clone());
+        compare("unit", there.unit.clone(), here.unit.clone());
+        compare("sampler", there.sampler.clone(), here.sampler.clone());
+        compare("samples", there.samples.to_string(), here.samples.to_string());
+        compare("seed", there.seed.to_string(), here.seed.to_string());
+        let axis = |axis: &Axis| {
+            let values: Vec<String> = axis.values.iter().map(plain).collect();
+            format!("{}={}", axis.key, values.join(","))
+        };
+        let axes = |header: &Self| match header.axes.iter().map(axis).collect::<Vec<_>>() {
+            axes if axes.is_empty() => "no axis".to_owned(),
+            axes => axes.join(" "),
+        };
+        compare("the grid", axes(there), axes(here));
+        // A parameter that is swept on one side is told by the grid.
+        for (name, value) in &there.base {
+            if let Some(other) = here.base.get(name) {
+                compare(name, plain(value), plain(other));
+            }
+        }
+        if found.is_empty() && there != here {
+            found.push("the set of parameters is another one".to_owned());
+        }
+        found
+    }
+}
+
+/// Figures of one quantity on one basis.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Figures {
+    /// `angle`, `dot` or a component.
+    pub quantity: String,
+    /// `rad`, or `1` for absolute errors of numbers.
+    pub unit: String,
+    /// Against what.
+    pub basis: Basis,
+    /// Largest absolute value.
+    pub max: Real,
+    /// The same in ulp of the output port, for components.
+    pub max_ulp: Option<Real>,
+    /// Input that gave it.
+    pub witness: Option<Witness>,
+    /// Mean of the absolute value.
+    pub mean: Real,
+    /// Mean with sign.
+    pub bias: Real,
+    /// Root of the mean square.
+    pub rms: Real,
+    /// Median of the absolute value.
+    pub p50: Real,
+    /// 99th percentile.
+    pub p99: Real,
+    /// 99.9th percentile.
+    pub p999: Real,
+}
+
+impl From<measure::Figures> for Figures {
+    fn from(figures: measure::Figures) -> Self {
+        Self {
+            quantity: figures.quantity.to_owned(),
+            unit: figures.unit.to_owned(),
+            basis: figures.basis,
+            max: Real(figures.max),
+            max_ulp: figures.max_ulp.map(Real),
+            witness: figures.witness,
+            mean: Real(figures.mean),
+            bias: Real(figures.bias),
+            rms: Real(figures.rms),
+            p50: Real(figures.p50),
+            p99: Real(figures.p99),
+            p999: Real(figures.p999),
+        }
+    }
+}
+
+/// How often a `narrow` overflowed.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Overflows {
+    /// The node.
+    pub node: String,
+    /// Its overflow mode.
+    pub mode: String,
+    /// How often.
+    pub count: u64,
+}
+
+/// What was counted and measured of a point.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Measured {
+    /// Names of the input ports: what the words of a witness belong to.
+    pub input_ports: Vec<String>,
+    /// Names of the output ports.
+    pub output_ports: Vec<String>,
+    /// Counts of operators, tables and bits, by the names of their CSV columns.
+    pub counts: Map<String, serde_json::Value>,
+    /// Samples measured.
+    pub samples: u64,
+    /// One entry per quantity and basis.
+    pub figures: Vec<Figures>,
+    /// Every `narrow` that overflowed.
+    pub overflows: Vec<Overflows>,
+    /// Time spent; the only part that differs from run to run.
+    pub speed: Speed,
+}
+
+impl Measured {
+    /// Takes over a measurement of a design.
+    #[must_use]
+    pub fn new(design: &Design, report: measure::Report) -> Self {
+        let netlist = &design.netlist;
+        let inputs = netlist.inputs().iter().map(|id| netlist.label(*id));
+        Self {
+            input_ports: inputs.collect(),
+            output_ports: netlist.outputs().iter().map(|output| output.name.clone()).collect(),
+            counts: flat(&netlist.counts()),
+            samples: report.samples,
+            figures: report.figures.into_iter().map(Figures::from).collect(),
+            overflows: report
+                .overflows
+                .into_iter()
+                .map(|o| Overflows { node: o.node, mode: o.mode.to_owned(), count: o.count })
+                .collect(),
+            speed: report.speed,
+        }
+    }
+
+    /// Figures of a quantity on a basis.
+    #[must_use]
+    pub fn figures(&self, quantity: &str, basis: Basis) -> Option<&Figures> {
+        self.figures.iter().find(|f| f.quantity == quantity && f.basis == basis)
+    }
+
+    /// A count by the name of its CSV column.
+    #[must_use]
+    pub fn count(&self, name: &str) -> Option<u64> {
+        self.counts.get(name)?.as_u64()
+    }
+
+    /// Largest total angle error in rad; NaN if there is none.
+    #[must_use]
+    pub fn angle_max(&self) -> f64 {
+        self.figures("angle", Basis::Total).map_or(f64::NAN, |figures| figures.max.0)
+    }
+
+    /// Largest total error of any component in ulp of the output port.
+    #[must_use]
+    pub fn max_ulp(&self) -> Option<f64> {
+        let total = self.figures.iter().filter(|figures| figures.basis == Basis::Total);
+        total.filter_map(|figures| Some(figures.max_ulp?.0)).reduce(f64::max)
+    }
+
+    /// Input words of the largest total angle error, as `port=word;port=word`.
+    #[must_use]
+    pub fn witness(&self) -> String {
+        let figures = self.figures("angle", Basis::Total);
+        let Some(witness) = figures.and_then(|figures| figures.witness.as_ref()) else {
+            return String::new();
+        };
+        let pairs = self.input_ports.iter().zip(&witness.words);
+        pairs.map(|(port, word)| format!("{port}={word}")).collect::<Vec<_>>().join(";")
+    }
+}
+
+/// One point of the grid.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Point {
+    /// All parameters.
+    pub parameters: Parameters,
+    /// Why there is nothing measured.
+    pub error: Option<String>,
+    /// What was measured.
+    pub measured: Option<Measured>,
+}
+
+impl Point {
+    /// A parameter as one would write it; nothing if there is no such parameter.
+    #[must_use]
+    pub fn text(&self, key: &str) -> String {
+        self.parameters.get(key).map(plain).unwrap_or_default()
+    }
+
+    /// A parameter that is a number.
+    #[must_use]
+    pub fn number(&self, key: &str) -> Option<f64> {
+        self.parameters.get(key)?.as_f64()
+    }
+}
+
+/// A sweep's result: what the files and reports are made from.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Record {
+    /// What was swept.
+    pub header: Header,
+    /// Finished points in grid order.
+    pub points: Vec<Point>,
+}
+
+impl Record {
+    /// Reads `sweep.json`; `None` if there is no such file.
+    ///
+    /// # Errors
+    /// If the file can't be read or is no result of a sweep.
+    pub fn load(path: &Path) -> Result<Option<Self>> {
+        let remedy = "choose another folder or pass --fresh";
+        let text = match fs::read_to_string(path) {
+            Ok(text) => text,
+            Err(why) if why.kind() == io::ErrorKind::NotFound => return Ok(None),
+            Err(why) => return Err(Error::file(path, format!("can't read: {why}: {remedy}"))),
+        };
+        let malformed = |why: String| {
+            Error::file(
+                path,
+                format!("is not a sweep result that this version reads ({why}): {remedy}"),
+            )
+        };
+        let record: Self = serde_json::from_str(&text).map_err(|why| malformed(why.to_string()))?;
+        for (point, number) in record.points.iter().zip(1..) {
+            let whole = match (&point.measured, &point.error) {
+                (Some(measured), None) => {
+                    measured.figures("angle", Basis::Total).is_some()
+                        && measured.count("rom_bits_dual_port").is_some()
+                }
+                (None, error) => error.is_some(),
+                (Some(_), Some(_)) => false,
+            };
+            if !whole {
+                return Err(malformed(format!("point {number} is incomplete")));
+            }
+        }
+        Ok(Some(record))
+    }
+
+    /// Writes `sweep.json`, a line per point.
+    ///
+    /// # Errors
+    /// If the file can't be written.
+    pub fn write_json<'a>(
+        path: &Path,
+        header: &Header,
+        points: impl Iterator<Item = &'a Point>,
+    ) -> Result<()> {
+        output::write_file(path, |to| {
+            let fail = output::at(path);
+            let json = |why: serde_json::Error| fail(why.into());
+            write!(to, "{{\"header\": ").map_err(&fail)?;
+            serde_json::to_writer_pretty(&mut *to, header).map_err(json)?;
+            write!(to, ",\n\"points\": [").map_err(&fail)?;
+            for (index, point) in points.enumerate() {
+                to.write_all(if index == 0 { b"\n" } else { b",\n" }).map_err(&fail)?;
+                serde_json::to_writer(&mut *to, point).map_err(json)?;
+            }
+            to.write_all(b"\n]}\n").map_err(&fail)
+        })
+    }
+
+    /// Writes `sweep.csv`; the module's documentation names the columns.
+    ///
+    /// # Errors
+    /// If the file can't be written.
+    pub fn write_csv<'a>(
+        path: &Path,
+        header: &Header,
+        points: impl Iterator<Item = &'a Point> + Clone,
+    ) -> Result<()> {
+        let columns = Columns::new(header, points.clone());
+        output::write_file(path, |to| {
+            let fail = |why: csv::Error| output::at(path)(why.into());
+            let mut writer = csv::Writer::from_writer(to);
+            writer.write_record(columns.names()).map_err(fail)?;
+            for point in points {
+                writer.write_record(columns.row(point)).map_err(fail)?;
+            }
+            writer.flush().map_err(output::at(path))
+        })
+    }
+}
+
+/// Columns of the CSV: what any of the points has.
+struct Columns {
+    parameters: Vec<String>,
+    counts: Vec<String>,
+    /// Quantity and its unit in column names.
+    quantities: Vec<(String, &'static str)>,
+    bases: Vec<Basis>,
+}
+
+/// Picks one of the figures.
+type Pick = fn(&Figures) -> Real;
+
+/// Figures in columns.
+const FIGURES: [(&str, Pick); 7] = [
+    ("max", |f| f.max),
+    ("mean", |f| f.mean),
+    ("bias", |f| f.bias),
+    ("rms", |f| f.rms),
+    ("p50", |f| f.p50),
+    ("p99", |f| f.p99),
+    ("p999", |f| f.p999),
+];
+
+impl Columns {
+    fn new<'a>(header: &Header, points: impl Iterator<Item = &'a Point>) -> Self {
+        let axes = header.axes.iter().map(|axis| &axis.key);
+        let parameters = axes.chain(header.base.keys()).cloned().collect();
+        let mut columns =
+            Self { parameters, counts: Vec::new(), quantities: Vec::new(), bases: Vec::new() };
+        for measured in points.filter_map(|point| point.measured.as_ref()) {
+            for name in measured.counts.keys() {
+                if !columns.counts.contains(name) {
+                    columns.counts.push(name.clone());
+                }
+            }
+            for figures in &measured.figures {
+                if columns.quantities.iter().all(|(name, _)| *name != figures.quantity) {
+                    let unit = if figures.unit == "rad" { "rad" } else { "abs" };
+                    columns.quantities.push((figures.quantity.clone(), unit));
+                }
+                if !columns.bases.contains(&figures.basis) {
+                    columns.bases.push(figures.basis);
+                }
+            }
+        }
+        columns
+    }
+
+    fn names(&self) -> Vec<String> {
+        let mut names = self.parameters.clone();
+        names.extend_from_slice(&self.counts);
+        names.push("samples".to_owned());
+        for (quantity, unit) in &self.quantities {
+            for basis in &self.bases {
+                let basis = basis.name().replace('-', "_");
+                for (figure, _) in FIGURES {
+                    names.push(format!("{quantity}_{basis}_{figure}_{unit}"));
+                }
+                if has_ulp(quantity) {
+                    names.push(format!("{quantity}_{basis}_max_ulp"));
+                }
+            }
+        }
+        names.extend(
+            [
+                "angle_total_witness",
+                "overflows",
+                "samples_per_second",
+                "threads",
+                "engine_samples_per_second_per_thread",
+                "error",
+            ]
+            .map(str::to_owned),
+        );
+        names
+    }
+
+    fn row(&self, point: &Point) -> Vec<String> {
+        let mut row: Vec<String> = self.parameters.iter().map(|key| point.text(key)).collect();
+        let measured = point.measured.as_ref();
+        row.extend(self.counts.iter().map(|name| {
+            measured.and_then(|m| m.count(name)).map(|n| n.to_string()).unwrap_or_default()
+        }));
+        row.push(measured.map(|m| m.samples.to_string()).unwrap_or_default());
+        for (quantity, _) in &self.quantities {
+            for basis in &self.bases {
+                let figures = measured.and_then(|m| m.figures(quantity, *basis));
+                let number = |real: Option<Real>| real.map(|r| format!("{:e}", r.0));
+                for (_, get) in FIGURES {
+                    row.push(number(figures.map(get)).unwrap_or_default());
+                }
+                if has_ulp(quantity) {
+                    row.push(number(figures.and_then(|f| f.max_ulp)).unwrap_or_default());
+                }
+            }
+        }
+        match measured {
+            Some(measured) => {
+                let speed = &measured.speed;
+                row.push(measured.witness());
+                row.push(measured.overflows.iter().map(|o| o.count).sum::<u64>().to_string());
+                row.push(format!("{:e}", speed.samples_per_second));
+                row.push(speed.threads.to_string());
+                row.push(format!("{:e}", speed.engine_samples_per_second_per_thread));
+            }
+            None => row.extend([const { String::new() }; 5]),
+        }
+        row.push(point.error.clone().unwrap_or_default());
+        row
+    }
+}
+
+/// True for components, which are outputs of some units and can be told in ulp.
+fn has_ulp(quantity: &str) -> bool {
+    !matches!(quantity, "angle" | "dot")
+}
+
+/// Counts with the operators' group in front of their names.
+fn flat(counts: &Counts) -> Map<String, serde_json::Value> {
+    let whole = serde_json::to_value(counts).expect("bug: counts are plain numbers");
+    let mut flat = Map::new();
+    for (name, value) in whole.as_object().expect("bug: counts have fields") {
+        match value.as_object() {
+            Some(group) => {
+                let group_name = if name == "schemes" { "scheme" } else { name };
+                for (name, value) in group {
+                    flat.insert(format!("{group_name}_{name}"), value.clone());
+                }
+            }
+            None => {
+                flat.insert(name.clone(), value.clone());
+            }
+        }
+    }
+    flat
+}
+
+/// A parameter's value for JSON.
+#[must_use]
+pub fn json_of(value: Value) -> serde_json::Value {
+    match value {
+        Value::Int(number) => number.into(),
+        Value::Auto | Value::Choice(_) => value.to_string().into(),
+    }
+}
+
+/// Parameters for JSON.
+#[must_use]
+pub fn parameters_of(values: &Values) -> Parameters {
+    values.iter().map(|(name, value)| (name.to_owned(), json_of(value))).collect()
+}
+
+/// A parameter's value as one would write it.
+#[must_use]
+pub fn plain(value: &serde_json::Value) -> String {
+    value.as_str().map_or_else(|| value.to_string(), str::to_owned)
+}

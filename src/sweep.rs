@@ -1,0 +1,460 @@
+//! Sweeps: a unit measured over a grid of parameters.
+//!
+//! Points are measured in groups that share their inputs and golden values, and a group's designs
+//! are dropped before the next is built, so memory doesn't grow with the grid. Finished points are
+//! on disk all the time: a sweep that was stopped goes on where it was. Each point's figures are
+//! those that it would have alone.
+
+use crate::error::{Error, Result};
+use crate::measure::{self, Inputs};
+use crate::output;
+use crate::report;
+use crate::report::record::{self, Header, Measured, Point, Record};
+use crate::units::{Design, Kind, Param, Sampler, Unit, Value, Values};
+use std::collections::HashMap;
+use std::fs;
+use std::io;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// The most points of a grid.
+const MAX_POINTS: usize = 100_000;
+/// The most points measured together.
+const GROUP_POINTS: usize = 16;
+/// The most stored bits of the tables of a group: large tables are compiled into memory.
+const GROUP_ROM_BITS: u64 = 1 << 28;
+
+/// A parameter and the values that it takes in a sweep.
+#[derive(Clone, Debug)]
+pub struct Axis {
+    param: &'static Param,
+    values: Vec<Value>,
+}
+
+impl Axis {
+    /// Reads `key=v,v,…`, where each `v` is a value or a range `a..b` or `a..b:step` that
+    /// includes `b` if the steps meet it.
+    ///
+    /// # Errors
+    /// If the unit has no such parameter, a value is not legal or comes twice, there is none, or
+    /// a range runs backwards or has a step of 0.
+    pub fn parse(text: &str, unit: &'static Unit) -> Result<Self> {
+        let (key, list) = text
+            .split_once('=')
+            .ok_or_else(|| Error::form(text, "key=v,v,… or key=a..b or key=a..b:step"))?;
+        let key = key.trim();
+        let param = unit.all_params().find(|param| param.name == key).ok_or_else(|| {
+            Error::unknown_parameter(unit.name, key, unit.all_params().map(|param| param.name))
+        })?;
+        let mut values = Vec::new();
+        for item in list.split(',').map(str::trim) {
+            if item.is_empty() {
+                return Err(Error::usage(format!(
+                    "axis `{text}` has an empty value: write {key}=v,v,… or {key}=a..b"
+                )));
+            }
+            match item.split_once("..") {
+                Some((from, rest)) => values.extend(range(param, item, from, rest)?),
+                None => values.push(param.parse(item)?),
+            }
+            if values.len() > MAX_POINTS {
+                return Err(too_many(&format!("axis `{text}` has more than {MAX_POINTS} values")));
+            }
+        }
+        let mut sorted: Vec<_> = values.iter().collect();
+        sorted.sort_unstable();
+        match sorted.windows(2).find(|pair| pair[0] == pair[1]) {
+            Some(pair) => {
+                Err(Error::usage(format!("axis `{text}` has the value {} twice", pair[0])))
+            }
+            None => Ok(Self { param, values }),
+        }
+    }
+
+    /// Name of the parameter.
+    #[must_use]
+    pub fn key(&self) -> &'static str {
+        self.param.name
+    }
+
+    /// Its values in the order given.
+    #[must_use]
+    pub fn values(&self) -> &[Value] {
+        &self.values
+    }
+}
+
+/// Values of a range; `rest` is what follows the dots.
+fn range(param: &Param, item: &str, from: &str, rest: &str) -> Result<Vec<Value>> {
+    let (to, step) = match rest.split_once(':') {
+        Some((to, step)) => (to, Some(step)),
+        None => (rest, None),
+    };
+    let numbers = || Error::usage(format!("`{item}`: a range of `{}` needs numbers", param.name));
+    match param.kind {
+        Kind::Int { .. } => {}
+        Kind::Choice(_) => {
+            return Err(Error::usage(format!(
+                "`{item}`: `{}` is a name and has no ranges: write {}=v,v,…",
+                param.name, param.name
+            )));
+        }
+    }
+    let Value::Int(from) = param.parse(from.trim())? else { return Err(numbers()) };
+    let Value::Int(to) = param.parse(to.trim())? else { return Err(numbers()) };
+    if from > to {
+        return Err(Error::usage(format!("range `{item}` runs backwards: write {to}..{from}")));
+    }
+    let step = match step {
+        None => 1,
+        Some(text) => {
+            let step = text.trim().parse::<usize>().ok().filter(|step| *step > 0);
+            step.ok_or_else(|| {
+                Error::usage(format!(
+                    "range `{item}` has the step `{text}`: a step is a whole number from 1"
+                ))
+            })?
+        }
+    };
+    // One more than is allowed is enough to be refused.
+    Ok((from..=to).step_by(step).take(MAX_POINTS + 1).map(Value::Int).collect())
+}
+
+fn too_many(what: &str) -> Error {
+    Error::usage(format!(
+        "{what}: a sweep has at most {MAX_POINTS} points; take fewer values or a larger step"
+    ))
+}
+
+/// How far a sweep is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Progress {
+    /// Points finished, those from an earlier run and failed ones included.
+    pub points_done: usize,
+    /// Points of the grid.
+    pub points: usize,
+    /// Points being measured together now.
+    pub running: usize,
+    /// Samples that each of them has behind it.
+    pub samples_done: u64,
+}
+
+/// A unit, its parameters, and the grid to measure it over.
+#[derive(Clone, Debug)]
+pub struct Sweep {
+    base: Values,
+    axes: Vec<Axis>,
+    inputs: Inputs,
+}
+
+impl Sweep {
+    /// A sweep of `axes` about `base`; the last axis runs fastest.
+    ///
+    /// # Errors
+    /// If a parameter has two axes, the grid is too large, or no sample is asked for.
+    ///
+    /// # Panics
+    /// If an axis belongs to another unit.
+    pub fn new(base: Values, axes: Vec<Axis>, inputs: Inputs) -> Result<Self> {
+        let mut points = 1usize;
+        for (index, axis) in axes.iter().enumerate() {
+            assert!(
+                base.unit().all_params().any(|param| std::ptr::eq(param, axis.param)),
+                "bug: an axis of another unit"
+            );
+            if axes[..index].iter().any(|before| before.key() == axis.key()) {
+                return Err(Error::usage(format!(
+                    "parameter `{}` has two axes: put all its values in one, as {}=v,v,…",
+                    axis.key(),
+                    axis.key()
+                )));
+            }
+            // Each axis has at most MAX_POINTS values, so the product can't pass 2^64.
+            points *= axis.values.len();
+            if points > MAX_POINTS {
+                let sizes: Vec<_> = axes.iter().map(|a| a.values.len().to_string()).collect();
+                return Err(too_many(&format!("the grid has {} points", sizes.join(" × "))));
+            }
+        }
+        if inputs.samples == 0 && matches!(inputs.sampler, Sampler::Lit | Sampler::Sphere) {
+            return Err(Error::usage("a sweep takes at least 1 sample".to_owned()));
+        }
+        Ok(Self { base, axes, inputs })
+    }
+
+    /// Number of points of the grid.
+    #[must_use]
+    pub fn points(&self) -> usize {
+        self.axes.iter().map(|axis| axis.values.len()).product()
+    }
+
+    /// Parameters of a point in grid order.
+    fn point(&self, index: usize) -> Values {
+        let mut values = self.base.clone();
+        let mut rest = index;
+        for axis in self.axes.iter().rev() {
+            let value = axis.values[rest % axis.values.len()];
+            rest /= axis.values.len();
+            values.set(axis.key(), &value.to_string()).expect("bug: axes hold legal values");
+        }
+        values
+    }
+
+    /// What was swept, as it stands in `sweep.json`.
+    #[must_use]
+    pub fn header(&self) -> Header {
+        let mut base = record::parameters_of(&self.base);
+        base.retain(|name, _| self.axes.iter().all(|axis| axis.key() != name));
+        let axes = self.axes.iter().map(|axis| record::Axis {
+            key: axis.key().to_owned(),
+            values: axis.values.iter().copied().map(record::json_of).collect(),
+        });
+        Header {
+            format_version: record::FORMAT_VERSION,
+            crate_version: env!("CARGO_PKG_VERSION").to_owned(),
+            unit: self.base.unit().name.to_owned(),
+            base,
+            axes: axes.collect(),
+            sampler: self.inputs.sampler.name().to_owned(),
+            samples: self.inputs.samples,
+            seed: self.inputs.seed,
+        }
+    }
+
+    /// Measures every point and writes `sweep.json`, `sweep.csv`, `report.md` and plots into a
+    /// folder. Points that are there already, from a run of the same sweep, are kept unless
+    /// `fresh`. Points that can't be built or fail a check are recorded with the reason.
+    ///
+    /// # Errors
+    /// If the folder holds another sweep, a file can't be read or written, or every point fails.
+    pub fn run(
+        &self,
+        folder: &Path,
+        fresh: bool,
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Record> {
+        output::make_folder(folder)?;
+        let header = self.header();
+        let mut run = Run {
+            sweep: self,
+            folder,
+            points: vec![None; self.points()],
+            done: 0,
+            progress,
+            written: None,
+            header,
+        };
+        if fresh {
+            run.remove_files()?;
+        } else {
+            run.resume()?;
+        }
+        run.finish()?;
+        let record =
+            Record { header: run.header, points: run.points.into_iter().flatten().collect() };
+        let failed = |point: &Point| point.measured.is_none();
+        if record.points.iter().all(failed) {
+            let first = record.points.iter().find_map(|point| point.error.as_deref());
+            return Err(Error::usage(format!(
+                "all {} points failed, the first because {}",
+                record.points.len(),
+                first.unwrap_or_default()
+            )));
+        }
+        report::write(folder, &record)?;
+        Ok(record)
+    }
+
+    /// True if two designs can be measured together: random inputs are drawn as reals and
+    /// suit all, the others are lists of words.
+    fn same_inputs(&self, a: &Design, b: &Design) -> bool {
+        let formats = |design: &Design| -> Vec<_> {
+            let netlist = &design.netlist;
+            netlist.inputs().iter().map(|id| netlist.node(*id).format).collect()
+        };
+        match self.inputs.sampler {
+            Sampler::Lit | Sampler::Sphere => true,
+            Sampler::Exhaustive => formats(a) == formats(b),
+            Sampler::Hard => {
+                let words = |design: &Design| {
+                    design.hard.iter().map(|c| c.words.clone()).collect::<Vec<_>>()
+                };
+                formats(a) == formats(b) && words(a) == words(b)
+            }
+        }
+    }
+}
+
+/// Time since the last writing, in units of what that writing took, from which it is done again.
+const WRITE_SHARE: u32 = 10;
+
+/// A sweep on its way.
+struct Run<'a> {
+    sweep: &'a Sweep,
+    folder: &'a Path,
+    header: Header,
+    /// Finished points in grid order.
+    points: Vec<Option<Point>>,
+    done: usize,
+    progress: &'a (dyn Fn(Progress) + Sync),
+    /// When the files were last written, and how long that took.
+    written: Option<(Instant, Duration)>,
+}
+
+impl Run<'_> {
+    /// Takes over finished points from `sweep.json`.
+    fn resume(&mut self) -> Result<()> {
+        let path = self.folder.join("sweep.json");
+        let Some(record) = Record::load(&path)? else { return Ok(()) };
+        if record.header != self.header {
+            let differences = record.header.differences(&self.header);
+            return Err(Error::file(
+                &path,
+                format!(
+                    "holds another sweep: {}; choose another folder or pass --fresh",
+                    differences.join(", ")
+                ),
+            ));
+        }
+        let index_of: HashMap<String, usize> = (0..self.points.len())
+            .map(|index| (key(&record::parameters_of(&self.sweep.point(index))), index))
+            .collect();
+        for point in record.points {
+            let slot = index_of.get(&key(&point.parameters)).map(|index| &mut self.points[*index]);
+            match slot {
+                Some(slot @ None) => *slot = Some(point),
+                Some(Some(_)) | None => {
+                    return Err(Error::file(
+                        &path,
+                        "has a point twice or outside its grid: choose another folder or pass --fresh"
+                            .to_owned(),
+                    ));
+                }
+            }
+            self.done += 1;
+        }
+        Ok(())
+    }
+
+    /// Removes what an earlier sweep left, so that a sweep that is stopped before its first
+    /// point is done doesn't leave another one's points and reports behind.
+    fn remove_files(&self) -> Result<()> {
+        for name in ["sweep.json", "sweep.csv"].into_iter().chain(report::FILES) {
+            let path = self.folder.join(name);
+            match fs::remove_file(&path) {
+                Err(why) if why.kind() != io::ErrorKind::NotFound => {
+                    return Err(Error::io(&path, "can't remove", why));
+                }
+                Ok(()) | Err(_) => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// Measures what is missing.
+    fn finish(&mut self) -> Result<()> {
+        let mut missing: Vec<(usize, Option<Value>)> = (0..self.points.len())
+            .filter(|index| self.points[*index].is_none())
+            .map(|index| (index, input_bits(&self.sweep.point(index))))
+            .collect();
+        // Equal input formats beside each other share their golden values.
+        missing.sort_by_key(|(_, bits)| *bits);
+        let mut group: Vec<(usize, Design)> = Vec::new();
+        let mut rom_bits = 0;
+        for (index, _) in missing {
+            let design = match self.sweep.point(index).build() {
+                Ok(design) => design,
+                Err(why) => {
+                    self.fail(index, &why);
+                    continue;
+                }
+            };
+            let own_bits = design.netlist.counts().rom_bits;
+            let full = group.len() == GROUP_POINTS || rom_bits + own_bits > GROUP_ROM_BITS;
+            if group
+                .first()
+                .is_some_and(|(_, first)| full || !self.sweep.same_inputs(first, &design))
+            {
+                self.measure(std::mem::take(&mut group))?;
+                rom_bits = 0;
+            }
+            rom_bits += own_bits;
+            group.push((index, design));
+        }
+        self.measure(group)?;
+        self.write()
+    }
+
+    fn fail(&mut self, index: usize, why: &Error) {
+        self.put(index, Some(why.to_string()), None);
+    }
+
+    fn put(&mut self, index: usize, error: Option<String>, measured: Option<Measured>) {
+        let parameters = record::parameters_of(&self.sweep.point(index));
+        self.points[index] = Some(Point { parameters, error, measured });
+        self.done += 1;
+    }
+
+    /// Measures a group of designs and drops them.
+    fn measure(&mut self, group: Vec<(usize, Design)>) -> Result<()> {
+        let inputs = &self.sweep.inputs;
+        let (points_done, points, progress) = (self.done, self.points.len(), self.progress);
+        let designs: Vec<&Design> = group.iter().map(|(_, design)| design).collect();
+        let tell = |points_done: usize, running: usize, samples_done: u64| {
+            progress(Progress { points_done, points, running, samples_done });
+        };
+        tell(points_done, designs.len(), 0);
+        let together =
+            measure::measure(&designs, inputs, &|done| tell(points_done, designs.len(), done));
+        let results: Vec<Result<_>> = match together {
+            Ok(reports) => reports.into_iter().map(Ok).collect(),
+            Err(why) if designs.len() == 1 => vec![Err(why)],
+            // One of them failed, and the error doesn't say which point it was.
+            Err(_) => designs
+                .iter()
+                .enumerate()
+                .map(|(index, design)| {
+                    let done = points_done + index;
+                    let mut alone = measure::measure(&[design], inputs, &|s| tell(done, 1, s))?;
+                    Ok(alone.remove(0))
+                })
+                .collect(),
+        };
+        for ((index, design), result) in group.iter().zip(results) {
+            match result {
+                Ok(report) => self.put(*index, None, Some(Measured::new(design, report))),
+                Err(why) => self.fail(*index, &why),
+            }
+        }
+        tell(self.done, 0, 0);
+        // Writing is whole each time; a large grid of quick points would do little else.
+        match self.written {
+            Some((when, took)) if when.elapsed() < took * WRITE_SHARE => Ok(()),
+            Some(_) | None => self.write(),
+        }
+    }
+
+    /// Writes `sweep.json` and `sweep.csv` with the points finished so far.
+    fn write(&mut self) -> Result<()> {
+        let start = Instant::now();
+        let points = self.points.iter().flatten();
+        Record::write_json(&self.folder.join("sweep.json"), &self.header, points.clone())?;
+        Record::write_csv(&self.folder.join("sweep.csv"), &self.header, points)?;
+        let end = Instant::now();
+        self.written = Some((end, end - start));
+        Ok(())
+    }
+}
+
+/// What tells the points of a grid apart.
+fn key(parameters: &record::Parameters) -> String {
+    serde_json::to_string(parameters).expect("bug: parameters are plain values")
+}
+
+/// The parameter that input formats hang on. A unit without it is only measured in another order.
+fn input_bits(values: &Values) -> Option<Value> {
+    values.iter().find(|(name, _)| *name == "angle_bits").map(|(_, value)| value)
+}
+
+#[cfg(test)]
+mod tests;
