@@ -68,6 +68,23 @@ impl Inputs {
         }
     }
 
+    /// True if each design has inputs of its own: words, and not numbers to be quantised.
+    fn are_words(&self) -> bool {
+        matches!(self.sampler, Sampler::Hard | Sampler::Exhaustive)
+    }
+
+    /// True if two designs get the same input words.
+    fn same(&self, a: &Design, b: &Design) -> bool {
+        let formats = |design: &Design| -> Vec<_> {
+            let netlist = &design.netlist;
+            netlist.inputs().iter().map(|id| netlist.node(*id).format).collect()
+        };
+        let hard = |design: &Design| -> Vec<Vec<i64>> {
+            design.hard.iter().flat_map(|case| case.words.clone()).collect()
+        };
+        formats(a) == formats(b) && (self.sampler != Sampler::Hard || hard(a) == hard(b))
+    }
+
     /// Input values of samples `start..start + count`, one column per port, before quantisation.
     fn values(&self, design: &Design, start: u64, count: usize, columns: &mut Vec<Vec<f64>>) {
         let netlist = &design.netlist;
@@ -503,16 +520,15 @@ pub fn measure(
         designs.iter().all(|design| std::ptr::eq(design.values.unit(), first.values.unit())),
         "bug: designs of different units have no common golden"
     );
-    let mut formats = Vec::new();
+    let mut sets: Vec<&Design> = Vec::new();
     let mut compiled = Vec::new();
     let mut count = None;
     for design in designs {
         let netlist = &design.netlist;
-        let of: Vec<_> = netlist.inputs().iter().map(|id| netlist.node(*id).format).collect();
-        let known = formats.iter().position(|known| *known == of);
+        let known = sets.iter().position(|known| inputs.same(known, design));
         let index = known.unwrap_or_else(|| {
-            formats.push(of);
-            formats.len() - 1
+            sets.push(design);
+            sets.len() - 1
         });
         let samples = inputs.count(design)?;
         if *count.get_or_insert(samples) != samples {
@@ -541,9 +557,6 @@ pub fn measure(
         ));
     }
     let count = count.unwrap_or_default();
-    let representatives: Vec<&Design> = (0..formats.len())
-        .map(|i| compiled.iter().find(|c| c.inputs == i).expect("bug: each set has a user").design)
-        .collect();
 
     let start = Instant::now();
     let chunks = count.div_ceil(CHUNK);
@@ -564,7 +577,7 @@ pub fn measure(
                 |(shared, lanes), chunk| {
                     let from = chunk * CHUNK;
                     let len = usize::try_from(CHUNK.min(count - from)).expect("bug: a chunk");
-                    measure_chunk(&compiled, &representatives, inputs, (from, len), shared, lanes)
+                    measure_chunk(&compiled, &sets, inputs, (from, len), shared, lanes)
                 },
             )
             .collect();
@@ -670,6 +683,9 @@ fn measure_chunk(
     shared.goldens.resize(sets, Default::default());
     for (i, design) in representatives.iter().enumerate() {
         let netlist = &design.netlist;
+        if inputs.are_words() && i > 0 {
+            inputs.values(design, from, len, &mut shared.values);
+        }
         quantize_inputs(netlist, &shared.values, &mut shared.words[i])?;
         values_of(netlist, netlist.inputs(), &shared.words[i], &mut shared.quantised[i]);
         run_golden(design, &shared.quantised[i], &mut shared.goldens[i]);
@@ -693,6 +709,8 @@ fn measure_chunk(
                 Basis::Total => (&shared.bit_true, golden),
                 Basis::Arithmetic => (&shared.bit_true, &shared.real),
                 Basis::Algorithm => (&shared.real, golden),
+                // Words are their own real inputs.
+                Basis::EndToEnd if inputs.are_words() => (&shared.bit_true, golden),
                 Basis::EndToEnd => (&shared.bit_true, &shared.golden),
             };
             let at = |v: &[Vec<f64>; 3], i: usize| [v[0][i], v[1][i], v[2][i]];
