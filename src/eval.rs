@@ -8,7 +8,7 @@
 
 use crate::cast;
 use crate::error::{Error, Result};
-use crate::measure::{ports_of_direction, quantize_inputs, values_of};
+use crate::measure::{quantize_inputs, values_of};
 use crate::netlist::{Netlist, NodeId, Quantity};
 use crate::sim::batch::Program;
 use crate::units::Design;
@@ -210,7 +210,7 @@ pub fn eval(
                 fields.push(words[i][row].to_string());
             }
             let direction = [golden[0][row], golden[1][row], golden[2][row]];
-            let ports = ports_of_direction(design.shape, direction);
+            let ports = design.shape.ports(direction);
             for (i, id) in outputs.iter().enumerate() {
                 fields.push((out_values[i][row] * scale(id)).to_string());
                 fields.push(out_words[i][row].to_string());

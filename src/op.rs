@@ -11,6 +11,7 @@ use crate::cast;
 use crate::format::{Format, Overflow, Round, bit_len, narrow};
 use crate::function::Function;
 use crate::netlist::{NodeId, Table, TableId};
+use crate::trig::sin_cos_turns;
 
 /// An operation; operands are kept by the node.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -156,6 +157,9 @@ impl Meaning {
     #[must_use]
     pub fn eval(self, a: f64, b: f64) -> f64 {
         match self {
+            // As the engine on reals has them, to the last bit.
+            Self::Apply(Function::Sin, _) => sin_cos_turns(a).0,
+            Self::Apply(Function::Cos, _) => sin_cos_turns(a).1,
             Self::Apply(function, _) => function.eval(a),
             Self::Atan2 { .. } => a.atan2(b) / std::f64::consts::TAU,
             Self::Hypot { .. } => a.hypot(b),

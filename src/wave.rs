@@ -10,7 +10,6 @@
 
 use crate::cast;
 use crate::error::{Error, Result};
-use crate::measure::ports_of_direction;
 use crate::netlist::{Netlist, NodeId, Quantity};
 use crate::op::Op;
 use crate::rtl::{Rtl, Signal};
@@ -212,10 +211,7 @@ impl<'a> Wave<'a> {
         let mut direction = [vec![0.0], vec![0.0], vec![0.0]];
         (self.design.golden)(&columns, &mut direction);
         let direction = [direction[0][0], direction[1][0], direction[2][0]];
-        Ideal {
-            nodes: netlist.eval_reals(&inputs),
-            ports: ports_of_direction(self.design.shape, direction),
-        }
+        Ideal { nodes: netlist.eval_reals(&inputs), ports: self.design.shape.ports(direction) }
     }
 
     /// Writes the GTKWave save file for a VCD of this name.

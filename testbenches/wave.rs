@@ -200,7 +200,7 @@ fn gtkwave_decodes_words_as_the_save_file_tells_it() {
     }
     let design = design(&["scheme=linear"]);
     let folder = tempfile::tempdir().unwrap();
-    let rows = vec![vec![65_000, 8192, 1234, 7000]; 3];
+    let rows = vec![vec![65_000, 8192, 1234, 7000]; 10];
     let path = write(&design, Options::default(), &rows, folder.path());
     let script = folder.path().join("script.tcl");
     let body = "gtkwave::setMarker 27000\n\

@@ -28,8 +28,7 @@ enum Kernel {
     Meaning(Meaning),
 }
 
-/// A netlist compiled for blocks of reals; the twin of [`Netlist::eval_reals`], equal to it but
-/// for the last bits of sines and cosines, which come from [`crate::trig`].
+/// A netlist compiled for blocks of reals; the twin of [`Netlist::eval_reals`], bit for bit.
 #[derive(Clone, Debug)]
 pub struct Program {
     steps: Vec<(Kernel, [usize; 3], usize)>,

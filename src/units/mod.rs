@@ -17,6 +17,7 @@ use crate::lut::{Scheme, Spec};
 use crate::netlist::Netlist;
 use crate::rtl::Rtl;
 use crate::schedule::{Depth, Rom, Schedule};
+use std::f64::consts::TAU;
 use std::fmt;
 use std::sync::Arc;
 
@@ -311,6 +312,20 @@ pub enum Shape {
     Cartesian,
     /// A direction as azimuth and polar angle in turns; the golden gives x, y, z.
     Polar,
+}
+
+impl Shape {
+    /// Output values that a golden direction means for the ports; angles in turns, 0 to 1.
+    #[must_use]
+    pub fn ports(self, [x, y, z]: [f64; 3]) -> Vec<f64> {
+        match self {
+            Self::Cartesian => vec![x, y, z],
+            Self::Polar => {
+                let phi = (y.atan2(x) / TAU).rem_euclid(1.0);
+                vec![phi, x.hypot(y).atan2(z) / TAU]
+            }
+        }
+    }
 }
 
 /// A golden model on blocks: input columns in, output columns out.

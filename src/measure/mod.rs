@@ -1,0 +1,486 @@
+//! Error measurement: bit-true words and real evaluations against the golden.
+//!
+//! An error is always told with its *basis*:
+//!
+//! - `total`: bit-true against the golden of the same quantised inputs;
+//! - `arithmetic`: bit-true against the netlist on reals: what words and tables do;
+//! - `algorithm`: the netlist on reals against the golden: what the method itself does;
+//! - `end-to-end`: bit-true against the golden of the inputs before quantisation.
+//!
+//! Samples come in chunks, each with a random stream of its own; partial results are merged in
+//! chunk order, so the figures don't depend on the number of threads. Designs measured together
+//! share inputs and golden values.
+
+mod bounds;
+mod inputs;
+mod stream;
+mod tables;
+
+pub use bounds::{BoundCheck, HardVerdict, hard_verdicts};
+pub(crate) use inputs::values_of;
+pub use inputs::{Inputs, quantize_inputs, sample_words};
+pub use stream::angle_between;
+pub use tables::{TABLE_ARGUMENT_BITS, TableFigures, table_figures};
+
+use crate::cast;
+use crate::error::{Error, Result};
+use crate::netlist::NodeId;
+use crate::sim::batch::{Program, Runner, check_overflows};
+use crate::sim::real;
+use crate::trig::sin_cos_turns;
+use crate::units::{Design, Shape};
+use inputs::CHUNK;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use std::time::{Duration, Instant};
+use stream::{Merged, Stream};
+
+/// Turns columns of output values into x, y, z columns.
+fn directions(shape: Shape, outputs: &[Vec<f64>], to: &mut [Vec<f64>; 3]) {
+    match shape {
+        Shape::Cartesian => {
+            for (to, column) in to.iter_mut().zip(outputs) {
+                to.clone_from(column);
+            }
+        }
+        Shape::Polar => {
+            let [xs, ys, zs] = to;
+            xs.clear();
+            ys.clear();
+            zs.clear();
+            for (phi, theta) in outputs[0].iter().zip(&outputs[1]) {
+                let ((sin_phi, cos_phi), (sin_theta, cos_theta)) =
+                    (sin_cos_turns(*phi), sin_cos_turns(*theta));
+                xs.push(sin_theta * cos_phi);
+                ys.push(sin_theta * sin_phi);
+                zs.push(cos_theta);
+            }
+        }
+    }
+}
+
+/// What an error is measured against.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize, PartialOrd, Ord)]
+#[serde(rename_all = "kebab-case")]
+pub enum Basis {
+    /// Bit-true against the golden of the quantised inputs.
+    Total,
+    /// Bit-true against the netlist on reals.
+    Arithmetic,
+    /// The netlist on reals against the golden of the quantised inputs.
+    Algorithm,
+    /// Bit-true against the golden of the real inputs.
+    EndToEnd,
+}
+
+impl Basis {
+    const ALL: [Self; 4] = [Self::Total, Self::Arithmetic, Self::Algorithm, Self::EndToEnd];
+
+    /// Name in reports.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Total => "total",
+            Self::Arithmetic => "arithmetic",
+            Self::Algorithm => "algorithm",
+            Self::EndToEnd => "end-to-end",
+        }
+    }
+}
+
+/// Quantities measured for a direction, with their units.
+const QUANTITIES: [(&str, &str); 5] =
+    [("angle", "rad"), ("dot", "1"), ("x", "1"), ("y", "1"), ("z", "1")];
+
+/// The input that gave a maximum.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Witness {
+    /// Number of the sample.
+    pub sample: u64,
+    /// Input words, by port.
+    pub words: Vec<i64>,
+    /// Their values.
+    pub values: Vec<f64>,
+    /// Output words, by port.
+    pub outputs: Vec<i64>,
+}
+
+/// Statistics of one quantity on one basis.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Figures {
+    /// What is measured: angle (between vectors), dot (largest error of a dot product with any
+    /// unit vector: the length of the difference), or a component.
+    pub quantity: &'static str,
+    /// `rad`, or `1` for absolute errors.
+    pub unit: &'static str,
+    /// Against what.
+    pub basis: Basis,
+    /// Largest absolute value.
+    pub max: f64,
+    /// The same in ulp of the output port, for components.
+    pub max_ulp: Option<f64>,
+    /// Input that gave it.
+    pub witness: Option<Witness>,
+    /// Mean of the absolute value.
+    pub mean: f64,
+    /// Mean with sign.
+    pub bias: f64,
+    /// Root of the mean square.
+    pub rms: f64,
+    /// Median of the absolute value, to 1.6 %; 0 means below 2^-44.
+    pub p50: f64,
+    /// 99th percentile, likewise.
+    pub p99: f64,
+    /// 99.9th percentile, likewise.
+    pub p999: f64,
+}
+
+/// How often a `narrow` overflowed.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct OverflowCount {
+    /// The node.
+    pub node: String,
+    /// Its overflow mode.
+    pub mode: &'static str,
+    /// How often.
+    pub count: u64,
+}
+
+/// Time spent.
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+pub struct Speed {
+    /// Bit-true samples per second and thread: the engine alone.
+    pub engine_samples_per_second_per_thread: f64,
+    /// Samples per second of the whole run on all threads: inputs, golden, both evaluations, statistics.
+    pub samples_per_second: f64,
+    /// Threads.
+    pub threads: usize,
+}
+
+/// What was measured of a design.
+#[derive(Clone, Debug, Serialize)]
+pub struct Report {
+    /// Samples measured.
+    pub samples: u64,
+    /// One entry per quantity and basis.
+    pub figures: Vec<Figures>,
+    /// Every `narrow` that overflowed at least once, then those that could have are not listed.
+    pub overflows: Vec<OverflowCount>,
+    /// Time spent; the only part that differs from run to run.
+    pub speed: Speed,
+}
+
+impl Report {
+    /// Figures of a quantity on a basis.
+    ///
+    /// # Panics
+    /// If there is no such quantity.
+    #[must_use]
+    pub fn figures(&self, quantity: &str, basis: Basis) -> &Figures {
+        self.figures
+            .iter()
+            .find(|figures| figures.quantity == quantity && figures.basis == basis)
+            .expect("bug: no such quantity")
+    }
+}
+
+/// Compiled design.
+struct Compiled<'a> {
+    design: &'a Design,
+    program: Program,
+    reals: real::Program,
+    outputs: Vec<NodeId>,
+    /// Which set of quantised inputs it shares.
+    inputs: usize,
+}
+
+/// Columns of one thread for one design.
+struct Lanes {
+    runner: Runner,
+    real_runner: real::Runner,
+    words: Vec<Vec<i64>>,
+    values: Vec<Vec<f64>>,
+    reals: Vec<Vec<f64>>,
+    streams: Vec<Stream>,
+}
+
+/// Columns of one thread that designs share.
+#[derive(Default)]
+struct Shared {
+    values: Vec<Vec<f64>>,
+    golden: [Vec<f64>; 3],
+    words: Vec<Vec<Vec<i64>>>,
+    quantised: Vec<Vec<Vec<f64>>>,
+    goldens: Vec<[Vec<f64>; 3]>,
+    bit_true: [Vec<f64>; 3],
+    real: [Vec<f64>; 3],
+    errors: Vec<f64>,
+}
+
+/// What a chunk gave for one design.
+struct Partial {
+    streams: Vec<(Stream, Option<Witness>)>,
+    overflows: Vec<u64>,
+    engine: Duration,
+}
+
+/// Measures designs of one unit over the same inputs; `progress` gets the samples done.
+///
+/// # Errors
+/// If the inputs are too many to go through, or a `narrow` under overflow mode `error` overflowed.
+///
+/// # Panics
+/// If the designs belong to different units.
+pub fn measure(
+    designs: &[&Design],
+    inputs: &Inputs,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<Vec<Report>> {
+    let Some(first) = designs.first() else { return Ok(Vec::new()) };
+    assert!(
+        designs.iter().all(|design| std::ptr::eq(design.values.unit(), first.values.unit())),
+        "bug: designs of different units have no common golden"
+    );
+    let mut sets: Vec<&Design> = Vec::new();
+    let mut compiled = Vec::new();
+    let mut count = None;
+    for design in designs {
+        let netlist = &design.netlist;
+        let known = sets.iter().position(|known| inputs.same(known, design));
+        let index = known.unwrap_or_else(|| {
+            sets.push(design);
+            sets.len() - 1
+        });
+        let samples = inputs.count(design)?;
+        if *count.get_or_insert(samples) != samples {
+            return Err(Error::usage(
+                "designs with different numbers of inputs can't be measured together".to_owned(),
+            ));
+        }
+        let outputs: Vec<NodeId> = netlist.outputs().iter().map(|output| output.node).collect();
+        compiled.push(Compiled {
+            design,
+            program: Program::compile(netlist, &outputs),
+            reals: real::Program::compile(netlist, &outputs),
+            outputs,
+            inputs: index,
+        });
+    }
+    let count = count.unwrap_or_default();
+
+    let start = Instant::now();
+    let chunks = count.div_ceil(CHUNK);
+    let threads = rayon::current_num_threads();
+    // A few chunks per thread at a time: memory doesn't grow with samples.
+    let round = cast::count_of(threads) * 4;
+    let mut merged: Vec<Vec<Merged>> = compiled.iter().map(|_| new_merged()).collect();
+    let mut overflows: Vec<Vec<u64>> =
+        compiled.iter().map(|c| vec![0; c.program.narrows().len()]).collect();
+    let mut engine = vec![Duration::ZERO; compiled.len()];
+    let mut next = 0;
+    while next < chunks {
+        let these: Vec<u64> = (next..(next + round).min(chunks)).collect();
+        let partials: Vec<Result<Vec<Partial>>> = these
+            .par_iter()
+            .map_init(
+                || (Shared::default(), compiled.iter().map(new_lanes).collect::<Vec<_>>()),
+                |(shared, lanes), chunk| {
+                    let from = chunk * CHUNK;
+                    let len = usize::try_from(CHUNK.min(count - from)).expect("bug: a chunk");
+                    measure_chunk(&compiled, &sets, inputs, (from, len), shared, lanes)
+                },
+            )
+            .collect();
+        for partial in partials {
+            for (i, partial) in partial?.into_iter().enumerate() {
+                for (merged, (stream, witness)) in merged[i].iter_mut().zip(partial.streams) {
+                    merged.merge(&stream, witness);
+                }
+                for (total, count) in overflows[i].iter_mut().zip(partial.overflows) {
+                    *total += count;
+                }
+                engine[i] += partial.engine;
+            }
+        }
+        for (c, counts) in compiled.iter().zip(&overflows) {
+            check_overflows(&c.design.netlist, c.program.narrows(), counts)?;
+        }
+        next += round;
+        progress((next * CHUNK).min(count));
+    }
+    let elapsed = start.elapsed().as_secs_f64();
+    let rate = |seconds: f64| {
+        if seconds > 0.0 { cast::f64_of_count(count) / seconds } else { 0.0 }
+    };
+    Ok(compiled
+        .iter()
+        .zip(merged)
+        .zip(overflows.iter().zip(engine))
+        .map(|((c, merged), (overflows, engine))| Report {
+            samples: count,
+            figures: figures(c.design, &merged),
+            overflows: overflow_counts(c, overflows),
+            speed: Speed {
+                engine_samples_per_second_per_thread: rate(engine.as_secs_f64()),
+                samples_per_second: rate(elapsed) * cast::f64_of_len(designs.len()),
+                threads,
+            },
+        })
+        .collect())
+}
+
+fn new_merged() -> Vec<Merged> {
+    vec![Merged::new(); QUANTITIES.len() * Basis::ALL.len()]
+}
+
+fn new_lanes(c: &Compiled<'_>) -> Lanes {
+    let outputs = c.outputs.len();
+    Lanes {
+        runner: c.program.runner(),
+        real_runner: c.reals.runner(),
+        words: vec![Vec::new(); outputs],
+        values: vec![Vec::new(); outputs],
+        reals: vec![Vec::new(); outputs],
+        streams: (0..QUANTITIES.len() * Basis::ALL.len()).map(|_| Stream::new()).collect(),
+    }
+}
+
+fn measure_chunk(
+    compiled: &[Compiled<'_>],
+    representatives: &[&Design],
+    inputs: &Inputs,
+    (from, len): (u64, usize),
+    shared: &mut Shared,
+    lanes: &mut [Lanes],
+) -> Result<Vec<Partial>> {
+    let first = representatives[0];
+    inputs.values(first, from, len, &mut shared.values);
+    run_golden(first, &shared.values, &mut shared.golden);
+    let sets = representatives.len();
+    shared.words.resize(sets, Vec::new());
+    shared.quantised.resize(sets, Vec::new());
+    shared.goldens.resize(sets, Default::default());
+    for (i, design) in representatives.iter().enumerate() {
+        let netlist = &design.netlist;
+        if inputs.are_words() && i > 0 {
+            inputs.values(design, from, len, &mut shared.values);
+        }
+        quantize_inputs(netlist, &shared.values, &mut shared.words[i])?;
+        values_of(netlist, netlist.inputs(), &shared.words[i], &mut shared.quantised[i]);
+        run_golden(design, &shared.quantised[i], &mut shared.goldens[i]);
+    }
+    let mut partials = Vec::with_capacity(compiled.len());
+    for (c, lanes) in compiled.iter().zip(lanes) {
+        let words: Vec<&[i64]> = shared.words[c.inputs].iter().map(Vec::as_slice).collect();
+        let before = lanes.runner.overflows().to_vec();
+        let start = Instant::now();
+        lanes.runner.run(&c.program, &words, &mut lanes.words);
+        let engine = start.elapsed();
+        values_of(&c.design.netlist, &c.outputs, &lanes.words, &mut lanes.values);
+        let values: Vec<&[f64]> = shared.quantised[c.inputs].iter().map(Vec::as_slice).collect();
+        lanes.real_runner.run(&c.reals, &values, &mut lanes.reals);
+        directions(c.design.shape, &lanes.values, &mut shared.bit_true);
+        directions(c.design.shape, &lanes.reals, &mut shared.real);
+        let golden = &shared.goldens[c.inputs];
+        lanes.streams.iter_mut().for_each(Stream::clear);
+        for (b, basis) in Basis::ALL.into_iter().enumerate() {
+            let (is, should) = match basis {
+                Basis::Total => (&shared.bit_true, golden),
+                Basis::Arithmetic => (&shared.bit_true, &shared.real),
+                Basis::Algorithm => (&shared.real, golden),
+                // Words are their own real inputs.
+                Basis::EndToEnd if inputs.are_words() => (&shared.bit_true, golden),
+                Basis::EndToEnd => (&shared.bit_true, &shared.golden),
+            };
+            let at = |v: &[Vec<f64>; 3], i: usize| [v[0][i], v[1][i], v[2][i]];
+            let errors = &mut shared.errors;
+            for (q, stream) in lanes.streams[b * QUANTITIES.len()..].iter_mut().enumerate().take(5)
+            {
+                errors.clear();
+                match q {
+                    0 => errors.extend((0..len).map(|i| angle_between(at(is, i), at(should, i)))),
+                    1 => errors.extend((0..len).map(|i| {
+                        let (u, v) = (at(is, i), at(should, i));
+                        let d = [u[0] - v[0], u[1] - v[1], u[2] - v[2]];
+                        (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt()
+                    })),
+                    _ => errors.extend(
+                        is[q - 2].iter().zip(&should[q - 2]).map(|(is, should)| is - should),
+                    ),
+                }
+                stream.add(errors, from);
+            }
+        }
+        let witness = |stream: &Stream| {
+            let i = usize::try_from(stream.at - from).expect("bug: inside the chunk");
+            Witness {
+                sample: stream.at,
+                words: shared.words[c.inputs].iter().map(|column| column[i]).collect(),
+                values: shared.quantised[c.inputs].iter().map(|column| column[i]).collect(),
+                outputs: lanes.words.iter().map(|column| column[i]).collect(),
+            }
+        };
+        let after = lanes.runner.overflows();
+        partials.push(Partial {
+            streams: lanes.streams.iter().map(|s| (s.clone(), Some(witness(s)))).collect(),
+            overflows: after.iter().zip(before).map(|(after, before)| after - before).collect(),
+            engine,
+        });
+    }
+    Ok(partials)
+}
+
+/// Golden direction of columns of inputs.
+fn run_golden(design: &Design, inputs: &[Vec<f64>], to: &mut [Vec<f64>; 3]) {
+    let len = inputs.first().map_or(0, Vec::len);
+    for column in to.iter_mut() {
+        column.resize(len, 0.0);
+    }
+    let columns: Vec<&[f64]> = inputs.iter().map(Vec::as_slice).collect();
+    (design.golden)(&columns, to);
+}
+
+fn figures(design: &Design, merged: &[Merged]) -> Vec<Figures> {
+    let netlist = &design.netlist;
+    let ulp = netlist.node(netlist.outputs()[0].node).format.ulp();
+    let mut figures = Vec::new();
+    for (basis, merged) in Basis::ALL.into_iter().zip(merged.chunks(QUANTITIES.len())) {
+        for ((quantity, unit), merged) in QUANTITIES.into_iter().zip(merged) {
+            let stream = &merged.stream;
+            let count = cast::f64_of_count(stream.count.max(1));
+            let component =
+                design.shape == Shape::Cartesian && !matches!(quantity, "angle" | "dot");
+            figures.push(Figures {
+                quantity,
+                unit,
+                basis,
+                // -1 means that there was no sample; a NaN stays one.
+                max: if stream.count == 0 { 0.0 } else { stream.max },
+                max_ulp: component.then(|| stream.max / ulp),
+                witness: merged.witness.clone(),
+                mean: stream.sum_abs / count,
+                bias: stream.sum / count,
+                rms: (stream.sum_squares / count).sqrt(),
+                p50: merged.quantile(0.5),
+                p99: merged.quantile(0.99),
+                p999: merged.quantile(0.999),
+            });
+        }
+    }
+    figures
+}
+
+fn overflow_counts(c: &Compiled<'_>, counts: &[u64]) -> Vec<OverflowCount> {
+    let netlist = &c.design.netlist;
+    c.program
+        .narrows()
+        .iter()
+        .zip(counts)
+        .filter(|(_, count)| **count > 0)
+        .map(|(id, count)| OverflowCount {
+            node: netlist.label(*id),
+            mode: netlist.node(*id).op.overflow().expect("bug: only narrows are counted").name(),
+            count: *count,
+        })
+        .collect()
+}

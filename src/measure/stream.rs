@@ -1,0 +1,155 @@
+//! Accumulated errors: sums, the largest with its sample, a histogram for quantiles.
+
+use crate::cast;
+use crate::measure::Witness;
+use std::f64::consts::PI;
+
+/// Angle between two vectors in rad, good for small angles too. A null vector has no
+/// direction and counts as opposite.
+#[must_use]
+pub fn angle_between(u: [f64; 3], v: [f64; 3]) -> f64 {
+    let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+    let dot = u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+    let sine = (cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]).sqrt();
+    if sine < 0.02 * dot {
+        // atan's series; the next term is below 1e-18 of the sum.
+        let t = sine / dot;
+        let t2 = t * t;
+        t * (1.0 - t2 * (1.0 / 3.0 - t2 * (0.2 - t2 * (1.0 / 7.0 - t2 / 9.0))))
+    } else if sine == 0.0 && dot == 0.0 {
+        PI
+    } else {
+        sine.atan2(dot)
+    }
+}
+
+/// Octaves of the histogram: from 2^-44 to 2^4.
+const OCTAVES: usize = 48;
+const LEAST_EXPONENT: u64 = 1023 - 44;
+/// Bins per octave: a quantile is known to 1.6 %.
+const BINS_PER_OCTAVE_BITS: u32 = 5;
+const BINS: usize = OCTAVES << BINS_PER_OCTAVE_BITS;
+
+/// Accumulated errors of one quantity on one basis.
+#[derive(Clone, Debug)]
+pub(super) struct Stream {
+    pub(super) count: u64,
+    pub(super) max: f64,
+    /// Sample that gave the maximum.
+    pub(super) at: u64,
+    pub(super) sum_abs: f64,
+    pub(super) sum: f64,
+    pub(super) sum_squares: f64,
+    pub(super) histogram: Vec<u32>,
+}
+
+impl Stream {
+    pub(super) fn new() -> Self {
+        Self {
+            count: 0,
+            max: -1.0,
+            at: 0,
+            sum_abs: 0.0,
+            sum: 0.0,
+            sum_squares: 0.0,
+            histogram: vec![0; BINS],
+        }
+    }
+
+    pub(super) fn clear(&mut self) {
+        let histogram = std::mem::take(&mut self.histogram);
+        *self = Self { histogram, ..Self { histogram: Vec::new(), ..EMPTY } };
+        self.histogram.fill(0);
+    }
+
+    /// Adds errors of consecutive samples from `start`.
+    pub(super) fn add(&mut self, errors: &[f64], start: u64) {
+        let (mut sum_abs, mut sum, mut sum_squares) = (0.0, 0.0, 0.0);
+        for (error, index) in errors.iter().zip(start..) {
+            let size = error.abs();
+            // A NaN is larger than everything.
+            if size > self.max || size.is_nan() && !self.max.is_nan() {
+                self.max = size;
+                self.at = index;
+            }
+            sum_abs += size;
+            sum += error;
+            sum_squares += error * error;
+            self.histogram[bin(size)] += 1;
+        }
+        self.count += cast::count_of(errors.len());
+        self.sum_abs += sum_abs;
+        self.sum += sum;
+        self.sum_squares += sum_squares;
+    }
+}
+
+const EMPTY: Stream = Stream {
+    count: 0,
+    max: -1.0,
+    at: 0,
+    sum_abs: 0.0,
+    sum: 0.0,
+    sum_squares: 0.0,
+    histogram: Vec::new(),
+};
+
+/// Bin of the histogram: the exponent and the first bits of the mantissa.
+#[inline(always)]
+fn bin(size: f64) -> usize {
+    let key = size.to_bits() >> (f64::MANTISSA_DIGITS - 1 - BINS_PER_OCTAVE_BITS);
+    let bin = key.saturating_sub(LEAST_EXPONENT << BINS_PER_OCTAVE_BITS);
+    cast::index_of(cast::word_of_bits(bin.min(cast::count_of(BINS - 1))))
+}
+
+/// Middle of a bin; 0 for the lowest, which holds everything below 2^-44.
+fn bin_middle(index: usize) -> f64 {
+    if index == 0 {
+        return 0.0;
+    }
+    let bits = (cast::count_of(index) + (LEAST_EXPONENT << BINS_PER_OCTAVE_BITS))
+        << (f64::MANTISSA_DIGITS - 1 - BINS_PER_OCTAVE_BITS);
+    f64::from_bits(bits) * (1.0 + 0.5 * 2f64.powi(-cast::signed_count(BINS_PER_OCTAVE_BITS)))
+}
+
+/// Merged errors of one quantity.
+#[derive(Clone, Debug)]
+pub(super) struct Merged {
+    pub(super) stream: Stream,
+    pub(super) histogram: Vec<u64>,
+    pub(super) witness: Option<Witness>,
+}
+
+impl Merged {
+    pub(super) fn new() -> Self {
+        Self { stream: EMPTY, histogram: vec![0; BINS], witness: None }
+    }
+
+    /// Adds the next chunk's stream; the first of equal maxima stays the witness.
+    pub(super) fn merge(&mut self, other: &Stream, witness: Option<Witness>) {
+        let mine = &mut self.stream;
+        if other.max > mine.max || other.max.is_nan() && !mine.max.is_nan() {
+            mine.max = other.max;
+            self.witness = witness;
+        }
+        mine.count += other.count;
+        mine.sum_abs += other.sum_abs;
+        mine.sum += other.sum;
+        mine.sum_squares += other.sum_squares;
+        for (total, count) in self.histogram.iter_mut().zip(&other.histogram) {
+            *total += u64::from(*count);
+        }
+    }
+
+    pub(super) fn quantile(&self, share: f64) -> f64 {
+        let wanted = (share * cast::f64_of_count(self.stream.count)).ceil();
+        let mut seen = 0;
+        for (index, count) in self.histogram.iter().enumerate() {
+            seen += count;
+            if cast::f64_of_count(seen) >= wanted && seen > 0 {
+                return bin_middle(index).min(self.stream.max);
+            }
+        }
+        0.0
+    }
+}

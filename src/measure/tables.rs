@@ -1,0 +1,147 @@
+//! Exact statistics of table schemes, over every word of their arguments.
+
+use crate::cast;
+use crate::error::Result;
+use crate::function::Function;
+use crate::lut;
+use crate::netlist::{Builder, NodeId, Quantity};
+use crate::sim::batch::Program;
+use crate::units::Tabulated;
+use rayon::prelude::*;
+use serde::Serialize;
+
+/// Exact statistics of one function of a table scheme, over every word of its argument.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TableFigures {
+    /// Table and function.
+    pub table: &'static str,
+    /// Function.
+    pub function: &'static str,
+    /// Largest absolute error against the function saturated to the output format.
+    pub worst: f64,
+    /// The same in ulp of the output.
+    pub worst_ulp: f64,
+    /// Argument word that gives it.
+    pub witness_raw: i64,
+    /// Its value.
+    pub witness: f64,
+    /// Neighbouring words between which the table goes against the function.
+    pub not_monotone: u64,
+    /// Largest jump between neighbouring words beyond the function's own step.
+    pub jump: f64,
+    /// Upper word of that jump.
+    pub jump_raw: i64,
+}
+
+/// The widest argument whose words are gone through.
+pub const TABLE_ARGUMENT_BITS: u32 = 26;
+
+/// Goes through every word of a table scheme's argument; `None` if it has more than
+/// [`TABLE_ARGUMENT_BITS`].
+///
+/// # Errors
+/// If the scheme has a word past 63 bits.
+///
+/// # Panics
+/// If a thread panicked.
+pub fn table_figures(tabulated: &Tabulated) -> Result<Option<Vec<TableFigures>>> {
+    if tabulated.argument.bits() > TABLE_ARGUMENT_BITS {
+        return Ok(None);
+    }
+    let mut b = Builder::new("table");
+    let argument = b.input("argument", tabulated.argument, Quantity::Number);
+    let nodes = lut::emit(&mut b, &tabulated.spec(), argument);
+    for (i, node) in nodes.iter().enumerate() {
+        b.output(&format!("f{i}"), *node);
+    }
+    let netlist = b.build()?;
+    let outputs: Vec<NodeId> = netlist.outputs().iter().map(|output| output.node).collect();
+    let program = Program::compile(&netlist, &outputs);
+    let (lo, hi) = (tabulated.argument.min_raw(), tabulated.argument.max_raw());
+    let starts: Vec<i64> = (lo..=hi).step_by(cast::index_of(CHUNK_WORDS)).collect();
+    let parts: Vec<Vec<TableFigures>> = starts
+        .par_iter()
+        .map_init(
+            || program.runner(),
+            |runner, start| {
+                // One word before the chunk, so that every joint is seen.
+                let first = (start - 1).max(lo);
+                let last = (start + CHUNK_WORDS - 1).min(hi);
+                let words: Vec<i64> = (first..=last).collect();
+                let mut columns = vec![Vec::new(); nodes.len()];
+                runner.run(&program, &[&words], &mut columns);
+                tabulated
+                    .functions
+                    .iter()
+                    .zip(&columns)
+                    .map(|(function, column)| part_figures(tabulated, *function, &words, column))
+                    .collect()
+            },
+        )
+        .collect();
+    let mut parts = parts.into_iter();
+    let mut total = parts.next().expect("bug: arguments have words");
+    for part in parts {
+        for (total, part) in total.iter_mut().zip(part) {
+            if part.worst > total.worst {
+                total.worst = part.worst;
+                total.worst_ulp = part.worst_ulp;
+                total.witness_raw = part.witness_raw;
+                total.witness = part.witness;
+            }
+            if part.jump > total.jump {
+                total.jump = part.jump;
+                total.jump_raw = part.jump_raw;
+            }
+            total.not_monotone += part.not_monotone;
+        }
+    }
+    Ok(Some(total))
+}
+
+/// Words that a thread takes at a time in [`table_figures`].
+const CHUNK_WORDS: i64 = 1 << 14;
+
+fn part_figures(
+    tabulated: &Tabulated,
+    function: Function,
+    words: &[i64],
+    column: &[i64],
+) -> TableFigures {
+    let (output, argument) = (tabulated.output, tabulated.argument);
+    let (lo, hi) = (output.value(output.min_raw()), output.value(output.max_raw()));
+    let mut figures = TableFigures {
+        table: tabulated.name,
+        function: function.name(),
+        worst: -1.0,
+        worst_ulp: 0.0,
+        witness_raw: 0,
+        witness: 0.0,
+        not_monotone: 0,
+        jump: 0.0,
+        jump_raw: 0,
+    };
+    let mut before: Option<(f64, f64)> = None;
+    for (word, raw) in words.iter().zip(column) {
+        let x = tabulated.origin + argument.value(*word);
+        let (is, should) = (output.value(*raw), function.eval(x).clamp(lo, hi));
+        let error = (is - should).abs();
+        if error > figures.worst {
+            figures.worst = error;
+            figures.worst_ulp = error / output.ulp();
+            figures.witness_raw = *word;
+            figures.witness = x;
+        }
+        if let Some((is_before, should_before)) = before {
+            let (step, own) = (is - is_before, should - should_before);
+            // A pole between the words is the function's own jump.
+            if (step - own).abs() > figures.jump {
+                figures.jump = (step - own).abs();
+                figures.jump_raw = *word;
+            }
+            figures.not_monotone += u64::from(step * own < 0.0);
+        }
+        before = Some((is, should));
+    }
+    figures
+}
