@@ -282,18 +282,19 @@ impl<'a> Wave<'a> {
             writeln!(to, "@{flags}\n[color] {color}\n{dots}{}{range}", trace.name)?;
         }
         let [value, _, error, golden] = trace.names();
-        if trace.quantity == Quantity::Turns && trace.twins > 0 {
+        if trace.quantity == Quantity::Turns && (1..4).contains(&trace.twins) {
             writeln!(to, "@20\n[color] {color}\n{dots}{value}")?;
         }
         match trace.twins {
             4 => {
-                // GTKWave shows small fixed-point words as 0, reals in full.
-                if trace.quantity == Quantity::Number {
-                    writeln!(to, "@20\n[color] {color}\n{dots}{value}")?;
-                }
+                // Value and error also as analog traces: steps, scaled to all of the data.
+                let analog = |color: u8, name: &str, rows: usize| {
+                    let space = "\n-".repeat(rows);
+                    format!("@88420\n[color] {color}\n{dots}{name}\n@20000{space}\n")
+                };
+                write!(to, "{}", analog(color, &value, 1))?;
                 writeln!(to, "@20\n[color] 5\n{dots}{golden}")?;
-                // As an analog trace: step, scaled to all of the data, three rows high.
-                writeln!(to, "@88420\n[color] 1\n{dots}{error}\n@20000\n-\n-\n-")
+                write!(to, "{}", analog(1, &error, 2))
             }
             3 => writeln!(to, "@20\n[color] 1\n{dots}{error}"),
             _ => Ok(()),

@@ -155,3 +155,19 @@ fn the_check_sees_every_way_to_name_a_module() {
     );
     assert_eq!(module_of(Path::new("a/src"), Path::new("a/src/units/polar.rs")), "units");
 }
+
+#[test]
+fn the_readme_tells_where_every_file_is() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let readme = fs::read_to_string(root.join("README.md")).unwrap();
+    for entry in fs::read_dir(root.join("src")).unwrap() {
+        let name = entry.unwrap().file_name().into_string().unwrap();
+        let module = name.trim_end_matches(".rs");
+        let told = readme.contains(&format!("`src/{module}.rs`"))
+            || readme.contains(&format!("`src/{module}/`"));
+        assert!(told || name == "lib.rs", "README.md doesn't say what src/{name} holds");
+    }
+    for command in ["cargo run --release -- demo", "cargo test"] {
+        assert!(readme.contains(&format!("```sh\n{command}\n```")), "README.md lacks {command}");
+    }
+}

@@ -12,9 +12,9 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 /// Samples behind each figure.
-const SAMPLES: u64 = 300_000;
+const SAMPLES: u64 = 2_000_000;
 /// Samples behind each point of the sweep.
-const SWEEP_SAMPLES: u64 = 20_000;
+const SWEEP_SAMPLES: u64 = 200_000;
 
 /// Settings that tell the story: the seed as printed, mended, and the exact unit at growing cost.
 const SETTINGS: [(&str, &[&str]); 6] = [
