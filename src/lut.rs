@@ -436,7 +436,7 @@ impl Cells {
     }
 }
 
-/// A combination of two values that owns its terms.
+/// A combination of two values that owns its terms; past 53 bits its constant is the nearest `f64`.
 struct BaseEntry {
     function: Function,
     terms: [(f64, f64); 2],

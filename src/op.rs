@@ -98,12 +98,14 @@ pub enum Meaning {
         /// Abscissa.
         x: NodeId,
     },
-    /// Length of (x, y).
-    Hypot {
-        /// One component.
+    /// Angle of (x, y, z) from the z axis in turns, 0 to ½.
+    Inclination {
+        /// Component across.
         x: NodeId,
-        /// The other.
+        /// Component across.
         y: NodeId,
+        /// Component along the axis.
+        z: NodeId,
     },
     /// `y / (2 f(angle))`, with 0/0 taken as 0.
     OverTwice {
@@ -125,14 +127,15 @@ pub enum Meaning {
 impl Meaning {
     /// The nodes that it refers to.
     #[must_use]
-    pub fn arguments(self) -> [Option<NodeId>; 2] {
+    pub fn arguments(self) -> [Option<NodeId>; 3] {
         match self {
             Self::Apply(_, a) | Self::Negative(a) | Self::CosNegative(a) | Self::Opposite(a) => {
-                [Some(a), None]
+                [Some(a), None, None]
             }
-            Self::Atan2 { y: a, x: b }
-            | Self::Hypot { x: a, y: b }
-            | Self::OverTwice { y: a, angle: b, .. } => [Some(a), Some(b)],
+            Self::Atan2 { y: a, x: b } | Self::OverTwice { y: a, angle: b, .. } => {
+                [Some(a), Some(b), None]
+            }
+            Self::Inclination { x, y, z } => [Some(x), Some(y), Some(z)],
         }
     }
 
@@ -142,7 +145,7 @@ impl Meaning {
         match self {
             Self::Apply(f, a) => Self::Apply(f, new(a)),
             Self::Atan2 { y, x } => Self::Atan2 { y: new(y), x: new(x) },
-            Self::Hypot { x, y } => Self::Hypot { x: new(x), y: new(y) },
+            Self::Inclination { x, y, z } => Self::Inclination { x: new(x), y: new(y), z: new(z) },
             Self::OverTwice { y, function, angle } => {
                 Self::OverTwice { y: new(y), function, angle: new(angle) }
             }
@@ -152,17 +155,17 @@ impl Meaning {
         }
     }
 
-    /// Value on reals; `a` and `b` are the arguments in order.
+    /// Value on reals of the arguments in order.
     #[inline(always)]
     #[must_use]
-    pub fn eval(self, a: f64, b: f64) -> f64 {
+    pub fn eval(self, [a, b, c]: [f64; 3]) -> f64 {
         match self {
             // As the engine on reals has them, to the last bit.
             Self::Apply(Function::Sin, _) => sin_cos_turns(a).0,
             Self::Apply(Function::Cos, _) => sin_cos_turns(a).1,
             Self::Apply(function, _) => function.eval(a),
             Self::Atan2 { .. } => a.atan2(b) / std::f64::consts::TAU,
-            Self::Hypot { .. } => a.hypot(b),
+            Self::Inclination { .. } => a.hypot(b).atan2(c) / std::f64::consts::TAU,
             Self::OverTwice { function, .. } => {
                 if a == 0.0 {
                     0.0

@@ -339,7 +339,7 @@ impl Grower {
             1 => Meaning::CosNegative(of),
             2 => Meaning::Opposite(of),
             3 => Meaning::Atan2 { y: of, x: port },
-            4 => Meaning::Hypot { x: port, y: of },
+            4 => Meaning::Inclination { x: port, y: of, z: port },
             5 => Meaning::OverTwice { y: port, function: Function::Cos, angle: of },
             _ => Meaning::Apply(self.random.pick(&functions), of),
         };

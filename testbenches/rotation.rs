@@ -234,7 +234,7 @@ fn the_exact_variant_on_reals_is_the_rotation() {
                 _ => panic!("two or three ports"),
             };
             // CORDIC's gain is a constant of 24 fraction bits here, on reals too.
-            let limit = if output == "polar-cordic" { 2f64.powi(-24) } else { 1e-12 };
+            let limit = 1e-12;
             for (is, should) in is.iter().zip(matrix_golden(turns)) {
                 assert!((is - should).abs() < limit, "{output} {words:?}: {is} and not {should}");
             }

@@ -345,7 +345,14 @@ impl Builder {
             inputs: Vec::new(),
             outputs: Vec::new(),
         };
-        let mut names = BTreeSet::new();
+        // Ports have their names first: whatever else is called so gets a number.
+        let mut names: BTreeSet<(ScopeId, String)> = BTreeSet::new();
+        for id in &old.inputs {
+            let node = &old.nodes[id.index()];
+            let name = node.name.clone().expect("bug: inputs are named");
+            assert!(is_identifier(&name), "bug: `{name}` is no identifier");
+            assert!(names.insert((node.scope, name)), "bug: two inputs share a name");
+        }
         for (index, mut node) in old.nodes.into_iter().enumerate().filter(|(i, _)| live[*i]) {
             for operand in &mut node.operands {
                 *operand = new_ids[operand.index()];
@@ -366,7 +373,9 @@ impl Builder {
                 Some(meaning) => meaning.arguments().into_iter().flatten().all(real),
                 None => node.op.has_real(node.format) && node.operands.iter().all(|id| real(*id)),
             };
-            if let Some(name) = node.name.take() {
+            if node.op != Op::Input
+                && let Some(name) = node.name.take()
+            {
                 assert!(is_identifier(&name), "bug: `{name}` is no identifier");
                 let unique = (1..)
                     .map(|n| if n == 1 { name.clone() } else { format!("{name}_{n}") })

@@ -333,9 +333,8 @@ impl Netlist {
             let value = match node.meaning {
                 _ if node.op == Op::Input => *ports.next().expect("bug: counted above"),
                 Some(meaning) => {
-                    let [a, b] =
-                        meaning.arguments().map(|id| id.map_or(0.0, |id| values[id.index()]));
-                    meaning.eval(a, b)
+                    let of = meaning.arguments();
+                    meaning.eval(of.map(|id| id.map_or(0.0, |id| values[id.index()])))
                 }
                 None => {
                     let mut of = [0.0; 3];

@@ -150,6 +150,7 @@ impl Runner {
         assert_eq!(inputs.len(), program.inputs.len(), "bug: one column per input");
         assert_eq!(outputs.len(), program.outputs.len(), "bug: one column per output");
         let count = inputs.first().map_or(0, |column| column.len());
+        assert!(inputs.iter().all(|column| column.len() == count), "bug: columns differ in length");
         for column in outputs.iter_mut() {
             column.resize(count, 0.0);
         }
@@ -203,18 +204,8 @@ fn step(kernel: Kernel, [a, b, c]: [&[f64]; 3], to: &mut [f64], other: &mut [f64
         }
         Kernel::Sin => f64::sin_cos_turns(a, to, other),
         Kernel::Cos => f64::sin_cos_turns(a, other, to),
-        Kernel::Meaning(meaning) => {
-            let b = if b.is_empty() { a } else { b };
-            each(to, a, b, |a, b| meaning.eval(a, b));
-        }
-        Kernel::Op(op, format) => {
-            // Unused operands read some column; any will do.
-            let filler = if a.is_empty() { b } else { a };
-            let [b, c] = [b, c].map(|x| if x.is_empty() { filler } else { x });
-            for (((to, a), b), c) in to.iter_mut().zip(a).zip(b).zip(c) {
-                *to = op.eval_real([*a, *b, *c], format);
-            }
-        }
+        Kernel::Meaning(meaning) => each3(to, [a, b, c], |of| meaning.eval(of)),
+        Kernel::Op(op, format) => each3(to, [a, b, c], |of| op.eval_real(of, format)),
     }
 }
 
@@ -222,6 +213,16 @@ fn step(kernel: Kernel, [a, b, c]: [&[f64]; 3], to: &mut [f64], other: &mut [f64
 fn each(to: &mut [f64], a: &[f64], b: &[f64], f: impl Fn(f64, f64) -> f64) {
     for ((to, a), b) in to.iter_mut().zip(a).zip(b) {
         *to = f(*a, *b);
+    }
+}
+
+/// Operands that are not used read some column; any will do.
+#[inline(always)]
+fn each3(to: &mut [f64], [a, b, c]: [&[f64]; 3], f: impl Fn([f64; 3]) -> f64) {
+    let filler = if a.is_empty() { b } else { a };
+    let [b, c] = [b, c].map(|x| if x.is_empty() { filler } else { x });
+    for (((to, a), b), c) in to.iter_mut().zip(a).zip(b).zip(c) {
+        *to = f([*a, *b, *c]);
     }
 }
 

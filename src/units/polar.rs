@@ -7,7 +7,7 @@ use crate::netlist::{Builder, NodeId};
 use crate::op::Meaning;
 use std::f64::consts::TAU;
 
-/// Angle of a vector and its length, as nodes.
+/// Angle of a vector and its length, as nodes; what they mean on reals is the caller's to say.
 pub(crate) struct Polar {
     /// Angle in turns, unsigned, modulo one.
     pub(crate) angle: NodeId,
@@ -83,7 +83,6 @@ pub(crate) fn cordic(
     let ahead = b.modulo(angle, whole);
     let turned = opposite(b, ahead);
     let angle = b.mux(behind, turned, ahead);
-    b.means(angle, Meaning::Atan2 { y, x });
     Polar { angle: b.turns(angle), length: cx }
 }
 
@@ -177,11 +176,9 @@ pub(crate) fn table(b: &mut Builder, y: NodeId, x: NodeId, tables: &PolarTables<
     let angle = fold(b, below, angle, None);
     let whole = turn(b, out.frac_bits().unsigned_abs());
     let angle = b.modulo(angle, whole);
-    b.means(angle, Meaning::Atan2 { y, x });
     let length = b.mul(major, secant);
     let length_format = Format::signed(bits + 1, component.frac_bits());
     let length_format = b.checked(length_format);
     let length = b.narrow(length, length_format, tables.atan.round, Overflow::Saturate);
-    b.means(length, Meaning::Hypot { x, y });
     Polar { angle: b.turns(angle), length }
 }

@@ -449,6 +449,8 @@ fn exact(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], output: &str
         let length = b.narrow(azimuth.length, component, round, Overflow::Saturate);
         (azimuth.angle, convert(b, length, z, "polar_angle")?.angle)
     };
+    b.means(phi, Meaning::Atan2 { y, x });
+    b.means(theta, Meaning::Inclination { x, y, z });
     plan.angle_out(b, "phi", phi)?;
     plan.angle_out(b, "theta", theta)
 }
