@@ -233,10 +233,9 @@ fn the_exact_variant_on_reals_is_the_rotation() {
                 [phi, theta] => vector(phi, theta),
                 _ => panic!("two or three ports"),
             };
-            // CORDIC's gain is a constant of 24 fraction bits here, on reals too.
-            let limit = 1e-12;
+
             for (is, should) in is.iter().zip(matrix_golden(turns)) {
-                assert!((is - should).abs() < limit, "{output} {words:?}: {is} and not {should}");
+                assert!((is - should).abs() < 1e-12, "{output} {words:?}: {is} and not {should}");
             }
         }
     }
