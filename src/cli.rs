@@ -81,11 +81,11 @@ enum Command {
         out: PathBuf,
         /// Unit of angles in both files.
         #[arg(long, value_enum, default_value = "radians")]
-        angle: AngleUnit,
+        angle: AngleArg,
     },
     /// Measure errors against the golden model, with the input that gives the worst.
     #[command(
-        after_help = "Examples:\n  fixpath sim rotation --samples 10000000\n  fixpath sim rotation -p variant=corrected --json\n  fixpath sim rotation -p angle_bits=5 --sampler exhaustive\n  fixpath sim rotation --hard"
+        after_help = "Examples:\n  fixpath sim rotation --samples 10000000\n  fixpath sim rotation -p variant=corrected --json\n  fixpath sim rotation -p angle_bits=5 --sampler exhaustive\n  fixpath sim rotation --hard --cases cases.csv"
     )]
     Sim {
         #[command(flatten)]
@@ -95,6 +95,9 @@ enum Command {
         /// The hard-case list: each case with f32 and f64 results and a verdict.
         #[arg(long, conflicts_with = "sampler")]
         hard: bool,
+        /// Write every hard case with its results into a CSV.
+        #[arg(long, value_name = "FILE", requires = "hard")]
+        cases: Option<PathBuf>,
         /// As JSON.
         #[arg(long)]
         json: bool,
@@ -111,20 +114,20 @@ enum Command {
         input: Option<PathBuf>,
         /// Unit of angles in that file.
         #[arg(long, value_enum, default_value = "radians")]
-        angle: AngleUnit,
+        angle: AngleArg,
         /// VCD to write; FILE.gtkw is written beside it.
         #[arg(long, value_name = "FILE")]
         out: PathBuf,
         /// Samples if there is no CSV.
-        #[arg(long, default_value_t = 200)]
+        #[arg(long, default_value_t = 200, value_parser = clap::value_parser!(u64).range(1..=10_000_000))]
         samples: u64,
         /// Seed of the random vectors.
         #[arg(long, default_value_t = 1)]
         seed: u64,
-        /// Cycles to write, as FIRST..END.
+        /// Cycles to write, as FIRST..END without END itself.
         #[arg(long, value_name = "A..B", value_parser = parse_window)]
         cycles: Option<std::ops::Range<u64>>,
-        /// Signals to write, as scope.name with * for any text.
+        /// Signals to write, as scope.name (without the unit) with * for any text.
         #[arg(long, value_name = "PATTERN", value_delimiter = ',')]
         signals: Vec<String>,
         /// Also unnamed nodes and pipeline registers.
@@ -195,6 +198,26 @@ struct InputArgs {
 }
 
 #[derive(Clone, Copy, ValueEnum)]
+enum AngleArg {
+    /// 2π to the turn.
+    Radians,
+    /// 360 to the turn.
+    Degrees,
+    /// Turns.
+    Turns,
+}
+
+impl AngleArg {
+    fn unit(self) -> AngleUnit {
+        match self {
+            Self::Radians => AngleUnit::Radians,
+            Self::Degrees => AngleUnit::Degrees,
+            Self::Turns => AngleUnit::Turns,
+        }
+    }
+}
+
+#[derive(Clone, Copy, ValueEnum)]
 enum SamplerArg {
     /// Uniform on the sphere, light on the lit side of the surface.
     Lit,
@@ -225,7 +248,22 @@ fn parse_window(text: &str) -> Result<std::ops::Range<u64>, String> {
 /// Runs the command line; the binary's `main`.
 #[must_use]
 pub fn main() -> ExitCode {
-    let cli = Cli::parse();
+    let cli = Cli::try_parse().unwrap_or_else(|error| {
+        if !error.use_stderr() {
+            error.exit(); // --help and --version
+        }
+        // One line, as every other error: the message up to the empty line before the usage.
+        let text = error.to_string();
+        let lines: Vec<&str> = text.lines().take_while(|line| !line.is_empty()).collect();
+        let text = lines.iter().map(|line| line.trim()).collect::<Vec<_>>().join(" ");
+        let _ = writeln!(io::stderr(), "{text}: `fixpath --help` tells more");
+        std::process::exit(2);
+    });
+    // An interrupt leaves no half-written file behind. Without the handler it would leave one.
+    let _ = ctrlc::set_handler(|| {
+        output::abandon();
+        std::process::exit(130);
+    });
     if let Some(threads) = cli.threads {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads));
         if let Err(why) = pool.build_global() {
@@ -266,14 +304,17 @@ fn run(command: &Command) -> Result<bool> {
             })?;
         }
         Command::Eval { unit, input, out, angle } => {
-            eval_command(&unit.design()?, input, out, *angle)?;
+            eval_command(&unit.design()?, input, out, angle.unit())?;
         }
-        Command::Sim { unit, inputs, hard, json } => {
+        Command::Sim { unit, inputs, hard, cases, json } => {
             let mut inputs = inputs.inputs();
             if *hard {
                 inputs.sampler = Sampler::Hard;
             }
             let sim = Sim::run(unit.design()?, &inputs)?;
+            if let Some(path) = cases {
+                output::write_file(path, |to| write_cases(&sim, to, path))?;
+            }
             print(&if *json { pretty(&text::sim_json(&sim)) } else { text::sim(&sim) })?;
             return Ok(sim.passed());
         }
@@ -290,9 +331,11 @@ fn run(command: &Command) -> Result<bool> {
             words_only,
         } => {
             let design = unit.design()?;
+            // What comes after the window doesn't matter.
+            let end = cycles.as_ref().map_or(u64::MAX, |cycles| cycles.end);
             let stimulus = match input {
-                Some(path) => read_stimulus(&design, path, *angle)?,
-                None => stimulus(&design, *samples, *seed)?,
+                Some(path) => read_stimulus(&design, path, angle.unit(), end)?,
+                None => stimulus(&design, *samples.min(&end), *seed)?,
             };
             let options = Options {
                 cycles: cycles.clone(),
@@ -306,7 +349,17 @@ fn run(command: &Command) -> Result<bool> {
             let base = unit.values()?;
             let axes: Result<Vec<Axis>> =
                 axes.iter().map(|axis| Axis::parse(axis, base.unit())).collect();
-            let sweep = Sweep::new(base, axes?, inputs.inputs())?;
+            let axes = axes?;
+            for axis in &axes {
+                let fixed =
+                    |set: &String| set.split_once('=').is_some_and(|(k, _)| k == axis.key());
+                if unit.params.iter().any(fixed) {
+                    let text =
+                        format!("parameter `{}` is set with -p and swept by an axis", axis.key());
+                    return Err(Error::usage(text));
+                }
+            }
+            let sweep = Sweep::new(base, axes, inputs.inputs())?;
             print(&run_sweep(&sweep, out, *fresh)?)?;
         }
         Command::Demo { out } => return demo::run(out),
@@ -346,8 +399,15 @@ fn open(path: &Path) -> Result<File> {
     Ok(file)
 }
 
+fn same_file(a: &Path, b: &Path) -> bool {
+    matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b && a.is_file())
+}
+
 fn eval_command(design: &Design, input: &Path, out: &Path, angle: AngleUnit) -> Result<()> {
     let dash = Path::new("-");
+    if out != dash && input != dash && same_file(input, out) {
+        return Err(Error::file(out, "is the input: give another file to write".to_owned()));
+    }
     let from: Box<dyn io::Read> =
         if input == dash { Box::new(io::stdin().lock()) } else { Box::new(open(input)?) };
     if out == dash {
@@ -388,15 +448,49 @@ impl Sim {
     }
 }
 
+/// Every hard case, one row each.
+fn write_cases(sim: &Sim, to: &mut dyn Write, path: &Path) -> Result<()> {
+    let netlist = &sim.design.netlist;
+    let mut writer = csv::Writer::from_writer(to);
+    let mut header = vec!["case".to_owned()];
+    header.extend((0..netlist.inputs().len()).map(|i| format!("{}_raw", netlist.input_name(i))));
+    for result in ["fixed", "f32", "f64"] {
+        header.extend(["x", "y", "z"].map(|axis| format!("{axis}_{result}")));
+    }
+    header.extend(["error", "f32_error", "bound", "holds"].map(str::to_owned));
+    let fail = |why: csv::Error| Error::io(path, "can't write", why.into());
+    writer.write_record(&header).map_err(fail)?;
+    for group in &sim.design.hard {
+        for case in measure::hard_results(&sim.design, group, &sim.bound) {
+            let mut row = vec![group.name.to_owned()];
+            row.extend(case.words.iter().map(ToString::to_string));
+            for direction in [case.fixed, case.float32, case.float64] {
+                row.extend(direction.map(|x| x.to_string()));
+            }
+            row.extend([case.error.to_string(), case.float32_error.to_string()]);
+            row.push(sim.bound.bound.map(|bound| bound.to_string()).unwrap_or_default());
+            let holds = sim.bound.bound.map(|bound| (case.error <= bound).to_string());
+            row.push(holds.unwrap_or_default());
+            writer.write_record(&row).map_err(fail)?;
+        }
+    }
+    writer.flush().map_err(output::at(path))
+}
+
 /// Input words from a CSV, one row a cycle.
-fn read_stimulus(design: &Design, path: &Path, angle: AngleUnit) -> Result<Vec<Vec<i64>>> {
+fn read_stimulus(
+    design: &Design,
+    path: &Path,
+    angle: AngleUnit,
+    end: u64,
+) -> Result<Vec<Vec<i64>>> {
     let mut file = InputFile::open(open(path)?, path, &design.netlist, angle)?;
     let (mut values, mut words, mut rows) = (Vec::new(), Vec::new(), Vec::new());
     loop {
         let count = file.read(1 << 12, &mut values)?;
         measure::quantize_inputs(&design.netlist, &values, &mut words)?;
         rows.extend((0..count).map(|row| words.iter().map(|column| column[row]).collect()));
-        if count < 1 << 12 {
+        if count < 1 << 12 || cast::count_of(rows.len()) >= end {
             return Ok(rows);
         }
     }
@@ -431,19 +525,32 @@ fn write_wave(
     samples: &[Vec<i64>],
     out: &Path,
 ) -> Result<String> {
-    let wave = Wave::new(design, options)?;
-    let mut cycles = 0;
-    output::write_file(out, |to| {
-        cycles = wave.write(samples, to).map_err(output::at(out))?;
-        Ok(())
-    })?;
     let save = out.with_extension("gtkw");
-    output::write_file(&save, |to| wave.write_gtkw(out, to).map_err(output::at(&save)))?;
+    if save == out || out == Path::new("-") {
+        let problem = "is where the save file goes: give a file that ends in .vcd";
+        return Err(Error::file(&save, problem.to_owned()));
+    }
+    let window = options.cycles.clone();
+    let wave = Wave::new(design, options)?;
+    let latency = u64::from(wave.rtl().schedule().latency());
+    let end = cast::count_of(samples.len()) + latency;
+    if let Some(window) = window.filter(|window| window.start >= end) {
+        return Err(Error::usage(format!(
+            "cycles {}..{} are past the end: there are {end}",
+            window.start, window.end
+        )));
+    }
+    let mut cycles = 0;
+    // The save file is written while the VCD is not in place yet: both are there or none.
+    output::write_file(out, |to| {
+        cycles = wave.write(samples, to, out)?;
+        output::write_file(&save, |to| wave.write_gtkw(out, to).map_err(output::at(&save)))
+    })?;
     Ok(format!(
         "{}: {cycles} cycles, {} signals, latency {}\nopen with: gtkwave {} {}\n",
         out.display(),
         wave.len(),
-        wave.rtl().schedule().latency(),
+        latency,
         out.display(),
         save.display()
     ))

@@ -20,7 +20,7 @@ use std::path::Path;
 const ROWS: usize = 1 << 12;
 
 /// Unit of the angles in a file.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum AngleUnit {
     /// 2π to the turn.
     Radians,
@@ -127,15 +127,21 @@ impl<'a, R: Read> InputFile<'a, R> {
                 let text = &self.record[self.positions[i]];
                 let bad = |problem| Error::csv(self.path, line, Some(&self.names[i]), problem);
                 let value: f64 =
-                    text.parse().map_err(|_| bad(format!("`{text}` is not a number")))?;
+                    text.parse().map_err(|_| bad(format!("`{}` is not a number", shown(text))))?;
                 if !value.is_finite() {
-                    return Err(bad(format!("`{text}` is not a finite number")));
+                    return Err(bad(format!("`{}` is not a finite number", shown(text))));
                 }
                 column.push(value / self.scales[i]);
             }
         }
         Ok(rows)
     }
+}
+
+/// A field for a message: not too long, nothing that a terminal would act on.
+fn shown(text: &str) -> String {
+    let end = if text.chars().nth(40).is_some() { "…" } else { "" };
+    text.chars().take(40).flat_map(char::escape_default).collect::<String>() + end
 }
 
 #[expect(clippy::wildcard_enum_match_arm, reason = "a foreign enum that may grow")]
@@ -214,7 +220,7 @@ pub fn eval(
             for (i, id) in outputs.iter().enumerate() {
                 fields.push((out_values[i][row] * scale(id)).to_string());
                 fields.push(out_words[i][row].to_string());
-                fields.push((ports[i] * scale(id)).to_string());
+                fields.push((ports[i] * scale(id) + 0.0).to_string()); // -0 becomes 0
             }
             writer.write_record(&fields).map_err(written)?;
         }

@@ -12,7 +12,8 @@
 //! - *bipartite*: a table of initial values at 2^n cells and a table of offsets, addressed
 //!   by the top bits and by the bits below the cell; one addition, no multiplier.
 //!
-//! Values outside the output format, poles among them, saturate to its ends.
+//! Values outside the output format, poles among them, saturate to its ends. Where they do, the
+//! linear and the bipartite scheme have no slope: those cells are as in the direct scheme.
 
 use crate::cast;
 use crate::format::{Format, Overflow, Round, word_mask};
@@ -172,6 +173,10 @@ fn emit_folded(b: &mut Builder, spec: &Spec<'_>, function: Function, argument: N
 
 /// The scheme over the argument's own cells, for function `which` of the spec.
 fn emit_cells(b: &mut Builder, spec: &Spec<'_>, which: usize, argument: NodeId) -> NodeId {
+    if b.has_failed() {
+        // Nothing will come of this netlist: large tables would only take time.
+        return b.constant(0, spec.output);
+    }
     let cells = Cells::new(spec, b.format(argument));
     let tables = cells.tables(spec);
     let address = b.slice(argument, cells.cell_bits, cells.addr_bits);
@@ -355,32 +360,28 @@ impl Cells {
         )
     }
 
-    /// Rise of the function over the `2^bits` words from cell `i`, as terms and a constant.
-    /// A pole at the upper end counts from this side.
-    fn rise(
-        self,
-        spec: &Spec<'_>,
-        function: Function,
-        i: i64,
-        bits: u32,
-    ) -> ([(f64, f64); 2], f64) {
-        let start = self.after(i, bits, 0);
-        let end = self.after(i, bits, 1 << bits);
-        let inside = self.after(i, bits, word_mask(bits));
-        if function.eval(end).is_infinite() {
-            let (lo, hi) = range(spec.output);
-            let limit = if function.eval(inside) < 0.0 { lo } else { hi };
-            ([(-1.0, start), (0.0, inside)], limit)
-        } else {
-            ([(-1.0, start), (1.0, end)], 0.0)
-        }
+    /// True if the function saturates within the `2^bits` words from cell `i`, or has a pole
+    /// there. A line through such words could have the wrong sign where the function is small.
+    fn saturates(self, spec: &Spec<'_>, function: Function, i: i64, bits: u32) -> bool {
+        let (lo, hi) = range(spec.output);
+        [0, word_mask(bits), 1 << bits].into_iter().any(|words| {
+            let value = function.eval(self.after(i, bits, words));
+            value < lo || value > hi
+        })
+    }
+
+    /// Terms of the rise of the function over the `2^bits` words from cell `i`; none where it
+    /// saturates.
+    fn rise(self, spec: &Spec<'_>, function: Function, i: i64, bits: u32) -> [(f64, f64); 2] {
+        let weight = if self.saturates(spec, function, i, bits) { 0.0 } else { 1.0 };
+        [(-weight, self.after(i, bits, 0)), (weight, self.after(i, bits, 1 << bits))]
     }
 
     /// The chord's slope per word, in units of 2^-slope_frac.
     fn slope(self, spec: &Spec<'_>, function: Function, i: i64, slope_frac: i32) -> i64 {
-        let (terms, constant) = self.rise(spec, function, i, self.cell_bits);
-        let rise = Combination { function, terms: &terms, constant, range: range(spec.output) };
-        rise.round(slope_frac - cast::signed_count(self.cell_bits))
+        let terms = self.rise(spec, function, i, self.cell_bits);
+        Combination { function, terms: &terms, constant: 0.0, range: range(spec.output) }
+            .round(slope_frac - cast::signed_count(self.cell_bits))
     }
 
     /// The base that centres the deviation from a line of this slope per word.
@@ -413,7 +414,7 @@ impl Cells {
     /// cell's centre from the middle.
     fn offset(self, spec: &Spec<'_>, function: Function, i: i64, offset_bits: u32) -> BaseEntry {
         let coarse_words_bits = self.cell_bits + offset_bits;
-        let (terms, constant) = self.rise(spec, function, i >> offset_bits, coarse_words_bits);
+        let terms = self.rise(spec, function, i >> offset_bits, coarse_words_bits);
         let fine = i & word_mask(offset_bits);
         let fine_words = 1i64 << (self.cell_bits - offset_bits);
         // Twice the distance in words, so that it is whole.
@@ -422,7 +423,7 @@ impl Cells {
         BaseEntry {
             function,
             terms: terms.map(|(c, x)| (c * weight, x)),
-            constant: constant * weight,
+            constant: 0.0,
             range: range(spec.output),
         }
     }

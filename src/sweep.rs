@@ -1,7 +1,7 @@
 //! Sweeps: a unit measured over a grid of parameters.
 //!
 //! Points are measured in groups that share their inputs and golden values, and a group's designs
-//! are dropped before the next is built, so memory doesn't grow with the grid. Finished points are
+//! are dropped before the next is built, so memory grows with the grid by the points' figures only. Finished points are
 //! on disk all the time: a sweep that was stopped goes on where it was. Each point's figures are
 //! those that it would have alone.
 
@@ -21,6 +21,8 @@ use std::time::{Duration, Instant};
 const MAX_POINTS: usize = 100_000;
 /// The most points measured together.
 const GROUP_POINTS: usize = 16;
+/// The most samples of all points of a group together: a few seconds' work.
+const GROUP_SAMPLES: u64 = 1 << 25;
 /// The most stored bits of the tables of a group: large tables are compiled into memory.
 const GROUP_ROM_BITS: u64 = 1 << 28;
 
@@ -268,20 +270,14 @@ impl Sweep {
     /// True if two designs can be measured together: random inputs are drawn as reals and
     /// suit all, the others are lists of words.
     fn same_inputs(&self, a: &Design, b: &Design) -> bool {
-        let formats = |design: &Design| -> Vec<_> {
-            let netlist = &design.netlist;
-            netlist.inputs().iter().map(|id| netlist.node(*id).format).collect()
-        };
-        match self.inputs.sampler {
-            Sampler::Lit | Sampler::Sphere => true,
-            Sampler::Exhaustive => formats(a) == formats(b),
-            Sampler::Hard => {
-                let words = |design: &Design| {
-                    design.hard.iter().map(|c| c.words.clone()).collect::<Vec<_>>()
-                };
-                formats(a) == formats(b) && words(a) == words(b)
-            }
-        }
+        !self.inputs.are_words() || self.inputs.same(a, b)
+    }
+
+    /// Points measured together: as many as share golden values well, but so few that a sweep of
+    /// many samples saves something every few seconds.
+    fn group_points(&self) -> usize {
+        let most = GROUP_SAMPLES / self.inputs.samples.max(1);
+        usize::try_from(most).unwrap_or(GROUP_POINTS).clamp(1, GROUP_POINTS)
     }
 }
 
@@ -305,7 +301,7 @@ impl Run<'_> {
     /// Takes over finished points from `sweep.json`.
     fn resume(&mut self) -> Result<()> {
         let path = self.folder.join("sweep.json");
-        let Some(record) = Record::load(&path)? else { return Ok(()) };
+        let Some(record) = Record::load(&path)? else { return self.refuse_foreign_files() };
         if record.header != self.header {
             let differences = record.header.differences(&self.header);
             return Err(Error::file(
@@ -336,6 +332,18 @@ impl Run<'_> {
         Ok(())
     }
 
+    /// Files of the names that a sweep writes, without a sweep, are somebody's.
+    fn refuse_foreign_files(&self) -> Result<()> {
+        let names = ["sweep.csv"].into_iter().chain(report::FILES);
+        match names.map(|name| self.folder.join(name)).find(|path| path.exists()) {
+            None => Ok(()),
+            Some(path) => Err(Error::file(
+                &path,
+                "is in the way and from no sweep: choose another folder or pass --fresh".to_owned(),
+            )),
+        }
+    }
+
     /// Removes what an earlier sweep left, so that a sweep that is stopped before its first
     /// point is done doesn't leave another one's points and reports behind.
     fn remove_files(&self) -> Result<()> {
@@ -362,7 +370,9 @@ impl Run<'_> {
         let mut group: Vec<(usize, Design)> = Vec::new();
         let mut rom_bits = 0;
         for (index, _) in missing {
-            let design = match self.sweep.point(index).build() {
+            let built =
+                self.sweep.point(index).build().and_then(|design| design.rtl().map(|_| design));
+            let design = match built {
                 Ok(design) => design,
                 Err(why) => {
                     self.fail(index, &why);
@@ -370,7 +380,8 @@ impl Run<'_> {
                 }
             };
             let own_bits = design.netlist.counts().rom_bits;
-            let full = group.len() == GROUP_POINTS || rom_bits + own_bits > GROUP_ROM_BITS;
+            let full =
+                group.len() == self.sweep.group_points() || rom_bits + own_bits > GROUP_ROM_BITS;
             if group
                 .first()
                 .is_some_and(|(_, first)| full || !self.sweep.same_inputs(first, &design))

@@ -2,8 +2,8 @@
 //!
 //! Words are declared with the binary point as a negative least index, so `[1:-14]` is a
 //! 16-bit word with 14 fraction bits. Beside each named word stand three reals: its value, the
-//! netlist evaluated on reals for the same sample (`ideal`), and the difference (`error`);
-//! beside each output port also the golden. Words that are exact, such as sums of inputs, have
+//! netlist evaluated on reals for the same sample (`ideal`), and the difference (`arith_error`);
+//! beside each output port also the golden, and the difference to that (`total_error`). Words that are exact, such as sums of inputs, have
 //! only their value. Angles are in degrees there, and their errors are
 //! taken modulo a turn. In stage s, cycle t shows the sample that entered at cycle t - s;
 //! what no data has reached yet is `x`.
@@ -12,6 +12,7 @@ use crate::cast;
 use crate::error::{Error, Result};
 use crate::netlist::{Netlist, NodeId, Quantity};
 use crate::op::Op;
+use crate::output;
 use crate::rtl::{Rtl, Signal};
 use crate::sim::cycle::Cycle;
 use crate::units::Design;
@@ -43,19 +44,20 @@ struct Trace {
     path: Vec<String>,
     name: String,
     quantity: Quantity,
-    /// How many of value, ideal, error and golden stand beside it.
+    /// How many of value, ideal, arithmetic error, golden and total error stand beside it.
     twins: usize,
     /// Number of the output port that it is.
     port: Option<usize>,
 }
 
 impl Trace {
-    fn names(&self) -> [String; 4] {
+    fn names(&self) -> [String; 5] {
         let unit = match self.quantity {
             Quantity::Turns => "_deg",
             Quantity::Number => "",
         };
-        ["value", "ideal", "error", "golden"].map(|twin| format!("{}_{twin}{unit}", self.name))
+        ["value", "ideal", "arith_error", "golden", "total_error"]
+            .map(|twin| format!("{}_{twin}{unit}", self.name))
     }
 
     /// Factor from values to what twins show.
@@ -79,14 +81,17 @@ pub struct Wave<'a> {
 
 /// True if `text` matches a pattern with `*` for any text.
 fn matches(pattern: &str, text: &str) -> bool {
-    match pattern.split_once('*') {
-        None => pattern == text,
-        Some((head, rest)) => text.strip_prefix(head).is_some_and(|text| {
-            (0..=text.len())
-                .filter(|i| text.is_char_boundary(*i))
-                .any(|i| matches(rest, &text[i..]))
-        }),
+    let Some((head, rest)) = pattern.split_once('*') else { return pattern == text };
+    let Some(mut text) = text.strip_prefix(head) else { return false };
+    let (middle, tail) = rest.rsplit_once('*').unwrap_or(("", rest));
+    // The leftmost place of each middle part leaves the most text to the others.
+    for part in middle.split('*') {
+        match text.find(part) {
+            Some(at) => text = &text[at + part.len()..],
+            None => return false,
+        }
     }
+    text.ends_with(tail)
 }
 
 impl<'a> Wave<'a> {
@@ -142,11 +147,23 @@ impl<'a> Wave<'a> {
     /// Simulates one sample per cycle and writes the VCD; runs on until the last result is out.
     ///
     /// # Errors
-    /// If `to` can't be written.
+    /// If `to` can't be written; `path` names it. If a `narrow` under overflow mode `error`
+    /// overflowed on valid data.
     ///
     /// # Panics
     /// If the samples don't match the input ports.
-    pub fn write(&self, samples: &[Vec<i64>], to: &mut dyn Write) -> io::Result<u64> {
+    pub fn write(&self, samples: &[Vec<i64>], to: &mut dyn Write, path: &Path) -> Result<u64> {
+        let cycle = self.write_cycles(samples, to).map_err(output::at(path))?;
+        match cycle.forbidden_overflow() {
+            Some(node) => Err(Error::node_overflow(self.rtl.netlist().label(node), 1)),
+            None => {
+                let first = self.options.cycles.as_ref().map_or(0, |cycles| cycles.start);
+                Ok(cycle.edges().saturating_sub(first))
+            }
+        }
+    }
+
+    fn write_cycles(&self, samples: &[Vec<i64>], to: &mut dyn Write) -> io::Result<Cycle> {
         let netlist = self.rtl.netlist();
         let latency = self.rtl.schedule().latency();
         let mut writer = vcd::Writer::new(to);
@@ -196,7 +213,7 @@ impl<'a> Wave<'a> {
         }
         writer.timestamp(total.min(window.end) * self.period_ps)?;
         writer.flush()?;
-        Ok(total.min(window.end).saturating_sub(window.start))
+        Ok(cycle)
     }
 
     fn ideal(&self, words: &[i64]) -> Ideal {
@@ -224,7 +241,11 @@ impl<'a> Wave<'a> {
         // The name alone: the pair of files can be moved together.
         let file = vcd.file_name().unwrap_or_default().to_string_lossy();
         writeln!(to, "[*] fixpath {}: unit {unit}", env!("CARGO_PKG_VERSION"))?;
-        writeln!(to, "[dumpfile] \"{file}\"\n[timestart] 0\n[size] 1500 1000\n[pos] -1 -1")?;
+        // From the first result on: before it there is nothing to see.
+        let first = self.options.cycles.as_ref().map_or(0, |cycles| cycles.start);
+        let start = u64::from(self.rtl.schedule().latency()).max(first) * self.period_ps;
+        writeln!(to, "[dumpfile] \"{file}\"\n[timestart] {start}")?;
+        writeln!(to, "[size] 1500 1000\n[pos] -1 -1")?;
         writeln!(to, "[sst_width] 210\n[signals_width] 330\n[sst_expanded] 0\n[treeopen] {unit}.")?;
         let zoom = -(cast::f64_of_count(self.period_ps).log2() + 1.0);
         writeln!(to, "*{zoom:.6} 0 {}", "-1 ".repeat(26).trim_end())?;
@@ -281,12 +302,12 @@ impl<'a> Wave<'a> {
             let flags = if format.is_signed() { "420" } else { "24" };
             writeln!(to, "@{flags}\n[color] {color}\n{dots}{}{range}", trace.name)?;
         }
-        let [value, _, error, golden] = trace.names();
-        if trace.quantity == Quantity::Turns && (1..4).contains(&trace.twins) {
+        let [value, _, arith_error, golden, total_error] = trace.names();
+        if trace.quantity == Quantity::Turns && (1..5).contains(&trace.twins) {
             writeln!(to, "@20\n[color] {color}\n{dots}{value}")?;
         }
         match trace.twins {
-            4 => {
+            5 => {
                 // Value and error also as analog traces: steps, scaled to all of the data.
                 let analog = |color: u8, name: &str, rows: usize| {
                     let space = "\n-".repeat(rows);
@@ -294,9 +315,10 @@ impl<'a> Wave<'a> {
                 };
                 write!(to, "{}", analog(color, &value, 1))?;
                 writeln!(to, "@20\n[color] 5\n{dots}{golden}")?;
-                write!(to, "{}", analog(1, &error, 2))
+                write!(to, "{}", analog(1, &total_error, 2))?;
+                writeln!(to, "@20\n[color] 1\n{dots}{arith_error}")
             }
-            3 => writeln!(to, "@20\n[color] 1\n{dots}{error}"),
+            3 => writeln!(to, "@20\n[color] 1\n{dots}{arith_error}"),
             _ => Ok(()),
         }
     }
@@ -343,7 +365,7 @@ fn all_traces(rtl: &Rtl, options: &Options) -> Vec<Trace> {
         let node = netlist.node(signal.node);
         let twins = match port {
             _ if !node.has_real || node.format.bits() == 1 => 0,
-            Some(_) => 4,
+            Some(_) => 5,
             None if exact[signal.node.index()] => 1,
             None => 3,
         };
@@ -402,7 +424,7 @@ struct Codes {
     valid_out: IdCode,
     last_valid: [Option<bool>; 2],
     words: Vec<(IdCode, Option<Option<i64>>)>,
-    twins: Vec<Vec<(IdCode, f64)>>,
+    twins: Vec<Vec<(IdCode, Option<f64>)>>,
     started: bool,
 }
 
@@ -443,7 +465,7 @@ impl Codes {
             codes.words[index].0 =
                 writer.add_var(VarType::Wire, format.bits(), &trace.name, range)?;
             for name in trace.names().iter().take(trace.twins) {
-                codes.twins[index].push((writer.add_var(VarType::Real, 64, name, None)?, f64::NAN));
+                codes.twins[index].push((writer.add_var(VarType::Real, 64, name, None)?, None));
             }
         }
         for _ in open {
@@ -490,16 +512,19 @@ impl Codes {
             let scale = trace.scale();
             let value = node.format.value(now) * scale;
             let ideal_value = ideal.nodes[trace.signal.node.index()] * scale;
-            let mut shown = [value, ideal_value, value - ideal_value, 0.0];
-            if trace.quantity == Quantity::Turns {
-                shown[2] -= 360.0 * (shown[2] / 360.0).round();
-            }
-            if let Some(port) = trace.port {
-                shown[3] = ideal.ports[port] * scale;
-            }
+            // Angles differ by half a turn at most.
+            let difference = |other: f64| {
+                let difference = value - other;
+                match trace.quantity {
+                    Quantity::Turns => difference - 360.0 * (difference / 360.0).round(),
+                    Quantity::Number => difference,
+                }
+            };
+            let golden = trace.port.map_or(0.0, |port| ideal.ports[port] * scale);
+            let shown = [value, ideal_value, difference(ideal_value), golden, difference(golden)];
             for (twin, shown) in twins.iter_mut().zip(shown) {
-                if twin.1.to_bits() != shown.to_bits() {
-                    twin.1 = shown;
+                if twin.1.map(f64::to_bits) != Some(shown.to_bits()) {
+                    twin.1 = Some(shown);
                     writer.change_real(twin.0, shown)?;
                 }
             }

@@ -29,7 +29,7 @@ fn write(
 ) -> std::path::PathBuf {
     let path = folder.join("unit.vcd");
     let wave = Wave::new(design, options).unwrap();
-    wave.write(rows, &mut std::fs::File::create(&path).unwrap()).unwrap();
+    wave.write(rows, &mut std::fs::File::create(&path).unwrap(), &path).unwrap();
     wave.write_gtkw(&path, &mut std::fs::File::create(path.with_extension("gtkw")).unwrap())
         .unwrap();
     path
@@ -128,7 +128,7 @@ fn every_word_and_twin_is_the_reference_of_its_sample() {
                         );
                     }
                 }
-                if let Some(changes) = read.signals.get(&format!("{full}_error")) {
+                if let Some(changes) = read.signals.get(&format!("{full}_arith_error")) {
                     let inputs: Vec<f64> = words
                         .iter()
                         .zip(netlist.inputs())

@@ -6,7 +6,7 @@ use crate::error::Result;
 use crate::measure::{self, Basis, Figures, Report, TableFigures, Witness};
 use crate::netlist::{Netlist, Operators, Quantity};
 use crate::report::pareto;
-use crate::report::record::{Measured, Point, Record};
+use crate::report::record::{Measured, Point, Record, parameters_of};
 use crate::schedule::stage_sizes;
 use crate::units::{Design, Kind, PIPELINE, Param, Unit, Values};
 use serde_json::{Map, Value, json};
@@ -112,12 +112,7 @@ pub(super) fn list_json(units: &[&'static Unit]) -> Value {
 }
 
 fn parameters(values: &Values) -> Value {
-    let value = |value| match value {
-        crate::units::Value::Int(number) => json!(number),
-        crate::units::Value::Auto => json!("auto"),
-        crate::units::Value::Choice(name) => json!(name),
-    };
-    Value::Object(values.iter().map(|(name, v)| (name.to_owned(), value(v))).collect())
+    Value::Object(parameters_of(values))
 }
 
 fn parameter_line(values: &Values) -> String {
@@ -359,7 +354,7 @@ pub(super) fn sim(sim: &Sim) -> String {
     text.push_str(
         "  total: bit-true against the golden of the quantised inputs = arithmetic (words and tables) + algorithm\n  \
            end-to-end: against the golden of the inputs before quantisation; dot: of any unit vector with the result\n  \
-           percentiles are known to 1.6 %\n",
+           percentiles are known to 1.6 %; 0 means below 2^-44\n",
     );
     if !report.overflows.is_empty() {
         text.push_str("\nnarrows that overflowed\n");
@@ -406,12 +401,12 @@ pub(super) fn hard_cases(sim: &Sim) -> String {
             vec![
                 case.name.to_owned(),
                 case.cases.to_string(),
-                case.words.iter().map(ToString::to_string).collect::<Vec<_>>().join(","),
-                vector(case.fixed),
-                vector(case.float32),
-                vector(case.float64),
-                number(case.error),
-                number(case.float32_error),
+                case.worst.words.iter().map(ToString::to_string).collect::<Vec<_>>().join(","),
+                vector(case.worst.fixed),
+                vector(case.worst.float32),
+                vector(case.worst.float64),
+                number(case.worst.error),
+                number(case.float32_worst),
                 match case.holds {
                     None => "no bound",
                     Some(true) => "ok",
@@ -422,7 +417,17 @@ pub(super) fn hard_cases(sim: &Sim) -> String {
         })
         .collect();
     text.push_str(&table(
-        &["case", ">cases", "words", "fixed", "f32", "f64", ">error", ">f32 error", "verdict"],
+        &[
+            "case",
+            ">cases",
+            "words",
+            "fixed",
+            "f32",
+            "f64",
+            ">error",
+            ">worst f32 error",
+            "verdict",
+        ],
         &rows,
     ));
     let unit = if sim.bound.quantity == Some("component") {
@@ -430,7 +435,7 @@ pub(super) fn hard_cases(sim: &Sim) -> String {
     } else {
         "the angle in rad"
     };
-    let _ = writeln!(text, "  error: {unit}, against f64; f32 error: the angle in rad");
+    let _ = writeln!(text, "  errors: {unit}, against f64");
     text
 }
 
@@ -489,19 +494,31 @@ pub(super) fn sweep(record: &Record, out: &Path) -> String {
         record.points.iter().filter_map(|p| Some((p, p.measured.as_ref()?))).collect();
     let failed = record.points.len() - measured.len();
     let mut text = format!("{} points, {failed} failed\n", record.points.len());
+    if let Some(error) = record.points.iter().find_map(|point| point.error.as_ref()) {
+        let _ = writeln!(text, "the first failure: {error}");
+    }
     let rom = |m: &Measured| cast::f64_of_count(m.count("rom_bits_dual_port").unwrap_or_default());
-    let costs: Vec<(f64, f64)> = measured.iter().map(|(_, m)| (rom(m), m.angle_max())).collect();
+    let basis = record.ranking();
+    let costs: Vec<(f64, f64)> =
+        measured.iter().map(|(_, m)| (rom(m), m.angle_max(basis))).collect();
     let axes: Vec<&str> = record.header.axes.iter().map(|axis| axis.key.as_str()).collect();
     let rows: Vec<Vec<String>> = pareto(&costs)
         .into_iter()
         .map(|i| {
             let (point, m) = measured[i];
             let mut row: Vec<String> = axes.iter().map(|key| point.text(key)).collect();
-            row.extend([format!("{}°", number(m.angle_max().to_degrees())), rom(m).to_string()]);
+            row.extend([
+                format!("{}°", number(m.angle_max(basis).to_degrees())),
+                rom(m).to_string(),
+            ]);
             row
         })
         .collect();
-    text.push_str("no other point has both a smaller worst angle and fewer ROM bits than\n");
+    let _ = writeln!(
+        text,
+        "Pareto-optimal points, by the worst angle ({} error) and ROM bits (a copy for every two ports)",
+        basis.name()
+    );
     let mut headings = axes;
     headings.extend([">worst angle", ">ROM bits"]);
     text.push_str(&table(&headings, &rows));

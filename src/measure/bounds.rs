@@ -6,7 +6,7 @@ use crate::measure::inputs::values_of;
 use crate::measure::{Basis, Report, angle_between, directions, run_golden, table_figures};
 use crate::netlist::NodeId;
 use crate::sim::batch::Program;
-use crate::units::{Bound, Design};
+use crate::units::{Bound, Design, HardCase};
 use serde::Serialize;
 
 /// A stated bound beside what was seen.
@@ -67,7 +67,8 @@ impl BoundCheck {
             "component" => ["x", "y", "z"]
                 .into_iter()
                 .map(|component| report.figures(component, Basis::Total).max)
-                .reduce(f64::max),
+                // f64::max would drop a NaN.
+                .reduce(|a, b| if a >= b || a.is_nan() { a } else { b }),
             quantity => Some(report.figures(quantity, Basis::Total).max),
         }
     }
@@ -82,14 +83,10 @@ impl BoundCheck {
     }
 }
 
-/// The worst of a group of hard cases, beside plain floating point.
+/// A hard case beside plain floating point.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct HardVerdict {
-    /// What is hard about them.
-    pub name: &'static str,
-    /// Number of cases.
-    pub cases: usize,
-    /// Input words of the worst case.
+pub struct HardResult {
+    /// Input words.
     pub words: Vec<i64>,
     /// Bit-true direction.
     pub fixed: [f64; 3],
@@ -97,72 +94,95 @@ pub struct HardVerdict {
     pub float32: [f64; 3],
     /// Direction by the golden in `f64`.
     pub float64: [f64; 3],
-    /// Error of the bounded quantity, bit-true against `f64`; the angle in rad where none is bounded.
+    /// Error of the bounded quantity, bit-true against `f64`: of the worst component, or the angle
+    /// in rad, also where none is bounded.
     pub error: f64,
-    /// Largest angle between `f32` and `f64` over the group, in rad.
+    /// The same of `f32`.
     pub float32_error: f64,
+}
+
+/// The worst of a group of hard cases.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct HardVerdict {
+    /// What is hard about them.
+    pub name: &'static str,
+    /// Number of cases.
+    pub cases: usize,
+    /// The case with the largest error.
+    #[serde(flatten)]
+    pub worst: HardResult,
+    /// The largest error of `f32` over the group.
+    pub float32_worst: f64,
     /// The stated bound.
     pub bound: Option<f64>,
     /// Whether it holds for every case of the group; `None` without a bound.
     pub holds: Option<bool>,
 }
 
-/// Judges each group of the hard-case list.
+/// Runs a group of hard cases, in its order.
 ///
 /// # Panics
 /// If a case doesn't have one word per input port: that is wrong code.
 #[must_use]
-pub fn hard_verdicts(design: &Design, bound: &BoundCheck) -> Vec<HardVerdict> {
+pub fn hard_results(design: &Design, group: &HardCase, bound: &BoundCheck) -> Vec<HardResult> {
     let netlist = &design.netlist;
     let outputs: Vec<NodeId> = netlist.outputs().iter().map(|output| output.node).collect();
     let program = Program::compile(netlist, &outputs);
-    let mut runner = program.runner();
-    let mut verdicts = Vec::new();
-    for group in &design.hard {
-        let columns: Vec<Vec<i64>> = (0..netlist.inputs().len())
-            .map(|port| group.words.iter().map(|case| case[port]).collect())
-            .collect();
-        let slices: Vec<&[i64]> = columns.iter().map(Vec::as_slice).collect();
-        let mut words = vec![Vec::new(); outputs.len()];
-        runner.run(&program, &slices, &mut words);
-        let (mut values, mut inputs) = (Vec::new(), Vec::new());
-        values_of(netlist, &outputs, &words, &mut values);
-        values_of(netlist, netlist.inputs(), &columns, &mut inputs);
-        let (mut fixed, mut float64) = <([Vec<f64>; 3], [Vec<f64>; 3])>::default();
-        directions(design.shape, &values, &mut fixed);
-        run_golden(design, &inputs, &mut float64);
-        let inputs32: Vec<Vec<f32>> =
-            inputs.iter().map(|column| column.iter().map(|x| cast::f32_of(*x)).collect()).collect();
-        let slices: Vec<&[f32]> = inputs32.iter().map(Vec::as_slice).collect();
-        let mut float32 = [(); 3].map(|()| vec![0.0f32; group.words.len()]);
-        (design.golden_f32)(&slices, &mut float32);
-        let at = |columns: &[Vec<f64>; 3], i: usize| [columns[0][i], columns[1][i], columns[2][i]];
-        let at32 = |i: usize| [0, 1, 2].map(|axis| f64::from(float32[axis][i]));
-        let error = |i: usize| {
-            let (is, should) = (at(&fixed, i), at(&float64, i));
-            match bound.quantity {
-                Some("component") => {
-                    (0..3).map(|axis| (is[axis] - should[axis]).abs()).fold(0.0, f64::max)
-                }
-                _ => angle_between(is, should),
+    let columns: Vec<Vec<i64>> = (0..netlist.inputs().len())
+        .map(|port| group.words.iter().map(|case| case[port]).collect())
+        .collect();
+    let slices: Vec<&[i64]> = columns.iter().map(Vec::as_slice).collect();
+    let mut words = vec![Vec::new(); outputs.len()];
+    program.runner().run(&program, &slices, &mut words);
+    let (mut values, mut inputs) = (Vec::new(), Vec::new());
+    values_of(netlist, &outputs, &words, &mut values);
+    values_of(netlist, netlist.inputs(), &columns, &mut inputs);
+    let (mut fixed, mut float64) = <([Vec<f64>; 3], [Vec<f64>; 3])>::default();
+    directions(design.shape, &values, &mut fixed);
+    run_golden(design, &inputs, &mut float64);
+    let inputs32: Vec<Vec<f32>> =
+        inputs.iter().map(|column| column.iter().map(|x| cast::f32_of(*x)).collect()).collect();
+    let slices: Vec<&[f32]> = inputs32.iter().map(Vec::as_slice).collect();
+    let mut float32 = [(); 3].map(|()| vec![0.0f32; group.words.len()]);
+    (design.golden_f32)(&slices, &mut float32);
+    let error = |is: [f64; 3], should: [f64; 3]| match bound.quantity {
+        Some("component") => (0..3).map(|i| (is[i] - should[i]).abs()).fold(0.0, f64::max),
+        Some(_) | None => angle_between(is, should),
+    };
+    (0..group.words.len())
+        .map(|i| {
+            let at = |columns: &[Vec<f64>; 3]| [columns[0][i], columns[1][i], columns[2][i]];
+            let (fixed, float64) = (at(&fixed), at(&float64));
+            let float32 = [0, 1, 2].map(|axis| f64::from(float32[axis][i]));
+            HardResult {
+                words: group.words[i].clone(),
+                fixed,
+                float32,
+                float64,
+                error: error(fixed, float64),
+                float32_error: error(float32, float64),
             }
-        };
-        let cases = group.words.len();
-        let worst = (0..cases).max_by(|a, b| error(*a).total_cmp(&error(*b)));
-        let Some(worst) = worst else { continue };
-        let float32_errors = (0..cases).map(|i| angle_between(at32(i), at(&float64, i)));
-        verdicts.push(HardVerdict {
+        })
+        .collect()
+}
+
+/// Judges each group of the hard-case list.
+#[must_use]
+pub fn hard_verdicts(design: &Design, bound: &BoundCheck) -> Vec<HardVerdict> {
+    let verdict = |group: &HardCase| {
+        let results = hard_results(design, group, bound);
+        let float32_worst = results.iter().map(|case| case.float32_error).fold(0.0, f64::max);
+        let cases = results.len();
+        let worst = results.into_iter().max_by(|a, b| a.error.total_cmp(&b.error))?;
+        let holds = bound.bound.map(|bound| worst.error <= bound);
+        Some(HardVerdict {
             name: group.name,
             cases,
-            words: group.words[worst].clone(),
-            fixed: at(&fixed, worst),
-            float32: at32(worst),
-            float64: at(&float64, worst),
-            error: error(worst),
-            float32_error: float32_errors.fold(0.0, f64::max),
+            worst,
+            float32_worst,
             bound: bound.bound,
-            holds: bound.bound.map(|bound| error(worst) <= bound),
-        });
-    }
-    verdicts
+            holds,
+        })
+    };
+    design.hard.iter().filter_map(verdict).collect()
 }

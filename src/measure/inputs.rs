@@ -50,12 +50,12 @@ impl Inputs {
     }
 
     /// True if each design has inputs of its own: words, and not numbers to be quantised.
-    pub(super) fn are_words(&self) -> bool {
+    pub(crate) fn are_words(&self) -> bool {
         matches!(self.sampler, Sampler::Hard | Sampler::Exhaustive)
     }
 
     /// True if two designs get the same input words.
-    pub(super) fn same(&self, a: &Design, b: &Design) -> bool {
+    pub(crate) fn same(&self, a: &Design, b: &Design) -> bool {
         let formats = |design: &Design| -> Vec<_> {
             let netlist = &design.netlist;
             netlist.inputs().iter().map(|id| netlist.node(*id).format).collect()

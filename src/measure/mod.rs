@@ -16,7 +16,7 @@ mod inputs;
 mod stream;
 mod tables;
 
-pub use bounds::{BoundCheck, HardVerdict, hard_verdicts};
+pub use bounds::{BoundCheck, HardResult, HardVerdict, hard_results, hard_verdicts};
 pub(crate) use inputs::values_of;
 pub use inputs::{Inputs, quantize_inputs, sample_words};
 pub use stream::angle_between;
@@ -33,7 +33,7 @@ use inputs::CHUNK;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::time::{Duration, Instant};
-use stream::{Merged, Stream};
+use stream::{BINS, Histograms, Merged, Stream};
 
 /// Turns columns of output values into x, y, z columns.
 fn directions(shape: Shape, outputs: &[Vec<f64>], to: &mut [Vec<f64>; 3]) {
@@ -87,6 +87,9 @@ impl Basis {
         }
     }
 }
+
+/// Quantities on all bases.
+const STREAMS: usize = QUANTITIES.len() * Basis::ALL.len();
 
 /// Quantities measured for a direction, with their units.
 const QUANTITIES: [(&str, &str); 5] =
@@ -151,7 +154,8 @@ pub struct OverflowCount {
 pub struct Speed {
     /// Bit-true samples per second and thread: the engine alone.
     pub engine_samples_per_second_per_thread: f64,
-    /// Samples per second of the whole run on all threads: inputs, golden, both evaluations, statistics.
+    /// Samples per second of the whole run on all threads: inputs, golden, both evaluations,
+    /// statistics; of all designs together where several were measured at once.
     pub samples_per_second: f64,
     /// Threads.
     pub threads: usize,
@@ -164,7 +168,7 @@ pub struct Report {
     pub samples: u64,
     /// One entry per quantity and basis.
     pub figures: Vec<Figures>,
-    /// Every `narrow` that overflowed at least once, then those that could have are not listed.
+    /// Every `narrow` that overflowed at least once.
     pub overflows: Vec<OverflowCount>,
     /// Time spent; the only part that differs from run to run.
     pub speed: Speed,
@@ -201,7 +205,7 @@ struct Lanes {
     words: Vec<Vec<i64>>,
     values: Vec<Vec<f64>>,
     reals: Vec<Vec<f64>>,
-    streams: Vec<Stream>,
+    histograms: Vec<u32>,
 }
 
 /// Columns of one thread that designs share.
@@ -219,7 +223,7 @@ struct Shared {
 
 /// What a chunk gave for one design.
 struct Partial {
-    streams: Vec<(Stream, Option<Witness>)>,
+    streams: Vec<(Stream, Witness)>,
     overflows: Vec<u64>,
     engine: Duration,
 }
@@ -273,7 +277,8 @@ pub fn measure(
     let threads = rayon::current_num_threads();
     // A few chunks per thread at a time: memory doesn't grow with samples.
     let round = cast::count_of(threads) * 4;
-    let mut merged: Vec<Vec<Merged>> = compiled.iter().map(|_| new_merged()).collect();
+    let mut merged = vec![vec![Merged::EMPTY; STREAMS]; compiled.len()];
+    let histograms: Vec<Histograms> = compiled.iter().map(|_| Histograms::new(STREAMS)).collect();
     let mut overflows: Vec<Vec<u64>> =
         compiled.iter().map(|c| vec![0; c.program.narrows().len()]).collect();
     let mut engine = vec![Duration::ZERO; compiled.len()];
@@ -287,12 +292,16 @@ pub fn measure(
                 |(shared, lanes), chunk| {
                     let from = chunk * CHUNK;
                     let len = usize::try_from(CHUNK.min(count - from)).expect("bug: a chunk");
-                    measure_chunk(&compiled, &sets, inputs, (from, len), shared, lanes)
+                    let chunk = Chunk { inputs, from, len, histograms: &histograms };
+                    measure_chunk(&compiled, &sets, &chunk, shared, lanes)
                 },
             )
             .collect();
         for partial in partials {
             for (i, partial) in partial?.into_iter().enumerate() {
+                // The first chunk that overflows ends the run, whatever the number of threads.
+                let c = &compiled[i];
+                check_overflows(&c.design.netlist, c.program.narrows(), &partial.overflows)?;
                 for (merged, (stream, witness)) in merged[i].iter_mut().zip(partial.streams) {
                     merged.merge(&stream, witness);
                 }
@@ -301,9 +310,6 @@ pub fn measure(
                 }
                 engine[i] += partial.engine;
             }
-        }
-        for (c, counts) in compiled.iter().zip(&overflows) {
-            check_overflows(&c.design.netlist, c.program.narrows(), counts)?;
         }
         next += round;
         progress((next * CHUNK).min(count));
@@ -315,10 +321,11 @@ pub fn measure(
     Ok(compiled
         .iter()
         .zip(merged)
+        .zip(histograms)
         .zip(overflows.iter().zip(engine))
-        .map(|((c, merged), (overflows, engine))| Report {
+        .map(|(((c, merged), histograms), (overflows, engine))| Report {
             samples: count,
-            figures: figures(c.design, &merged),
+            figures: figures(c.design, &merged, &histograms),
             overflows: overflow_counts(c, overflows),
             speed: Speed {
                 engine_samples_per_second_per_thread: rate(engine.as_secs_f64()),
@@ -329,10 +336,6 @@ pub fn measure(
         .collect())
 }
 
-fn new_merged() -> Vec<Merged> {
-    vec![Merged::new(); QUANTITIES.len() * Basis::ALL.len()]
-}
-
 fn new_lanes(c: &Compiled<'_>) -> Lanes {
     let outputs = c.outputs.len();
     Lanes {
@@ -341,18 +344,27 @@ fn new_lanes(c: &Compiled<'_>) -> Lanes {
         words: vec![Vec::new(); outputs],
         values: vec![Vec::new(); outputs],
         reals: vec![Vec::new(); outputs],
-        streams: (0..QUANTITIES.len() * Basis::ALL.len()).map(|_| Stream::new()).collect(),
+        histograms: vec![0; STREAMS * BINS],
     }
+}
+
+/// A run of consecutive samples.
+struct Chunk<'a> {
+    inputs: &'a Inputs,
+    from: u64,
+    len: usize,
+    /// Of each design.
+    histograms: &'a [Histograms],
 }
 
 fn measure_chunk(
     compiled: &[Compiled<'_>],
     representatives: &[&Design],
-    inputs: &Inputs,
-    (from, len): (u64, usize),
+    chunk: &Chunk<'_>,
     shared: &mut Shared,
     lanes: &mut [Lanes],
 ) -> Result<Vec<Partial>> {
+    let Chunk { inputs, from, len, histograms } = *chunk;
     let first = representatives[0];
     inputs.values(first, from, len, &mut shared.values);
     run_golden(first, &shared.values, &mut shared.golden);
@@ -370,7 +382,7 @@ fn measure_chunk(
         run_golden(design, &shared.quantised[i], &mut shared.goldens[i]);
     }
     let mut partials = Vec::with_capacity(compiled.len());
-    for (c, lanes) in compiled.iter().zip(lanes) {
+    for ((c, lanes), histograms) in compiled.iter().zip(lanes).zip(histograms) {
         let words: Vec<&[i64]> = shared.words[c.inputs].iter().map(Vec::as_slice).collect();
         let before = lanes.runner.overflows().to_vec();
         let start = Instant::now();
@@ -382,7 +394,7 @@ fn measure_chunk(
         directions(c.design.shape, &lanes.values, &mut shared.bit_true);
         directions(c.design.shape, &lanes.reals, &mut shared.real);
         let golden = &shared.goldens[c.inputs];
-        lanes.streams.iter_mut().for_each(Stream::clear);
+        let mut streams = Vec::with_capacity(STREAMS);
         for (b, basis) in Basis::ALL.into_iter().enumerate() {
             let (is, should) = match basis {
                 Basis::Total => (&shared.bit_true, golden),
@@ -394,8 +406,7 @@ fn measure_chunk(
             };
             let at = |v: &[Vec<f64>; 3], i: usize| [v[0][i], v[1][i], v[2][i]];
             let errors = &mut shared.errors;
-            for (q, stream) in lanes.streams[b * QUANTITIES.len()..].iter_mut().enumerate().take(5)
-            {
+            for q in 0..QUANTITIES.len() {
                 errors.clear();
                 match q {
                     0 => errors.extend((0..len).map(|i| angle_between(at(is, i), at(should, i)))),
@@ -408,7 +419,9 @@ fn measure_chunk(
                         is[q - 2].iter().zip(&should[q - 2]).map(|(is, should)| is - should),
                     ),
                 }
-                stream.add(errors, from);
+                let start = (b * QUANTITIES.len() + q) * BINS;
+                let histogram = &mut lanes.histograms[start..start + BINS];
+                streams.push(Stream::of(errors, from, histogram));
             }
         }
         let witness = |stream: &Stream| {
@@ -420,9 +433,10 @@ fn measure_chunk(
                 outputs: lanes.words.iter().map(|column| column[i]).collect(),
             }
         };
+        histograms.take(&mut lanes.histograms);
         let after = lanes.runner.overflows();
         partials.push(Partial {
-            streams: lanes.streams.iter().map(|s| (s.clone(), Some(witness(s)))).collect(),
+            streams: streams.iter().map(|stream| (*stream, witness(stream))).collect(),
             overflows: after.iter().zip(before).map(|(after, before)| after - before).collect(),
             engine,
         });
@@ -440,32 +454,31 @@ fn run_golden(design: &Design, inputs: &[Vec<f64>], to: &mut [Vec<f64>; 3]) {
     (design.golden)(&columns, to);
 }
 
-fn figures(design: &Design, merged: &[Merged]) -> Vec<Figures> {
+fn figures(design: &Design, merged: &[Merged], histograms: &Histograms) -> Vec<Figures> {
     let netlist = &design.netlist;
     let ulp = netlist.node(netlist.outputs()[0].node).format.ulp();
     let mut figures = Vec::new();
-    for (basis, merged) in Basis::ALL.into_iter().zip(merged.chunks(QUANTITIES.len())) {
-        for ((quantity, unit), merged) in QUANTITIES.into_iter().zip(merged) {
-            let stream = &merged.stream;
-            let count = cast::f64_of_count(stream.count.max(1));
-            let component =
-                design.shape == Shape::Cartesian && !matches!(quantity, "angle" | "dot");
-            figures.push(Figures {
-                quantity,
-                unit,
-                basis,
-                // -1 means that there was no sample; a NaN stays one.
-                max: if stream.count == 0 { 0.0 } else { stream.max },
-                max_ulp: component.then(|| stream.max / ulp),
-                witness: merged.witness.clone(),
-                mean: stream.sum_abs / count,
-                bias: stream.sum / count,
-                rms: (stream.sum_squares / count).sqrt(),
-                p50: merged.quantile(0.5),
-                p99: merged.quantile(0.99),
-                p999: merged.quantile(0.999),
-            });
-        }
+    let kinds = Basis::ALL.into_iter().flat_map(|b| QUANTITIES.map(|quantity| (b, quantity)));
+    for (i, ((basis, (quantity, unit)), merged)) in kinds.zip(merged).enumerate() {
+        let histogram = histograms.of(i);
+        let stream = &merged.stream;
+        let count = cast::f64_of_count(stream.count.max(1));
+        let component = design.shape == Shape::Cartesian && !matches!(quantity, "angle" | "dot");
+        figures.push(Figures {
+            quantity,
+            unit,
+            basis,
+            // -1 means that there was no sample; a NaN stays one.
+            max: if stream.count == 0 { 0.0 } else { stream.max },
+            max_ulp: component.then(|| stream.max / ulp),
+            witness: merged.witness.clone(),
+            mean: stream.sum_abs / count,
+            bias: stream.sum / count,
+            rms: (stream.sum_squares / count).sqrt(),
+            p50: merged.quantile(&histogram, 0.5),
+            p99: merged.quantile(&histogram, 0.99),
+            p999: merged.quantile(&histogram, 0.999),
+        });
     }
     figures
 }

@@ -3,6 +3,7 @@
 use crate::cast;
 use crate::measure::Witness;
 use std::f64::consts::PI;
+use std::sync::{Mutex, PoisonError};
 
 /// Angle between two vectors in rad, good for small angles too. A null vector has no
 /// direction and counts as opposite.
@@ -28,10 +29,10 @@ const OCTAVES: usize = 48;
 const LEAST_EXPONENT: u64 = 1023 - 44;
 /// Bins per octave: a quantile is known to 1.6 %.
 const BINS_PER_OCTAVE_BITS: u32 = 5;
-const BINS: usize = OCTAVES << BINS_PER_OCTAVE_BITS;
+pub(super) const BINS: usize = OCTAVES << BINS_PER_OCTAVE_BITS;
 
-/// Accumulated errors of one quantity on one basis.
-#[derive(Clone, Debug)]
+/// Sums over errors of one quantity on one basis, and the largest.
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Stream {
     pub(super) count: u64,
     pub(super) max: f64,
@@ -40,59 +41,55 @@ pub(super) struct Stream {
     pub(super) sum_abs: f64,
     pub(super) sum: f64,
     pub(super) sum_squares: f64,
-    pub(super) histogram: Vec<u32>,
 }
 
 impl Stream {
-    pub(super) fn new() -> Self {
-        Self {
-            count: 0,
-            max: -1.0,
-            at: 0,
-            sum_abs: 0.0,
-            sum: 0.0,
-            sum_squares: 0.0,
-            histogram: vec![0; BINS],
-        }
-    }
+    pub(super) const EMPTY: Self =
+        Self { count: 0, max: -1.0, at: 0, sum_abs: 0.0, sum: 0.0, sum_squares: 0.0 };
 
-    pub(super) fn clear(&mut self) {
-        let histogram = std::mem::take(&mut self.histogram);
-        *self = Self { histogram, ..Self { histogram: Vec::new(), ..EMPTY } };
-        self.histogram.fill(0);
-    }
-
-    /// Adds errors of consecutive samples from `start`.
-    pub(super) fn add(&mut self, errors: &[f64], start: u64) {
-        let (mut sum_abs, mut sum, mut sum_squares) = (0.0, 0.0, 0.0);
+    /// Sums errors of consecutive samples from `start`, and counts them in a histogram.
+    pub(super) fn of(errors: &[f64], start: u64, histogram: &mut [u32]) -> Self {
+        let mut stream = Self { count: cast::count_of(errors.len()), ..Self::EMPTY };
         for (error, index) in errors.iter().zip(start..) {
             let size = error.abs();
             // A NaN is larger than everything.
-            if size > self.max || size.is_nan() && !self.max.is_nan() {
-                self.max = size;
-                self.at = index;
+            if size > stream.max || size.is_nan() && !stream.max.is_nan() {
+                stream.max = size;
+                stream.at = index;
             }
-            sum_abs += size;
-            sum += error;
-            sum_squares += error * error;
-            self.histogram[bin(size)] += 1;
+            stream.sum_abs += size;
+            stream.sum += error;
+            stream.sum_squares += error * error;
+            histogram[bin(size)] += 1;
         }
-        self.count += cast::count_of(errors.len());
-        self.sum_abs += sum_abs;
-        self.sum += sum;
-        self.sum_squares += sum_squares;
+        stream
     }
 }
 
-const EMPTY: Stream = Stream {
-    count: 0,
-    max: -1.0,
-    at: 0,
-    sum_abs: 0.0,
-    sum: 0.0,
-    sum_squares: 0.0,
-    histogram: Vec::new(),
-};
+/// Histograms of all quantities of a design: whole numbers, so threads may add in any order.
+#[derive(Debug)]
+pub(super) struct Histograms(Mutex<Vec<u64>>);
+
+impl Histograms {
+    pub(super) fn new(streams: usize) -> Self {
+        Self(Mutex::new(vec![0; streams * BINS]))
+    }
+
+    /// Adds a thread's counts and clears them.
+    pub(super) fn take(&self, counts: &mut [u32]) {
+        // A panic elsewhere leaves whole numbers; the run is lost anyway.
+        let mut totals = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        for (total, count) in totals.iter_mut().zip(counts) {
+            *total += u64::from(std::mem::take(count));
+        }
+    }
+
+    /// Counts of one quantity.
+    pub(super) fn of(&self, stream: usize) -> Vec<u64> {
+        let totals = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        totals[stream * BINS..(stream + 1) * BINS].to_vec()
+    }
+}
 
 /// Bin of the histogram: the exponent and the first bits of the mantissa.
 #[inline(always)]
@@ -112,39 +109,34 @@ fn bin_middle(index: usize) -> f64 {
     f64::from_bits(bits) * (1.0 + 0.5 * 2f64.powi(-cast::signed_count(BINS_PER_OCTAVE_BITS)))
 }
 
-/// Merged errors of one quantity.
+/// Sums of all chunks so far, and the input of the largest error.
 #[derive(Clone, Debug)]
 pub(super) struct Merged {
     pub(super) stream: Stream,
-    pub(super) histogram: Vec<u64>,
     pub(super) witness: Option<Witness>,
 }
 
 impl Merged {
-    pub(super) fn new() -> Self {
-        Self { stream: EMPTY, histogram: vec![0; BINS], witness: None }
-    }
+    pub(super) const EMPTY: Self = Self { stream: Stream::EMPTY, witness: None };
 
     /// Adds the next chunk's stream; the first of equal maxima stays the witness.
-    pub(super) fn merge(&mut self, other: &Stream, witness: Option<Witness>) {
+    pub(super) fn merge(&mut self, other: &Stream, witness: Witness) {
         let mine = &mut self.stream;
         if other.max > mine.max || other.max.is_nan() && !mine.max.is_nan() {
             mine.max = other.max;
-            self.witness = witness;
+            self.witness = Some(witness);
         }
         mine.count += other.count;
         mine.sum_abs += other.sum_abs;
         mine.sum += other.sum;
         mine.sum_squares += other.sum_squares;
-        for (total, count) in self.histogram.iter_mut().zip(&other.histogram) {
-            *total += u64::from(*count);
-        }
     }
 
-    pub(super) fn quantile(&self, share: f64) -> f64 {
+    /// The error that `share` of all are not above, to the width of a bin.
+    pub(super) fn quantile(&self, histogram: &[u64], share: f64) -> f64 {
         let wanted = (share * cast::f64_of_count(self.stream.count)).ceil();
         let mut seen = 0;
-        for (index, count) in self.histogram.iter().enumerate() {
+        for (index, count) in histogram.iter().enumerate() {
             seen += count;
             if cast::f64_of_count(seen) >= wanted && seen > 0 {
                 return bin_middle(index).min(self.stream.max);

@@ -45,6 +45,12 @@ impl Builder {
         self.netlist.node(id).format
     }
 
+    /// True once there was a mistake: `build` will return it.
+    #[must_use]
+    pub fn has_failed(&self) -> bool {
+        self.error.is_some()
+    }
+
     /// Keeps the first error.
     pub fn fail(&mut self, error: Error) {
         self.error.get_or_insert(error);
@@ -314,7 +320,8 @@ impl Builder {
     /// The first mistake made while building: a word past 63 bits, operands that don't fit.
     ///
     /// # Panics
-    /// If ports are missing, share a name, or a name is no identifier: that is wrong code.
+    /// If ports are missing, share a name, a name is no identifier, or a node means something of
+    /// a node that no output needs: that is wrong code.
     pub fn build(self) -> Result<Netlist> {
         if let Some(error) = self.error {
             return Err(error);

@@ -2,7 +2,7 @@
 
 use super::plot::Plot;
 use super::record::{Record, plain};
-use super::{Row, axis_names, axis_values, best, inputs, rows};
+use super::{Row, against, axis_names, axis_values, best, inputs, rows};
 use crate::measure::Basis;
 use std::fmt::Write;
 
@@ -44,7 +44,7 @@ fn head(text: &mut String, record: &Record, measured: usize) -> std::fmt::Result
     )?;
     writeln!(
         text,
-        "- *Total* is bit-true against the golden of the quantised inputs. It has two parts: *algorithm* is the netlist on reals against that golden, what the method does; *arithmetic* is bit-true against the netlist on reals, what words and tables do."
+        "- *Total* is bit-true against the golden of the quantised inputs. It has two parts: *algorithm* is the netlist on reals against that golden, what the method does; *arithmetic* is bit-true against the netlist on reals, what words and tables do. *End-to-end* is bit-true against the golden of the inputs before quantisation."
     )?;
     writeln!(
         text,
@@ -60,7 +60,8 @@ fn front(text: &mut String, record: &Record, rows: &[Row<'_>]) -> std::fmt::Resu
     writeln!(text, "## Pareto-optimal points\n")?;
     writeln!(
         text,
-        "No other point has both a smaller or equal max angle error and fewer or equal ROM bits (equal points are all listed).\n"
+        "By the largest angle error against {}: no other point is as good in both numbers and better in one.\n",
+        against(record)
     )?;
     let names = axis_names(record);
     writeln!(
@@ -85,9 +86,13 @@ fn points(text: &mut String, record: &Record, rows: &[Row<'_>]) -> std::fmt::Res
     }
     writeln!(
         text,
-        "| total max (deg) | total mean (deg) | total p99 (deg) | arithmetic max (deg) | algorithm mean (deg) | component max (ulp) | ROM bits | multipliers | engine (Msamples/s) |"
+        "| end-to-end max (deg) | total max (deg) | total mean (deg) | total p99 (deg) | arithmetic max (deg) | algorithm mean (deg) | component max (ulp) | ROM bits | multipliers | latency (cycles) | engine (Msamples/s) |"
     )?;
-    writeln!(text, "{}|---:|---:|---:|---:|---:|---:|---:|---:|---:|", "|---".repeat(axes.len()))?;
+    writeln!(
+        text,
+        "{}|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|",
+        "|---".repeat(axes.len())
+    )?;
     for row in rows.iter().take(MAX_ROWS) {
         for axis in axes {
             write!(text, "| {} ", row.point.text(&axis.key))?;
@@ -99,7 +104,8 @@ fn points(text: &mut String, record: &Record, rows: &[Row<'_>]) -> std::fmt::Res
         let count = |name| row.measured.count(name).unwrap_or(0);
         writeln!(
             text,
-            "| {} | {} | {} | {} | {} | {} | {} | {} + {} | {} |",
+            "| {} | {} | {} | {} | {} | {} | {} | {} | {} + {} | {} | {} |",
+            angle(Basis::EndToEnd, |f| f.max.0),
             angle(Basis::Total, |f| f.max.0),
             angle(Basis::Total, |f| f.mean.0),
             angle(Basis::Total, |f| f.p99.0),
@@ -109,6 +115,7 @@ fn points(text: &mut String, record: &Record, rows: &[Row<'_>]) -> std::fmt::Res
             row.rom_bits,
             count("datapath_multipliers"),
             count("scheme_multipliers"),
+            count("latency_cycles"),
             short(row.speed / 1e6),
         )?;
     }

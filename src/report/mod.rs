@@ -10,6 +10,7 @@ pub mod record;
 
 use crate::cast;
 use crate::error::Result;
+use crate::measure::Basis;
 use crate::output;
 use record::{Measured, Point, Record};
 use std::path::Path;
@@ -43,7 +44,7 @@ pub fn write(folder: &Path, record: &Record) -> Result<()> {
 struct Row<'a> {
     point: &'a Point,
     measured: &'a Measured,
-    /// Largest total angle error; NaN if it is none.
+    /// Largest angle error on the basis that the record is ranked by; NaN if it is none.
     error_deg: f64,
     rom_bits: f64,
     /// Engine samples per second and thread.
@@ -52,17 +53,19 @@ struct Row<'a> {
 
 /// The measured points in grid order.
 fn rows(record: &Record) -> Vec<Row<'_>> {
-    fn row(point: &Point) -> Option<Row<'_>> {
+    let basis = record.ranking();
+    let row = |point| {
+        let point: &Point = point;
         let measured = point.measured.as_ref()?;
         let rom_bits = measured.count("rom_bits_dual_port").unwrap_or(0);
         Some(Row {
             point,
             measured,
-            error_deg: measured.angle_max().to_degrees(),
+            error_deg: measured.angle_max(basis).to_degrees(),
             rom_bits: cast::f64_of_count(rom_bits),
             speed: measured.speed.engine_samples_per_second_per_thread,
         })
-    }
+    };
     record.points.iter().filter_map(row).collect()
 }
 
@@ -106,6 +109,15 @@ fn axis_values(record: &Record, point: &Point) -> String {
 fn axis_names(record: &Record) -> String {
     let names: Vec<&str> = record.header.axes.iter().map(|axis| axis.key.as_str()).collect();
     names.join(", ")
+}
+
+/// Against what points are ranked, in words.
+fn against(record: &Record) -> &'static str {
+    if record.ranking() == Basis::EndToEnd {
+        "the golden of the real inputs (end-to-end)"
+    } else {
+        "the golden of the quantised inputs (total)"
+    }
 }
 
 /// Over which inputs, in words.

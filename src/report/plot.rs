@@ -2,7 +2,7 @@
 
 use super::chart::{Along, Chart, Front, Series, Style};
 use super::record::{Axis, Record, plain};
-use super::{Row, axis_names, axis_values, best, inputs, rows};
+use super::{Row, against, axis_names, axis_values, best, inputs, rows};
 use crate::measure::Basis;
 
 /// The most series that are told apart in one plot.
@@ -37,13 +37,12 @@ pub(super) fn plots(record: &Record) -> Vec<Plot> {
 
 /// Title of every error axis.
 fn error_axis() -> (String, Along) {
-    ("largest total angle error (degrees)".to_owned(), Along::Log10)
+    ("largest angle error (degrees)".to_owned(), Along::Log10)
 }
 
 /// What the errors of a plot are, and a word on those that a logarithmic axis can't hold.
 fn caption(record: &Record, rows: &[Row<'_>]) -> Vec<String> {
-    let mut caption =
-        vec![format!("Bit-true against the golden of the quantised inputs; {}.", inputs(record))];
+    let mut caption = vec![format!("Bit-true against {}; {}.", against(record), inputs(record))];
     if rows.iter().any(|row| row.error_deg == 0.0) {
         caption.push("Points on the lower edge have no error at all.".to_owned());
     }

@@ -10,7 +10,8 @@
 //! - one per swept parameter, then one per other parameter, each under the parameter's name;
 //! - `datapath_multipliers`, `datapath_adders` … operators of the datapath itself, and
 //!   `scheme_multipliers`, `scheme_adders` … those inside table schemes; `tables`, `reads`,
-//!   `ports`, `rom_bits` (one copy of each table) and `rom_bits_dual_port` (as many copies as two
+//!   `ports`, `input_bits`, `latency_cycles`, `flip_flops`, `model_period_ps`,
+//!   `rom_bits` (one copy of each table) and `rom_bits_dual_port` (as many copies as two
 //!   ports per copy ask for);
 //! - `samples`;
 //! - `<quantity>_<basis>_<figure>_<unit>`, for instance `angle_total_max_rad`: the quantity is
@@ -228,10 +229,19 @@ impl Measured {
     pub fn new(design: &Design, report: measure::Report) -> Self {
         let netlist = &design.netlist;
         let inputs = netlist.inputs().iter().map(|id| netlist.label(*id));
+        let mut counts = flat(&netlist.counts());
+        let input_bits: u32 =
+            netlist.inputs().iter().map(|id| netlist.node(*id).format.bits()).sum();
+        counts.insert("input_bits".to_owned(), input_bits.into());
+        if let Ok(rtl) = design.rtl() {
+            counts.insert("latency_cycles".to_owned(), rtl.schedule().latency().into());
+            counts.insert("flip_flops".to_owned(), rtl.register_bits().into());
+            counts.insert("model_period_ps".to_owned(), rtl.schedule().period_ps().into());
+        }
         Self {
             input_ports: inputs.collect(),
             output_ports: netlist.outputs().iter().map(|output| output.name.clone()).collect(),
-            counts: flat(&netlist.counts()),
+            counts,
             samples: report.samples,
             figures: report.figures.into_iter().map(Figures::from).collect(),
             overflows: report
@@ -255,10 +265,10 @@ impl Measured {
         self.counts.get(name)?.as_u64()
     }
 
-    /// Largest total angle error in rad; NaN if there is none.
+    /// Largest angle error on a basis in rad; NaN if there is none.
     #[must_use]
-    pub fn angle_max(&self) -> f64 {
-        self.figures("angle", Basis::Total).map_or(f64::NAN, |figures| figures.max.0)
+    pub fn angle_max(&self, basis: Basis) -> f64 {
+        self.figures("angle", basis).map_or(f64::NAN, |figures| figures.max.0)
     }
 
     /// Largest total error of any component in ulp of the output port.
@@ -315,6 +325,15 @@ pub struct Record {
 }
 
 impl Record {
+    /// What points are ranked by: the total error, but the end-to-end one where points differ in
+    /// their inputs' words. A coarse input would look good against its own golden.
+    #[must_use]
+    pub fn ranking(&self) -> Basis {
+        let mut bits = self.points.iter().filter_map(|p| p.measured.as_ref()?.count("input_bits"));
+        let first = bits.next();
+        if bits.any(|other| Some(other) != first) { Basis::EndToEnd } else { Basis::Total }
+    }
+
     /// Reads `sweep.json`; `None` if there is no such file.
     ///
     /// # Errors

@@ -140,7 +140,10 @@ struct Instruction {
 pub struct Program {
     instructions: Vec<Instruction>,
     constants: Vec<(Slot, i64)>,
+    /// Words of the columns read.
     tables: Vec<Arc<[i64]>>,
+    /// The same in narrow lanes, if those are used; runners share them.
+    narrow_tables: Vec<Arc<[i32]>>,
     slots: usize,
     inputs: Vec<Slot>,
     outputs: Vec<Slot>,
@@ -177,6 +180,7 @@ impl Program {
             instructions: Vec::new(),
             constants: Vec::new(),
             tables: Vec::new(),
+            narrow_tables: Vec::new(),
             slots: 0,
             inputs: Vec::new(),
             outputs: Vec::new(),
@@ -210,6 +214,10 @@ impl Program {
             }
         }
         program.outputs = outputs.iter().map(|id| slot_of[id.index()]).collect();
+        if !program.wide {
+            let narrow = |words: &Arc<[i64]>| words.iter().map(|word| i32::of(*word)).collect();
+            program.narrow_tables = program.tables.iter().map(narrow).collect();
+        }
         program
     }
 
@@ -289,9 +297,9 @@ impl Program {
     pub fn runner(&self) -> Runner {
         Runner {
             columns: if self.wide {
-                Columns::Wide(Store::new(self))
+                Columns::Wide(Store::new(self, self.tables.clone()))
             } else {
-                Columns::Narrow(Store::new(self))
+                Columns::Narrow(Store::new(self, self.narrow_tables.clone()))
             },
             overflows: vec![0; self.narrows.len()],
         }
@@ -314,17 +322,16 @@ fn fits_i32(netlist: &Netlist, index: usize) -> bool {
 #[derive(Debug)]
 struct Store<L> {
     columns: Vec<Vec<L>>,
-    tables: Vec<Vec<L>>,
+    tables: Vec<Arc<[L]>>,
 }
 
 impl<L: Lane> Store<L> {
-    fn new(program: &Program) -> Self {
+    fn new(program: &Program, tables: Vec<Arc<[L]>>) -> Self {
         let mut columns = vec![vec![L::default(); BLOCK]; program.slots];
         for (slot, raw) in &program.constants {
             columns[*slot].fill(L::of(*raw));
         }
-        let lanes = |words: &Arc<[i64]>| words.iter().map(|word| L::of(*word)).collect();
-        Self { columns, tables: program.tables.iter().map(lanes).collect() }
+        Self { columns, tables }
     }
 }
 
@@ -445,7 +452,7 @@ fn run_blocks<L: Lane>(
 fn step<L: Lane>(
     instruction: &Instruction,
     columns: &[Vec<L>],
-    tables: &[Vec<L>],
+    tables: &[Arc<[L]>],
     to: &mut [L],
     overflows: &mut [u64],
 ) {

@@ -5,7 +5,7 @@
 //! them; only the valid bits have a reset, as in the emitted hardware.
 
 use crate::cast;
-use crate::format::Format;
+use crate::format::{Format, Overflow};
 use crate::netlist::NodeId;
 use crate::op::Op;
 use crate::rtl::{Rtl, Signal};
@@ -25,6 +25,8 @@ pub struct Cycle {
     valid: Vec<bool>,
     /// Edges since the start.
     edges: u64,
+    /// A `narrow` under overflow mode `error` that overflowed on valid data.
+    forbidden: Option<NodeId>,
 }
 
 impl Cycle {
@@ -40,6 +42,7 @@ impl Cycle {
             read: vec![0; nodes],
             valid: vec![false; stages],
             edges: 0,
+            forbidden: None,
             rtl,
         }
     }
@@ -65,7 +68,11 @@ impl Cycle {
                 *slot = (self.word(rtl.operand(id, *operand)), netlist.node(*operand).format);
             }
             let of = &of[..node.operands.len()];
-            let (word, _) = node.op.eval_raw(of, node.format, netlist.tables());
+            let (word, overflowed) = node.op.eval_raw(of, node.format, netlist.tables());
+            let error = overflowed && node.op.overflow() == Some(Overflow::Error);
+            if error && self.valid(rtl.schedule().stage(id)) {
+                self.forbidden.get_or_insert(id);
+            }
             if rtl.schedule().is_clocked(netlist, id) {
                 self.read[id.index()] = word;
             } else {
@@ -107,6 +114,18 @@ impl Cycle {
             let register = cast::index_of(i64::from(signal.stage - own - 1));
             self.registers[signal.node.index()][register]
         }
+    }
+
+    /// The first `narrow` under [`Overflow::Error`] that overflowed on valid data.
+    #[must_use]
+    pub fn forbidden_overflow(&self) -> Option<NodeId> {
+        self.forbidden
+    }
+
+    /// Rising edges taken so far.
+    #[must_use]
+    pub fn edges(&self) -> u64 {
+        self.edges
     }
 
     /// True once data from the first cycle has reached a stage.

@@ -155,7 +155,7 @@ fn points_in_grid_order_and_on_disk() {
     assert_eq!(rows.len(), record.points.len());
     for (row, point) in rows.iter().zip(&record.points) {
         let measured = point.measured.as_ref().unwrap();
-        assert_eq!(row[max].parse::<f64>().unwrap(), measured.angle_max());
+        assert_eq!(row[max].parse::<f64>().unwrap(), measured.angle_max(Basis::Total));
         assert!(row[witness].starts_with("phi_a=") && row[witness].contains(";theta_n="));
         assert!(row[ulp].parse::<f64>().unwrap() > 0.0);
     }
@@ -334,7 +334,10 @@ fn points_that_fail_a_check_are_recorded() {
                 assert!(why.contains("under overflow mode `error`"), "{why}");
             }
             // All words fit, so there is no error at all, which no logarithm can show.
-            None => assert_eq!((bits, point.measured.as_ref().unwrap().angle_max()), (8, 0.0)),
+            None => assert_eq!(
+                (bits, point.measured.as_ref().unwrap().angle_max(Basis::Total)),
+                (8, 0.0)
+            ),
         }
     }
     let again = run(&sweep, folder.path()).unwrap();

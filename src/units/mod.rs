@@ -140,14 +140,19 @@ impl Unit {
     /// The defaults with some `key=value` assignments.
     ///
     /// # Errors
-    /// If a name is unknown or a value is not legal.
+    /// If a name is unknown or given twice, or a value is not legal.
     pub fn values<S: AsRef<str>>(&'static self, assignments: &[S]) -> Result<Values> {
         let mut values = self.defaults();
+        let mut given: Vec<&str> = Vec::new();
         for assignment in assignments {
             let text = assignment.as_ref();
             let (name, value) =
                 text.split_once('=').ok_or_else(|| Error::form(text, "key=value"))?;
             values.set(name, value)?;
+            if given.contains(&name) {
+                return Err(Error::usage(format!("parameter `{name}` is given twice")));
+            }
+            given.push(name);
         }
         Ok(values)
     }
@@ -321,7 +326,7 @@ impl Shape {
         match self {
             Self::Cartesian => vec![x, y, z],
             Self::Polar => {
-                let phi = (y.atan2(x) / TAU).rem_euclid(1.0);
+                let phi = (y.atan2(x) / TAU).rem_euclid(1.0) + 0.0; // -0 becomes 0
                 vec![phi, x.hypot(y).atan2(z) / TAU]
             }
         }

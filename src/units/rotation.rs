@@ -26,7 +26,7 @@ pub static ROTATION: Unit = Unit {
     summary: "turns a direction in polar form into the frame of a surface normal",
     source: "seed 001 (Lee et al.), section 3.1 and Fig. 7",
     params: PARAMS,
-    inputs: "phi_a, theta_a, phi_n, theta_n: angles",
+    inputs: "phi_a, theta_a, phi_n, theta_n: angles, modulo a turn (theta past half a turn goes on over the pole)",
     outputs: "x, y, z (output=cartesian) or phi, theta: angles (the others)",
     build,
 };
@@ -98,7 +98,7 @@ static PARAMS: &[Param] = &[
         name: "overflow",
         kind: Kind::Choice(&["wrap", "saturate", "symmetric", "error"]),
         default: "saturate",
-        help: "overflow of the components, with int_bits=0; indices into tables always saturate",
+        help: "overflow of the components x, y, z (cartesian); everything inside saturates",
     },
     Param {
         name: "sincos_addr_bits",
@@ -138,9 +138,13 @@ static PARAMS: &[Param] = &[
     },
     Param {
         name: "atan_int_bits",
-        kind: Kind::Int { min: 1, max: 10, auto: None },
-        default: "4",
-        help: "the index of the atan table saturates at 2^atan_int_bits (printed, corrected)",
+        kind: Kind::Int {
+            min: 1,
+            max: 14,
+            auto: Some("what balances its cells against its end, for its size and scheme"),
+        },
+        default: "auto",
+        help: "the index of the atan table, tan phi', saturates at 2^atan_int_bits (printed, corrected)",
     },
     Param {
         name: "quadrants",
@@ -293,6 +297,22 @@ impl Plan<'_> {
             self.tabulated.push(tabulated.clone());
         }
         tabulated
+    }
+
+    /// Integer bits of the atan table's index. Past 2^k it is off by 2^-k rad; with 2^a cells over
+    /// ±2^k, a direct cell is off by 2^(k-a) and a linear one by about 2^(2k-2a) rad.
+    fn atan_int_bits(&self) -> u32 {
+        let count = |bits: i64| u32::try_from(bits).expect("bug: counts of bits are small");
+        let addr_bits = self
+            .values
+            .int("atan_addr_bits")
+            .map_or_else(|| self.values.bits("table_addr_bits"), count);
+        let balanced = match self.scheme {
+            Scheme::Direct => (addr_bits - 1) / 2,
+            Scheme::Bipartite => addr_bits / 2,
+            Scheme::Linear => 2 * addr_bits / 3,
+        };
+        self.values.int("atan_int_bits").map_or(balanced.max(1), count)
     }
 
     /// sin and cos of an angle.
@@ -537,7 +557,7 @@ fn seed(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], corrected: bo
     let over = |function| Meaning::OverTwice { y: y_double, function, angle: big_z };
     let tan = b.mul(y_double, recip_sin);
     b.means(tan, over(Function::Sin));
-    let tan_format = number(plan.values.bits("atan_int_bits"), work)?;
+    let tan_format = number(plan.atan_int_bits(), work)?;
     let tan = b.narrow(tan, tan_format, plan.round, Overflow::Saturate);
     b.name(tan, "tan_phi");
     let atan =
@@ -598,30 +618,43 @@ fn rounding_ulp(values: &Values) -> f64 {
 
 /// Angle between vectors in rad: the components' error, then the conversion's.
 fn angle_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
-    let work_bits = values.bits("frac_bits") + values.bits("guard_bits");
-    let work_ulp = 2f64.powi(-cast::signed_count(work_bits));
-    let half = rounding_ulp(values);
-    // Each component is off by at most `component`; a vector that far off turns by at most
-    // asin of its length, and asin e <= 1.6 e.
-    let component = 2.0 * worst("sincos") + half * work_ulp;
+    let ulp = |bits: u32| 2f64.powi(-cast::signed_count(bits));
+    let guard_bits = values.bits("guard_bits");
+    let work_ulp = ulp(values.bits("frac_bits") + guard_bits);
+    let work_angle_ulp = ulp(values.bits("angle_bits") + guard_bits);
+    let rounding = rounding_ulp(values);
+    // The vector before conversion is off by `vector` in length, so its angle by asin of that,
+    // and its length is 1 - vector at least. A vector off by 1 may point anywhere.
+    let component = 2.0 * worst("sincos") + rounding * work_ulp;
     let vector = 3f64.sqrt() * component;
-    // Two output angles (theta, and phi times sin theta <= 1) rounded to the port's words.
-    let port = 2.0 * half * TAU * 2f64.powi(-cast::signed_count(values.bits("angle_bits")));
-    // Two conversions, each in rad.
-    let conversion = if values.choice("output") == "polar-cordic" {
-        // The last step's angle, and the dropped bits, which `cordic_frac_bits` keeps below one
-        // work ulp in x, y and in the angle.
-        let iterations = cast::signed_count(cordic_iterations(values));
-        let angle_ulp =
-            2f64.powi(-cast::signed_count(values.bits("angle_bits") + values.bits("guard_bits")));
-        2f64.powi(1 - iterations) + 2.0 * work_ulp + TAU * angle_ulp
+    if vector >= 1.0 {
+        return std::f64::consts::PI;
+    }
+    let length = 1.0 - vector;
+    // Each conversion is two angles of a plane vector, azimuth and polar angle. An error of the
+    // azimuth turns the vector by sin theta times as much. Errors of a plane vector (`plane`) turn
+    // it by asin(plane / its length); for the azimuth that length is sin theta times `length`, so
+    // the factor cancels.
+    let turned = |plane: f64| (plane / length).min(1.0).asin();
+    let (azimuth, polar) = if values.choice("output") == "polar-cordic" {
+        // x, y and the angle keep `cordic_frac_bits`, so all dropped bits stay below one ulp of
+        // what they stand for. The last step leaves at most its own angle undone.
+        let iterations = cordic_iterations(values);
+        let rest = 2f64.powi(1 - cast::signed_count(iterations));
+        let dropped = turned(2.0 * work_ulp) + TAU * work_angle_ulp;
+        // That rest also shortens the length that the polar angle starts from, by 1 - cos of it.
+        (rest + dropped, rest + dropped + turned(1.0 - rest.cos()))
     } else {
-        // The ratio is off by the reciprocal's error (times a minor mantissa below 1) and one
-        // rounding; atan has slope <= 1. The length is off relatively by the secant's error.
-        let ratio_ulp = work_ulp; // at least as fine
-        TAU * worst("atan") + worst("recip") + half * ratio_ulp + worst("atan") + 2.0 * work_ulp
+        // The ratio is off by the reciprocal's error, one rounding, and one ulp where it saturates
+        // below 1; atan has a slope of at most 1 rad.
+        let ratio = worst("recip") + (rounding + 1.0) * work_ulp;
+        let angle = TAU * worst("atan") + ratio;
+        // The length is off by the secant's error and its slope below 1 of the ratio's.
+        (angle, angle + turned(worst("atan") + ratio + 2.0 * work_ulp))
     };
-    1.6 * vector.min(1.0) + port + 2.0 * conversion
+    // Both angles are rounded to the port's words.
+    let port = rounding * TAU * ulp(values.bits("angle_bits"));
+    (vector.asin() + azimuth + polar + 2.0 * port).min(std::f64::consts::PI)
 }
 
 /// The golden model: the rotation in plain floating point, angles in turns.
@@ -733,17 +766,37 @@ fn hard_cases(values: &Values) -> Vec<HardCase> {
             unit.extend(near(quarter).map(|t| [-quarter + delta, t, 0, theta]));
         }
     }
-    // First and last entry and every joint of the sin & cos table, through theta_a.
-    let addr_bits = match values.int("sincos_addr_bits") {
-        Some(own) => own,
-        None => values.int("table_addr_bits").expect("bug: no auto here"),
+    // First and last entry and the joints of each table, through an input that leads there; for
+    // tables of more than 2^14 entries, 2^14 of their joints.
+    let cells = |size: &str| {
+        let own = values.int(size);
+        let bits = own.unwrap_or_else(|| values.int("table_addr_bits").expect("bug: no auto here"));
+        1i64 << bits.min(14)
     };
-    let cells = 1i64 << addr_bits.min(i64::from(bits)).min(12);
-    let step = turn / cells;
-    let joints = (0..cells)
-        .flat_map(|cell| [cell * step - 1, cell * step])
-        .map(|theta| [0, theta, 0, 0])
-        .collect();
+    let at = |turns: f64| cast::i64_of((turns * cast::f64_of(turn)).round());
+    let share = |cell: i64, cells: i64| cast::f64_of(cell) / cast::f64_of(cells);
+    let joints = |size: &str, case: &dyn Fn(f64) -> (i64, [i64; 4], usize)| {
+        let count = cells(size);
+        let mut all = Vec::new();
+        for cell in 0..=count {
+            let (word, mut vector, port) = case(share(cell, count));
+            for word in near(word) {
+                vector[port] = word;
+                all.push(vector);
+            }
+        }
+        all
+    };
+    // With N at the pole: theta_a is X's, Y's and Z's angle; sin theta_a is asin's index; delta is
+    // phi', whose tangent is atan's index; at theta_a = ¼ turn sin delta is y_k.
+    let sincos_joints = joints("sincos_addr_bits", &|x| (at(x), [0; 4], 1));
+    let recip_joints = joints("recip_addr_bits", &|x| (at(x), [eighth, 0, eighth, 0], 1));
+    let asin_joints = joints("asin_addr_bits", &|x| (at(x.asin() / TAU), [0; 4], 1));
+    let atan_joints = joints("atan_addr_bits", &|x| {
+        let tangent = if values.choice("variant") == "exact" { x } else { 32.0 * x - 16.0 };
+        (at(tangent.atan() / TAU), [0, eighth, 0, 0], 0)
+    });
+    let prop_joints = joints("prop_addr_bits", &|x| (at(x.asin() / TAU), [0, quarter, 0, 0], 0));
     vec![
         cases("poles: theta = 0 or half a turn, and one word either side", poles),
         cases("both vectors at a pole", both_poles),
@@ -756,6 +809,10 @@ fn hard_cases(values: &Values) -> Vec<HardCase> {
         cases("cos Z at and next to 0", cos_z),
         cases("cancellation in cos Y - cos X", cancel),
         cases("y_k and components at plus and minus 1", unit),
-        cases("first and last entry and joints of the sin & cos table", joints),
+        cases("first and last entry and joints of the sin & cos table", sincos_joints),
+        cases("first and last entry and joints of the reciprocal tables", recip_joints),
+        cases("first and last entry and joints of the asin table", asin_joints),
+        cases("first and last entry and joints of the atan table", atan_joints),
+        cases("first and last entry and joints of T_prop", prop_joints),
     ]
 }
