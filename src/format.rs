@@ -4,7 +4,7 @@
 //! for: `value = raw * 2^-frac_bits`. Formats print as `s16f14` (signed, 16 bits
 //! in all, 14 of them fraction bits) and `u12f12`; a negative number of fraction
 //! bits prints as `u8e2` (8 bits, in steps of 2^2). [`narrow`] is the only
-//! function of this crate that drops bits of a word.
+//! place where a datapath rounds, saturates or wraps a number; [`quantize`] writes reals as words.
 
 use crate::cast;
 use crate::error::{Error, Result};
@@ -125,6 +125,22 @@ impl Format {
     /// As [`Format::new`].
     pub fn unsigned(bits: u32, frac_bits: i32) -> Result<Self> {
         Self::new(false, bits, frac_bits)
+    }
+
+    /// Makes the format of an angle in turns, 0 to 1: all bits are fraction bits.
+    ///
+    /// # Errors
+    /// As [`Format::new`].
+    pub fn turns(bits: u32) -> Result<Self> {
+        Self::unsigned(bits, cast::signed_count(bits))
+    }
+
+    /// Makes the format of an angle in turns, -½ to ½.
+    ///
+    /// # Errors
+    /// As [`Format::new`].
+    pub fn signed_turns(bits: u32) -> Result<Self> {
+        Self::signed(bits, cast::signed_count(bits))
     }
 
     /// The format of a flag: one bit, 0 or 1.
@@ -404,5 +420,33 @@ fn round_real(value: f64, frac_bits: i32, round: Round) -> i128 {
         (false, _) => whole,
         (true, false) => whole + 1,
         (true, true) => whole - 1,
+    }
+}
+
+/// What hardware a `narrow` takes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Narrowing {
+    /// An incrementer.
+    pub rounds: bool,
+    /// A comparison and a multiplexer.
+    pub saturates: bool,
+}
+
+impl Narrowing {
+    /// Hardware for narrowing words of `from` to `to`.
+    #[must_use]
+    pub fn new(from: Format, to: Format, round: Round, overflow: Overflow) -> Self {
+        let overflows = |raw| narrow(raw, from.frac_bits(), to, round, overflow).1;
+        let saturating = matches!(overflow, Overflow::Saturate | Overflow::Symmetric);
+        let drops_up = match round {
+            Round::Floor => false,
+            Round::TowardZero => from.is_signed(),
+            Round::HalfUp | Round::HalfAway | Round::HalfEven => true,
+        };
+        Self {
+            rounds: from.frac_bits() > to.frac_bits() && drops_up,
+            // Rounding is monotone, so the ends of the format decide.
+            saturates: saturating && (overflows(from.min_raw()) || overflows(from.max_raw())),
+        }
     }
 }

@@ -24,7 +24,7 @@
 
 use crate::cast;
 use crate::error::{Error, Result};
-use crate::format::{Format, Overflow, Round, addr_bits, narrow};
+use crate::format::{Narrowing, addr_bits};
 use crate::netlist::{Netlist, NodeId};
 use crate::op::Op;
 
@@ -120,8 +120,7 @@ impl Schedule {
     ) -> Result<Self> {
         let mut schedule = Self { stages, latency, period_ps: 0, rom };
         schedule.verify(netlist)?;
-        let delays = schedule.arrivals(netlist);
-        schedule.period_ps = delays.into_iter().max().unwrap_or(0) + REGISTER_PS;
+        schedule.period_ps = schedule.longest_ps(netlist) + REGISTER_PS;
         Ok(schedule)
     }
 
@@ -202,9 +201,10 @@ impl Schedule {
         Self { stages, latency, period_ps: longest.saturating_add(REGISTER_PS), rom }
     }
 
-    /// Time of each node after the start of its stage.
-    fn arrivals(&self, netlist: &Netlist) -> Vec<u32> {
+    /// The longest path between registers.
+    fn longest_ps(&self, netlist: &Netlist) -> u32 {
         let mut arrivals: Vec<u32> = Vec::with_capacity(netlist.nodes().len());
+        let mut longest = 0;
         for id in netlist.ids() {
             let at = self.operand_stage(netlist, id);
             let operands = netlist.node(id).operands.iter();
@@ -213,10 +213,15 @@ impl Schedule {
                 .map(|operand| arrivals[operand.index()])
                 .max()
                 .unwrap_or(0);
-            let clocked = self.is_clocked(netlist, id);
-            arrivals.push(if clocked { ROM_OUTPUT_PS } else { start + delay_ps(netlist, id) });
+            if self.is_clocked(netlist, id) {
+                longest = longest.max(start + ROM_SETUP_PS);
+                arrivals.push(ROM_OUTPUT_PS);
+            } else {
+                arrivals.push(start + delay_ps(netlist, id));
+            }
+            longest = longest.max(arrivals[id.index()]);
         }
-        arrivals
+        longest
     }
 
     fn verify(&self, netlist: &Netlist) -> Result<()> {
@@ -282,34 +287,6 @@ pub fn delay_ps(netlist: &Netlist, id: NodeId) -> u32 {
             let hardware = Narrowing::new(operand(0), node.format, round, overflow);
             let rounding = if hardware.rounds { carry(node.format.bits()) } else { 0 };
             rounding + if hardware.saturates { 600 } else { 0 }
-        }
-    }
-}
-
-/// What hardware a `narrow` takes.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Narrowing {
-    /// An incrementer.
-    pub rounds: bool,
-    /// A comparison and a multiplexer.
-    pub saturates: bool,
-}
-
-impl Narrowing {
-    /// Hardware for narrowing words of `from` to `to`.
-    #[must_use]
-    pub fn new(from: Format, to: Format, round: Round, overflow: Overflow) -> Self {
-        let overflows = |raw| narrow(raw, from.frac_bits(), to, round, overflow).1;
-        let saturating = matches!(overflow, Overflow::Saturate | Overflow::Symmetric);
-        let drops_up = match round {
-            Round::Floor => false,
-            Round::TowardZero => from.is_signed(),
-            Round::HalfUp | Round::HalfAway | Round::HalfEven => true,
-        };
-        Self {
-            rounds: from.frac_bits() > to.frac_bits() && drops_up,
-            // Rounding is monotone, so the ends of the format decide.
-            saturates: saturating && (overflows(from.min_raw()) || overflows(from.max_raw())),
         }
     }
 }

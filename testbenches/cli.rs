@@ -391,3 +391,149 @@ fn an_empty_folder_stays_empty_when_nothing_is_asked_right() {
     refused(&["sweep", "rotation", "--axis", "variant", "--out", out], "variant");
     assert!(is_empty(folder.path()));
 }
+
+#[test]
+fn contradictions_are_refused() {
+    refused(
+        &["sim", "rotation", "-p", "angle_bits=8", "-p", "angle_bits=9"],
+        "error: parameter `angle_bits` is given twice",
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("o");
+    let out = out.to_str().unwrap();
+    let args = ["sweep", "rotation", "-p", "angle_bits=8", "--axis", "angle_bits=9", "--out", out];
+    refused(&args, "error: parameter `angle_bits` is set with -p and swept by an axis");
+    let input = folder.path().join("in.csv");
+    fs::write(&input, "phi_a,theta_a,phi_n,theta_n\n1,2,3,4\n").unwrap();
+    let input = input.to_str().unwrap();
+    refused(&["eval", "rotation", "--in", input, "--out", input], "in.csv: is the input");
+    assert!(fs::read_to_string(input).unwrap().starts_with("phi_a"));
+    for args in [
+        &["sim", "rotation", "--samples", "1e6"][..],
+        &["sim", "rotation", "--samples", "0"],
+        &["--threads", "0", "list"],
+        &["wave", "rotation", "--cycles", "5..2", "--out", "w.vcd"],
+        &["wave", "rotation", "--samples", "0", "--out", "w.vcd"],
+        &["lisst"],
+        &["eval", "rotation", "--in", "a", "--out", "b", "--angle", "grad"],
+    ] {
+        refused(args, "error: ");
+    }
+}
+
+#[test]
+fn a_wave_is_a_pair_or_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    refused(&["wave", "rotation", "--out", &at("a.gtkw")], "is where the save file goes");
+    refused(
+        &["wave", "rotation", "--samples", "20", "--cycles", "1000..2000", "--out", &at("b.vcd")],
+        "cycles 1000..2000 are past the end",
+    );
+    assert!(is_empty(folder.path()));
+    fs::create_dir(at("c.gtkw")).unwrap();
+    fs::write(at("c.vcd"), "old").unwrap();
+    refused(&["wave", "rotation", "--out", &at("c.vcd")], "c.gtkw: can't write");
+    assert_eq!(fs::read_to_string(at("c.vcd")).unwrap(), "old");
+    // A pattern of many stars is matched at once, and a window needs no more samples than itself.
+    let stars = "*".repeat(40) + "q";
+    refused(&["wave", "rotation", "--signals", &stars, "--out", &at("d.vcd")], "no signal matches");
+    let args = ["wave", "rotation", "--samples", "10000000", "--cycles", "0..5", "--out"];
+    fixpath().args(args).arg(at("e.vcd")).assert().success();
+}
+
+#[test]
+fn a_wave_stops_at_a_forbidden_overflow() {
+    let folder = tempfile::tempdir().unwrap();
+    let (input, out) = (folder.path().join("in.csv"), folder.path().join("o.vcd"));
+    // A along N: z is 1, which has no code without an integer bit.
+    fs::write(&input, "phi_a,theta_a,phi_n,theta_n\n0,0.25,0,0\n0,0,0,0\n").unwrap();
+    let args = ["wave", "rotation", "-p", "int_bits=0", "-p", "overflow=error", "--angle", "turns"];
+    let mut command = fixpath();
+    command.args(args).arg("--in").arg(&input).arg("--out").arg(&out);
+    let output = command.output().unwrap();
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{stderr}");
+    assert!(stderr.contains("overflowed") && !out.exists(), "{stderr}");
+}
+
+#[test]
+fn a_run_that_overflows_stops_at_the_same_place_on_any_number_of_threads() {
+    let message = |threads: &str| {
+        let args = ["-p", "int_bits=0", "-p", "overflow=error", "--samples", "3000000"];
+        let (code, _, stderr) =
+            run(&[&["--threads", threads, "sim", "rotation"], &args[..]].concat());
+        assert_eq!(code, 1);
+        stderr
+    };
+    assert_eq!(message("1"), message("4"));
+}
+
+#[test]
+fn every_hard_case_can_be_had_as_csv() {
+    let folder = tempfile::tempdir().unwrap();
+    let cases = folder.path().join("cases.csv");
+    let args = ["sim", "rotation", "--hard", "-p", "table_addr_bits=6", "--json", "--cases"];
+    let output = fixpath().args(args).arg(&cases).output().unwrap();
+    assert_eq!(output.status.code(), Some(0));
+    let value: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let mut worst = std::collections::BTreeMap::<String, f64>::new();
+    let mut count = 0;
+    for record in csv::Reader::from_path(&cases).unwrap().records() {
+        let record = record.unwrap();
+        let error: f64 = record[14].parse().unwrap();
+        let entry = worst.entry(record[0].to_owned()).or_default();
+        *entry = entry.max(error);
+        assert_eq!(&record[17], "true");
+        count += 1;
+    }
+    assert_eq!(value["inputs"]["samples"], count);
+    for case in value["hard_cases"].as_array().unwrap() {
+        assert_eq!(case["error"].as_f64().unwrap(), worst[case["name"].as_str().unwrap()]);
+    }
+}
+
+#[test]
+fn a_sweep_leaves_somebodys_files_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("report.md"), "mine").unwrap();
+    let here = folder.path().to_str().unwrap();
+    let args = ["sweep", "rotation", "--axis", "angle_bits=8", "--samples", "10", "--out", here];
+    refused(&args, "report.md: is in the way and from no sweep");
+    assert_eq!(fs::read_to_string(folder.path().join("report.md")).unwrap(), "mine");
+}
+
+/// A coarse input looks good against its own golden: such sweeps are ranked end to end.
+#[test]
+fn a_sweep_over_input_widths_is_ranked_end_to_end() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("o");
+    let args = ["sweep", "rotation", "-p", "table_addr_bits=8", "--axis", "angle_bits=8,12"];
+    let output =
+        fixpath().args(args).args(["--samples", "5000", "--out"]).arg(&out).output().unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("end-to-end error") && text.contains("  12 "), "{text}");
+    assert!(fs::read_to_string(out.join("report.md")).unwrap().contains("real inputs"));
+}
+
+/// An interrupt leaves finished points and no half-written file.
+#[test]
+#[cfg(unix)]
+fn an_interrupt_leaves_nothing_half_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("big.vcd");
+    let mut child = std::process::Command::new(assert_cmd::cargo::cargo_bin("fixpath"))
+        .args(["wave", "rotation", "--samples", "3000000", "--out"])
+        .arg(&out)
+        .spawn()
+        .unwrap();
+    // Until it writes, then stop it in the middle.
+    while is_empty(folder.path()) {
+        assert!(child.try_wait().unwrap().is_none(), "still running");
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    let id = child.id().to_string();
+    assert!(std::process::Command::new("kill").args(["-INT", &id]).status().unwrap().success());
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    assert!(is_empty(folder.path()));
+}

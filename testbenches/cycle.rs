@@ -103,6 +103,25 @@ fn the_model_period_meets_the_target_where_no_operation_is_slower() {
     }
 }
 
+#[test]
+fn stages_taken_over_by_hand_have_the_same_period() {
+    for variant in ["printed", "corrected", "exact"] {
+        for rom in [Rom::Block, Rom::Distributed] {
+            let variant = format!("variant={variant}");
+            let netlist = ROTATION
+                .values(&[variant, "scheme=linear".into()])
+                .unwrap()
+                .build()
+                .unwrap()
+                .netlist;
+            let schedule = Schedule::pipeline(&netlist, rom, Depth::Period(4000)).unwrap();
+            let stages = netlist.ids().map(|id| schedule.stage(id)).collect();
+            let by_hand = Schedule::from_stages(&netlist, rom, stages, schedule.latency()).unwrap();
+            assert_eq!(by_hand, schedule);
+        }
+    }
+}
+
 /// x -> (x + 1) * x, saturated.
 fn small() -> Netlist {
     let mut b = Builder::new("small");

@@ -173,6 +173,7 @@ pub(super) fn show(design: &Design) -> Result<String> {
             o.multiplexers,
             o.shifters,
             o.narrows,
+            o.rounders,
         ];
         let mut row = vec![name.to_owned()];
         row.extend(counts.map(|count| count.to_string()));
@@ -180,7 +181,17 @@ pub(super) fn show(design: &Design) -> Result<String> {
     };
     text.push_str("\noperators\n");
     text.push_str(&table(
-        &["", ">mul", ">add/sub", ">neg/abs", ">compare", ">mux", ">shift", ">narrow"],
+        &[
+            "",
+            ">mul",
+            ">add/sub",
+            ">neg/abs",
+            ">compare",
+            ">mux",
+            ">shift",
+            ">narrow",
+            ">of which round",
+        ],
         &[operators("datapath", counts.datapath), operators("table schemes", counts.schemes)],
     ));
 

@@ -4,6 +4,7 @@ use crate::cast;
 use crate::error::{Error, Result};
 use crate::format::{Overflow, Round, quantize};
 use crate::netlist::{Netlist, NodeId, Quantity};
+use crate::trig::ROUNDER;
 use crate::units::{Design, Sampler};
 use rand_core::{RngCore, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -111,9 +112,6 @@ impl Inputs {
         }
     }
 }
-
-/// 1.5 * 2^52: the sum with a smaller number is a whole number.
-const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
 /// Writes input columns as words of the ports: to nearest, angles modulo a turn, numbers saturated.
 ///

@@ -14,7 +14,7 @@ mod builder;
 pub use builder::Builder;
 
 use crate::cast;
-use crate::format::Format;
+use crate::format::{Format, Narrowing};
 use crate::op::{Meaning, Op};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
@@ -178,6 +178,8 @@ pub struct Operators {
     pub shifters: u64,
     /// `narrow`: rounding, saturation, or only wires.
     pub narrows: u64,
+    /// Those of them that take an incrementer to round.
+    pub rounders: u64,
 }
 
 /// Counts over a whole netlist.
@@ -372,7 +374,12 @@ impl Netlist {
                 Op::Equal | Op::Less => operators.comparators += 1,
                 Op::Mux => operators.multiplexers += 1,
                 Op::LeadingZeros | Op::ShiftLeft { .. } => operators.shifters += 1,
-                Op::Narrow { .. } => operators.narrows += 1,
+                Op::Narrow { round, overflow } => {
+                    let from = self.node(node.operands[0]).format;
+                    let hardware = Narrowing::new(from, node.format, round, overflow);
+                    operators.narrows += 1;
+                    operators.rounders += u64::from(hardware.rounds);
+                }
                 Op::Read { table, .. } => {
                     counts.reads += 1;
                     addresses.entry(table).or_default().insert(node.operands[0]);

@@ -34,12 +34,6 @@ fn opposite(b: &mut Builder, angle: NodeId) -> NodeId {
     b.means(turned, Meaning::Opposite(angle))
 }
 
-/// Unsigned turn format of `frac_bits` bits.
-fn turn(b: &mut Builder, frac_bits: u32) -> Format {
-    let format = Format::unsigned(frac_bits, cast::signed_count(frac_bits));
-    b.checked(format)
-}
-
 /// Angle and length of (x, y) by CORDIC in vectoring mode: adders and wires only.
 ///
 /// |x|, |y| < 2 with |(x, y)| * gain < 4; steps drop bits toward minus infinity. Works
@@ -63,8 +57,7 @@ pub(crate) fn cordic(
     cx = fit(b, cx);
     cy = fit(b, cy);
 
-    let turns = Format::signed(angle_bits, cast::signed_count(angle_bits));
-    let turns = b.checked(turns); // -½ <= angle < ½; the sum of all steps is below 0.28
+    let turns = b.checked(Format::signed_turns(angle_bits)); // -½ <= angle < ½; the sum of all steps is below 0.28
     let one = b.constant(1, Format::FLAG);
     let mut angle = b.constant(0, turns);
     for i in 0..cast::signed_count(iterations) {
@@ -79,7 +72,7 @@ pub(crate) fn cordic(
         cx = fit(b, next_x);
         cy = fit(b, next_y);
     }
-    let whole = turn(b, angle_bits);
+    let whole = b.checked(Format::turns(angle_bits));
     let ahead = b.modulo(angle, whole);
     let turned = opposite(b, ahead);
     let angle = b.mux(behind, turned, ahead);
@@ -149,7 +142,7 @@ pub(crate) fn table(b: &mut Builder, y: NodeId, x: NodeId, tables: &PolarTables<
     let recip = lut::emit(b, &tables.recip, argument)[0]; // 1 < recip <= 2
     let numerator = b.shift(minor_mantissa, -cast::signed_count(bits)); // 0 <= numerator < 1
     let quotient = b.mul(numerator, recip);
-    let ratio = turn(b, tables.ratio_bits); // 0 <= ratio < 1
+    let ratio = b.checked(Format::turns(tables.ratio_bits)); // 0 <= ratio < 1
     let ratio = b.narrow(quotient, ratio, tables.recip.round, Overflow::Saturate);
     b.name(ratio, "ratio");
     let [octant, secant] = lut::emit(b, &tables.atan, ratio)[..] else {
@@ -174,7 +167,7 @@ pub(crate) fn table(b: &mut Builder, y: NodeId, x: NodeId, tables: &PolarTables<
     let angle = fold(b, behind, angle, Some(0.5));
     let below = b.negative(y);
     let angle = fold(b, below, angle, None);
-    let whole = turn(b, out.frac_bits().unsigned_abs());
+    let whole = b.checked(Format::turns(out.frac_bits().unsigned_abs()));
     let angle = b.modulo(angle, whole);
     let length = b.mul(major, secant);
     let length_format = Format::signed(bits + 1, component.frac_bits());

@@ -204,7 +204,7 @@ fn build(values: &Values) -> Result<Design> {
         tabulated: Vec::new(),
     };
     let mut b = Builder::new("rotation");
-    let turn = turn(plan.angle_bits)?;
+    let turn = Format::turns(plan.angle_bits)?;
     let inputs =
         ["phi_a", "theta_a", "phi_n", "theta_n"].map(|name| b.input(name, turn, Quantity::Turns));
     if variant == "exact" {
@@ -237,16 +237,6 @@ fn build(values: &Values) -> Result<Design> {
         tabulated,
         draw,
     })
-}
-
-/// Unsigned turns of `bits` bits: 0 to 1.
-fn turn(bits: u32) -> Result<Format> {
-    Format::unsigned(bits, cast::signed_count(bits))
-}
-
-/// Signed turns of `bits` bits: -½ to ½.
-fn signed_turn(bits: u32) -> Result<Format> {
-    Format::signed(bits, cast::signed_count(bits))
 }
 
 /// Signed numbers below 2^int_bits with `frac_bits` fraction bits.
@@ -334,7 +324,7 @@ impl Plan<'_> {
             cast::signed_count(self.angle_bits),
         )?;
         let rounded = b.narrow(angle, wide, self.round, Overflow::Saturate);
-        let word = b.modulo(rounded, turn(self.angle_bits)?);
+        let word = b.modulo(rounded, Format::turns(self.angle_bits)?);
         b.turns(word);
         b.name(word, name);
         b.output(name, word);
@@ -352,7 +342,7 @@ fn angle(b: &mut Builder, name: &str, exact: NodeId, format: Format) -> NodeId {
 /// Variant `exact`: every product of sines and cosines as a sum of sines or cosines.
 fn exact(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], output: &str) -> Result<()> {
     let [phi_a, theta_a, phi_n, theta_n] = inputs;
-    let turn = turn(plan.angle_bits)?;
+    let turn = Format::turns(plan.angle_bits)?;
     let [big_y, big_x, xp, xm, yp, ym, ap, am] = b.scope("angles", |b| {
         let delta = b.sub(phi_a, phi_n);
         let delta = angle(b, "delta", delta, turn);
@@ -487,16 +477,20 @@ fn seed(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], corrected: bo
     let [phi_a, theta_a, phi_n, theta_n] = inputs;
     let (work, work_angle) = (plan.work_bits, plan.work_angle_bits);
     let full_circle = plan.values.choice("quadrants") == "full";
-    let inner_turn = turn(work_angle)?;
+    let inner_turn = Format::turns(work_angle)?;
 
     // (6): X, Y. As printed they are halved, and then Δ may not be reduced modulo a turn first.
     let (big_x, big_y) = b.scope("angles", |b| -> Result<_> {
         let difference = b.sub(phi_a, phi_n);
         b.name(difference, "delta_exact");
         let (delta, halves, format) = if corrected {
-            (angle(b, "delta", difference, turn(plan.angle_bits)?), 0, turn(plan.angle_bits)?)
+            (
+                angle(b, "delta", difference, Format::turns(plan.angle_bits)?),
+                0,
+                Format::turns(plan.angle_bits)?,
+            )
         } else {
-            (difference, 1, turn(plan.angle_bits + 1)?)
+            (difference, 1, Format::turns(plan.angle_bits + 1)?)
         };
         let sum = b.add(theta_a, delta);
         let sum = b.shift(sum, -halves);
@@ -515,14 +509,20 @@ fn seed(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], corrected: bo
     let mean = b.shift(sum, -1);
     let index = b.narrow(mean, number(0, work)?, plan.round, Overflow::Saturate);
     b.name(index, "sin_theta_x");
-    let asin =
-        plan.table(b, "asin", "asin_addr_bits", &[Function::Asin], index, signed_turn(work_angle)?)
-            [0];
+    let asin = plan.table(
+        b,
+        "asin",
+        "asin_addr_bits",
+        &[Function::Asin],
+        index,
+        Format::signed_turns(work_angle)?,
+    )[0];
     b.turns(asin);
     let theta_x = if corrected {
         // ½ - asin where cos theta_a < 0: the negated angle with its top bit inverted.
-        let quarter = b.constant(1 << (plan.angle_bits - 2), turn(plan.angle_bits)?);
-        let three_quarters = b.constant(3 << (plan.angle_bits - 2), turn(plan.angle_bits)?);
+        let quarter = b.constant(1 << (plan.angle_bits - 2), Format::turns(plan.angle_bits)?);
+        let three_quarters =
+            b.constant(3 << (plan.angle_bits - 2), Format::turns(plan.angle_bits)?);
         let (past, before) = (b.less(quarter, theta_a), b.less(theta_a, three_quarters));
         let behind = b.and(past, before);
         b.means(behind, Meaning::CosNegative(theta_a));
@@ -543,7 +543,7 @@ fn seed(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], corrected: bo
     // Z = theta_x - theta_n; tables see it modulo a turn.
     let difference = b.sub(theta_x, theta_n);
     b.name(difference, "z_exact");
-    let big_z = angle(b, "ang_z", difference, signed_turn(work_angle)?);
+    let big_z = angle(b, "ang_z", difference, Format::signed_turns(work_angle)?);
 
     // (9), (27): (cos Y - cos X) over 2 sin Z and 2 cos Z.
     let y_double = b.sub(cos_y, cos_x);
@@ -560,9 +560,14 @@ fn seed(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], corrected: bo
     let tan_format = number(plan.atan_int_bits(), work)?;
     let tan = b.narrow(tan, tan_format, plan.round, Overflow::Saturate);
     b.name(tan, "tan_phi");
-    let atan =
-        plan.table(b, "atan", "atan_addr_bits", &[Function::Atan], tan, signed_turn(work_angle)?)
-            [0];
+    let atan = plan.table(
+        b,
+        "atan",
+        "atan_addr_bits",
+        &[Function::Atan],
+        tan,
+        Format::signed_turns(work_angle)?,
+    )[0];
     let phi = b.modulo(atan, inner_turn);
     let phi = if full_circle {
         let behind = b.negative(big_z);
