@@ -10,7 +10,7 @@ use rand_core::{RngCore, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 /// Samples per chunk.
-pub(super) const CHUNK: u64 = 1 << 14;
+pub(super) const CHUNK: u64 = 1 << 12;
 /// The most input words that `exhaustive` goes through.
 const EXHAUSTIVE_BITS: u32 = 32;
 

@@ -240,7 +240,11 @@ fn error_vs_speed(record: &Record, rows: &[Row<'_>]) -> Chart {
         Groups::few(record).series(rows, Style::Marks, |row| Some((row.speed, row.error_deg)));
     Chart {
         title: format!("{}: error against simulation speed", record.header.unit),
-        caption: caption(record, rows),
+        caption: {
+            let mut caption = caption(record, rows);
+            caption.push("Wall-clock time: other load on the machine shows.".to_owned());
+            caption
+        },
         x: ("bit-true engine alone (samples per second and thread)".to_owned(), Along::Log10),
         y: error_axis(),
         series,
