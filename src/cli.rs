@@ -262,6 +262,10 @@ pub fn main() -> ExitCode {
     // An interrupt leaves no half-written file behind. Without the handler it would leave one.
     let _ = ctrlc::set_handler(|| {
         output::abandon();
+        let _ = writeln!(
+            io::stderr(),
+            "interrupted: what was finished is saved, nothing half-written is left"
+        );
         std::process::exit(130);
     });
     if let Some(threads) = cli.threads {

@@ -123,7 +123,8 @@ fn nearest<'a>(given: &str, known: impl Iterator<Item = &'a str>) -> String {
     known
         .map(|name| (strsim::damerau_levenshtein(given, name), name))
         .min()
-        .filter(|(distance, name)| *distance <= 2.max(name.len() / 3))
+        // More than half of it should be right.
+        .filter(|(distance, _)| 2 * distance < given.chars().count())
         .map(|(_, name)| format!(", did you mean `{name}`"))
         .unwrap_or_default()
 }
