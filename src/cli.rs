@@ -11,6 +11,7 @@ use crate::output;
 use crate::sweep::{Axis, Sweep};
 use crate::units::{Design, Sampler, UNITS, Unit, Values};
 use crate::wave::{Options, Wave};
+use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fs::File;
@@ -249,14 +250,15 @@ fn parse_window(text: &str) -> Result<std::ops::Range<u64>, String> {
 #[must_use]
 pub fn main() -> ExitCode {
     let cli = Cli::try_parse().unwrap_or_else(|error| {
-        if !error.use_stderr() {
-            error.exit(); // --help and --version
+        let help = ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand;
+        if !error.use_stderr() || error.kind() == help {
+            error.exit(); // --help, --version, and no arguments at all
         }
-        // One line, as every other error: the message up to the empty line before the usage.
+        // One line, as every other error: the message and its tips, without the usage.
         let text = error.to_string();
-        let lines: Vec<&str> = text.lines().take_while(|line| !line.is_empty()).collect();
-        let text = lines.iter().map(|line| line.trim()).collect::<Vec<_>>().join(" ");
-        let _ = writeln!(io::stderr(), "{text}: `fixpath --help` tells more");
+        let lines = text.lines().take_while(|line| !line.starts_with("Usage:"));
+        let parts: Vec<&str> = lines.map(str::trim).filter(|line| !line.is_empty()).collect();
+        let _ = writeln!(io::stderr(), "{}: `fixpath --help` tells more", parts.join(" "));
         std::process::exit(2);
     });
     // An interrupt leaves no half-written file behind. Without the handler it would leave one.
@@ -530,8 +532,9 @@ fn write_wave(
     out: &Path,
 ) -> Result<String> {
     let save = out.with_extension("gtkw");
-    if save == out || out == Path::new("-") {
-        let problem = "is where the save file goes: give a file that ends in .vcd";
+    let special = std::fs::metadata(out).is_ok_and(|there| !there.is_file() && !there.is_dir());
+    if special || save == out || out == Path::new("-") {
+        let problem = "no place for the save file: give a file that ends in .vcd";
         return Err(Error::file(&save, problem.to_owned()));
     }
     let window = options.cycles.clone();

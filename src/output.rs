@@ -34,13 +34,7 @@ pub fn make_folder(path: &Path) -> Result<()> {
 /// # Errors
 /// If the file can't be written, or `body` fails; nothing of it is left then.
 pub fn write_file(path: &Path, body: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
-    // Without the temporary file's name, which says nothing to anyone.
-    let fail = |why: io::Error| {
-        let plain = why.raw_os_error().map(io::Error::from_raw_os_error);
-        let inner = why.get_ref().and_then(|inner| inner.source()?.downcast_ref::<io::Error>());
-        let plain = plain.or_else(|| inner?.raw_os_error().map(io::Error::from_raw_os_error));
-        Error::io(path, "can't write", plain.unwrap_or(why))
-    };
+    let fail = |why: io::Error| Error::io(path, "can't write", why);
     if fs::metadata(path).is_ok_and(|there| !there.is_file()) {
         let file = File::options().write(true).open(path).map_err(fail)?;
         let mut writer = BufWriter::new(file);
@@ -48,7 +42,12 @@ pub fn write_file(path: &Path, body: impl FnOnce(&mut dyn Write) -> Result<()>) 
         return writer.flush().map_err(fail);
     }
     // A link stays a link: what it points to is written.
-    let real = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let real = match (fs::canonicalize(path), fs::read_link(path)) {
+        (Ok(real), _) => real,
+        // A link to what isn't there yet.
+        (Err(_), Ok(target)) => path.parent().unwrap_or(Path::new("")).join(target),
+        (Err(_), Err(_)) => path.to_owned(),
+    };
     let folder = match real.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         Some(_) | None => Path::new("."),
@@ -61,15 +60,16 @@ pub fn write_file(path: &Path, body: impl FnOnce(&mut dyn Write) -> Result<()>) 
         use std::os::unix::fs::PermissionsExt;
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
-    let file = builder.tempfile_in(folder).map_err(fail)?;
-    let temporary = file.path().to_owned();
+    // The plain kind of error: the temporary file's name says nothing to anyone.
+    let file = builder.tempfile_in(folder).map_err(|why| fail(why.kind().into()))?;
+    let (file, temporary_path) = file.into_parts();
+    let temporary = temporary_path.to_path_buf();
     let known = || TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner);
     known().insert(temporary.clone());
     let mut writer = BufWriter::with_capacity(1 << 16, file);
     let written = body(&mut writer).and_then(|()| {
-        let file = writer.into_inner().map_err(|why| fail(why.into_error()))?;
-        file.persist(&real).map_err(|why| fail(why.error))?;
-        Ok(())
+        writer.into_inner().map_err(|why| fail(why.into_error()))?;
+        temporary_path.persist(&real).map_err(|why| fail(why.error))
     });
     known().remove(&temporary);
     written

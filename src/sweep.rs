@@ -276,7 +276,12 @@ impl Sweep {
     /// Points measured together: as many as share golden values well, but so few that a sweep of
     /// many samples saves something every few seconds.
     fn group_points(&self) -> usize {
-        let most = GROUP_SAMPLES / self.inputs.samples.max(1);
+        let samples = match self.inputs.sampler {
+            Sampler::Lit | Sampler::Sphere => self.inputs.samples,
+            Sampler::Hard => 1,
+            Sampler::Exhaustive => return 1, // a point may be long: save each
+        };
+        let most = GROUP_SAMPLES / samples.max(1);
         usize::try_from(most).unwrap_or(GROUP_POINTS).clamp(1, GROUP_POINTS)
     }
 }

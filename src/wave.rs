@@ -242,8 +242,10 @@ impl<'a> Wave<'a> {
         let file = vcd.file_name().unwrap_or_default().to_string_lossy();
         writeln!(to, "[*] fixpath {}: unit {unit}", env!("CARGO_PKG_VERSION"))?;
         // From the first result on: before it there is nothing to see.
-        let first = self.options.cycles.as_ref().map_or(0, |cycles| cycles.start);
-        let start = u64::from(self.rtl.schedule().latency()).max(first) * self.period_ps;
+        let cycles = self.options.cycles.clone().unwrap_or(0..u64::MAX);
+        let latency = u64::from(self.rtl.schedule().latency());
+        let first = if latency < cycles.end { latency.max(cycles.start) } else { cycles.start };
+        let start = first * self.period_ps;
         writeln!(to, "[dumpfile] \"{file}\"\n[timestart] {start}")?;
         writeln!(to, "[size] 1500 1000\n[pos] -1 -1")?;
         writeln!(to, "[sst_width] 210\n[signals_width] 330\n[sst_expanded] 0\n[treeopen] {unit}.")?;

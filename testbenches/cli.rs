@@ -263,7 +263,8 @@ fn a_full_disk_is_one_clear_line() {
         &["eval", "rotation", "--in", input, "--out", "/dev/full"],
         "/dev/full: can't write: No space left",
     );
-    refused(&["wave", "rotation", "--out", "/dev/full"], "/dev/full: can't write: No space left");
+    refused(&["wave", "rotation", "--out", "/dev/full"], "no place for the save file");
+    assert!(!Path::new("/dev/full.gtkw").exists());
     use std::os::unix::fs::FileTypeExt;
     assert!(fs::metadata("/dev/full").unwrap().file_type().is_char_device());
 }
@@ -425,7 +426,7 @@ fn contradictions_are_refused() {
 fn a_wave_is_a_pair_or_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
-    refused(&["wave", "rotation", "--out", &at("a.gtkw")], "is where the save file goes");
+    refused(&["wave", "rotation", "--out", &at("a.gtkw")], "no place for the save file");
     refused(
         &["wave", "rotation", "--samples", "20", "--cycles", "1000..2000", "--out", &at("b.vcd")],
         "cycles 1000..2000 are past the end",
@@ -440,6 +441,28 @@ fn a_wave_is_a_pair_or_nothing() {
     refused(&["wave", "rotation", "--signals", &stars, "--out", &at("d.vcd")], "no signal matches");
     let args = ["wave", "rotation", "--samples", "10000000", "--cycles", "0..5", "--out"];
     fixpath().args(args).arg(at("e.vcd")).assert().success();
+}
+
+#[test]
+#[cfg(unix)]
+fn links_stay_links_and_temporary_names_stay_hidden() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    fs::write(at("in.csv"), "phi_a,theta_a,phi_n,theta_n\n1,2,3,4\n").unwrap();
+    std::os::unix::fs::symlink("there.csv", at("link.csv")).unwrap();
+    let eval = |out: &str| {
+        let mut command = fixpath();
+        command.args(["eval", "rotation", "--in"]).arg(at("in.csv")).arg("--out").arg(at(out));
+        command.output().unwrap()
+    };
+    for _ in 0..2 {
+        assert!(eval("link.csv").status.success());
+        assert!(fs::symlink_metadata(at("link.csv")).unwrap().is_symlink());
+        assert!(fs::read_to_string(at("there.csv")).unwrap().starts_with("phi_a_q"));
+    }
+    let output = eval("none/out.csv");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(!String::from_utf8(output.stderr).unwrap().contains(".fixpath-"));
 }
 
 #[test]

@@ -115,6 +115,9 @@ fn axis_names(record: &Record) -> String {
 fn against(record: &Record) -> &'static str {
     if record.ranking() == Basis::EndToEnd {
         "the golden of the real inputs (end-to-end)"
+    } else if record.inputs_differ() {
+        // Such samplers give words: nothing is known of inputs before quantisation.
+        "the golden of each point's own input words (total): not comparable where those differ"
     } else {
         "the golden of the quantised inputs (total)"
     }

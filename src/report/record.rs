@@ -329,9 +329,16 @@ impl Record {
     /// their inputs' words. A coarse input would look good against its own golden.
     #[must_use]
     pub fn ranking(&self) -> Basis {
+        let drawn = matches!(self.header.sampler.as_str(), "lit" | "sphere");
+        if drawn && self.inputs_differ() { Basis::EndToEnd } else { Basis::Total }
+    }
+
+    /// True if points were measured over different input words.
+    #[must_use]
+    pub fn inputs_differ(&self) -> bool {
         let mut bits = self.points.iter().filter_map(|p| p.measured.as_ref()?.count("input_bits"));
         let first = bits.next();
-        if bits.any(|other| Some(other) != first) { Basis::EndToEnd } else { Basis::Total }
+        bits.any(|other| Some(other) != first)
     }
 
     /// Reads `sweep.json`; `None` if there is no such file.

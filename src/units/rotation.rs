@@ -289,22 +289,6 @@ impl Plan<'_> {
         tabulated
     }
 
-    /// Integer bits of the atan table's index. Past 2^k it is off by 2^-k rad; with 2^a cells over
-    /// ±2^k, a direct cell is off by 2^(k-a) and a linear one by about 2^(2k-2a) rad.
-    fn atan_int_bits(&self) -> u32 {
-        let count = |bits: i64| u32::try_from(bits).expect("bug: counts of bits are small");
-        let addr_bits = self
-            .values
-            .int("atan_addr_bits")
-            .map_or_else(|| self.values.bits("table_addr_bits"), count);
-        let balanced = match self.scheme {
-            Scheme::Direct => (addr_bits - 1) / 2,
-            Scheme::Bipartite => addr_bits / 2,
-            Scheme::Linear => 2 * addr_bits / 3,
-        };
-        self.values.int("atan_int_bits").map_or(balanced.max(1), count)
-    }
-
     /// sin and cos of an angle.
     fn sincos(&mut self, b: &mut Builder, angle: NodeId) -> Result<(NodeId, NodeId)> {
         let output = number(1, self.work_bits)?; // -2 to 2: 1.0 has a code
@@ -465,6 +449,20 @@ fn exact(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], output: &str
     plan.angle_out(b, "theta", theta)
 }
 
+/// Integer bits of the atan table's index. Past 2^k it is off by 2^-k rad; with 2^a cells over
+/// ±2^k, a direct cell is off by 2^(k-a) and a linear one by about 2^(2k-2a) rad.
+fn atan_int_bits(values: &Values) -> u32 {
+    let count = |bits: i64| u32::try_from(bits).expect("bug: counts of bits are small");
+    let own = values.int("atan_addr_bits");
+    let addr_bits = own.map_or_else(|| values.bits("table_addr_bits"), count);
+    let balanced = match values.choice("scheme") {
+        "linear" => 2 * addr_bits / 3,
+        "bipartite" => addr_bits / 2,
+        _ => (addr_bits - 1) / 2,
+    };
+    values.int("atan_int_bits").map_or(balanced.max(1), count)
+}
+
 fn cordic_iterations(values: &Values) -> u32 {
     match values.int("cordic_iterations") {
         Some(iterations) => u32::try_from(iterations).expect("bug: counts are small"),
@@ -557,7 +555,7 @@ fn seed(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], corrected: bo
     let over = |function| Meaning::OverTwice { y: y_double, function, angle: big_z };
     let tan = b.mul(y_double, recip_sin);
     b.means(tan, over(Function::Sin));
-    let tan_format = number(plan.atan_int_bits(), work)?;
+    let tan_format = number(atan_int_bits(plan.values), work)?;
     let tan = b.narrow(tan, tan_format, plan.round, Overflow::Saturate);
     b.name(tan, "tan_phi");
     let atan = plan.table(
@@ -636,17 +634,17 @@ fn angle_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
         return std::f64::consts::PI;
     }
     let length = 1.0 - vector;
-    // Each conversion is two angles of a plane vector, azimuth and polar angle. An error of the
-    // azimuth turns the vector by sin theta times as much. Errors of a plane vector (`plane`) turn
-    // it by asin(plane / its length); for the azimuth that length is sin theta times `length`, so
-    // the factor cancels.
+    // Each conversion is two angles of a plane vector, azimuth and polar angle. An error `plane` of
+    // a plane vector of length s turns it by asin(plane / s) where plane < s, and else by anything.
+    // For the polar angle s is the vector's length; for the azimuth it is sin theta times that, but
+    // the azimuth turns the vector by sin theta times as much only: by twice `plane` at most.
     let turned = |plane: f64| (plane / length).min(1.0).asin();
     let (azimuth, polar) = if values.choice("output") == "polar-cordic" {
         // x, y and the angle keep `cordic_frac_bits`, so all dropped bits stay below one ulp of
         // what they stand for. The last step leaves at most its own angle undone.
         let iterations = cordic_iterations(values);
         let rest = 2f64.powi(1 - cast::signed_count(iterations));
-        let dropped = turned(2.0 * work_ulp) + TAU * work_angle_ulp;
+        let dropped = 2.0 * turned(2.0 * work_ulp) + TAU * work_angle_ulp;
         // That rest also shortens the length that the polar angle starts from, by 1 - cos of it.
         (rest + dropped, rest + dropped + turned(1.0 - rest.cos()))
     } else {
@@ -793,15 +791,25 @@ fn hard_cases(values: &Values) -> Vec<HardCase> {
         all
     };
     // With N at the pole: theta_a is X's, Y's and Z's angle; sin theta_a is asin's index; delta is
-    // phi', whose tangent is atan's index; at theta_a = ¼ turn sin delta is y_k.
+    // phi', whose tangent is atan's index; at theta_a = ¼ turn sin delta is y_k. The exact unit's
+    // tables take the larger component, ½ to 1, and the ratio of two, 0 to 1.
+    let exact = values.choice("variant") == "exact";
+    let arc = |sine: f64| at(sine.asin() / TAU);
     let sincos_joints = joints("sincos_addr_bits", &|x| (at(x), [0; 4], 1));
-    let recip_joints = joints("recip_addr_bits", &|x| (at(x), [eighth, 0, eighth, 0], 1));
-    let asin_joints = joints("asin_addr_bits", &|x| (at(x.asin() / TAU), [0; 4], 1));
+    let recip_joints = joints("recip_addr_bits", &|x| {
+        let angle = if exact { arc(0.5 + 0.5 * x) } else { at(x) };
+        (angle, [eighth, 0, eighth, 0], 1)
+    });
+    let asin_joints = joints("asin_addr_bits", &|x| (arc(2.0 * x - 1.0), [0; 4], 1));
+    let limit = 2f64.powi(cast::signed_count(atan_int_bits(values)));
     let atan_joints = joints("atan_addr_bits", &|x| {
-        let tangent = if values.choice("variant") == "exact" { x } else { 32.0 * x - 16.0 };
+        let tangent = if exact { x } else { limit * (2.0 * x - 1.0) };
         (at(tangent.atan() / TAU), [0, eighth, 0, 0], 0)
     });
-    let prop_joints = joints("prop_addr_bits", &|x| (at(x.asin() / TAU), [0, quarter, 0, 0], 0));
+    let prop_joints = joints("prop_addr_bits", &|x| {
+        let sine = if values.choice("variant") == "printed" { 2.0 * x - 1.0 } else { x };
+        (arc(sine), [0, quarter, 0, 0], 0)
+    });
     vec![
         cases("poles: theta = 0 or half a turn, and one word either side", poles),
         cases("both vectors at a pole", both_poles),
