@@ -39,6 +39,19 @@ pub enum Function {
 }
 
 impl Function {
+    /// Every function.
+    pub const ALL: [Self; 9] = [
+        Self::Sin,
+        Self::Cos,
+        Self::HalfRecipSin,
+        Self::HalfRecipCos,
+        Self::Asin,
+        Self::Atan,
+        Self::Prop,
+        Self::Recip,
+        Self::Secant,
+    ];
+
     /// Name in table names, listings and files.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -211,18 +224,7 @@ mod tests {
 
     #[test]
     fn f64_is_within_its_stated_error_of_the_high_precision_value() {
-        let functions = [
-            Function::Sin,
-            Function::Cos,
-            Function::HalfRecipSin,
-            Function::HalfRecipCos,
-            Function::Asin,
-            Function::Atan,
-            Function::Prop,
-            Function::Recip,
-            Function::Secant,
-        ];
-        for function in functions {
+        for function in Function::ALL {
             for i in -300..=300 {
                 let x = f64::from(i) / 256.0 + f64::from(i) * 2f64.powi(-30);
                 let Some(big) = function.big(x) else { continue };

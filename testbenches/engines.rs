@@ -322,17 +322,6 @@ impl Grower {
         if stand_in <= node {
             return;
         }
-        let functions = [
-            Function::Sin,
-            Function::Cos,
-            Function::HalfRecipSin,
-            Function::HalfRecipCos,
-            Function::Asin,
-            Function::Atan,
-            Function::Prop,
-            Function::Recip,
-            Function::Secant,
-        ];
         let port = self.random.pick(&self.ports);
         let meaning = match self.random.below(7) {
             0 => Meaning::Negative(of),
@@ -341,7 +330,7 @@ impl Grower {
             3 => Meaning::Atan2 { y: of, x: port },
             4 => Meaning::Inclination { x: port, y: of, z: port },
             5 => Meaning::OverTwice { y: port, function: Function::Cos, angle: of },
-            _ => Meaning::Apply(self.random.pick(&functions), of),
+            _ => Meaning::Apply(self.random.pick(&Function::ALL), of),
         };
         self.b.means(stand_in, meaning);
         self.push(stand_in);

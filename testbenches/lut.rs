@@ -37,18 +37,6 @@ fn real(function: Function, x: f64) -> f64 {
     }
 }
 
-const FUNCTIONS: [Function; 9] = [
-    Function::Sin,
-    Function::Cos,
-    Function::HalfRecipSin,
-    Function::HalfRecipCos,
-    Function::Asin,
-    Function::Atan,
-    Function::Prop,
-    Function::Recip,
-    Function::Secant,
-];
-
 fn format(text: &str) -> Format {
     text.parse().unwrap()
 }
@@ -65,7 +53,7 @@ fn tabulated(function: Function, scheme: Scheme, addr_bits: u32, quarter_wave: b
         Function::Secant => ("u10f10", "u13f12", 0.0),
     };
     let functions: &'static [Function] =
-        FUNCTIONS.iter().position(|f| *f == function).map(|i| &FUNCTIONS[i..=i]).unwrap();
+        Function::ALL.iter().position(|f| *f == function).map(|i| &Function::ALL[i..=i]).unwrap();
     Tabulated {
         name: "table",
         functions,
@@ -115,7 +103,7 @@ fn figures(tabulated: &Tabulated) -> TableFigures {
 
 #[test]
 fn worst_errors_are_as_measured() {
-    for function in FUNCTIONS {
+    for function in Function::ALL {
         for scheme in Scheme::ALL {
             for addr_bits in [2, 3, 4, 5, 6, 8, 10, 11, 12] {
                 for quarter_wave in [false, true] {
@@ -148,7 +136,7 @@ fn worst_errors_are_as_measured() {
 /// An entry for every word is the correctly rounded function, whatever the scheme.
 #[test]
 fn tables_of_every_word_are_correctly_rounded() {
-    for function in FUNCTIONS {
+    for function in Function::ALL {
         for scheme in Scheme::ALL {
             for quarter_wave in [false, true] {
                 let tabulated = tabulated(function, *scheme, 12, quarter_wave);
@@ -172,7 +160,7 @@ fn tables_of_every_word_are_correctly_rounded() {
 #[test]
 fn direct_entries_are_the_rounded_mean_of_the_cells_ends() {
     let mut ties = 0;
-    for function in FUNCTIONS {
+    for function in Function::ALL {
         for addr_bits in [2, 5, 8] {
             let tabulated = tabulated(function, Scheme::Direct, addr_bits, false);
             let words = sweep(&tabulated);
@@ -396,7 +384,7 @@ fn identical_tables_are_stored_once() {
 /// On reals a table is its function of the argument, at every word.
 #[test]
 fn tables_stand_for_their_functions() {
-    for function in FUNCTIONS {
+    for function in Function::ALL {
         for scheme in Scheme::ALL {
             let tabulated = tabulated(function, *scheme, 6, false);
             let netlist = netlist(&tabulated);

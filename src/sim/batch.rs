@@ -9,6 +9,7 @@
 //!
 //! [`super::real`] does the same on reals, for the algorithm's value at every node.
 
+use super::columns::Columns;
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::format::{Format, Overflow, Round, narrow, word_mask};
@@ -160,76 +161,39 @@ impl Program {
     #[must_use]
     pub fn compile(netlist: &Netlist, outputs: &[NodeId]) -> Self {
         let nodes = netlist.nodes();
-        let mut last_use = vec![0; nodes.len()];
-        for (index, node) in nodes.iter().enumerate() {
-            for operand in &node.operands {
-                last_use[operand.index()] = index;
-            }
-        }
-        // Ports and constants keep their columns: a runner fills constants once.
-        for (index, node) in nodes.iter().enumerate() {
-            if matches!(node.op, Op::Input | Op::Const { .. }) {
-                last_use[index] = usize::MAX;
-            }
-        }
-        for id in outputs {
-            last_use[id.index()] = usize::MAX;
-        }
-
+        let operands: Vec<Option<Vec<usize>>> = nodes
+            .iter()
+            .map(|node| Some(node.operands.iter().map(|id| id.index()).collect()))
+            .collect();
+        let columns = Columns::new(netlist, &operands, outputs);
         let mut program = Self {
             instructions: Vec::new(),
             constants: Vec::new(),
             tables: Vec::new(),
             narrow_tables: Vec::new(),
-            slots: 0,
+            slots: columns.count,
             inputs: Vec::new(),
-            outputs: Vec::new(),
+            outputs: outputs.iter().map(|id| columns.of(id.index())).collect(),
             narrows: Vec::new(),
             wide: nodes.iter().enumerate().any(|(i, _)| !fits_i32(netlist, i)),
         };
-        let mut free: Vec<Slot> = Vec::new();
-        let mut slot_of = vec![usize::MAX; nodes.len()];
-        for (index, node) in nodes.iter().enumerate() {
-            let to = program.slot(&mut free, node.op);
-            slot_of[index] = to;
+        for (index, (node, operands)) in nodes.iter().zip(&operands).enumerate() {
+            let to = columns.of(index);
             if node.op == Op::Input {
                 program.inputs.push(to);
             } else if let Op::Const { raw } = node.op {
                 program.constants.push((to, raw));
             } else {
                 let kernel = program.kernel(netlist, index);
-                let mut of = [0; 3];
-                for (slot, operand) in of.iter_mut().zip(&node.operands) {
-                    *slot = slot_of[operand.index()];
-                }
+                let of = columns.operands(operands.as_deref().unwrap_or_default());
                 program.instructions.push(Instruction { kernel, of, to });
             }
-            let mut operands = node.operands.clone();
-            operands.sort_unstable();
-            operands.dedup();
-            for operand in operands {
-                if last_use[operand.index()] == index {
-                    free.push(slot_of[operand.index()]);
-                }
-            }
         }
-        program.outputs = outputs.iter().map(|id| slot_of[id.index()]).collect();
         if !program.wide {
             let narrow = |words: &Arc<[i64]>| words.iter().map(|word| i32::of(*word)).collect();
             program.narrow_tables = program.tables.iter().map(narrow).collect();
         }
         program
-    }
-
-    /// A column for the result of an operation. Constants are filled once and ports before the
-    /// first instruction, so their columns may not have been another node's before.
-    fn slot(&mut self, free: &mut Vec<Slot>, op: Op) -> Slot {
-        let filled_before = matches!(op, Op::Const { .. } | Op::Input);
-        let used = if filled_before { None } else { free.pop() };
-        used.unwrap_or_else(|| {
-            self.slots += 1;
-            self.slots - 1
-        })
     }
 
     fn kernel(&mut self, netlist: &Netlist, index: usize) -> Kernel {
@@ -297,9 +261,9 @@ impl Program {
     pub fn runner(&self) -> Runner {
         Runner {
             columns: if self.wide {
-                Columns::Wide(Store::new(self, self.tables.clone()))
+                Lanes::Wide(Store::new(self, self.tables.clone()))
             } else {
-                Columns::Narrow(Store::new(self, self.narrow_tables.clone()))
+                Lanes::Narrow(Store::new(self, self.narrow_tables.clone()))
             },
             overflows: vec![0; self.narrows.len()],
         }
@@ -336,7 +300,7 @@ impl<L: Lane> Store<L> {
 }
 
 #[derive(Debug)]
-enum Columns {
+enum Lanes {
     Narrow(Store<i32>),
     Wide(Store<i64>),
 }
@@ -344,7 +308,7 @@ enum Columns {
 /// Columns for one thread.
 #[derive(Debug)]
 pub struct Runner {
-    columns: Columns,
+    columns: Lanes,
     overflows: Vec<u64>,
 }
 
@@ -363,10 +327,8 @@ impl Runner {
         }
         let overflows = &mut self.overflows[..];
         match &mut self.columns {
-            Columns::Narrow(store) => {
-                vectorised(Run { program, store, inputs, outputs, overflows })
-            }
-            Columns::Wide(store) => vectorised(Run { program, store, inputs, outputs, overflows }),
+            Lanes::Narrow(store) => vectorised(Run { program, store, inputs, outputs, overflows }),
+            Lanes::Wide(store) => vectorised(Run { program, store, inputs, outputs, overflows }),
         }
     }
 

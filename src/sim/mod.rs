@@ -2,5 +2,6 @@
 //! reals, [`cycle`] for clock cycles of the pipelined hardware.
 
 pub mod batch;
+mod columns;
 pub mod cycle;
 pub mod real;

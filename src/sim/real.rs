@@ -4,6 +4,7 @@
 //! function that it stands for.
 
 use super::batch::BLOCK;
+use super::columns::Columns;
 use crate::format::Format;
 use crate::function::Function;
 use crate::netlist::{Netlist, NodeId};
@@ -64,64 +65,33 @@ impl Program {
                 operands(index).into_iter().for_each(|operand| needed[operand] = true);
             }
         }
-        let mut last_use = vec![0; nodes.len()];
-        for index in (0..nodes.len()).filter(|i| needed[*i]) {
-            for operand in operands(index) {
-                last_use[operand] = index;
-            }
-        }
-        for (index, node) in nodes.iter().enumerate() {
-            if matches!(node.op, Op::Input | Op::Const { .. }) {
-                last_use[index] = usize::MAX;
-            }
-        }
-        for id in outputs {
-            last_use[id.index()] = usize::MAX;
-        }
+        let operands: Vec<Option<Vec<usize>>> = (0..nodes.len())
+            .map(|index| {
+                let port = nodes[index].op == Op::Input;
+                if port { Some(Vec::new()) } else { needed[index].then(|| operands(index)) }
+            })
+            .collect();
+        let columns = Columns::new(netlist, &operands, outputs);
         let mut program = Self {
             steps: Vec::new(),
             constants: Vec::new(),
-            slots: 0,
+            slots: columns.count,
             inputs: Vec::new(),
-            outputs: Vec::new(),
+            outputs: outputs.iter().map(|id| columns.of(id.index())).collect(),
         };
-        let mut free = Vec::new();
-        let mut slot_of = vec![usize::MAX; nodes.len()];
-        for (index, node) in nodes.iter().enumerate() {
-            if !needed[index] && node.op != Op::Input {
-                continue;
-            }
-            let to = program.slot(&mut free, node.op);
-            slot_of[index] = to;
-            let mut operands = if node.op == Op::Input { Vec::new() } else { operands(index) };
-            let mut of = [0; 3];
-            for (slot, operand) in of.iter_mut().zip(&operands) {
-                *slot = slot_of[*operand];
-            }
+        for (index, (node, operands)) in nodes.iter().zip(&operands).enumerate() {
+            let Some(operands) = operands else { continue };
+            let to = columns.of(index);
             if node.op == Op::Input {
                 program.inputs.push(to);
             } else if let (Op::Const { raw }, None) = (node.op, node.meaning) {
                 program.constants.push((to, node.format.value(raw)));
             } else {
-                program.steps.push((kernel(node.op, node.meaning, node.format), of, to));
+                let kernel = kernel(node.op, node.meaning, node.format);
+                program.steps.push((kernel, columns.operands(operands), to));
             }
-            operands.sort_unstable();
-            operands.dedup();
-            free.extend(operands.into_iter().filter(|o| last_use[*o] == index).map(|o| slot_of[o]));
         }
-        program.outputs = outputs.iter().map(|id| slot_of[id.index()]).collect();
         program
-    }
-
-    /// A column for the result of an operation. Constants are filled once and ports before the
-    /// first instruction, so their columns may not have been another node's before.
-    fn slot(&mut self, free: &mut Vec<usize>, op: Op) -> usize {
-        let filled_before = matches!(op, Op::Const { .. } | Op::Input);
-        let used = if filled_before { None } else { free.pop() };
-        used.unwrap_or_else(|| {
-            self.slots += 1;
-            self.slots - 1
-        })
     }
 
     /// Makes columns for one thread.

@@ -10,8 +10,7 @@ mod polar;
 pub mod rotation;
 
 use crate::error::{Error, Result};
-use crate::format::Format;
-use crate::format::Round;
+use crate::format::{Format, Round};
 use crate::function::Function;
 use crate::lut::{Scheme, Spec};
 use crate::netlist::Netlist;

@@ -27,7 +27,7 @@ pub(crate) fn cordic_frac_bits(frac_bits: u32, iterations: u32) -> u32 {
 }
 
 /// The angle word `half a turn on`: its top bit inverted.
-fn opposite(b: &mut Builder, angle: NodeId) -> NodeId {
+pub(crate) fn opposite(b: &mut Builder, angle: NodeId) -> NodeId {
     let format = b.format(angle);
     let top = b.constant(1 << (format.bits() - 1), format);
     let turned = b.xor(angle, top);

@@ -527,9 +527,7 @@ fn seed(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], corrected: bo
         b.name(behind, "behind");
         let minus = b.neg(asin);
         let minus = b.modulo(minus, inner_turn);
-        let top = b.constant(1 << (work_angle - 1), inner_turn);
-        let mirrored = b.xor(minus, top);
-        b.means(mirrored, Meaning::Opposite(minus));
+        let mirrored = polar::opposite(b, minus);
         let ahead = b.modulo(asin, inner_turn);
         b.mux(behind, mirrored, ahead)
     } else {
@@ -569,9 +567,7 @@ fn seed(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], corrected: bo
     let phi = b.modulo(atan, inner_turn);
     let phi = if full_circle {
         let behind = b.negative(big_z);
-        let top = b.constant(1 << (work_angle - 1), inner_turn);
-        let turned = b.xor(phi, top);
-        b.means(turned, Meaning::Opposite(phi));
+        let turned = polar::opposite(b, phi);
         b.mux(behind, turned, phi)
     } else {
         phi
