@@ -95,6 +95,12 @@ pub(crate) fn word_of_bits(bits: u64) -> i64 {
     bits as i64
 }
 
+/// The bit pattern of a wide number.
+#[inline(always)]
+pub(crate) fn pattern_of(wide: i128) -> u128 {
+    wide as u128
+}
+
 /// A difference of bit counts (all below 2^31), signed.
 #[inline(always)]
 pub(crate) fn signed_count(count: u32) -> i32 {

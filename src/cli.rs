@@ -8,6 +8,7 @@ use crate::error::{Error, Result};
 use crate::eval::{self, AngleUnit, InputFile};
 use crate::measure::{self, BoundCheck, Inputs, Report};
 use crate::output;
+use crate::outside;
 use crate::sweep::{Axis, Sweep};
 use crate::units::{Design, Sampler, UNITS, Unit, Values};
 use crate::wave::{Options, Wave};
@@ -263,6 +264,7 @@ pub fn main() -> ExitCode {
     });
     // An interrupt leaves no half-written file behind. Without the handler it would leave one.
     let _ = ctrlc::set_handler(|| {
+        outside::abandon();
         output::abandon();
         let _ = writeln!(
             io::stderr(),

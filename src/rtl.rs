@@ -90,6 +90,28 @@ impl Rtl {
         Signal { node, stage }
     }
 
+    /// Name of a signal in its scope, which the waves and the emitted hardware share: the node's
+    /// own name or its number, `_next` where an output port, its register, has that name, and
+    /// the stage of a register that carries it on.
+    #[must_use]
+    pub fn local_name(&self, signal: Signal) -> String {
+        let node = self.netlist.node(signal.node);
+        let at_root = self.netlist.scope_path(node.scope).is_empty();
+        let is_port = |name: &str| self.netlist.outputs().iter().any(|output| output.name == name);
+        let name = match &node.name {
+            Some(name) if at_root && node.op != Op::Input && is_port(name) => {
+                format!("{name}_next")
+            }
+            Some(name) => name.clone(),
+            None => format!("n{}", signal.node.index()),
+        };
+        if signal.stage == self.schedule.stage(signal.node) {
+            name
+        } else {
+            format!("{name}_s{}", signal.stage)
+        }
+    }
+
     /// Flip-flops: bits of all registers, the output registers of reads on a clock, and the
     /// valid bits.
     #[must_use]

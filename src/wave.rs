@@ -385,28 +385,18 @@ fn all_traces(rtl: &Rtl, options: &Options) -> Vec<Trace> {
         let path: Vec<String> =
             netlist.scope_path(node.scope).into_iter().map(str::to_owned).collect();
         let own = Signal { node: id, stage: rtl.schedule().stage(id) };
-        let is_port = |name: &str| {
-            path.is_empty() && traces.iter().any(|t: &Trace| t.port.is_some() && t.name == name)
-        };
-        let name = match &node.name {
-            // What goes into an output register has the port's name.
-            Some(name) if is_port(name) => {
-                if !options.all {
-                    continue;
-                }
-                format!("{name}_next")
-            }
-            Some(name) => name.clone(),
-            None if options.all => format!("n{}", id.index()),
-            None => continue,
-        };
-        traces.push(trace(own, path.clone(), name.clone(), None));
+        let name = rtl.local_name(own);
+        // What goes into an output register has the port's name, and the port is there already.
+        let is_shown = node.name.as_ref() == Some(&name);
+        if !is_shown && !options.all {
+            continue;
+        }
+        traces.push(trace(own, path.clone(), name, None));
         if options.all {
             for register in rtl.registers(id) {
                 let is_output = netlist.outputs().iter().any(|o| rtl.output(o.node) == register);
                 if !is_output {
-                    let name = format!("{name}_s{}", register.stage);
-                    let mut copy = trace(register, path.clone(), name, None);
+                    let mut copy = trace(register, path.clone(), rtl.local_name(register), None);
                     copy.twins = 0;
                     traces.push(copy);
                 }

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 /// From the top down. Modules on one line don't name each other, but for those of `FRIENDS`.
 const LAYERS: &[&[&str]] = &[
     &["cast", "error", "output", "simd"],
+    &["outside"],
     &["format"],
     &["function", "trig"],
     &["op", "netlist"],
@@ -14,10 +15,10 @@ const LAYERS: &[&[&str]] = &[
     &["schedule"],
     &["rtl"],
     &["units"],
-    &["sim"],
+    &["sim", "hdl"],
     &["measure", "wave"],
     &["report", "eval"],
-    &["sweep"],
+    &["sweep", "verify", "cost"],
     &["cli"],
 ];
 

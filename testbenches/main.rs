@@ -11,6 +11,7 @@ mod cli;
 mod cycle;
 mod engines;
 mod format;
+mod hdl;
 mod layers;
 mod lut;
 mod netlist;

@@ -1,0 +1,633 @@
+//! From nodes and registers to words of plain bits: the one place where an operation becomes
+//! logic, for every language.
+//!
+//! All arithmetic is modulo two to the bits of the result, on operands that are extended to
+//! them: with formats that hold every result that is exact, and no language's own rules of
+//! signs and widths come into play.
+
+use super::{
+    Bit, Bitwise, Driver, Expr, Item, Module, Next, Operand, Options, RomTable, Stage, View, WORDS,
+    Word, WordId, check_name, new_word_id, place_tables, refuse_size,
+};
+use crate::cast;
+use crate::error::Result;
+use crate::format::{Format, Narrowing, Overflow, Round, narrow};
+use crate::hdl::names::Names;
+use crate::netlist::{NodeId, TableId};
+use crate::op::Op;
+use crate::rtl::{Rtl, Signal};
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+pub(super) fn lower(rtl: &Arc<Rtl>, options: &Options) -> Result<Module> {
+    let netlist = rtl.netlist();
+    let name = options.name.clone().unwrap_or_else(|| netlist.name().to_owned());
+    check_name(&name)?;
+    let tables_in = place_tables(rtl, options.tables)?;
+    let latency = rtl.schedule().latency();
+    let mut names = Names::default();
+    names.take(&name);
+    let stages = usize::try_from(latency).expect("bug: 32 bits fit") + 1;
+    let mut lowering = Lowering {
+        rtl,
+        names,
+        stage: 0,
+        scope: String::new(),
+        roms: BTreeMap::new(),
+        columns: BTreeMap::new(),
+        rows: BTreeMap::new(),
+        module: Module {
+            name,
+            header: options.header.clone(),
+            latency,
+            block_rom: netlist.ids().any(|id| rtl.schedule().is_clocked(netlist, id)),
+            words: Vec::new(),
+            inputs: Vec::new(),
+            outputs: Vec::new(),
+            tables: Vec::new(),
+            tables_in,
+            stages: vec![Stage::default(); stages],
+            signals: BTreeMap::new(),
+        },
+    };
+    lowering.ports();
+    lowering.tables();
+    for stage in 0..=latency {
+        lowering.stage(stage);
+        let words = lowering.module.words.len();
+        if words > WORDS {
+            let remedy = "take fewer stages or smaller units";
+            return Err(refuse_size(
+                "wires and registers",
+                cast::count_of(words),
+                cast::count_of(WORDS),
+                remedy,
+            ));
+        }
+    }
+    lowering.finish();
+    Ok(lowering.module)
+}
+
+struct Lowering<'a> {
+    rtl: &'a Arc<Rtl>,
+    names: Names,
+    module: Module,
+    /// Stage that statements go to.
+    stage: usize,
+    /// Scope of the latest statement.
+    scope: String,
+    /// Position of each table in the module.
+    roms: BTreeMap<TableId, usize>,
+    /// Least bit of each column in its table's rows.
+    columns: BTreeMap<(TableId, u32), u32>,
+    /// Word of a row by table, address and stage.
+    rows: BTreeMap<(TableId, Signal, u32), WordId>,
+}
+
+impl Lowering<'_> {
+    fn ports(&mut self) {
+        let netlist = Arc::clone(self.rtl.netlist());
+        for id in netlist.inputs() {
+            let signal = Signal { node: *id, stage: 0 };
+            let wanted = self.rtl.local_name(signal);
+            let format = netlist.node(*id).format;
+            let word = self.node_word(&wanted, format, Driver::Input);
+            self.module.inputs.push(word);
+            self.module.signals.insert(signal, word);
+        }
+        // Outputs have their names before anything inside; registers of their own are made now.
+        for output in netlist.outputs() {
+            let signal = self.rtl.output(output.node);
+            let register = self.rtl.registers(output.node).any(|register| register == signal);
+            let known = self.module.signals.contains_key(&signal);
+            if register && !known {
+                let format = netlist.node(output.node).format;
+                let word = self.node_word(&output.name, format, Driver::OutputRegister);
+                self.module.signals.insert(signal, word);
+                let name = self.module.word(word).name.clone();
+                self.module.outputs.push((name, word));
+            } else {
+                // Known only later: a placeholder until then.
+                let name = self.names.take(&output.name);
+                self.module.outputs.push((name, new_word_id(0)));
+            }
+        }
+    }
+
+    fn finish(&mut self) {
+        let netlist = Arc::clone(self.rtl.netlist());
+        for (port, output) in netlist.outputs().iter().enumerate() {
+            let word = self.module.signals[&self.rtl.output(output.node)];
+            self.module.outputs[port].1 = word;
+            self.use_bits(word, 0, u32::MAX);
+        }
+    }
+
+    /// Tables with the columns that are read.
+    fn tables(&mut self) {
+        let netlist = Arc::clone(self.rtl.netlist());
+        let mut read: BTreeMap<TableId, BTreeSet<u32>> = BTreeMap::new();
+        for node in netlist.nodes() {
+            if let Op::Read { table, column } = node.op {
+                read.entry(table).or_default().insert(column);
+            }
+        }
+        for (id, columns) in read {
+            let table = &netlist.tables()[id.index()];
+            let index = |column: u32| usize::try_from(column).expect("bug: small");
+            let formats = columns.iter().map(|c| table.columns[index(*c)].format.bits());
+            let row_bits: u32 = formats.sum();
+            let mut lo = row_bits;
+            for column in &columns {
+                lo -= table.columns[index(*column)].format.bits();
+                self.columns.insert((id, *column), lo);
+            }
+            self.roms.insert(id, self.module.tables.len());
+            self.module.tables.push(RomTable {
+                name: self.names.take(&format!("{}_rom", table.name)),
+                title: table.name.clone(),
+                addr_bits: table.addr_bits,
+                row_bits,
+                columns: columns.iter().map(|c| table.columns[index(*c)].clone()).collect(),
+            });
+        }
+    }
+
+    fn stage(&mut self, stage: u32) {
+        self.stage = usize::try_from(stage).expect("bug: 32 bits fit");
+        self.scope.clear();
+        let netlist = Arc::clone(self.rtl.netlist());
+        let schedule = self.rtl.schedule();
+        for id in netlist.ids() {
+            if schedule.stage(id) == stage && netlist.node(id).op != Op::Input {
+                self.node(id);
+            }
+        }
+        // Registers at the end of this stage.
+        for id in netlist.ids() {
+            let clocked = schedule.is_clocked(&netlist, id);
+            if clocked && schedule.stage(id) == stage + 1 {
+                self.row_register(id);
+            }
+            for register in self.rtl.registers(id).filter(|register| register.stage == stage + 1) {
+                let from = self.module.signals[&Signal { node: id, stage }];
+                let word = match self.module.signals.get(&register) {
+                    Some(port) => *port,
+                    None => {
+                        let wanted = self.flat_name(register);
+                        let format = netlist.node(id).format;
+                        let word = self.node_word(&wanted, format, Driver::Register);
+                        self.module.signals.insert(register, word);
+                        word
+                    }
+                };
+                self.use_bits(from, 0, u32::MAX);
+                self.module.stages[self.stage].registers.push((word, Next::Word(from)));
+            }
+        }
+    }
+
+    /// Scope and local name in one.
+    fn flat_name(&self, signal: Signal) -> String {
+        let netlist = self.rtl.netlist();
+        let mut path = netlist.scope_path(netlist.node(signal.node).scope).join("_");
+        if !path.is_empty() {
+            path.push('_');
+        }
+        path + &self.rtl.local_name(signal)
+    }
+
+    fn node_word(&mut self, wanted: &str, format: Format, driver: Driver) -> WordId {
+        let id = self.word(wanted, format.bits(), format.is_signed(), format.frac_bits(), driver);
+        self.module.words[id.index()].format = Some(format);
+        id
+    }
+
+    fn word(&mut self, wanted: &str, bits: u32, signed: bool, frac: i32, driver: Driver) -> WordId {
+        let name = self.names.take(wanted);
+        let used = vec![false; usize::try_from(bits).expect("bug: 32 bits fit")];
+        self.module.words.push(Word { name, bits, signed, frac, format: None, driver, used });
+        new_word_id(self.module.words.len() - 1)
+    }
+
+    /// A helper of a node's word, named after it.
+    fn helper(&mut self, of: WordId, what: &str, bits: u32, signed: bool, expr: Expr) -> WordId {
+        let (name, frac) = (self.module.word(of).name.clone(), self.module.word(of).frac);
+        let word = self.word(&format!("{name}_{what}"), bits, signed, frac, Driver::Logic);
+        self.assign(word, expr);
+        word
+    }
+
+    fn flag(&mut self, of: WordId, what: &str, expr: Expr) -> Bit {
+        let word = self.helper(of, what, 1, false, expr);
+        self.module.words[word.index()].frac = 0;
+        Bit { word, bit: 0 }
+    }
+
+    fn use_bits(&mut self, word: WordId, lo: u32, bits: u32) {
+        let used = &mut self.module.words[word.index()].used;
+        let skip = usize::try_from(lo).expect("bug: 32 bits fit");
+        let count = usize::try_from(bits).expect("bug: 32 bits fit");
+        used.iter_mut().skip(skip).take(count).for_each(|bit| *bit = true);
+    }
+
+    fn use_operand(&mut self, operand: Operand) {
+        if let Operand::View(view) = operand {
+            self.use_bits(view.word, view.lo, view.bits.saturating_sub(view.zeros));
+        }
+    }
+
+    fn assign(&mut self, word: WordId, expr: Expr) {
+        match &expr {
+            Expr::Copy(a) | Expr::Negate(a) => self.use_operand(*a),
+            Expr::Add(a, b) | Expr::Sub(a, b) | Expr::Equal(a, b) | Expr::Less { a, b, .. } => {
+                self.use_operand(*a);
+                self.use_operand(*b);
+            }
+            Expr::AddCarry(a, b, bit) => {
+                self.use_operand(*a);
+                self.use_operand(*b);
+                self.use_bits(bit.word, bit.bit, 1);
+            }
+            Expr::InvertIf(bit, a) => {
+                self.use_bits(bit.word, bit.bit, 1);
+                self.use_operand(*a);
+            }
+            Expr::Multiply(a, b) | Expr::Bitwise(_, a, b) => {
+                self.use_bits(*a, 0, u32::MAX);
+                self.use_bits(*b, 0, u32::MAX);
+            }
+            Expr::Choose { cases, default } => {
+                for (bit, operand) in cases.clone() {
+                    self.use_bits(bit.word, bit.bit, 1);
+                    self.use_operand(operand);
+                }
+                self.use_operand(*default);
+            }
+            Expr::Concat(parts) => parts.clone().into_iter().for_each(|p| self.use_operand(p)),
+            Expr::ShiftLeft(a, count) => {
+                self.use_operand(*a);
+                self.use_bits(*count, 0, u32::MAX);
+            }
+            Expr::Above { word, keep } | Expr::Below { word, keep } => {
+                self.use_bits(*word, *keep, u32::MAX);
+            }
+            Expr::Read(_, address) => self.use_bits(*address, 0, u32::MAX),
+        }
+        self.module.stages[self.stage].items.push(Item::Assign(word, expr));
+    }
+
+    /// A whole word with its binary point moved to `frac`, extended or cut to `bits`.
+    fn aligned(&self, word: WordId, frac: i32, bits: u32) -> Operand {
+        let zeros = (frac - self.module.word(word).frac).unsigned_abs();
+        Operand::View(View { word, lo: 0, zeros, bits })
+    }
+
+    /// A whole word extended or cut to `bits`.
+    fn resized(&self, word: WordId, bits: u32) -> Operand {
+        self.aligned(word, self.module.word(word).frac, bits)
+    }
+
+    /// The word that `user` takes operand `i` from.
+    fn operand(&self, user: NodeId, i: usize) -> WordId {
+        let operand = self.rtl.netlist().node(user).operands[i];
+        self.module.signals[&self.rtl.operand(user, operand)]
+    }
+
+    fn address(&self, read: NodeId) -> Signal {
+        self.rtl.operand(read, self.rtl.netlist().node(read).operands[0])
+    }
+
+    /// The register that a read on a clock goes through, one for all columns of an address.
+    fn row_register(&mut self, read: NodeId) {
+        let Op::Read { table, .. } = self.rtl.netlist().node(read).op else { return };
+        let address = self.address(read);
+        let key = (table, address, self.rtl.schedule().stage(read));
+        if self.rows.contains_key(&key) {
+            return;
+        }
+        let rom = self.roms[&table];
+        let from = self.module.signals[&address];
+        let row = self.row_word(rom, Driver::Register);
+        self.use_bits(from, 0, u32::MAX);
+        self.module.stages[self.stage].registers.push((row, Next::Read(rom, from)));
+        self.rows.insert(key, row);
+    }
+
+    fn row_word(&mut self, rom: usize, driver: Driver) -> WordId {
+        let wanted = format!("{}_row", self.module.tables[rom].title);
+        self.word(&wanted, self.module.tables[rom].row_bits, false, 0, driver)
+    }
+
+    fn node(&mut self, id: NodeId) {
+        let netlist = Arc::clone(self.rtl.netlist());
+        let node = netlist.node(id);
+        let scope = netlist.scope_path(node.scope).join(".");
+        if scope != self.scope {
+            self.scope.clone_from(&scope);
+            self.module.stages[self.stage].items.push(Item::Scope(scope));
+        }
+        let out = node.format;
+        let stage = self.rtl.schedule().stage(id);
+        let signal = Signal { node: id, stage };
+        let wanted = self.flat_name(signal);
+        let word = self.node_word(&wanted, out, Driver::Logic);
+        self.module.signals.insert(signal, word);
+        let expr = self.expr(id, word);
+        self.assign(word, expr);
+    }
+
+    /// Logic of a node; helpers that it takes come first.
+    fn expr(&mut self, id: NodeId, word: WordId) -> Expr {
+        let netlist = Arc::clone(self.rtl.netlist());
+        let node = netlist.node(id);
+        let out = node.format;
+        let bits = out.bits();
+        let frac = out.frac_bits();
+        let of = |i: usize| netlist.node(node.operands[i]).format;
+        let bit0 = |word| Bit { word, bit: 0 };
+        match node.op {
+            Op::Input => unreachable!("bug: inputs are ports"),
+            Op::Const { raw } => {
+                Expr::Copy(Operand::Literal { pattern: out.pattern(raw).into(), bits })
+            }
+            Op::Add | Op::Sub => {
+                let a = self.aligned(self.operand(id, 0), frac, bits);
+                let b = self.aligned(self.operand(id, 1), frac, bits);
+                if node.op == Op::Add { Expr::Add(a, b) } else { Expr::Sub(a, b) }
+            }
+            // One adder: a - b is a + ~b + 1.
+            Op::AddSub => {
+                let minus = bit0(self.operand(id, 0));
+                let a = self.aligned(self.operand(id, 1), frac, bits);
+                let b = self.aligned(self.operand(id, 2), frac, bits);
+                let b = self.helper(word, "term", bits, false, Expr::InvertIf(minus, b));
+                Expr::AddCarry(a, self.resized(b, bits), minus)
+            }
+            // One-bit factors whose product has one bit: a language would need two to keep signs.
+            Op::Mul if bits == 1 => self.bitwise(id, Bitwise::And),
+            Op::Mul => Expr::Multiply(self.operand(id, 0), self.operand(id, 1)),
+            Op::Neg => Expr::Negate(self.resized(self.operand(id, 0), bits)),
+            Op::Abs if of(0).is_signed() => {
+                let a = self.operand(id, 0);
+                let same = self.resized(a, bits);
+                let opposite = self.helper(word, "neg", bits, false, Expr::Negate(same));
+                let sign = Bit { word: a, bit: of(0).bits() - 1 };
+                let opposite = self.resized(opposite, bits);
+                Expr::Choose { cases: vec![(sign, opposite)], default: same }
+            }
+            Op::Abs | Op::Shift { .. } | Op::Modulo => {
+                Expr::Copy(self.resized(self.operand(id, 0), bits))
+            }
+            Op::And => self.bitwise(id, Bitwise::And),
+            Op::Or => self.bitwise(id, Bitwise::Or),
+            Op::Xor => self.bitwise(id, Bitwise::Xor),
+            Op::Equal | Op::Less => {
+                let frac = of(0).frac_bits().max(of(1).frac_bits());
+                let signed = of(0).is_signed() || of(1).is_signed();
+                let wide = |f: Format| {
+                    let above = u32::from(signed && !f.is_signed());
+                    f.bits() + (frac - f.frac_bits()).unsigned_abs() + above
+                };
+                let bits = wide(of(0)).max(wide(of(1)));
+                let a = self.aligned(self.operand(id, 0), frac, bits);
+                let b = self.aligned(self.operand(id, 1), frac, bits);
+                if node.op == Op::Equal { Expr::Equal(a, b) } else { Expr::Less { a, b, signed } }
+            }
+            Op::Mux => {
+                let a = self.aligned(self.operand(id, 1), frac, bits);
+                let b = self.aligned(self.operand(id, 2), frac, bits);
+                Expr::Choose { cases: vec![(bit0(self.operand(id, 0)), a)], default: b }
+            }
+            Op::Slice { lo } => {
+                Expr::Copy(Operand::View(View { word: self.operand(id, 0), lo, zeros: 0, bits }))
+            }
+            Op::Concat => Expr::Concat(vec![
+                self.resized(self.operand(id, 0), of(0).bits()),
+                self.resized(self.operand(id, 1), of(1).bits()),
+            ]),
+            Op::LeadingZeros => self.leading_zeros(word, self.operand(id, 0), of(0).bits()),
+            Op::ShiftLeft { max } => {
+                let a = self.resized(self.operand(id, 0), bits);
+                let mut count = self.operand(id, 1);
+                let (count_bits, most) = (of(1).bits(), of(1).max_raw());
+                if i64::from(max) < most {
+                    let limit = Operand::Literal { pattern: max.into(), bits: count_bits };
+                    let given = self.resized(count, count_bits);
+                    let past = Expr::Less { a: limit, b: given, signed: false };
+                    let past = self.flag(word, "past", past);
+                    let kept = Expr::Choose { cases: vec![(past, limit)], default: given };
+                    count = self.helper(word, "count", count_bits, false, kept);
+                    self.module.words[count.index()].frac = 0;
+                }
+                Expr::ShiftLeft(a, count)
+            }
+            Op::Read { table, column } => {
+                let address = self.address(id);
+                let rom = self.roms[&table];
+                let key = (table, address, self.rtl.schedule().stage(id));
+                let row = match self.rows.get(&key) {
+                    Some(row) => *row,
+                    None => {
+                        let row = self.row_word(rom, Driver::Logic);
+                        let read = Expr::Read(rom, self.module.signals[&address]);
+                        self.assign(row, read);
+                        self.rows.insert(key, row);
+                        row
+                    }
+                };
+                let lo = self.columns[&(table, column)];
+                Expr::Copy(Operand::View(View { word: row, lo, zeros: 0, bits }))
+            }
+            Op::Narrow { round, overflow } => {
+                self.narrow(word, self.operand(id, 0), of(0), out, round, overflow)
+            }
+        }
+    }
+
+    fn bitwise(&self, id: NodeId, operator: Bitwise) -> Expr {
+        Expr::Bitwise(operator, self.operand(id, 0), self.operand(id, 1))
+    }
+
+    /// Rounding to the places of `to`, then its limits; each step is a word of its own.
+    fn narrow(
+        &mut self,
+        word: WordId,
+        a: WordId,
+        from: Format,
+        to: Format,
+        round: Round,
+        overflow: Overflow,
+    ) -> Expr {
+        let hardware = Narrowing::new(from, to, round, overflow);
+        let dropped = from.frac_bits() - to.frac_bits();
+        let signed = from.is_signed();
+        let (whole, whole_bits) = if dropped <= 0 {
+            // Past as many places as `to` has, more don't change whether it overflows, or the low bits.
+            let zeros = dropped.unsigned_abs().min(to.bits());
+            let bits = from.bits() + zeros;
+            if zeros == 0 {
+                (a, bits)
+            } else {
+                let view = Operand::View(View { word: a, lo: 0, zeros, bits });
+                (self.helper(word, "wide", bits, signed, Expr::Copy(view)), bits)
+            }
+        } else {
+            // Past one place more than the word has, every mode gives what it gives there.
+            let dropped = dropped.unsigned_abs().min(from.bits() + 1);
+            if hardware.rounds {
+                self.rounded(word, a, from, dropped, round)
+            } else {
+                let bits = from.bits().saturating_sub(dropped).max(1);
+                // Of a word that is dropped whole, the sign is left.
+                let lo = dropped.min(from.bits() - 1);
+                let view = View { word: a, lo, zeros: 0, bits };
+                let kept = if dropped < from.bits() || signed {
+                    Operand::View(view)
+                } else {
+                    Operand::Literal { pattern: 0, bits }
+                };
+                (self.helper(word, "cut", bits, signed, Expr::Copy(kept)), bits)
+            }
+        };
+        let kept = self.low(whole, whole_bits, to.bits());
+        if !hardware.saturates {
+            return Expr::Copy(kept);
+        }
+        let limit =
+            |raw: i64| Operand::Literal { pattern: to.pattern(raw).into(), bits: to.bits() };
+        let overflows = |raw: i64| narrow(raw, from.frac_bits(), to, round, overflow);
+        let magnitude_bits = to.bits() - u32::from(to.is_signed());
+        let mut cases = Vec::new();
+        if overflows(from.max_raw()).1 {
+            let over = Expr::Above { word: whole, keep: magnitude_bits };
+            cases.push((self.flag(word, "over", over), limit(to.max_raw())));
+        }
+        let (least, under) = overflows(from.min_raw());
+        if under && from.min_raw() < 0 {
+            let symmetric = to.is_signed() && overflow == Overflow::Symmetric;
+            let under = if symmetric {
+                let bits = whole_bits.max(to.bits());
+                let pattern = low_bits(i128::from(least), bits);
+                Expr::Less {
+                    a: self.resized(whole, bits),
+                    b: Operand::Literal { pattern, bits },
+                    signed: true,
+                }
+            } else if to.is_signed() {
+                Expr::Below { word: whole, keep: magnitude_bits }
+            } else {
+                // Any negative number.
+                let view = View { word: whole, lo: whole_bits - 1, zeros: 0, bits: 1 };
+                Expr::Copy(Operand::View(view))
+            };
+            cases.push((self.flag(word, "under", under), limit(least)));
+        }
+        Expr::Choose { cases, default: kept }
+    }
+
+    /// The low bits of a word, or the word extended by its sign.
+    fn low(&self, word: WordId, have: u32, bits: u32) -> Operand {
+        debug_assert_eq!(self.module.word(word).bits, have, "bug: bits of a word");
+        Operand::View(View { word, lo: 0, zeros: 0, bits })
+    }
+
+    /// `a / 2^dropped` rounded: an addend below the kept bits carries into them.
+    fn rounded(
+        &mut self,
+        word: WordId,
+        a: WordId,
+        from: Format,
+        dropped: u32,
+        round: Round,
+    ) -> (WordId, u32) {
+        let signed = from.is_signed();
+        // One bit more than the longer of word and addend, for the carry.
+        let bits = from.bits().max(dropped) + 1;
+        let half = 1u128 << (dropped - 1);
+        let literal = |pattern: u128| Operand::Literal { pattern, bits };
+        let sign = Bit { word: a, bit: from.bits() - 1 };
+        let mut choice = |bit: Bit, set: u128, clear: u128| {
+            let cases = vec![(bit, literal(set))];
+            let chosen = Expr::Choose { cases, default: literal(clear) };
+            let addend = self.helper(word, "half", bits, false, chosen);
+            self.module.words[addend.index()].frac = from.frac_bits();
+            self.resized(addend, bits)
+        };
+        let addend = match round {
+            Round::Floor => unreachable!("bug: floor only cuts"),
+            // Negative words get all but one step of the next whole number.
+            Round::TowardZero => choice(sign, 2 * half - 1, 0),
+            Round::HalfAway if signed => choice(sign, half - 1, half),
+            Round::HalfUp | Round::HalfAway => literal(half),
+            // The last kept bit: of a word that is all dropped, its sign.
+            Round::HalfEven if dropped < from.bits() => {
+                choice(Bit { word: a, bit: dropped }, half, half - 1)
+            }
+            Round::HalfEven if signed => choice(sign, half, half - 1),
+            Round::HalfEven => literal(half - 1),
+        };
+        let a = self.resized(a, bits);
+        let sum = self.helper(word, "sum", bits, signed, Expr::Add(a, addend));
+        self.module.words[sum.index()].frac = from.frac_bits();
+        let kept_bits = bits - dropped;
+        let view = View { word: sum, lo: dropped, zeros: 0, bits: kept_bits };
+        let kept = Expr::Copy(Operand::View(view));
+        (self.helper(word, "cut", kept_bits, signed, kept), kept_bits)
+    }
+
+    /// Halves the word as often as it can be: each time, is the upper half all zero?
+    fn leading_zeros(&mut self, word: WordId, a: WordId, bits: u32) -> Expr {
+        let out_bits = self.module.word(word).bits;
+        if bits == 1 {
+            let literal = |pattern| Operand::Literal { pattern, bits: 1 };
+            let bit = Bit { word: a, bit: 0 };
+            return Expr::Choose { cases: vec![(bit, literal(0))], default: literal(1) };
+        }
+        let mut size = bits.next_power_of_two();
+        // Ones below, so that a zero word of no power of two counts its own bits.
+        let mut part = if size == bits {
+            a
+        } else {
+            let pad = size - bits;
+            let ones = Operand::Literal { pattern: (1 << pad) - 1, bits: pad };
+            let padded = Expr::Concat(vec![self.resized(a, bits), ones]);
+            self.plain(word, "padded", size, padded)
+        };
+        let mut digits = Vec::new();
+        while size > 1 {
+            size /= 2;
+            let half = |word, lo| Operand::View(View { word, lo, zeros: 0, bits: size });
+            let zero = Operand::Literal { pattern: 0, bits: size };
+            let (upper, lower) = (half(part, size), half(part, 0));
+            let empty = self.flag(word, &format!("skip{size}"), Expr::Equal(upper, zero));
+            digits.push(self.resized(empty.word, 1));
+            if size == 1 && !bits.is_power_of_two() {
+                break;
+            }
+            let chosen = Expr::Choose { cases: vec![(empty, lower)], default: upper };
+            part = self.plain(word, &format!("part{size}"), size, chosen);
+        }
+        if !bits.is_power_of_two() {
+            return Expr::Concat(digits);
+        }
+        let digit_count = out_bits - 1;
+        let count = self.plain(word, "places", digit_count, Expr::Concat(digits));
+        let count = self.resized(count, out_bits);
+        let all = Operand::Literal { pattern: bits.into(), bits: out_bits };
+        Expr::Choose { cases: vec![(Bit { word: part, bit: 0 }, count)], default: all }
+    }
+
+    /// A helper without a binary point.
+    fn plain(&mut self, of: WordId, what: &str, bits: u32, expr: Expr) -> WordId {
+        let word = self.helper(of, what, bits, false, expr);
+        self.module.words[word.index()].frac = 0;
+        word
+    }
+}
+
+/// The low bits of a number as a pattern.
+fn low_bits(number: i128, bits: u32) -> u128 {
+    cast::pattern_of(number) & (u128::MAX >> (u128::BITS - bits))
+}

@@ -1,0 +1,444 @@
+//! Hardware description from [`Rtl`]: modules, testbenches, and the files that go with them.
+//!
+//! [`Module::new`] lowers registers and nodes to words of plain bits and one statement each,
+//! with every width, alignment, rounding addend and limit written out. What is left to a back
+//! end is spelling: a [`Language`] prints a [`Module`], and a new language is one file and one
+//! row of [`LANGUAGES`].
+
+mod lower;
+mod names;
+pub mod testbench;
+mod verilog;
+
+pub use verilog::Verilog;
+
+use crate::cast;
+use crate::error::{Error, Result};
+use crate::format::Format;
+use crate::rtl::{Rtl, Signal};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// Every back end.
+pub static LANGUAGES: &[&dyn Language] = &[&Verilog];
+
+/// The most table rows that a module holds in line: more belong into files.
+pub const INLINE_ROWS: u64 = 1 << 16;
+/// Up to this many table rows are in line if nothing else was asked for.
+pub const AUTO_INLINE_ROWS: u64 = 1 << 12;
+/// The most bits in the tables of a module, in line or in files.
+pub const TABLE_BITS: u64 = 1 << 28;
+/// The most words (wires and registers) of a module.
+pub const WORDS: usize = 1 << 16;
+
+/// A hardware description language.
+pub trait Language: Sync + std::fmt::Debug {
+    /// Name on the command line.
+    fn name(&self) -> &'static str;
+    /// Extension of its files.
+    fn extension(&self) -> &'static str;
+    /// The text of a module.
+    fn module(&self, module: &Module) -> String;
+    /// Testbench, harness, makefiles and scripts of the tools that take this language;
+    /// `vectors` is how many there will be.
+    fn companions(&self, module: &Module, vectors: u64) -> Vec<File>;
+}
+
+/// Where the words of tables stand.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Tables {
+    /// In the module: an array that is filled at the start.
+    Inline,
+    /// In files of hexadecimal rows beside it, read at the start.
+    Files,
+    /// In the module: a function with one case for each address. Simulators are slower with it.
+    Case,
+}
+
+impl Tables {
+    /// Names on the command line.
+    pub const ALL: &'static [(Self, &'static str)] =
+        &[(Self::Inline, "inline"), (Self::Files, "files"), (Self::Case, "case")];
+}
+
+/// What to emit.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// Name of the module; the unit's if `None`.
+    pub name: Option<String>,
+    /// Where the words of tables stand; by their number if `None`.
+    pub tables: Option<Tables>,
+    /// Lines for the head of each file: parameters, figures.
+    pub header: Vec<String>,
+}
+
+/// Index of a word in its module.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub struct WordId(u32);
+
+impl WordId {
+    /// Position in [`Module::words`].
+    #[must_use]
+    #[expect(clippy::missing_panics_doc, reason = "32 bits always fit")]
+    pub fn index(self) -> usize {
+        usize::try_from(self.0).expect("bug: 32 bits fit")
+    }
+}
+
+/// What drives a word.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Driver {
+    /// The user of the module.
+    Input,
+    /// A statement.
+    Logic,
+    /// A clock edge.
+    Register,
+    /// A clock edge, and it is an output port.
+    OutputRegister,
+}
+
+/// A named vector of bits.
+#[derive(Clone, Debug)]
+pub struct Word {
+    /// Name: no keyword of any language, unlike every other in lower case.
+    pub name: String,
+    /// Bits; helpers can have more than a format has.
+    pub bits: u32,
+    /// True if its top bit counts negative.
+    pub signed: bool,
+    /// Bits after the binary point; its least index is minus this where the language allows.
+    pub frac: i32,
+    /// Format of a node's word; helpers have none.
+    pub format: Option<Format>,
+    /// What drives it.
+    pub driver: Driver,
+    /// Which of its bits are used, from bit 0.
+    pub used: Vec<bool>,
+}
+
+/// Part of a word, brought to a number of bits.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct View {
+    /// The word.
+    pub word: WordId,
+    /// Least bit that is taken.
+    pub lo: u32,
+    /// Zero bits put below.
+    pub zeros: u32,
+    /// Bits in the end: extended by the word's sign, or cut.
+    pub bits: u32,
+}
+
+/// An operand of a statement.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Operand {
+    /// Bits of a word.
+    View(View),
+    /// A constant pattern.
+    Literal {
+        /// The pattern.
+        pattern: u128,
+        /// Its bits.
+        bits: u32,
+    },
+}
+
+/// One bit of a word, as a condition.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Bit {
+    /// The word.
+    pub word: WordId,
+    /// Bit, counted from the least.
+    pub bit: u32,
+}
+
+/// A bitwise operator.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Bitwise {
+    /// Both.
+    And,
+    /// Either.
+    Or,
+    /// Not equal.
+    Xor,
+}
+
+/// What a statement computes. Operands have the bits of the word that takes the result, if
+/// nothing else is said; sums are modulo two to that.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Expr {
+    /// The operand itself.
+    Copy(Operand),
+    /// `a + b`.
+    Add(Operand, Operand),
+    /// `a - b`.
+    Sub(Operand, Operand),
+    /// `a + b`, and one more where the bit is set.
+    AddCarry(Operand, Operand, Bit),
+    /// Every bit inverted where the bit is set.
+    InvertIf(Bit, Operand),
+    /// `-a`.
+    Negate(Operand),
+    /// The product of two whole words by their signs, which the result holds exactly.
+    Multiply(WordId, WordId),
+    /// Bit by bit.
+    Bitwise(Bitwise, WordId, WordId),
+    /// Flag: equal; operands have the same bits.
+    Equal(Operand, Operand),
+    /// Flag: `a < b` by the sign given; operands have the same bits.
+    Less {
+        /// Left side.
+        a: Operand,
+        /// Right side.
+        b: Operand,
+        /// True if top bits count negative.
+        signed: bool,
+    },
+    /// The operand of the first condition that holds, else the default.
+    Choose {
+        /// Conditions with their operands.
+        cases: Vec<(Bit, Operand)>,
+        /// Where none holds.
+        default: Operand,
+    },
+    /// Operands side by side, the first at the top.
+    Concat(Vec<Operand>),
+    /// `a * 2^count`.
+    ShiftLeft(Operand, WordId),
+    /// Flag: a word is at least 2^keep of its last place; `keep` is below its bits.
+    Above {
+        /// The word.
+        word: WordId,
+        /// Exponent.
+        keep: u32,
+    },
+    /// Flag: a signed word is below -2^keep of its last place.
+    Below {
+        /// The word.
+        word: WordId,
+        /// Exponent.
+        keep: u32,
+    },
+    /// A row of a table, without a clock.
+    Read(usize, WordId),
+}
+
+/// What a register takes at a clock edge.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Next {
+    /// A word.
+    Word(WordId),
+    /// The row of a table at an address: the output register of a block RAM.
+    Read(usize, WordId),
+}
+
+/// A line of a stage.
+#[derive(Clone, Debug)]
+pub enum Item {
+    /// The scope that the following belong to, from the outermost in.
+    Scope(String),
+    /// A statement.
+    Assign(WordId, Expr),
+}
+
+/// What happens between two clock edges.
+#[derive(Clone, Debug, Default)]
+pub struct Stage {
+    /// Logic in order.
+    pub items: Vec<Item>,
+    /// Registers that take their words at its end.
+    pub registers: Vec<(WordId, Next)>,
+}
+
+/// A read-only table; a row is its columns side by side.
+#[derive(Clone, Debug)]
+pub struct RomTable {
+    /// Name of the array.
+    pub name: String,
+    /// Its name in the netlist.
+    pub title: String,
+    /// Address bits.
+    pub addr_bits: u32,
+    /// Bits of a row.
+    pub row_bits: u32,
+    /// Columns from the top bits down: name, format and words.
+    pub columns: Vec<crate::netlist::Column>,
+}
+
+impl RomTable {
+    /// Rows as hexadecimal digits, from address 0.
+    #[expect(clippy::missing_panics_doc, reason = "four bits are a digit")]
+    pub fn rows(&self) -> impl Iterator<Item = String> + '_ {
+        (0..1usize << self.addr_bits).map(|row| {
+            let mut digits = String::new();
+            // Bits above the last whole digit come first: the row is padded at the top.
+            let (mut digit, mut left) = (0u32, self.row_bits);
+            for column in &self.columns {
+                let pattern = column.format.pattern(column.words[row]);
+                for bit in (0..column.format.bits()).rev() {
+                    left -= 1;
+                    digit = digit << 1 | u32::from(pattern >> bit & 1 == 1);
+                    if left.is_multiple_of(4) {
+                        digits.push(char::from_digit(digit, 16).expect("bug: four bits"));
+                        digit = 0;
+                    }
+                }
+            }
+            digits
+        })
+    }
+
+    /// Number of rows.
+    #[must_use]
+    pub fn len(&self) -> u64 {
+        1 << self.addr_bits
+    }
+
+    /// Never: a table has a row at least.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        false
+    }
+}
+
+/// A unit as hardware: words, and the statements and registers that drive them.
+#[derive(Clone, Debug)]
+pub struct Module {
+    /// Name.
+    pub name: String,
+    /// Lines for its head.
+    pub header: Vec<String>,
+    /// Cycles from inputs to outputs; 0 is combinational, without clock, reset and enable.
+    pub latency: u32,
+    /// True if tables are read on the clock.
+    pub block_rom: bool,
+    /// All words.
+    pub words: Vec<Word>,
+    /// Input ports.
+    pub inputs: Vec<WordId>,
+    /// Output ports: name, and the word behind it, which may be the port itself.
+    pub outputs: Vec<(String, WordId)>,
+    /// Tables.
+    pub tables: Vec<RomTable>,
+    /// Where their words stand.
+    pub tables_in: Tables,
+    /// Stages from the inputs on; one more than there are registers in a row.
+    pub stages: Vec<Stage>,
+    /// Word of each signal of the hardware.
+    signals: BTreeMap<Signal, WordId>,
+}
+
+/// A file to be written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct File {
+    /// Name, without a folder.
+    pub name: String,
+    /// What is in it.
+    pub text: String,
+}
+
+impl Module {
+    /// Lowers hardware to words and statements.
+    ///
+    /// # Errors
+    /// If the name can't be one, or the module would be too large.
+    pub fn new(rtl: &Arc<Rtl>, options: &Options) -> Result<Self> {
+        lower::lower(rtl, options)
+    }
+
+    /// One word.
+    #[must_use]
+    pub fn word(&self, id: WordId) -> &Word {
+        &self.words[id.index()]
+    }
+
+    /// The word of a signal, if the module has one.
+    #[must_use]
+    pub fn signal(&self, signal: Signal) -> Option<&Word> {
+        self.signals.get(&signal).map(|id| self.word(*id))
+    }
+
+    /// Name of the file with a table's rows.
+    #[must_use]
+    pub fn table_file(&self, table: &RomTable) -> String {
+        format!("{}_{}.hex", self.name, table.title)
+    }
+
+    /// The files with the rows of tables, if they stand in files. Each ends in a line feed: some
+    /// readers drop a last row without one.
+    #[must_use]
+    pub fn table_files(&self) -> Vec<File> {
+        if self.tables_in != Tables::Files {
+            return Vec::new();
+        }
+        let file = |table: &RomTable| {
+            let mut text = String::new();
+            for row in table.rows() {
+                text.push_str(&row);
+                text.push('\n');
+            }
+            File { name: self.table_file(table), text }
+        };
+        self.tables.iter().map(file).collect()
+    }
+
+    /// The module in a language.
+    #[must_use]
+    pub fn file(&self, language: &dyn Language) -> File {
+        File {
+            name: format!("{}.{}", self.name, language.extension()),
+            text: language.module(self),
+        }
+    }
+}
+
+/// Refuses a name that some tool would stumble over.
+fn check_name(name: &str) -> Result<()> {
+    let legal = name.len() <= 64
+        && name.starts_with(|c: char| c.is_ascii_lowercase())
+        && name.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'_')
+        && !name.contains("__")
+        && !name.ends_with('_');
+    if !legal {
+        let form = "a module name: a to z, then a to z, 0 to 9 and single _, up to 64 in all";
+        return Err(Error::form(name, form));
+    }
+    if names::is_reserved(name) {
+        return Err(Error::usage(format!(
+            "`{name}` is a word of Verilog or VHDL, or a port of every module: choose another name"
+        )));
+    }
+    Ok(())
+}
+
+fn refuse_size(what: &str, given: u64, limit: u64, remedy: &str) -> Error {
+    Error::usage(format!("the module would have {given} {what} and {limit} is the most: {remedy}"))
+}
+
+/// Bits in the tables of a netlist, in words that fit any table.
+fn rom_bits(rtl: &Rtl) -> u64 {
+    rtl.netlist().tables().iter().map(crate::netlist::Table::rom_bits).sum()
+}
+
+fn rows(rtl: &Rtl) -> u64 {
+    rtl.netlist().tables().iter().map(|table| 1u64 << table.addr_bits).sum()
+}
+
+/// Where a module's table rows go, and whether it is small enough.
+fn place_tables(rtl: &Rtl, asked: Option<Tables>) -> Result<Tables> {
+    let (rows, bits) = (rows(rtl), rom_bits(rtl));
+    if bits > TABLE_BITS {
+        return Err(refuse_size("table bits", bits, TABLE_BITS, "take smaller tables"));
+    }
+    let auto = if rows <= AUTO_INLINE_ROWS { Tables::Inline } else { Tables::Files };
+    let tables = asked.unwrap_or(auto);
+    if tables != Tables::Files && rows > INLINE_ROWS {
+        return Err(refuse_size("table rows in line", rows, INLINE_ROWS, "put tables into files"));
+    }
+    Ok(tables)
+}
+
+fn new_word_id(index: usize) -> WordId {
+    WordId(cast::id_of(index))
+}

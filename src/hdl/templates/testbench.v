@@ -1,0 +1,204 @@
+{% for line in header %}//{% if line %} {{ line }}{% endif %}
+{% endfor -%}
+//
+// Self-checking testbench of {{ name }}. It reads {{ vectors }}: per line the words of the
+// inputs, then of the expected outputs, in hexadecimal. First all vectors go straight through,
+// one a cycle; then, after a reset in mid-stream, the first {{ again }} go again with stalls and
+// gaps. Every bit of every output and the latency are compared. The last line says PASS or
+// FAIL, and a failure ends with a status that isn't 0. With +vcd it writes {{ name }}_tb.vcd.
+module {{ name }}_tb;
+    localparam LATENCY = {{ latency }};
+    localparam SHOWN = 10; // of the mismatches
+
+    reg clk = 1'b0;
+    reg rst = 1'b1;
+    reg ce = 1'b1;
+    reg valid_in = 1'b0;
+    wire valid_out;
+{%- for port in inputs %}
+    reg {{ port.shape }}{{ port.name }};
+{%- endfor %}
+{%- for port in outputs %}
+    wire {{ port.shape }}{{ port.name }};
+{%- endfor %}
+
+    {{ name }} dut (
+{%- if latency > 0 %}
+        .clk(clk), .rst(rst), .ce(ce),
+{%- endif %}
+        .valid_in(valid_in), .valid_out(valid_out)
+{%- for port in inputs + outputs -%}
+        ,
+        .{{ port.name }}({{ port.name }})
+{%- endfor %}
+    );
+
+    // What should come out, moving beside the pipeline; entry 0 belongs to what goes in.
+    reg [{{ output_bits - 1 }}:0] expected [0:LATENCY];
+    reg valid [0:LATENCY];
+    integer number [0:LATENCY];
+
+    integer file, fields, sent, checked, mismatches, waited, passed, i;
+    reg more, stalls, reset_done, started;
+    reg [31:0] lfsr; // decides on stalls and gaps
+{%- for port in inputs + outputs %}
+    reg {{ port.shape }}next_{{ port.name }};
+{%- endfor %}
+
+    always #5 clk = ~clk;
+
+    initial begin
+        if ($test$plusargs("vcd")) begin
+            $dumpfile("{{ name }}_tb.vcd");
+            $dumpvars(0, {{ name }}_tb);
+        end
+        lfsr = 32'h2545f491;
+        mismatches = 0;
+        passed = 0;
+        stalls = 1'b0;
+        started = 1'b0; // nothing is known before the first edge under reset
+        for (i = 0; i <= LATENCY; i = i + 1) valid[i] = 1'b0;
+        open_vectors;
+    end
+
+    task finish_failed;
+        begin
+`ifdef __ICARUS__
+            $finish_and_return(1);
+`else
+            $fatal(0);
+`endif
+        end
+    endtask
+
+    task open_vectors;
+        begin
+            sent = 0;
+            checked = 0;
+            waited = 0;
+            more = 1'b1;
+            reset_done = 1'b0;
+            file = $fopen("{{ vectors }}", "r");
+            if (file == 0) begin
+                $display("FAIL: {{ vectors }} can't be read");
+                finish_failed;
+            end
+        end
+    endtask
+
+    task read_vector;
+        begin
+            fields = $fscanf(file, "{% for port in inputs + outputs %}%h {% endfor %}"
+{%- for port in inputs + outputs %}, next_{{ port.name }}{% endfor %});
+            more = fields == {{ (inputs | length) + (outputs | length) }};
+            if (!more && fields > 0) begin
+                mismatches = mismatches + 1;
+                $display("mismatch: {{ vectors }} is cut short after vector %0d", sent);
+            end
+        end
+    endtask
+
+    task check;
+        begin
+            if (started && valid_out !== valid[LATENCY]) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= SHOWN)
+                    $display("mismatch: vector %0d valid_out expected %b got %b", checked, valid[LATENCY], valid_out);
+            end
+            // Each word counts once: in the cycle after which the pipeline moves on.
+            if (ce && valid[LATENCY]) begin
+{%- for port in outputs %}
+                if ({{ port.name }} !== expected[LATENCY]{{ port.slice }}) begin
+                    mismatches = mismatches + 1;
+                    if (mismatches <= SHOWN)
+                        $display("mismatch: vector %0d {{ port.name }} expected %h got %h",
+                            number[LATENCY], expected[LATENCY]{{ port.slice }}, {{ port.name }});
+                end
+{%- endfor %}
+                checked = checked + 1;
+            end
+        end
+    endtask
+
+    task move_on;
+        begin
+            for (i = LATENCY; i > 0; i = i - 1) begin
+                if (rst) valid[i] = 1'b0;
+                else if (ce) valid[i] = valid[i - 1];
+                if (ce) expected[i] = expected[i - 1];
+                if (ce) number[i] = number[i - 1];
+            end
+        end
+    endtask
+
+    // What goes in after this edge: words stay where the pipeline stood still.
+    task drive;
+        begin
+            lfsr = {lfsr[30:0], lfsr[31] ^ lfsr[21] ^ lfsr[1] ^ lfsr[0]};
+            rst <= 1'b0;
+            ce <= !(stalls && lfsr[2:0] == 3'd0);
+            if (ce) begin
+                valid[0] = 1'b0;
+                if (more && !(stalls && lfsr[5:3] == 3'd0)) begin
+                    read_vector;
+                    if (more) begin
+                        valid[0] = 1'b1;
+                        expected[0] = { {%- for port in outputs %}next_{{ port.name }}{{ ", " if not loop.last }}{% endfor -%} };
+                        number[0] = sent;
+                        sent = sent + 1;
+                        if (stalls && sent == {{ again }}) more = 1'b0;
+                    end
+                end
+                valid_in <= valid[0];
+{%- for port in inputs %}
+                {{ port.name }} <= valid[0] ? next_{{ port.name }} : {{ port.bits }}'bx;
+{%- endfor %}
+            end
+            // A reset in mid-stream: what is on its way is forgotten.
+            if (stalls && !reset_done && sent == {{ again }} / 2) begin
+                rst <= 1'b1;
+                ce <= 1'b1;
+                reset_done = 1'b1;
+            end
+        end
+    endtask
+
+    always @(posedge clk) begin
+        check;
+        if (rst && stalls) begin
+            // Forgotten, but for what came out just now{% if latency == 0 %}; nothing, since nothing is stored{% endif %}.
+            for (i = 0; i < LATENCY; i = i + 1) if (valid[i]) checked = checked + 1;
+        end
+        move_on;
+        drive;
+        started = 1'b1;
+        if (!more && checked == sent) begin
+            $fclose(file);
+            if (!stalls) begin
+                passed = checked;
+                stalls = 1'b1;
+                open_vectors;
+            end else finish;
+        end else if (!more) begin
+            waited = waited + 1;
+            if (waited > 20 * LATENCY + 20) begin
+                mismatches = mismatches + 1;
+                $display("mismatch: %0d vectors went in and %0d came out", sent, checked);
+                finish;
+            end
+        end
+    end
+
+    task finish;
+        begin
+            if (passed == 0) $display("mismatch: {{ vectors }} holds no vector");
+            if (mismatches == 0 && passed > 0) begin
+                $display("PASS %0d vectors", passed);
+                $finish(0);
+            end else begin
+                $display("FAIL %0d mismatches in %0d vectors", mismatches, passed);
+                finish_failed;
+            end
+        end
+    endtask
+endmodule

@@ -1,0 +1,414 @@
+//! Verilog-2005, in a form that Icarus, Verilator and Yosys take without a warning.
+//!
+//! Every extension and every width is written out, so that Verilog's own rules for signs and
+//! contexts decide nothing. Words keep the binary point as their least index.
+
+use super::{
+    Bit, Bitwise, Driver, Expr, File, Item, Language, Module, Next, Operand, RomTable, Tables,
+    View, Word, WordId, testbench,
+};
+use crate::cast;
+use std::fmt::Write as _;
+
+/// Verilog-2005.
+#[derive(Debug)]
+pub struct Verilog;
+
+/// The most table rows on a line.
+const ROWS_A_LINE: usize = 4;
+
+impl Language for Verilog {
+    fn name(&self) -> &'static str {
+        "verilog"
+    }
+
+    fn extension(&self) -> &'static str {
+        "v"
+    }
+
+    fn companions(&self, module: &Module, vectors: u64) -> Vec<File> {
+        let testbench = include_str!("templates/testbench.v");
+        let text = testbench::render(testbench, module, vectors, &shape);
+        let plain = |suffix, template| testbench::companion(module, suffix, template, vectors);
+        vec![
+            File { name: format!("{}_tb.v", module.name), text },
+            plain("_harness.cpp", include_str!("templates/harness.cpp")),
+            plain("_icarus.mk", include_str!("templates/icarus.mk")),
+            plain("_verilator.mk", include_str!("templates/verilator.mk")),
+            plain(".ys", include_str!("templates/yosys.ys")),
+        ]
+    }
+
+    fn module(&self, module: &Module) -> String {
+        let mut text = String::new();
+        for line in &module.header {
+            let _ = writeln!(text, "{}", format!("// {line}").trim_end());
+        }
+        ports(module, &mut text);
+        for table in &module.tables {
+            rom(module, table, &mut text);
+        }
+        for (number, stage) in module.stages.iter().enumerate() {
+            let _ = writeln!(text, "\n    // ---- stage {number} ----");
+            for item in &stage.items {
+                match item {
+                    Item::Scope(path) if path.is_empty() => text.push_str("    // (unit)\n"),
+                    Item::Scope(path) => {
+                        let _ = writeln!(text, "    // {path}");
+                    }
+                    Item::Assign(id, expr) => {
+                        let word = module.word(*id);
+                        let value = Printer { module }.expr(expr, word);
+                        let _ = writeln!(
+                            text,
+                            "    wire {}{} = {value};{}",
+                            shape(word),
+                            word.name,
+                            comment(word)
+                        );
+                    }
+                }
+            }
+            registers(module, number, &mut text);
+        }
+        text.push('\n');
+        for (port, id) in &module.outputs {
+            let word = module.word(*id);
+            if word.name != *port {
+                let _ = writeln!(text, "    assign {port} = {};", word.name);
+            }
+        }
+        if module.latency == 0 {
+            text.push_str("    assign valid_out = valid_in;\n");
+        }
+        unused(module, &mut text);
+        text.push_str("endmodule\n");
+        text
+    }
+}
+
+/// `signed [1:-14] `, `[9:0] ` or nothing.
+fn shape(word: &Word) -> String {
+    let sign = if word.signed { "signed " } else { "" };
+    if word.bits == 1 {
+        return sign.to_owned();
+    }
+    let (top, least) = (index(word, word.bits - 1), index(word, 0));
+    format!("{sign}[{top}:{least}] ")
+}
+
+/// Index of a bit as it is declared.
+fn index(word: &Word, bit: u32) -> i32 {
+    cast::signed_count(bit) - word.frac
+}
+
+fn comment(word: &Word) -> String {
+    word.format.map(|format| format!(" // {format}")).unwrap_or_default()
+}
+
+fn ports(module: &Module, text: &mut String) {
+    let mut lines: Vec<(String, String)> = Vec::new();
+    if module.latency > 0 {
+        lines.push(("input  wire clk".to_owned(), String::new()));
+        lines.push(("input  wire rst".to_owned(), " // clears the valid bits".to_owned()));
+        lines.push((
+            "input  wire ce".to_owned(),
+            " // the pipeline stands still without".to_owned(),
+        ));
+    }
+    lines.push(("input  wire valid_in".to_owned(), String::new()));
+    for id in &module.inputs {
+        let word = module.word(*id);
+        lines.push((format!("input  wire {}{}", shape(word), word.name), comment(word)));
+    }
+    lines.push(("output wire valid_out".to_owned(), String::new()));
+    for (name, id) in &module.outputs {
+        let word = module.word(*id);
+        let sort = if word.name == *name { "reg " } else { "wire" };
+        lines.push((format!("output {sort} {}{name}", shape(word)), comment(word)));
+    }
+    let _ = writeln!(text, "module {} (", module.name);
+    let last = lines.len() - 1;
+    for (number, (line, comment)) in lines.into_iter().enumerate() {
+        let comma = if number == last { "" } else { "," };
+        let _ = writeln!(text, "    {line}{comma}{comment}");
+    }
+    text.push_str(");\n");
+}
+
+fn rom(module: &Module, table: &RomTable, text: &mut String) {
+    let RomTable { name, title, addr_bits, row_bits, columns } = table;
+    let columns: Vec<String> =
+        columns.iter().map(|column| format!("{} {}", column.name, column.format)).collect();
+    let _ = writeln!(text, "\n    // table {title}: {}", columns.join(", "));
+    let range = if *row_bits == 1 { String::new() } else { format!("[{}:0] ", row_bits - 1) };
+    let last = table.len() - 1;
+    let style = if module.block_rom { "block" } else { "logic" };
+    if module.tables_in == Tables::Case {
+        let _ = writeln!(text, "    function {range}{name};");
+        let _ = writeln!(text, "        input [{}:0] address;", addr_bits - 1);
+        text.push_str("        case (address)\n");
+        for (address, row) in table.rows().enumerate() {
+            let label = if cast::count_of(address) == last {
+                "default".to_owned()
+            } else {
+                format!("{addr_bits}'d{address}")
+            };
+            let _ = writeln!(text, "            {label}: {name} = {row_bits}'h{row};");
+        }
+        text.push_str("        endcase\n    endfunction\n");
+        return;
+    }
+    let _ = writeln!(text, "    (* rom_style = \"{style}\" *)");
+    let _ = writeln!(text, "    reg {range}{name} [0:{last}];");
+    if module.tables_in == Tables::Files {
+        let _ = writeln!(text, "    initial $readmemh(\"{}\", {name});", module.table_file(table));
+        return;
+    }
+    text.push_str("    initial begin\n");
+    let rows: Vec<String> = table.rows().collect();
+    for (line, rows) in rows.chunks(ROWS_A_LINE).enumerate() {
+        text.push_str("       ");
+        for (at, row) in rows.iter().enumerate() {
+            let address = line * ROWS_A_LINE + at;
+            let _ = write!(text, " {name}[{address}] = {row_bits}'h{row};");
+        }
+        text.push('\n');
+    }
+    text.push_str("    end\n");
+}
+
+/// Registers between a stage and the next, and the valid bit.
+fn registers(module: &Module, stage: usize, text: &mut String) {
+    if stage + 1 == module.stages.len() {
+        return;
+    }
+    text.push('\n');
+    let registers = &module.stages[stage].registers;
+    for (id, _) in registers {
+        let word = module.word(*id);
+        if word.driver != Driver::OutputRegister {
+            let _ = writeln!(text, "    reg {}{};{}", shape(word), word.name, comment(word));
+        }
+    }
+    if !registers.is_empty() {
+        text.push_str("    always @(posedge clk)\n        if (ce) begin\n");
+        for (id, next) in registers {
+            let name = &module.word(*id).name;
+            let from = match next {
+                Next::Word(from) => module.word(*from).name.clone(),
+                Next::Read(table, address) => Printer { module }.read(*table, *address),
+            };
+            let _ = writeln!(text, "            {name} <= {from};");
+        }
+        text.push_str("        end\n");
+    }
+    let valid = |stage: usize| match stage {
+        0 => "valid_in".to_owned(),
+        _ => format!("valid_s{stage}"),
+    };
+    let _ = writeln!(
+        text,
+        "    reg {1};\n    always @(posedge clk)\n        if (rst) {1} <= 1'b0;\n        else if (ce) {1} <= {0};",
+        valid(stage),
+        valid(stage + 1)
+    );
+    if stage + 2 == module.stages.len() {
+        let _ = writeln!(text, "    assign valid_out = {};", valid(stage + 1));
+    }
+}
+
+/// Names every bit that is dropped on purpose, so that no tool has to warn of it.
+fn unused(module: &Module, text: &mut String) {
+    let mut parts = Vec::new();
+    for word in &module.words {
+        let mut bit = 0;
+        while bit < word.bits {
+            let free = |bit: u32| !word.used[usize::try_from(bit).expect("bug: 32 bits fit")];
+            if free(bit) {
+                let lo = bit;
+                while bit < word.bits && free(bit) {
+                    bit += 1;
+                }
+                parts.push(part(word, lo, bit - lo));
+            } else {
+                bit += 1;
+            }
+        }
+    }
+    if !parts.is_empty() {
+        let _ = writeln!(
+            text,
+            "\n    // bits that rounding and cutting drop\n    wire unused = &{{1'b0,\n        {}}};",
+            parts.join(",\n        ")
+        );
+    }
+}
+
+/// `bits` bits of a word from bit `lo`.
+fn part(word: &Word, lo: u32, bits: u32) -> String {
+    if bits == word.bits {
+        word.name.clone()
+    } else if bits == 1 {
+        format!("{}[{}]", word.name, index(word, lo))
+    } else {
+        format!("{}[{}:{}]", word.name, index(word, lo + bits - 1), index(word, lo))
+    }
+}
+
+fn literal(pattern: u128, bits: u32) -> String {
+    if bits == 1 { format!("1'b{pattern}") } else { format!("{bits}'h{pattern:x}") }
+}
+
+struct Printer<'a> {
+    module: &'a Module,
+}
+
+impl Printer<'_> {
+    fn name(&self, id: WordId) -> &str {
+        &self.module.word(id).name
+    }
+
+    fn read(&self, table: usize, address: WordId) -> String {
+        let name = &self.module.tables[table].name;
+        let address = self.name(address);
+        if self.module.tables_in == Tables::Case {
+            format!("{name}({address})")
+        } else {
+            format!("{name}[{address}]")
+        }
+    }
+
+    fn bit(&self, bit: Bit) -> String {
+        part(self.module.word(bit.word), bit.bit, 1)
+    }
+
+    fn operand(&self, operand: Operand) -> String {
+        match operand {
+            Operand::Literal { pattern, bits } => literal(pattern, bits),
+            Operand::View(View { word, lo, zeros, bits }) => {
+                let word = self.module.word(word);
+                let room = bits.saturating_sub(zeros);
+                let have = (word.bits - lo).min(room);
+                if have == 0 {
+                    return literal(0, bits);
+                }
+                let mut parts = Vec::new();
+                let above = room - have;
+                if above > 0 && word.signed {
+                    parts.push(format!("{{{above}{{{}}}}}", part(word, word.bits - 1, 1)));
+                } else if above > 0 {
+                    parts.push(literal(0, above));
+                }
+                parts.push(part(word, lo, have));
+                if zeros > 0 {
+                    parts.push(literal(0, zeros));
+                }
+                if parts.len() == 1 { parts.remove(0) } else { format!("{{{}}}", parts.join(", ")) }
+            }
+        }
+    }
+
+    /// The operand as a signed number.
+    fn signed(&self, operand: Operand) -> String {
+        match operand {
+            Operand::View(View { word, lo: 0, zeros: 0, bits })
+                if self.module.word(word).signed && self.module.word(word).bits == bits =>
+            {
+                self.operand(operand)
+            }
+            Operand::View(_) | Operand::Literal { .. } => {
+                format!("$signed({})", self.operand(operand))
+            }
+        }
+    }
+
+    /// Name of a whole word that lacks just the carry of a sum of `to` bits: every tool extends
+    /// it by that bit, with its sign if both sides have one.
+    fn carry(&self, operand: Operand, to: &Word) -> Option<&str> {
+        let Operand::View(View { word, lo: 0, zeros: 0, bits }) = operand else { return None };
+        let word = self.module.word(word);
+        (bits == to.bits && word.bits + 1 == bits && word.signed == to.signed)
+            .then_some(word.name.as_str())
+    }
+
+    fn sum(&self, operator: &str, a: Operand, b: Operand, to: &Word) -> String {
+        if let (Some(a), Some(b)) = (self.carry(a, to), self.carry(b, to)) {
+            return format!("{a} {operator} {b}");
+        }
+        format!("{} {operator} {}", self.operand(a), self.operand(b))
+    }
+
+    fn expr(&self, expr: &Expr, to: &Word) -> String {
+        match expr {
+            Expr::Copy(a) => self.operand(*a),
+            Expr::Add(a, b) => self.sum("+", *a, *b, to),
+            Expr::Sub(a, b) => self.sum("-", *a, *b, to),
+            Expr::AddCarry(a, b, bit) => {
+                let carry = match to.bits - 1 {
+                    0 => self.bit(*bit),
+                    above => format!("{{{}, {}}}", literal(0, above), self.bit(*bit)),
+                };
+                format!("{} + {} + {carry}", self.operand(*a), self.operand(*b))
+            }
+            Expr::InvertIf(bit, a) => {
+                format!("{} ^ {{{}{{{}}}}}", self.operand(*a), to.bits, self.bit(*bit))
+            }
+            Expr::Negate(a) => format!("-{}", self.operand(*a)),
+            Expr::Multiply(a, b) => {
+                let any = self.module.word(*a).signed || self.module.word(*b).signed;
+                let factor = |id: WordId| {
+                    let word = self.module.word(id);
+                    if any && !word.signed {
+                        format!("$signed({{1'b0, {}}})", word.name)
+                    } else {
+                        word.name.clone()
+                    }
+                };
+                format!("{} * {}", factor(*a), factor(*b))
+            }
+            Expr::Bitwise(operator, a, b) => {
+                let operator = match operator {
+                    Bitwise::And => '&',
+                    Bitwise::Or => '|',
+                    Bitwise::Xor => '^',
+                };
+                format!("{} {operator} {}", self.name(*a), self.name(*b))
+            }
+            Expr::Equal(a, b) => format!("{} == {}", self.operand(*a), self.operand(*b)),
+            Expr::Less { a, b, signed: true } => {
+                format!("{} < {}", self.signed(*a), self.signed(*b))
+            }
+            Expr::Less { a, b, signed: false } => {
+                format!("{} < {}", self.operand(*a), self.operand(*b))
+            }
+            Expr::Choose { cases, default } => {
+                let mut text = String::new();
+                for (bit, operand) in cases {
+                    let _ = write!(text, "{} ? {} : ", self.bit(*bit), self.operand(*operand));
+                }
+                text + &self.operand(*default)
+            }
+            Expr::Concat(parts) => {
+                let parts: Vec<String> = parts.iter().map(|part| self.operand(*part)).collect();
+                format!("{{{}}}", parts.join(", "))
+            }
+            Expr::ShiftLeft(a, count) => format!("{} << {}", self.operand(*a), self.name(*count)),
+            Expr::Above { word, keep } => {
+                let word = self.module.word(*word);
+                if word.signed {
+                    let sign = part(word, word.bits - 1, 1);
+                    format!("~{sign} & (|{})", part(word, *keep, word.bits - 1 - keep))
+                } else {
+                    format!("|{}", part(word, *keep, word.bits - keep))
+                }
+            }
+            Expr::Below { word, keep } => {
+                let word = self.module.word(*word);
+                let sign = part(word, word.bits - 1, 1);
+                format!("{sign} & ~(&{})", part(word, *keep, word.bits - 1 - keep))
+            }
+            Expr::Read(table, address) => self.read(*table, *address),
+        }
+    }
+}

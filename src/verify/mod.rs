@@ -1,0 +1,3 @@
+//! Agreement with outside simulators.
+
+pub mod vectors;

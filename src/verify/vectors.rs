@@ -1,0 +1,145 @@
+//! Vectors for hardware: input words, and the words that must come out.
+
+use crate::cast;
+use crate::hdl::testbench::push_vector;
+use crate::netlist::{Netlist, NodeId};
+use crate::sim::batch::{Program, Runner};
+use crate::units::Design;
+use rand_core::{RngCore, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+use std::io::{self, Write};
+use std::sync::Arc;
+
+/// Vectors per block.
+const BLOCK: usize = 1 << 12;
+/// Of so many random words, one is at or next to an end of its format or at 0.
+const EXTREME_SHARE: u64 = 16;
+
+/// A stream of vectors: the whole hard-case list, then words drawn at random from all that the
+/// ports take, with the ends of formats now and then. The expected words are the batch engine's.
+#[derive(Debug)]
+pub struct Vectors {
+    netlist: Arc<Netlist>,
+    program: Program,
+    runner: Runner,
+    hard: Vec<Vec<i64>>,
+    random: u64,
+    rng: Pcg64Mcg,
+    /// Vectors given so far.
+    given: u64,
+    inputs: Vec<Vec<i64>>,
+    outputs: Vec<Vec<i64>>,
+}
+
+impl Vectors {
+    /// The hard cases of a design and `random` random vectors.
+    #[must_use]
+    pub fn new(design: &Design, random: u64, seed: u64) -> Self {
+        let hard = design.hard.iter().flat_map(|case| case.words.clone()).collect();
+        Self::of_netlist(&design.netlist, hard, random, seed)
+    }
+
+    /// The same for a netlist and given first vectors.
+    #[must_use]
+    pub fn of_netlist(netlist: &Arc<Netlist>, hard: Vec<Vec<i64>>, random: u64, seed: u64) -> Self {
+        let ports: Vec<NodeId> = netlist.outputs().iter().map(|output| output.node).collect();
+        let program = Program::compile(netlist, &ports);
+        Self {
+            runner: program.runner(),
+            program,
+            hard,
+            random,
+            rng: Pcg64Mcg::seed_from_u64(seed),
+            given: 0,
+            inputs: vec![Vec::new(); netlist.inputs().len()],
+            outputs: vec![Vec::new(); ports.len()],
+            netlist: Arc::clone(netlist),
+        }
+    }
+
+    /// How many there are in all.
+    #[must_use]
+    pub fn count(&self) -> u64 {
+        cast::count_of(self.hard.len()) + self.random
+    }
+
+    /// Moves on to the next block, whose columns are then in `inputs` and `outputs`;
+    /// false at the end.
+    fn advance(&mut self) -> bool {
+        let left = self.count() - self.given;
+        let count = usize::try_from(left).unwrap_or(usize::MAX).min(BLOCK);
+        if count == 0 {
+            return false;
+        }
+        self.inputs.iter_mut().for_each(Vec::clear);
+        for _ in 0..count {
+            let hard = usize::try_from(self.given).ok().and_then(|at| self.hard.get(at));
+            for (port, id) in self.netlist.inputs().iter().enumerate() {
+                let word = match hard {
+                    Some(words) => words[port],
+                    None => {
+                        let format = self.netlist.node(*id).format;
+                        let bits = self.rng.next_u64();
+                        // The low bits say what sort of word; the others are the word.
+                        match bits % EXTREME_SHARE {
+                            0 => {
+                                let (lo, hi) = (format.min_raw(), format.max_raw());
+                                let all = [lo, hi, 0, lo.saturating_add(1), hi - 1, 1];
+                                let pick = usize::try_from(bits >> 32).expect("bug: 32 bits fit");
+                                all[pick % all.len()].clamp(lo, hi)
+                            }
+                            _ => format.wrap(cast::word_of_bits(self.rng.next_u64() >> 1)),
+                        }
+                    }
+                };
+                self.inputs[port].push(word);
+            }
+            self.given += 1;
+        }
+        let columns: Vec<&[i64]> = self.inputs.iter().map(Vec::as_slice).collect();
+        self.runner.run(&self.program, &columns, &mut self.outputs);
+        true
+    }
+
+    /// Writes what is left, a line each.
+    ///
+    /// # Errors
+    /// If `to` can't be written.
+    pub fn write(&mut self, to: &mut dyn Write) -> io::Result<()> {
+        let netlist = Arc::clone(&self.netlist);
+        let formats: Vec<_> = netlist
+            .inputs()
+            .iter()
+            .copied()
+            .chain(netlist.outputs().iter().map(|output| output.node))
+            .map(|id| netlist.node(id).format)
+            .collect();
+        let mut text = String::new();
+        while self.advance() {
+            text.clear();
+            for row in 0..self.inputs[0].len() {
+                let words = self.inputs.iter().chain(&self.outputs).map(|column| column[row]);
+                push_vector(&mut text, words.zip(formats.iter().copied()));
+            }
+            to.write_all(text.as_bytes())?;
+        }
+        Ok(())
+    }
+
+    /// Input and output words of one vector, counted from 0.
+    #[must_use]
+    #[expect(clippy::missing_panics_doc, reason = "rows of a block are few")]
+    pub fn vector(mut self, number: u64) -> Option<(Vec<i64>, Vec<i64>)> {
+        loop {
+            let start = self.given;
+            if !self.advance() {
+                return None;
+            }
+            if number < self.given {
+                let row = usize::try_from(number - start).expect("bug: a row of a block");
+                let of = |columns: &[Vec<i64>]| columns.iter().map(|column| column[row]).collect();
+                return Some((of(&self.inputs), of(&self.outputs)));
+            }
+        }
+    }
+}
