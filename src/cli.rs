@@ -1,7 +1,9 @@
 //! The command line. Exit codes: 0 done, 1 a check failed, 2 wrong use or unreadable input.
 
 mod demo;
+mod hardware;
 mod text;
+mod verify;
 
 use crate::cast;
 use crate::error::{Error, Result};
@@ -158,6 +160,16 @@ enum Command {
         #[arg(long)]
         fresh: bool,
     },
+    /// Write a unit as hardware: module, tables, self-checking testbench, vectors, makefiles.
+    #[command(
+        after_help = "Examples:\n  fixpath hdl rotation --out rtl && make -C rtl -f rotation_icarus.mk\n  fixpath hdl rotation -p variant=corrected --name corrected --tables files --out rtl\n  fixpath hdl rotation --language vhdl --vectors 10000 --out rtl"
+    )]
+    Hdl(hardware::HdlArgs),
+    /// Run a unit's hardware in the outside simulators that are installed, and compare every bit.
+    #[command(
+        after_help = "Icarus, Verilator and GHDL take the hard-case list and random vectors; Yosys checks the\nmodule and proves it equal to its combinational reference at small widths.\n\nExamples:\n  fixpath verify rotation\n  fixpath verify rotation -p scheme=linear --with verilator --vectors 10000000\n  fixpath verify rotation -p variant=corrected --keep files --json"
+    )]
+    Verify(verify::VerifyArgs),
     /// All of the above on built-in settings, in under half a minute.
     #[command(after_help = "Example:\n  fixpath demo --out demo_out")]
     Demo {
@@ -369,6 +381,12 @@ fn run(command: &Command) -> Result<bool> {
             }
             let sweep = Sweep::new(base, axes, inputs.inputs())?;
             print(&run_sweep(&sweep, out, *fresh)?)?;
+        }
+        Command::Hdl(args) => print(&hardware::run(args)?)?,
+        Command::Verify(args) => {
+            let (told, agree) = verify::run(args)?;
+            print(&told)?;
+            return Ok(agree);
         }
         Command::Demo { out } => return demo::run(out),
     }

@@ -10,9 +10,15 @@ use std::sync::{Mutex, PoisonError};
 /// Temporary files being written now.
 static TEMPORARY: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
-/// Removes the temporary files of writes under way; for a handler of interrupts, which ends
+/// Scratch folders in use.
+static SCRATCH: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+/// Removes the temporary files of writes under way and scratch folders; for a handler of interrupts, which ends
 /// the process next.
 pub(crate) fn abandon() {
+    for folder in &*SCRATCH.lock().unwrap_or_else(PoisonError::into_inner) {
+        let _ = fs::remove_dir_all(folder);
+    }
     for path in &*TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner) {
         // What can't be removed can't be helped any more.
         let _ = fs::remove_file(path);
@@ -25,6 +31,45 @@ pub(crate) fn abandon() {
 /// If it can't be made; names it.
 pub fn make_folder(path: &Path) -> Result<()> {
     fs::create_dir_all(path).map_err(|why| Error::io(path, "can't make the folder", why))
+}
+
+/// A folder for files of no further use, which goes with it.
+#[derive(Debug)]
+pub struct Scratch(tempfile::TempDir);
+
+impl Scratch {
+    /// Makes one where the system keeps such folders.
+    ///
+    /// # Errors
+    /// If it can't be made.
+    pub fn new() -> Result<Self> {
+        let folder = tempfile::Builder::new().prefix("fixpath-").tempdir();
+        let fail = |why| Error::io(&std::env::temp_dir(), "can't make a folder in it", why);
+        let folder = folder.map_err(fail)?;
+        let mut known = SCRATCH.lock().unwrap_or_else(PoisonError::into_inner);
+        known.insert(folder.path().to_owned());
+        Ok(Self(folder))
+    }
+
+    /// The folder.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        self.0.path()
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        SCRATCH.lock().unwrap_or_else(PoisonError::into_inner).remove(self.0.path());
+    }
+}
+
+/// Writes a text file, as [`write_file`].
+///
+/// # Errors
+/// As [`write_file`].
+pub fn write_text(path: &Path, text: &str) -> Result<()> {
+    write_file(path, |to| to.write_all(text.as_bytes()).map_err(at(path)))
 }
 
 /// Writes a file through a temporary one beside it, which takes its name when it is complete;

@@ -24,32 +24,31 @@ pub struct Tool {
 }
 
 /// Icarus Verilog.
-pub static ICARUS: Tool =
+pub const ICARUS: Tool =
     Tool { name: "icarus", program: "iverilog", package: "iverilog", version: &["-V"] };
 /// Verilator.
-pub static VERILATOR: Tool =
+pub const VERILATOR: Tool =
     Tool { name: "verilator", program: "verilator", package: "verilator", version: &["--version"] };
 /// The compiler of what Verilator makes.
-pub static CXX: Tool =
-    Tool { name: "g++", program: "g++", package: "g++", version: &["--version"] };
+pub const CXX: Tool = Tool { name: "g++", program: "g++", package: "g++", version: &["--version"] };
 /// What builds it.
-pub static MAKE: Tool =
+pub const MAKE: Tool =
     Tool { name: "make", program: "make", package: "make", version: &["--version"] };
 /// GHDL.
-pub static GHDL: Tool =
+pub const GHDL: Tool =
     Tool { name: "ghdl", program: "ghdl", package: "ghdl", version: &["--version"] };
 /// Yosys.
-pub static YOSYS: Tool =
+pub const YOSYS: Tool =
     Tool { name: "yosys", program: "yosys", package: "yosys", version: &["-V"] };
 /// nextpnr for iCE40.
-pub static NEXTPNR_ICE40: Tool = Tool {
+pub const NEXTPNR_ICE40: Tool = Tool {
     name: "nextpnr-ice40",
     program: "nextpnr-ice40",
     package: "nextpnr-ice40",
     version: &["--version"],
 };
 /// nextpnr for ECP5.
-pub static NEXTPNR_ECP5: Tool = Tool {
+pub const NEXTPNR_ECP5: Tool = Tool {
     name: "nextpnr-ecp5",
     program: "nextpnr-ecp5",
     package: "nextpnr-ecp5",
@@ -129,6 +128,9 @@ fn collect(mut from: impl Read + Send + 'static) -> thread::JoinHandle<String> {
     })
 }
 
+/// What writes a program's standard input.
+pub type Feed<'a> = dyn FnMut(&mut dyn Write) -> io::Result<()> + Send + 'a;
+
 /// Runs a program in a folder. `feed` writes its standard input.
 ///
 /// # Errors
@@ -141,7 +143,7 @@ pub fn run(
     arguments: &[&str],
     folder: &Path,
     limit: Duration,
-    feed: Option<&mut (dyn FnMut(&mut dyn Write) -> io::Result<()> + Send)>,
+    feed: Option<&mut Feed<'_>>,
 ) -> Result<Outcome> {
     let mut command = Command::new(program);
     command.args(arguments).current_dir(folder).stdout(Stdio::piped()).stderr(Stdio::piped());

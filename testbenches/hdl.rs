@@ -1,11 +1,11 @@
 //! Emitted hardware in outside simulators, on random netlists.
 
 use crate::engines::{Random, random_netlist};
+use fixpath::emit::vectors::Vectors;
 use fixpath::hdl::{LANGUAGES, Module, Options, Tables, testbench};
 use fixpath::netlist::Netlist;
 use fixpath::rtl::Rtl;
 use fixpath::schedule::{Depth, Rom, Schedule};
-use fixpath::verify::vectors::Vectors;
 use std::fs;
 use std::path::Path;
 use std::process::Command;

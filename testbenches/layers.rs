@@ -17,7 +17,7 @@ const LAYERS: &[&[&str]] = &[
     &["units"],
     &["sim", "hdl"],
     &["measure", "wave"],
-    &["report", "eval"],
+    &["report", "eval", "emit"],
     &["sweep", "verify", "cost"],
     &["cli"],
 ];

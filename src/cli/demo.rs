@@ -32,9 +32,7 @@ pub(super) fn run(out: &Path) -> Result<bool> {
     for folder in ["sim", "waves", "netlists"] {
         output::make_folder(&out.join(folder))?;
     }
-    let write = |path: &Path, body: &str| {
-        output::write_file(path, |to| to.write_all(body.as_bytes()).map_err(output::at(path)))
-    };
+    let write = output::write_text;
     let mut story = String::from(
         "# fixpath demo\n\nThe polar rotation unit of seed 001, over lit vectors uniform on the sphere. \
          Errors are the angle between\nvectors against the golden of the quantised inputs; *algorithm* \

@@ -114,11 +114,11 @@ pub(super) fn list_json(units: &[&'static Unit]) -> Value {
     Value::Array(units.iter().map(unit).collect())
 }
 
-fn parameters(values: &Values) -> Value {
+pub(super) fn parameters(values: &Values) -> Value {
     Value::Object(parameters_of(values))
 }
 
-fn parameter_line(values: &Values) -> String {
+pub(super) fn parameter_line(values: &Values) -> String {
     let pairs: Vec<String> = values.iter().map(|(name, value)| format!("{name}={value}")).collect();
     pairs.join(" ")
 }

@@ -54,6 +54,23 @@ pub fn vectors_file(module: &Module) -> String {
     format!("{}_vectors.txt", module.name)
 }
 
+/// Name of the combinational reference that a module is proved equal to.
+#[must_use]
+pub fn reference_name(module: &Module) -> String {
+    format!("{}_reference", module.name)
+}
+
+/// Verilog that compares a module with its reference cycle by cycle, and a Yosys script that
+/// proves that they never differ.
+#[must_use]
+pub fn proof(module: &Module) -> [File; 2] {
+    let comparison = render(include_str!("templates/equal.v"), module, 0, &super::verilog::shape);
+    [
+        File { name: format!("{}_equal.v", module.name), text: comparison },
+        companion(module, "_equal.ys", include_str!("templates/equal.ys"), 0),
+    ]
+}
+
 /// Adds a line of vectors: patterns of words in hexadecimal.
 #[expect(clippy::missing_panics_doc, reason = "words have at most 16 digits")]
 pub fn push_vector<'a>(line: &mut String, words: impl Iterator<Item = (i64, Format)> + 'a) {
@@ -84,6 +101,7 @@ pub(super) fn render(
         header => module.header,
         title => module.header.first(),
         latency => module.latency,
+        reference => reference_name(module),
         vectors => vectors_file(module),
         again => vectors.clamp(1, AGAIN),
         inputs, input_bits, outputs, output_bits,

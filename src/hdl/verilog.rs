@@ -88,7 +88,7 @@ impl Language for Verilog {
 }
 
 /// `signed [1:-14] `, `[9:0] ` or nothing.
-fn shape(word: &Word) -> String {
+pub(super) fn shape(word: &Word) -> String {
     let sign = if word.signed { "signed " } else { "" };
     if word.bits == 1 {
         return sign.to_owned();
@@ -296,7 +296,8 @@ impl Printer<'_> {
                 let mut parts = Vec::new();
                 let above = room - have;
                 if above > 0 && word.signed {
-                    parts.push(format!("{{{above}{{{}}}}}", part(word, word.bits - 1, 1)));
+                    let sign = part(word, word.bits - 1, 1);
+                    parts.push(if above == 1 { sign } else { format!("{{{above}{{{sign}}}}}") });
                 } else if above > 0 {
                     parts.push(literal(0, above));
                 }

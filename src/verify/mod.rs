@@ -1,3 +1,306 @@
-//! Agreement with outside simulators.
+//! Agreement with outside simulators: the emitted hardware runs in them on the batch engine's
+//! vectors, and every bit of every output and the latency have to agree.
 
-pub mod vectors;
+mod simulators;
+
+use crate::emit::vectors::Vectors;
+use crate::emit::{Package, Settings};
+use crate::error::{Error, Result};
+use crate::hdl::Tables;
+use crate::netlist::Netlist;
+use crate::output::{Scratch, make_folder};
+use crate::outside::{self, Tool};
+use crate::units::Design;
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+use std::sync::mpsc;
+use std::thread;
+use std::time::Duration;
+
+/// Random vectors for a slow simulator.
+pub const SLOW_VECTORS: u64 = 10_000;
+/// Random vectors for a fast one.
+pub const FAST_VECTORS: u64 = 1_000_000;
+
+/// An outside tool that hardware is checked with.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Simulator {
+    /// Icarus Verilog runs the Verilog testbench.
+    Icarus,
+    /// Verilator builds the Verilog with a C++ harness.
+    Verilator,
+    /// GHDL runs the VHDL testbench.
+    Ghdl,
+    /// Yosys elaborates and checks the Verilog, and proves the pipeline equal to its
+    /// combinational reference at small widths.
+    Yosys,
+}
+
+impl Simulator {
+    /// Every one.
+    pub const ALL: &'static [Self] = &[Self::Icarus, Self::Verilator, Self::Ghdl, Self::Yosys];
+
+    /// Name on the command line.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.tools()[0].name
+    }
+
+    /// The tools that it takes, itself first.
+    #[must_use]
+    pub fn tools(self) -> &'static [&'static Tool] {
+        match self {
+            Self::Icarus => &[&outside::ICARUS],
+            Self::Verilator => &[&outside::VERILATOR, &outside::MAKE, &outside::CXX],
+            Self::Ghdl => &[&outside::GHDL],
+            Self::Yosys => &[&outside::YOSYS],
+        }
+    }
+
+    /// Random vectors if no number was asked for.
+    #[must_use]
+    pub fn default_vectors(self) -> u64 {
+        match self {
+            Self::Verilator => FAST_VECTORS,
+            Self::Icarus | Self::Ghdl => SLOW_VECTORS,
+            Self::Yosys => 0,
+        }
+    }
+}
+
+/// What to verify.
+#[derive(Clone, Debug)]
+pub struct Request {
+    /// With which tools.
+    pub simulators: Vec<Simulator>,
+    /// Random vectors after the hard-case list, for all; each tool's own number if `None`.
+    pub vectors: Option<u64>,
+    /// Their seed.
+    pub seed: u64,
+    /// Where tables stand; by their number if `None`.
+    pub tables: Option<Tables>,
+    /// Longest run of a tool.
+    pub limit: Duration,
+    /// Folder to keep the files in; a scratch folder if `None`.
+    pub keep: Option<PathBuf>,
+}
+
+impl Default for Request {
+    fn default() -> Self {
+        Self {
+            simulators: Simulator::ALL.to_vec(),
+            vectors: None,
+            seed: 1,
+            tables: None,
+            limit: Duration::from_secs(600),
+            keep: None,
+        }
+    }
+}
+
+/// A word that came out wrong.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Mismatch {
+    /// Number of the vector, from 0: the hard cases come first.
+    pub vector: u64,
+    /// Input words by port.
+    pub inputs: Vec<Decoded>,
+    /// Output port, or `valid_out`.
+    pub port: String,
+    /// What should have come out.
+    pub expected: Decoded,
+    /// What did.
+    pub got: Decoded,
+}
+
+/// A word of a port.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Decoded {
+    /// The port.
+    pub port: String,
+    /// The pattern in hexadecimal, as the simulator has it; unknown bits are x.
+    pub pattern: String,
+    /// The word; `None` if bits of it are unknown.
+    pub raw: Option<i64>,
+    /// Its value.
+    pub value: Option<f64>,
+}
+
+/// How a tool's run ended.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// All agrees; what was done, where that isn't plain.
+    Agrees(String),
+    /// Words differ; the first of them, if one was named.
+    Disagrees(Option<Box<Mismatch>>),
+    /// It could not be run through, or warned: what it said.
+    Failed(String),
+    /// It ran past the time limit.
+    TimedOut(String),
+    /// It isn't there, and what brings it.
+    Missing(String),
+}
+
+/// What a tool found.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Row {
+    /// The tool.
+    pub tool: &'static str,
+    /// Its version; empty if it isn't there.
+    pub version: String,
+    /// Vectors compared.
+    pub vectors: u64,
+    /// Words that differed.
+    pub mismatches: u64,
+    /// Time that it took, with building.
+    pub seconds: f64,
+    /// How it ended.
+    pub verdict: Verdict,
+}
+
+impl Row {
+    /// True if the tool ran and agreed.
+    #[must_use]
+    pub fn agrees(&self) -> bool {
+        matches!(self.verdict, Verdict::Agrees(_))
+    }
+
+    /// True if the tool isn't there.
+    #[must_use]
+    pub fn is_missing(&self) -> bool {
+        matches!(self.verdict, Verdict::Missing(_))
+    }
+}
+
+/// Runs a design's hardware in outside simulators, all at once; `progress` gets each row as it
+/// is there. Rows are in the order asked for.
+///
+/// # Errors
+/// If the hardware can't be made, or files can't be written.
+///
+/// # Panics
+/// If a simulator's thread did.
+pub fn verify(design: &Design, request: &Request, progress: &dyn Fn(&Row)) -> Result<Vec<Row>> {
+    let scratch = Scratch::new()?;
+    let folder: &Path = request.keep.as_deref().unwrap_or(scratch.path());
+    make_folder(folder)?;
+    let settings = Settings {
+        tables: request.tables,
+        random: request.vectors.unwrap_or(SLOW_VECTORS),
+        seed: request.seed,
+        figures: false,
+        ..Settings::default()
+    };
+    let mut package = Package::new(design, &settings)?;
+    package.write(folder, folder)?;
+    let job = Job { design, request, package: &package, folder };
+    let mut rows: Vec<(usize, Row)> = Vec::new();
+    let (sender, receiver) = mpsc::channel();
+    let ended: Result<()> = thread::scope(|scope| {
+        for (at, simulator) in request.simulators.iter().enumerate() {
+            let (sender, job) = (sender.clone(), &job);
+            scope.spawn(move || {
+                // The receiver outlives all senders.
+                let _ = sender.send((at, simulators::run(job, *simulator)));
+            });
+        }
+        drop(sender);
+        for (at, row) in receiver {
+            let row = row?;
+            progress(&row);
+            rows.push((at, row));
+        }
+        Ok(())
+    });
+    ended?;
+    assert_eq!(rows.len(), request.simulators.len(), "bug: one row a simulator");
+    rows.sort_by_key(|(at, _)| *at);
+    Ok(rows.into_iter().map(|(_, row)| row).collect())
+}
+
+/// What the runs of all tools share.
+struct Job<'a> {
+    design: &'a Design,
+    request: &'a Request,
+    package: &'a Package,
+    folder: &'a Path,
+}
+
+impl Job<'_> {
+    /// The vectors that a tool gets.
+    fn vectors(&self, random: u64) -> Vectors {
+        Vectors::new(self.design, usize::MAX, random, self.request.seed)
+    }
+}
+
+/// A port's word from its pattern as a simulator prints it.
+fn decoded(netlist: &Netlist, node: crate::netlist::NodeId, port: &str, pattern: &str) -> Decoded {
+    let format = netlist.node(node).format;
+    let bits = u64::from_str_radix(pattern, 16).ok();
+    let raw = bits.map(|bits| format.wrap(crate::cast::word_of_bits(bits & (u64::MAX >> 1))));
+    Decoded {
+        port: port.to_owned(),
+        pattern: pattern.to_owned(),
+        raw,
+        value: raw.map(|raw| format.value(raw)),
+    }
+}
+
+/// The mismatch that a line of a testbench tells, with its inputs.
+fn mismatch(job: &Job<'_>, line: &str, vectors: Vectors) -> Option<Mismatch> {
+    let netlist = &job.design.netlist;
+    let mut words = line.strip_prefix("mismatch: vector ")?.split_whitespace();
+    let number = words.next()?.parse().ok()?;
+    let port = words.next()?.to_owned();
+    let (expected, got) = match (words.next()?, words.next()?, words.next()?, words.next()?) {
+        ("expected", expected, "got", got) => (expected, got),
+        _ => return None,
+    };
+    let output = netlist
+        .outputs()
+        .iter()
+        .zip(&job.package.module.outputs)
+        .find(|(_, (name, _))| *name == port);
+    let word = |pattern: &str| match output {
+        Some((output, _)) => decoded(netlist, output.node, &port, pattern),
+        None => Decoded {
+            port: port.clone(),
+            pattern: pattern.to_owned(),
+            raw: pattern.parse().ok(),
+            value: None,
+        },
+    };
+    let (inputs, _) = vectors.vector(number)?;
+    let inputs = inputs.iter().zip(netlist.inputs()).enumerate().map(|(at, (raw, id))| {
+        let format = netlist.node(*id).format;
+        let pattern = format!("{:x}", format.pattern(*raw));
+        decoded(netlist, *id, netlist.input_name(at), &pattern)
+    });
+    Some(Mismatch {
+        vector: number,
+        inputs: inputs.collect(),
+        expected: word(expected),
+        got: word(got),
+        port,
+    })
+}
+
+/// The simulators of these names.
+///
+/// # Errors
+/// If there is none of a name.
+pub fn simulators_of(names: &[String]) -> Result<Vec<Simulator>> {
+    let mut found = Vec::new();
+    for name in names {
+        let known = Simulator::ALL.iter().find(|simulator| simulator.name() == name);
+        let Some(simulator) = known else {
+            let all: Vec<&str> = Simulator::ALL.iter().map(|s| s.name()).collect();
+            return Err(Error::parameter_value("with", name, all.join(", ")));
+        };
+        if !found.contains(simulator) {
+            found.push(*simulator);
+        }
+    }
+    Ok(found)
+}

@@ -32,10 +32,17 @@ pub struct Vectors {
 }
 
 impl Vectors {
-    /// The hard cases of a design and `random` random vectors.
+    /// The hard cases of a design, at most so many of each group, and `random` random vectors.
     #[must_use]
-    pub fn new(design: &Design, random: u64, seed: u64) -> Self {
-        let hard = design.hard.iter().flat_map(|case| case.words.clone()).collect();
+    pub fn new(design: &Design, hard_per_group: usize, random: u64, seed: u64) -> Self {
+        let groups = design.hard.iter();
+        // Some from all over the group, where not all.
+        let hard = groups
+            .flat_map(|case| {
+                let step = case.words.len().div_ceil(hard_per_group.max(1)).max(1);
+                case.words.iter().step_by(step).cloned()
+            })
+            .collect();
         Self::of_netlist(&design.netlist, hard, random, seed)
     }
 

@@ -1,0 +1,116 @@
+//! `fixpath hdl`: a design as files of hardware.
+
+use super::UnitArgs;
+use crate::emit::{Package, Settings};
+use crate::error::Result;
+use crate::hdl::testbench::vectors_file;
+use crate::hdl::{LANGUAGES, Language, Tables};
+use clap::{Args, ValueEnum};
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+#[derive(Args)]
+pub(super) struct HdlArgs {
+    #[command(flatten)]
+    unit: UnitArgs,
+    /// Folder to write.
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    /// Name of the module and of the files; the unit's if not given.
+    #[arg(long)]
+    name: Option<String>,
+    /// Languages.
+    #[arg(long, value_enum, value_delimiter = ',', default_value = "verilog,vhdl")]
+    language: Vec<LanguageArg>,
+    /// Where the words of tables stand.
+    #[arg(long, value_enum, default_value = "auto")]
+    tables: TablesArg,
+    /// Random vectors after the hard-case list.
+    #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u64).range(..=100_000_000))]
+    vectors: u64,
+    /// Seed of the random vectors.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum LanguageArg {
+    /// Verilog-2005, for Icarus, Verilator, Yosys and others.
+    Verilog,
+    /// VHDL-2008, for GHDL and others.
+    Vhdl,
+}
+
+impl LanguageArg {
+    fn language(self) -> &'static dyn Language {
+        let name = match self {
+            Self::Verilog => "verilog",
+            Self::Vhdl => "vhdl",
+        };
+        *LANGUAGES
+            .iter()
+            .find(|language| language.name() == name)
+            .expect("bug: every one is listed")
+    }
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+pub(super) enum TablesArg {
+    /// Inline for up to 4096 rows in all, else files.
+    Auto,
+    /// An array that is filled at the start.
+    Inline,
+    /// Hexadecimal files, read at the start.
+    Files,
+    /// A function with a case for each address; slow in simulators.
+    Case,
+}
+
+impl TablesArg {
+    pub(super) fn tables(self) -> Option<Tables> {
+        match self {
+            Self::Auto => None,
+            Self::Inline => Some(Tables::Inline),
+            Self::Files => Some(Tables::Files),
+            Self::Case => Some(Tables::Case),
+        }
+    }
+}
+
+/// Writes the files; returns what to tell.
+pub(super) fn run(args: &HdlArgs) -> Result<String> {
+    let mut languages: Vec<LanguageArg> = Vec::new();
+    for language in &args.language {
+        if !languages.contains(language) {
+            languages.push(*language);
+        }
+    }
+    let settings = Settings {
+        name: args.name.clone(),
+        tables: args.tables.tables(),
+        languages: languages.into_iter().map(LanguageArg::language).collect(),
+        random: args.vectors,
+        seed: args.seed,
+        ..Settings::default()
+    };
+    let mut package = Package::new(&args.unit.design()?, &settings)?;
+    let count = package.vectors.count();
+    package.write(&args.out, &args.out)?;
+    Ok(told(&package, count, &args.out))
+}
+
+fn told(package: &Package, vectors: u64, out: &Path) -> String {
+    let module = &package.module;
+    let mut text = format!("written to {}\n", out.display());
+    for file in package.hardware.iter().chain(&package.companions) {
+        let _ = writeln!(text, "  {}", file.name);
+    }
+    let _ = writeln!(text, "  {}: {vectors} vectors", vectors_file(module));
+    let _ = writeln!(
+        text,
+        "run its testbench with: make -C {} -f {}_icarus.mk",
+        out.display(),
+        module.name
+    );
+    text
+}

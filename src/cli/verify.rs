@@ -1,0 +1,148 @@
+//! `fixpath verify`: a unit's hardware in outside simulators.
+
+use super::hardware::TablesArg;
+use super::{UnitArgs, text};
+use crate::error::{Error, Result};
+use crate::units::Design;
+use crate::verify::{self, Decoded, Mismatch, Request, Row, Simulator, Verdict};
+use clap::Args;
+use indicatif::ProgressBar;
+use serde_json::{Value, json};
+use std::fmt::Write as _;
+use std::path::PathBuf;
+use std::time::Duration;
+
+#[derive(Args)]
+pub(super) struct VerifyArgs {
+    #[command(flatten)]
+    unit: UnitArgs,
+    /// Only with these tools, which must be there: icarus, verilator, ghdl, yosys.
+    #[arg(long = "with", value_name = "TOOLS", value_delimiter = ',')]
+    with: Vec<String>,
+    /// Random vectors after the hard-case list; if not given, 1000000 in Verilator and 10000 in
+    /// Icarus and GHDL.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(..=1_000_000_000))]
+    vectors: Option<u64>,
+    /// Seed of the random vectors.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Where the words of tables stand.
+    #[arg(long, value_enum, default_value = "auto")]
+    tables: TablesArg,
+    /// Longest run of a tool in s.
+    #[arg(long, value_name = "S", default_value_t = 600, value_parser = clap::value_parser!(u64).range(1..=86_400))]
+    time_limit: u64,
+    /// Keep the generated files in this folder.
+    #[arg(long, value_name = "DIR")]
+    keep: Option<PathBuf>,
+    /// As JSON.
+    #[arg(long)]
+    pub(super) json: bool,
+}
+
+/// Runs the tools; returns what to tell, and whether all that ran agree.
+pub(super) fn run(args: &VerifyArgs) -> Result<(String, bool)> {
+    let simulators = if args.with.is_empty() {
+        Simulator::ALL.to_vec()
+    } else {
+        verify::simulators_of(&args.with)?
+    };
+    let request = Request {
+        simulators,
+        vectors: args.vectors,
+        seed: args.seed,
+        tables: args.tables.tables(),
+        limit: Duration::from_secs(args.time_limit),
+        keep: args.keep.clone(),
+    };
+    let design = args.unit.design()?;
+    let bar = ProgressBar::new_spinner();
+    let names: Vec<&str> = request.simulators.iter().map(|simulator| simulator.name()).collect();
+    bar.set_message(format!("{} at work", names.join(", ")));
+    bar.enable_steady_tick(Duration::from_millis(200));
+    let rows = verify::verify(&design, &request, &|row| {
+        bar.println(format!("{}: {:.1} s", row.tool, row.seconds));
+    })?;
+    bar.finish_and_clear();
+    let missing = rows.iter().find(|row| row.is_missing());
+    let ran = rows.iter().any(|row| !row.is_missing());
+    match missing {
+        // Asked for by name, or nothing at all could be done.
+        Some(row) if !args.with.is_empty() || !ran => {
+            let Verdict::Missing(how) = &row.verdict else { unreachable!("bug: it is missing") };
+            return Err(Error::usage(format!("{} is {how}", row.tool)));
+        }
+        Some(_) | None => {}
+    }
+    let agree = rows.iter().all(|row| row.agrees() || row.is_missing());
+    let told =
+        if args.json { super::pretty(&json_of(&design, &rows)) } else { told(&design, &rows) };
+    Ok((told, agree))
+}
+
+fn verdict(verdict: &Verdict) -> String {
+    match verdict {
+        Verdict::Agrees(how) if how.is_empty() => "agrees".to_owned(),
+        Verdict::Agrees(how) => how.clone(),
+        Verdict::Disagrees(_) => "DISAGREES".to_owned(),
+        Verdict::Failed(why) => format!("FAILED: {why}"),
+        Verdict::TimedOut(why) => format!("TIMED OUT: {why}"),
+        Verdict::Missing(how) => how.clone(),
+    }
+}
+
+fn told(design: &Design, rows: &[Row]) -> String {
+    let mut text =
+        format!("{}: {}\n", design.values.unit().name, text::parameter_line(&design.values));
+    let cells: Vec<Vec<String>> = rows
+        .iter()
+        .map(|row| {
+            // A tool that took no vectors compared none.
+            let compared = row.vectors > 0;
+            let count = |n: u64| if compared { n.to_string() } else { "-".to_owned() };
+            vec![
+                row.tool.to_owned(),
+                row.version.clone(),
+                count(row.vectors),
+                count(row.mismatches),
+                format!("{:.1}", row.seconds),
+                verdict(&row.verdict),
+            ]
+        })
+        .collect();
+    let headings = ["tool", "version", ">vectors", ">mismatches", ">seconds", "verdict"];
+    text.push_str(&text::table(&headings, &cells));
+    for row in rows {
+        if let Verdict::Disagrees(Some(mismatch)) = &row.verdict {
+            text.push_str(&told_mismatch(row.tool, mismatch));
+        }
+    }
+    text
+}
+
+fn word(word: &Decoded) -> String {
+    match (word.raw, word.value) {
+        (Some(raw), Some(value)) => format!("{} (word {raw}, value {value})", word.pattern),
+        (Some(_) | None, _) => word.pattern.clone(),
+    }
+}
+
+fn told_mismatch(tool: &str, mismatch: &Mismatch) -> String {
+    let mut text = format!("\nfirst mismatch in {tool}: vector {}\n", mismatch.vector);
+    for input in &mismatch.inputs {
+        let _ = writeln!(text, "  {} = {}", input.port, word(input));
+    }
+    let _ = writeln!(text, "  {} should be {}", mismatch.port, word(&mismatch.expected));
+    let _ = writeln!(text, "  {} is        {}", mismatch.port, word(&mismatch.got));
+    text
+}
+
+fn json_of(design: &Design, rows: &[Row]) -> Value {
+    json!({
+        "tool": "fixpath",
+        "version": env!("CARGO_PKG_VERSION"),
+        "unit": design.values.unit().name,
+        "parameters": text::parameters(&design.values),
+        "rows": rows,
+    })
+}

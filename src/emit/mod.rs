@@ -1,0 +1,189 @@
+//! A design as files of hardware: module, tables, testbench, vectors, makefiles, with the
+//! figures that describe it in the head of each.
+
+pub mod vectors;
+
+use crate::error::{Error, Result};
+use crate::hdl::testbench::{companions, vectors_file};
+use crate::hdl::{File, LANGUAGES, Language, Module, Options, Tables};
+use crate::measure::{self, Basis, BoundCheck, Inputs};
+use crate::output;
+use crate::rtl::Rtl;
+use crate::schedule::Rom;
+use crate::units::{Design, Sampler};
+use std::path::Path;
+use std::sync::Arc;
+use vectors::Vectors;
+
+/// Samples behind the figures in heads.
+const HEADER_SAMPLES: u64 = 1 << 16;
+/// Columns of a line in a head.
+const LINE: usize = 96;
+
+/// What to write.
+#[derive(Clone, Debug)]
+pub struct Settings {
+    /// Name of the module; the unit's if `None`.
+    pub name: Option<String>,
+    /// Where tables stand; by their number if `None`.
+    pub tables: Option<Tables>,
+    /// Languages.
+    pub languages: Vec<&'static dyn Language>,
+    /// Random vectors after the hard cases.
+    pub random: u64,
+    /// Their seed.
+    pub seed: u64,
+    /// The most hard cases of each group; all if `None`.
+    pub hard_per_group: Option<usize>,
+    /// Errors measured for the heads.
+    pub figures: bool,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            name: None,
+            tables: None,
+            languages: LANGUAGES.to_vec(),
+            random: 1000,
+            seed: 1,
+            hard_per_group: None,
+            figures: true,
+        }
+    }
+}
+
+/// The files of a design; vectors are made as they are written.
+#[derive(Debug)]
+pub struct Package {
+    /// The hardware.
+    pub rtl: Arc<Rtl>,
+    /// The module.
+    pub module: Module,
+    /// Modules and tables.
+    pub hardware: Vec<File>,
+    /// What goes with them.
+    pub companions: Vec<File>,
+    /// The vectors.
+    pub vectors: Vectors,
+}
+
+impl Package {
+    /// Lowers a design and prints it in each language.
+    ///
+    /// # Errors
+    /// If the pipeline can't be built, the name can't be one, or the module would be too large.
+    pub fn new(design: &Design, settings: &Settings) -> Result<Self> {
+        let rtl = Arc::new(design.rtl()?);
+        let header = header(design, &rtl, settings.figures)?;
+        let options = Options { name: settings.name.clone(), tables: settings.tables, header };
+        let module = Module::new(&rtl, &options)?;
+        let most = settings.hard_per_group.unwrap_or(usize::MAX);
+        let vectors = Vectors::new(design, most, settings.random, settings.seed);
+        let mut hardware: Vec<File> =
+            settings.languages.iter().map(|language| module.file(*language)).collect();
+        hardware.extend(module.table_files());
+        let companions = companions(&module, &settings.languages, vectors.count());
+        Ok(Self { rtl, module, hardware, companions, vectors })
+    }
+
+    /// Writes all files: those of the hardware into one folder, and what goes with them into
+    /// another or the same.
+    ///
+    /// # Errors
+    /// If a file can't be written.
+    pub fn write(&mut self, hardware: &Path, companions: &Path) -> Result<()> {
+        for (folder, files) in [(hardware, &self.hardware), (companions, &self.companions)] {
+            output::make_folder(folder)?;
+            for file in files {
+                output::write_text(&folder.join(&file.name), &file.text)?;
+            }
+        }
+        let path = companions.join(vectors_file(&self.module));
+        output::write_file(&path, |to| self.vectors.write(to).map_err(output::at(&path)))
+    }
+}
+
+/// What the head of each file says: nothing that changes from run to run.
+///
+/// # Errors
+/// If a figure can't be had.
+fn header(design: &Design, rtl: &Rtl, figures: bool) -> Result<Vec<String>> {
+    let unit = design.values.unit();
+    let schedule = rtl.schedule();
+    let mut lines = vec![
+        format!("{}: {}", unit.name, unit.summary),
+        format!("made by fixpath {}; {}", env!("CARGO_PKG_VERSION"), unit.source),
+    ];
+    let parameters = design.values.iter().map(|(name, value)| format!("{name}={value}"));
+    lines.extend(wrapped("  ", parameters));
+    let rom = match schedule.rom() {
+        _ if rtl.netlist().tables().is_empty() => "no tables",
+        Rom::Block => "tables read on the clock",
+        Rom::Distributed => "tables read without a clock",
+    };
+    lines.push(match schedule.latency() {
+        0 => format!("combinational; {rom}"),
+        1 => format!("latency 1 cycle, a result every cycle; {rom}"),
+        cycles => format!("latency {cycles} cycles, a result every cycle; {rom}"),
+    });
+    if figures {
+        lines.extend(error_figures(design)?);
+    }
+    Ok(lines)
+}
+
+/// Words on lines of at most [`LINE`] columns.
+fn wrapped(indent: &str, words: impl Iterator<Item = String>) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in words {
+        match lines.last_mut() {
+            Some(line) if line.len() + 1 + word.len() <= LINE => {
+                line.push(' ');
+                line.push_str(&word);
+            }
+            _ => lines.push(format!("{indent}{word}")),
+        }
+    }
+    lines
+}
+
+/// Errors over random inputs, each with the input that gives the worst, and the stated bound.
+fn error_figures(design: &Design) -> Result<Vec<String>> {
+    let inputs = Inputs { sampler: Sampler::Sphere, samples: HEADER_SAMPLES, seed: 1 };
+    let report = match measure::measure(&[design], &inputs, &|_| {}) {
+        Ok(mut reports) => reports.pop().expect("bug: one report per design"),
+        Err(why) if Error::is_failed_check(&why) => return Ok(vec![format!("errors: {why}")]),
+        Err(why) => return Err(why),
+    };
+    let mut lines = vec![
+        format!(
+            "absolute errors against the golden of the quantised inputs, over {HEADER_SAMPLES} vectors uniform on"
+        ),
+        "the sphere (seed 1), and the input words of the worst:".to_owned(),
+    ];
+    for f in report.figures.iter().filter(|f| f.basis == Basis::Total) {
+        let unit = if f.unit == "1" { String::new() } else { format!(" {}", f.unit) };
+        let ulp = f.max_ulp.map(|ulp| format!(" ({ulp:.1} ulp)")).unwrap_or_default();
+        let at: Vec<String> = f
+            .witness
+            .iter()
+            .flat_map(|witness| witness.words.iter().enumerate())
+            .map(|(port, word)| format!("{}={word}", design.netlist.input_name(port)))
+            .collect();
+        lines.push(format!(
+            "  {}: mean {:.2e}{unit}, at most {:.2e}{unit}{ulp} at {}",
+            f.quantity,
+            f.mean,
+            f.max,
+            at.join(" ")
+        ));
+    }
+    let bound = BoundCheck::new(design)?;
+    lines.push(match (bound.quantity, bound.bound, bound.why) {
+        (Some("angle"), Some(bound), _) => format!("stated bound on the angle: {bound:.2e} rad"),
+        (Some(quantity), Some(bound), _) => format!("stated bound on each {quantity}: {bound:.2e}"),
+        (_, _, why) => format!("no bound is stated: {}", why.unwrap_or_default()),
+    });
+    Ok(lines)
+}

@@ -1,0 +1,45 @@
+// {{ name }} against {{ reference }}, its combinational reference, which gets what went in
+// {{ latency }} cycles ago. `differ` must stay 0 once that many cycles have passed.
+module {{ name }}_equal (
+    input  wire clk,
+    input  wire valid_in,
+{%- for port in inputs %}
+    input  wire {{ port.shape }}{{ port.name }},
+{%- endfor %}
+    output wire differ
+);
+    wire [{{ input_bits }}:0] past_0 = {valid_in{% for port in inputs %}, {{ port.name }}{% endfor %}};
+{%- for stage in range(latency) %}
+    reg [{{ input_bits }}:0] past_{{ stage + 1 }};
+    always @(posedge clk) past_{{ stage + 1 }} <= past_{{ stage }};
+{%- endfor %}
+    wire was_valid, is_valid;
+{%- for port in inputs %}
+    wire {{ port.shape }}was_{{ port.name }};
+{%- endfor %}
+    assign {was_valid{% for port in inputs %}, was_{{ port.name }}{% endfor %}} = past_{{ latency }};
+{%- for port in outputs %}
+    wire {{ port.shape }}{{ port.name }}, reference_{{ port.name }};
+{%- endfor %}
+    wire reference_valid;
+    {{ name }} dut (
+{%- if latency > 0 %}
+        .clk(clk), .rst(1'b0), .ce(1'b1),
+{%- endif %}
+        .valid_in(valid_in), .valid_out(is_valid)
+{%- for port in inputs + outputs %},
+        .{{ port.name }}({{ port.name }})
+{%- endfor %}
+    );
+    {{ reference }} reference (
+        .valid_in(was_valid), .valid_out(reference_valid)
+{%- for port in inputs %},
+        .{{ port.name }}(was_{{ port.name }})
+{%- endfor %}
+{%- for port in outputs %},
+        .{{ port.name }}(reference_{{ port.name }})
+{%- endfor %}
+    );
+    assign differ = is_valid != reference_valid
+{%- for port in outputs %} || {{ port.name }} != reference_{{ port.name }}{% endfor %};
+endmodule
