@@ -8,6 +8,7 @@
 )]
 
 mod cli;
+mod committed;
 mod cycle;
 mod engines;
 mod format;
@@ -17,4 +18,5 @@ mod lut;
 mod netlist;
 mod op;
 mod rotation;
+mod verify;
 mod wave;

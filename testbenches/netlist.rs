@@ -400,25 +400,3 @@ fn text_is_reproducible() {
         assert_eq!(text(scheme), text(scheme));
     }
 }
-
-/// The committed netlists are what the code builds. FIXPATH_BLESS=1 rewrites them.
-#[test]
-fn committed_netlists_are_up_to_date() {
-    use fixpath::units::rotation::ROTATION;
-    let settings: [(&str, &[&str]); 5] = [
-        ("rotation_printed", &["variant=printed"]),
-        ("rotation_corrected", &["variant=corrected"]),
-        ("rotation_exact", &["variant=exact"]),
-        ("rotation_exact_polar_cordic", &["output=polar-cordic"]),
-        ("rotation_exact_polar_table", &["output=polar-table"]),
-    ];
-    for (name, assignments) in settings {
-        let path = format!("{}/hdl_out/{name}.txt", env!("CARGO_MANIFEST_DIR"));
-        let text = ROTATION.values(assignments).unwrap().build().unwrap().netlist.to_text();
-        if std::env::var_os("FIXPATH_BLESS").is_some() {
-            std::fs::write(&path, &text).unwrap();
-        }
-        let committed = std::fs::read_to_string(&path).unwrap_or_default();
-        assert_eq!(committed, text, "{path} is old: FIXPATH_BLESS=1 cargo test rewrites it");
-    }
-}

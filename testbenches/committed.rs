@@ -1,0 +1,83 @@
+//! What `hdl_out/` and `testbenches/` hold is what the code makes of the defaults of every unit.
+
+use fixpath::emit::{Package, Settings};
+use fixpath::hdl::testbench::vectors_file;
+use fixpath::units::{UNITS, Unit};
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Name, unit and parameters of every setting that is committed.
+pub(crate) const COMMITTED: &[(&str, &str, &[&str])] = &[
+    ("rotation_exact", "rotation", &[]),
+    ("rotation_exact_polar_cordic", "rotation", &["output=polar-cordic"]),
+    ("rotation_exact_polar_table", "rotation", &["output=polar-table"]),
+    ("rotation_corrected", "rotation", &["variant=corrected"]),
+    ("rotation_printed", "rotation", &["variant=printed"]),
+];
+
+/// Netlist, module in both languages and tables go to `hdl_out`, what tests them to a folder of
+/// `testbenches`.
+fn files(name: &str, unit: &str, assignments: &[&str]) -> Vec<(PathBuf, String)> {
+    let design = Unit::find(unit).unwrap().values(assignments).unwrap().build().unwrap();
+    let settings = Settings {
+        name: Some(name.to_owned()),
+        random: 200,
+        hard_per_group: Some(10),
+        ..Settings::default()
+    };
+    let mut package = Package::new(&design, &settings).unwrap();
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let (hardware, bench) = (root.join("hdl_out"), root.join("testbenches").join(name));
+    let mut files = vec![(hardware.join(format!("{name}.txt")), design.netlist.to_text())];
+    for file in &package.hardware {
+        files.push((hardware.join(&file.name), file.text.clone()));
+    }
+    for file in &package.companions {
+        files.push((bench.join(&file.name), file.text.clone()));
+    }
+    let mut vectors = Vec::new();
+    package.vectors.write(&mut vectors).unwrap();
+    let path = bench.join(vectors_file(&package.module));
+    files.push((path, String::from_utf8(vectors).unwrap()));
+    files
+}
+
+#[test]
+fn every_unit_is_committed_at_its_defaults() {
+    for unit in UNITS {
+        let there = |(_, name, set): &(_, &str, &[&str])| *name == unit.name && set.is_empty();
+        assert!(COMMITTED.iter().any(there), "{} is not in COMMITTED", unit.name);
+    }
+}
+
+/// FIXPATH_BLESS=1 rewrites them.
+#[test]
+fn committed_hardware_is_up_to_date() {
+    let bless = std::env::var_os("FIXPATH_BLESS").is_some();
+    let mut made = BTreeSet::new();
+    for (name, unit, assignments) in COMMITTED {
+        for (path, text) in files(name, unit, assignments) {
+            if bless {
+                fs::create_dir_all(path.parent().unwrap()).unwrap();
+                fs::write(&path, &text).unwrap();
+            }
+            let committed = fs::read_to_string(&path).unwrap_or_default();
+            // Not assert_eq: a table is a long text.
+            let old = format!("{} is old: FIXPATH_BLESS=1 cargo test rewrites it", path.display());
+            assert!(committed == text, "{old}");
+            made.insert(path);
+        }
+    }
+    // Nothing is left of what isn't made any more.
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut folders = vec![root.join("hdl_out")];
+    folders.extend(COMMITTED.iter().map(|(name, _, _)| root.join("testbenches").join(name)));
+    for entry in folders.iter().flat_map(|folder| fs::read_dir(folder).unwrap()) {
+        let path = entry.unwrap().path();
+        if bless && !made.contains(&path) {
+            fs::remove_file(&path).unwrap();
+        }
+        assert!(bless || made.contains(&path), "{} is made by nothing", path.display());
+    }
+}
