@@ -1,0 +1,57 @@
+//! Emitted VHDL in GHDL.
+
+use crate::engines::random_netlist;
+use crate::hdl::{emit, some_rtl};
+use fixpath::hdl::Tables;
+use fixpath::units::Unit;
+use std::path::Path;
+use std::process::{Command, Output};
+use std::sync::Arc;
+
+fn ghdl(folder: &Path, name: &str) -> Output {
+    let makefile = format!("{name}_ghdl.mk");
+    Command::new("make").args(["-s", "-f", &makefile]).current_dir(folder).output().unwrap()
+}
+
+/// Runs a folder's testbench: it says that all is well, and nothing else.
+fn check(folder: tempfile::TempDir, name: &str, vectors: u64, what: &str) {
+    let output = ghdl(folder.path(), name);
+    let stdout = String::from_utf8_lossy(&output.stdout);
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    let pass = format!("PASS {vectors} vectors\n");
+    if stdout != pass || !stderr.is_empty() || !output.status.success() {
+        panic!("{what} {}\n{stdout}\n{stderr}", folder.keep().display());
+    }
+}
+
+#[test]
+#[cfg_attr(not(fixpath_tools), ignore = "needs ghdl: testbenches/run installs it")]
+fn random_netlists_in_ghdl() {
+    for seed in 0..std::env::var("N").map_or(40, |n| n.parse().unwrap()) {
+        let netlist = Arc::new(random_netlist(seed));
+        let folder = tempfile::tempdir().unwrap();
+        let tables =
+            [Some(Tables::Inline), Some(Tables::Files), Some(Tables::Case)][(seed % 3) as usize];
+        emit(&some_rtl(&netlist, seed / 3), tables, 400, folder.path());
+        check(folder, "random", 400, &format!("seed {seed}"));
+    }
+}
+
+#[test]
+#[cfg_attr(not(fixpath_tools), ignore = "needs ghdl: testbenches/run installs it")]
+fn rotations_in_ghdl() {
+    let variants: [&[&str]; 5] = [
+        &["variant=exact"],
+        &["variant=exact", "output=polar-cordic"],
+        &["variant=exact", "output=polar-table"],
+        &["variant=corrected"],
+        &["variant=printed"],
+    ];
+    for values in variants {
+        let unit = Unit::find("rotation").unwrap();
+        let rtl = Arc::new(unit.values(values).unwrap().build().unwrap().rtl().unwrap());
+        let folder = tempfile::tempdir().unwrap();
+        let module = emit(&rtl, None, 1000, folder.path());
+        check(folder, &module.name, 1000, &values.join(" "));
+    }
+}
