@@ -2,7 +2,9 @@
 
 use crate::engines::random_netlist;
 use crate::hdl::{emit, some_rtl};
+use fixpath::format::Format;
 use fixpath::hdl::Tables;
+use fixpath::netlist::{Builder, Column, Quantity, Table};
 use fixpath::units::Unit;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -53,5 +55,55 @@ fn rotations_in_ghdl() {
         let folder = tempfile::tempdir().unwrap();
         let module = emit(&rtl, None, 1000, folder.path());
         check(folder, &module.name, 1000, &values.join(" "));
+    }
+}
+
+/// Ports and nodes with the names of everything that modules, tables and testbenches declare.
+#[test]
+#[cfg_attr(not(fixpath_tools), ignore = "needs ghdl: testbenches/run installs it")]
+fn any_name_is_a_word_in_ghdl() {
+    let inputs = [
+        "i",
+        "sent",
+        "address",
+        "row",
+        "source",
+        "rtl",
+        "valid_s1",
+        "read_mode",
+        "rom_style",
+        "done",
+        "test",
+        "number",
+        "dut",
+        "next_i",
+        "dut_i",
+        "hex",
+        "print",
+        "lfsr",
+    ];
+    let mut b = Builder::new("rtl_tb");
+    let format = Format::new(true, 5, 2).unwrap();
+    let mut sum = b.constant(3, format);
+    for name in inputs {
+        let input = b.input(name, format, Quantity::Number);
+        sum = b.add(sum, input);
+    }
+    let address = b.slice(sum, 0, 3);
+    b.name(address, "x_rom_rows");
+    let column = Column { name: "c".to_owned(), format, words: (-4..4).collect() };
+    let table = b.table(Table { name: "x".to_owned(), addr_bits: 3, columns: vec![column] });
+    let read = b.read(table, 0, address);
+    b.name(read, "x_rom_file");
+    let product = b.mul(read, read);
+    b.output("latency", sum);
+    b.output("checked", product);
+    let netlist = Arc::new(b.build().unwrap());
+    for (tables, _) in Tables::ALL {
+        for depth in [0, 3] {
+            let folder = tempfile::tempdir().unwrap();
+            let module = emit(&some_rtl(&netlist, depth), Some(*tables), 50, folder.path());
+            check(folder, &module.name, 50, &format!("{tables:?} {depth}"));
+        }
     }
 }

@@ -9,6 +9,7 @@ use super::{
     View, Word, WordId, testbench,
 };
 use crate::cast;
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 /// VHDL-2008.
@@ -141,19 +142,28 @@ fn declarations(module: &Module, text: &mut String) {
     for table in &module.tables {
         rom(module, table, text);
     }
+    if !module.tables.is_empty() {
+        text.push('\n');
+    }
+    // Synthesis ignores the values of wires and takes those of registers as power-up values.
     text.push_str(
-        "
-    -- Words start at zero: numeric_std would warn of comparisons and addresses that aren't known
-    -- yet. Valid bits start unknown, so that a reset that misses one shows.
-",
+        "    -- Words start at zero: numeric_std would warn of what it compares or looks up before.\n",
     );
+    if module.latency > 0 {
+        text.push_str(
+            "    -- Valid bits don't, so that one that a reset misses shows as unknown.\n",
+        );
+    }
     let declare = |text: &mut String, id: WordId| {
         let word = module.word(id);
         let _ =
             writeln!(text, "    signal {} : {}{ZERO};{}", word.name, shape(word), comment(word));
     };
     for (number, stage) in module.stages.iter().enumerate() {
-        let _ = writeln!(text, "    -- stage {number}");
+        let last = number + 1 == module.stages.len();
+        if !(last && stage.items.is_empty()) {
+            let _ = writeln!(text, "    -- stage {number}");
+        }
         for item in &stage.items {
             match item {
                 Item::Assign(id, _) => declare(text, *id),
@@ -165,20 +175,21 @@ fn declarations(module: &Module, text: &mut String) {
                 declare(text, *id);
             }
         }
-        if number + 1 < module.stages.len() {
+        if !last {
             let _ = writeln!(text, "    signal {} : std_logic;", valid(number + 1));
         }
     }
 }
 
-/// A name made from a table's that no word has.
-fn own_name(module: &Module, table: &RomTable, what: &str) -> String {
-    let mut name = format!("{}_{what}", table.name);
-    while module.words.iter().map(|word| &word.name).any(|taken| *taken == name)
-        || module.outputs.iter().any(|(taken, _)| *taken == name)
-        || module.tables.iter().any(|other| other.name == name)
-    {
-        name.push_str("_t");
+/// The wanted name, or a longer one if a word has it: to hide a word would be a warning.
+fn own_name(module: &Module, wanted: &str) -> String {
+    let words = module.words.iter().map(|word| &word.name);
+    let outputs = module.outputs.iter().map(|(name, _)| name);
+    let tables = module.tables.iter().map(|table| &table.name);
+    let taken: BTreeSet<&String> = words.chain(outputs).chain(tables).collect();
+    let mut name = wanted.to_owned();
+    while taken.contains(&name) {
+        name.push_str("_l");
     }
     name
 }
@@ -193,39 +204,47 @@ fn rom(module: &Module, table: &RomTable, text: &mut String) {
     };
     let (top, last) = (row_bits - 1, table.len() - 1);
     let style = if module.block_rom { "block" } else { "distributed" };
+    let own = |wanted: &str| own_name(module, wanted);
+    let address = own("address");
     if module.tables_in == Tables::Case {
-        let _ =
-            writeln!(text, "    function {name}(address : unsigned({} downto 0))", addr_bits - 1);
-        text.push_str("        return unsigned is\n    begin\n        case address is\n");
-        for (address, row) in table.rows().enumerate() {
-            let address = cast::count_of(address);
-            let label = if address == last {
+        let top = addr_bits - 1;
+        let _ = write!(
+            text,
+            "    function {name}({address} : unsigned({top} downto 0)) return unsigned is
+    begin
+        case {address} is
+"
+        );
+        for (number, row) in table.rows().enumerate() {
+            let number = cast::count_of(number);
+            let label = if number == last {
                 "others".to_owned()
             } else {
-                literal(address.into(), *addr_bits)
+                literal(number.into(), *addr_bits)
             };
             let _ = writeln!(text, "            when {label} => return {};", row_of(&row));
         }
         text.push_str("        end case;\n    end function;\n");
         return;
     }
-    let rows = own_name(module, table, "rows");
+    let rows = own(&format!("{name}_rows"));
     let _ = writeln!(text, "    type {rows} is array (0 to {last}) of unsigned({top} downto 0);");
     if module.tables_in == Tables::Files {
-        let read = own_name(module, table, "file");
+        let read = own(&format!("{name}_file"));
+        let (source, row, all_rows) = (own("source"), own("row"), own("all_rows"));
         let file = module.table_file(table);
         let _ = write!(
             text,
             "    impure function {read} return {rows} is
-        file source : text open read_mode is \"{file}\";
-        variable row : line;
-        variable all_rows : {rows};
+        file {source} : text open read_mode is \"{file}\";
+        variable {row} : line;
+        variable {all_rows} : {rows};
     begin
-        for address in all_rows'range loop
-            readline(source, row);
-            hread(row, all_rows(address));
+        for {address} in {all_rows}'range loop
+            readline({source}, {row});
+            hread({row}, {all_rows}({address}));
         end loop;
-        return all_rows;
+        return {all_rows};
     end function;
     constant {name} : {rows} := {read};
 "
