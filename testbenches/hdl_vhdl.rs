@@ -2,7 +2,7 @@
 
 use crate::engines::random_netlist;
 use crate::hdl::{emit, some_rtl};
-use fixpath::format::Format;
+use fixpath::format::{Format, Overflow, Round};
 use fixpath::hdl::Tables;
 use fixpath::netlist::{Builder, Column, Quantity, Table};
 use fixpath::units::Unit;
@@ -106,4 +106,31 @@ fn any_name_is_a_word_in_ghdl() {
             check(folder, &module.name, 50, &format!("{tables:?} {depth}"));
         }
     }
+}
+
+/// Ties and limits are rare among the words of wide formats: here all words of small ones occur.
+#[test]
+#[cfg_attr(not(fixpath_tools), ignore = "needs ghdl: testbenches/run installs it")]
+fn every_rounding_and_limit_in_ghdl() {
+    let mut b = Builder::new("narrowings");
+    let format = |signed, bits, frac| Format::new(signed, bits, frac).unwrap();
+    let inputs = [true, false].map(|signed| {
+        b.input(if signed { "a" } else { "u" }, format(signed, 5, 2), Quantity::Number)
+    });
+    let mut count = 0;
+    for (round, overflow) in
+        Round::ALL.iter().flat_map(|r| Overflow::ALL.iter().map(move |o| (r, o)))
+    {
+        for input in inputs {
+            for to in [format(true, 3, 0), format(false, 3, 1), format(true, 2, -3)] {
+                let narrowed = b.narrow(input, to, *round, *overflow);
+                b.output(&format!("out{count}"), narrowed);
+                count += 1;
+            }
+        }
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let netlist = Arc::new(b.build().unwrap());
+    let module = emit(&some_rtl(&netlist, 0), None, 1000, folder.path());
+    check(folder, &module.name, 1000, "narrowings");
 }
