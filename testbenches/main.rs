@@ -13,6 +13,7 @@ mod cycle;
 mod engines;
 mod format;
 mod hdl;
+mod hdl_vhdl;
 mod layers;
 mod lut;
 mod netlist;

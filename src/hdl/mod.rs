@@ -9,8 +9,10 @@ mod lower;
 mod names;
 pub mod testbench;
 mod verilog;
+mod vhdl;
 
 pub use verilog::Verilog;
+pub use vhdl::Vhdl;
 
 use crate::cast;
 use crate::error::{Error, Result};
@@ -20,7 +22,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Every back end.
-pub static LANGUAGES: &[&dyn Language] = &[&Verilog];
+pub static LANGUAGES: &[&dyn Language] = &[&Verilog, &Vhdl];
 
 /// The most table rows that a module holds in line: more belong into files.
 pub const INLINE_ROWS: u64 = 1 << 16;

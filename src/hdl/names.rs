@@ -50,6 +50,8 @@ const RESERVED: &[&str] = &[
     "hread",
     "hwrite",
     "read",
+    "read_mode",
+    "rom_style",
     "write",
     "readline",
     "writeline",
@@ -419,7 +421,12 @@ const RESERVED: &[&str] = &[
 
 /// True for a name that no word of ours may have.
 pub(super) fn is_reserved(name: &str) -> bool {
-    RESERVED.contains(&name)
+    RESERVED.contains(&name) || is_valid_bit(name)
+}
+
+/// The valid bits of stages: `valid_s1` and so on.
+fn is_valid_bit(name: &str) -> bool {
+    name.strip_prefix("valid_s").is_some_and(|stage| stage.bytes().all(|b| b.is_ascii_digit()))
 }
 
 /// Gives each name once.

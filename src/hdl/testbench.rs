@@ -16,6 +16,7 @@ struct Port {
     name: String,
     /// Sign and range as the language declares them.
     shape: String,
+    signed: bool,
     bits: u32,
     /// All bits set, for C++.
     mask: String,
@@ -38,6 +39,7 @@ fn ports<'a>(
         Port {
             name: (*name).to_owned(),
             shape: shape(word),
+            signed: word.signed,
             bits: word.bits,
             mask: format!("{:#x}", u64::MAX >> (u64::BITS - word.bits)),
             top,

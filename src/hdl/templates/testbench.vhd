@@ -1,0 +1,263 @@
+{% for line in header %}--{% if line %} {{ line }}{% endif %}
+{% endfor -%}
+--
+-- Self-checking testbench of {{ name }}. It reads {{ vectors }}: per line the words of the
+-- inputs, then of the expected outputs, in hexadecimal. First all vectors go straight through,
+-- one a cycle; then, after a reset in mid-stream, the first {{ again }} go again with stalls and
+-- gaps. Every bit of every output and the latency are compared. The last line says PASS or
+-- FAIL, and a failure ends with a status that isn't 0, of which GHDL says a line more. With
+-- --vcd=FILE, GHDL writes waves.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+use std.textio.all;
+
+entity {{ name }}_tb is
+end entity;
+
+architecture test of {{ name }}_tb is
+    constant latency : natural := {{ latency }};
+    constant shown : natural := 10; -- of the mismatches
+
+    -- Each port has its name after dut_, so that it can't be one that is used here.
+    signal clk : std_logic := '0';
+    signal rst : std_logic := '1';
+    signal ce : std_logic := '1';
+    signal valid_in : std_logic := '0';
+    signal valid_out : std_logic;
+{%- for port in inputs %}
+    signal dut_{{ port.name }} : {{ port.shape }} := (others => '0');
+{%- endfor %}
+{%- for port in outputs %}
+    signal dut_{{ port.name }} : {{ port.shape }};
+{%- endfor %}
+    signal done : boolean := false;
+
+    function hex(word : std_logic_vector) return string is
+        variable digits : string(1 to (word'length + 3) / 4) := to_hstring(word);
+    begin
+        for i in digits'range loop
+            if digits(i) >= 'A' and digits(i) <= 'F' then
+                digits(i) := character'val(character'pos(digits(i)) + 32);
+            end if;
+        end loop;
+        return digits;
+    end function;
+begin
+    dut : entity work.{{ name }}
+        port map (
+{%- if latency > 0 %}
+            clk => clk, rst => rst, ce => ce,
+{%- endif %}
+            valid_in => valid_in, valid_out => valid_out
+{%- for port in inputs + outputs -%}
+            ,
+            {{ port.name }} => dut_{{ port.name }}
+{%- endfor %}
+        );
+
+    clk <= not clk after 5 ns when not done;
+
+    process
+        type words_t is array (0 to latency) of std_logic_vector({{ output_bits - 1 }} downto 0);
+        type numbers_t is array (0 to latency) of natural;
+
+        -- What should come out, moving beside the pipeline; entry 0 belongs to what goes in.
+        variable expected : words_t;
+        variable valid : std_logic_vector(0 to latency) := (others => '0');
+        variable number : numbers_t;
+
+        file vectors : text;
+        variable sent, checked, mismatches, waited, passed : natural := 0;
+        variable more, stalls, reset_done, started : boolean := false;
+        variable lfsr : unsigned(31 downto 0) := 32x"2545f491"; -- decides on stalls and gaps
+{%- for port in inputs + outputs %}
+        variable next_{{ port.name }} : std_logic_vector({{ port.bits - 1 }} downto 0) := (others => '0');
+{%- endfor %}
+
+        procedure print(message : string) is
+        begin
+            write(output, message & LF);
+        end procedure;
+
+        procedure mismatch(message : string) is
+        begin
+            mismatches := mismatches + 1;
+            if mismatches <= shown then
+                print("mismatch: " & message);
+            end if;
+        end procedure;
+
+        procedure open_vectors is
+            variable status : file_open_status;
+        begin
+            sent := 0;
+            checked := 0;
+            waited := 0;
+            more := true;
+            reset_done := false;
+            file_open(status, vectors, "{{ vectors }}", read_mode);
+            if status /= open_ok then
+                print("FAIL: {{ vectors }} can't be read");
+                std.env.finish(1);
+            end if;
+        end procedure;
+
+        procedure read_vector is
+            variable words : line;
+            variable good : boolean;
+        begin
+            more := false;
+            while not endfile(vectors) and not more loop
+                readline(vectors, words);
+                more := words'length > 0;
+            end loop;
+            if more then
+{%- for port in inputs + outputs %}
+                hread(words, next_{{ port.name }}, good);
+                more := more and good;
+{%- endfor %}
+                if not more then
+                    mismatches := mismatches + 1;
+                    print("mismatch: {{ vectors }} is cut short after vector " & to_string(sent));
+                end if;
+            end if;
+        end procedure;
+
+        procedure check is
+            procedure check_port(port_name : string; want, got : std_logic_vector) is
+            begin
+                if got /= want then
+                    mismatch("vector " & to_string(number(latency)) & " " & port_name
+                        & " expected " & hex(want) & " got " & hex(got));
+                end if;
+            end procedure;
+        begin
+            -- Nothing is known before the first edge under reset.
+            if started and valid_out /= valid(latency) then
+                mismatch("vector " & to_string(checked) & " valid_out expected "
+                    & to_string(valid(latency)) & " got " & to_string(valid_out));
+            end if;
+            -- Each word counts once: in the cycle after which the pipeline moves on.
+            if ce = '1' and valid(latency) = '1' then
+{%- for port in outputs %}
+                check_port("{{ port.name }}", expected(latency)({{ port.top }} downto {{ port.low }}),
+                    std_logic_vector(dut_{{ port.name }}));
+{%- endfor %}
+                checked := checked + 1;
+            end if;
+        end procedure;
+
+        procedure move_on is
+        begin
+            for i in latency downto 1 loop
+                if rst = '1' then
+                    valid(i) := '0';
+                elsif ce = '1' then
+                    valid(i) := valid(i - 1);
+                end if;
+                if ce = '1' then
+                    expected(i) := expected(i - 1);
+                    number(i) := number(i - 1);
+                end if;
+            end loop;
+        end procedure;
+
+        -- What goes in after this edge: words stay where the pipeline stood still.
+        procedure drive is
+        begin
+            lfsr := lfsr(30 downto 0) & (lfsr(31) xor lfsr(21) xor lfsr(1) xor lfsr(0));
+            rst <= '0';
+            ce <= '1';
+            if stalls and lfsr(2 downto 0) = 0 then
+                ce <= '0';
+            end if;
+            if ce = '1' then
+                valid(0) := '0';
+                if more and not (stalls and lfsr(5 downto 3) = 0) then
+                    read_vector;
+                    if more then
+                        valid(0) := '1';
+{%- for port in outputs %}
+                        expected(0)({{ port.top }} downto {{ port.low }}) := next_{{ port.name }};
+{%- endfor %}
+                        number(0) := sent;
+                        sent := sent + 1;
+                        if stalls and sent = {{ again }} then
+                            more := false;
+                        end if;
+                    end if;
+                end if;
+                valid_in <= valid(0);
+                -- A gap carries the opposite of the latest word.
+                if valid(0) = '1' then
+{%- for port in inputs %}
+                    dut_{{ port.name }} <= {{ 'signed' if port.signed else 'unsigned' }}(next_{{ port.name }});
+{%- endfor %}
+                else
+{%- for port in inputs %}
+                    dut_{{ port.name }} <= {{ 'signed' if port.signed else 'unsigned' }}(not next_{{ port.name }});
+{%- endfor %}
+                end if;
+            end if;
+            -- A reset in mid-stream: what is on its way is forgotten.
+            if stalls and not reset_done and sent = {{ again }} / 2 then
+                rst <= '1';
+                ce <= '1';
+                reset_done := true;
+            end if;
+        end procedure;
+
+        procedure finish is
+        begin
+            if passed = 0 then
+                print("mismatch: {{ vectors }} holds no vector");
+            end if;
+            if mismatches = 0 and passed > 0 then
+                print("PASS " & to_string(passed) & " vectors");
+                done <= true;
+            else
+                print("FAIL " & to_string(mismatches) & " mismatches in " & to_string(passed)
+                    & " vectors");
+                std.env.finish(1);
+            end if;
+        end procedure;
+    begin
+        open_vectors;
+        while not done loop
+            wait until rising_edge(clk);
+            check;
+            if rst = '1' and stalls then
+                -- Forgotten, but for what came out just now{% if latency == 0 %}; nothing, since nothing is stored{% endif %}.
+                for i in 0 to latency - 1 loop
+                    if valid(i) = '1' then
+                        checked := checked + 1;
+                    end if;
+                end loop;
+            end if;
+            move_on;
+            drive;
+            started := true;
+            if not more and checked = sent then
+                file_close(vectors);
+                if not stalls then
+                    passed := checked;
+                    stalls := true;
+                    open_vectors;
+                else
+                    finish;
+                    wait;
+                end if;
+            elsif not more then
+                waited := waited + 1;
+                if waited > 20 * latency + 20 then
+                    mismatches := mismatches + 1;
+                    print("mismatch: " & to_string(sent) & " vectors went in and "
+                        & to_string(checked) & " came out");
+                    finish;
+                    wait;
+                end if;
+            end if;
+        end loop;
+    end process;
+end architecture;

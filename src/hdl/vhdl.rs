@@ -1,0 +1,447 @@
+//! VHDL-2008, on `numeric_std` alone, in a form that GHDL takes without a warning.
+//!
+//! Every word is `unsigned` or `signed`, also those of one bit, and each operand is brought to
+//! the sign and bits of its result before anything is computed. `resize` only ever extends, for
+//! when it cuts a signed number it keeps the sign instead of the low bits: cuts are slices.
+
+use super::{
+    Bit, Bitwise, Driver, Expr, File, Item, Language, Module, Next, Operand, RomTable, Tables,
+    View, Word, WordId, testbench,
+};
+use crate::cast;
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+
+/// VHDL-2008.
+#[derive(Debug)]
+pub struct Vhdl;
+
+/// The most table rows on a line.
+const ROWS_A_LINE: usize = 4;
+
+/// Initial value of every word that is computed with.
+const ZERO: &str = " := (others => '0')";
+
+impl Language for Vhdl {
+    fn name(&self) -> &'static str {
+        "vhdl"
+    }
+
+    fn extension(&self) -> &'static str {
+        "vhd"
+    }
+
+    fn companions(&self, module: &Module, vectors: u64) -> Vec<File> {
+        let testbench = include_str!("templates/testbench.vhd");
+        let text = testbench::render(testbench, module, vectors, &shape);
+        let makefile = include_str!("templates/ghdl.mk");
+        vec![
+            File { name: format!("{}_tb.vhd", module.name), text },
+            testbench::companion(module, "_ghdl.mk", makefile, vectors),
+        ]
+    }
+
+    fn module(&self, module: &Module) -> String {
+        let mut text = String::new();
+        for line in &module.header {
+            let _ = writeln!(text, "{}", format!("-- {line}").trim_end());
+        }
+        ports(module, &mut text);
+        let _ = writeln!(text, "\narchitecture rtl of {} is", module.name);
+        declarations(module, &mut text);
+        text.push_str("begin\n");
+        for (number, stage) in module.stages.iter().enumerate() {
+            let _ = writeln!(text, "\n    -- ---- stage {number} ----");
+            for item in &stage.items {
+                match item {
+                    Item::Scope(path) if path.is_empty() => text.push_str("    -- (unit)\n"),
+                    Item::Scope(path) => {
+                        let _ = writeln!(text, "    -- {path}");
+                    }
+                    Item::Assign(id, expr) => {
+                        let word = module.word(*id);
+                        let value = Printer { module }.expr(expr, word);
+                        let _ = writeln!(text, "    {} <= {value};", word.name);
+                    }
+                }
+            }
+            registers(module, number, &mut text);
+        }
+        text.push('\n');
+        for (port, id) in &module.outputs {
+            let word = module.word(*id);
+            if word.name != *port {
+                let _ = writeln!(text, "    {port} <= {};", word.name);
+            }
+        }
+        let _ = writeln!(text, "    valid_out <= {};", valid(module.stages.len() - 1));
+        text.push_str("end architecture;\n");
+        text
+    }
+}
+
+/// `signed(15 downto 0)`.
+fn shape(word: &Word) -> String {
+    format!("{}({} downto 0)", sign(word.signed), word.bits - 1)
+}
+
+fn sign(signed: bool) -> &'static str {
+    if signed { "signed" } else { "unsigned" }
+}
+
+fn comment(word: &Word) -> String {
+    word.format.map(|format| format!(" -- {format}")).unwrap_or_default()
+}
+
+/// The valid bit beside a stage's words.
+fn valid(stage: usize) -> String {
+    match stage {
+        0 => "valid_in".to_owned(),
+        _ => format!("valid_s{stage}"),
+    }
+}
+
+fn ports(module: &Module, text: &mut String) {
+    let mut lines: Vec<(String, String)> = Vec::new();
+    if module.latency > 0 {
+        lines.push(("clk : in std_logic".to_owned(), String::new()));
+        lines.push(("rst : in std_logic".to_owned(), " -- clears the valid bits".to_owned()));
+        lines.push((
+            "ce : in std_logic".to_owned(),
+            " -- the pipeline stands still without".to_owned(),
+        ));
+    }
+    lines.push(("valid_in : in std_logic".to_owned(), String::new()));
+    for id in &module.inputs {
+        let word = module.word(*id);
+        lines.push((format!("{} : in {}", word.name, shape(word)), comment(word)));
+    }
+    lines.push(("valid_out : out std_logic".to_owned(), String::new()));
+    for (name, id) in &module.outputs {
+        let word = module.word(*id);
+        let zero = if word.name == *name { ZERO } else { "" };
+        lines.push((format!("{name} : out {}{zero}", shape(word)), comment(word)));
+    }
+    text.push_str("library ieee;\nuse ieee.std_logic_1164.all;\nuse ieee.numeric_std.all;\n");
+    if !module.tables.is_empty() && module.tables_in == Tables::Files {
+        text.push_str("use std.textio.all;\n");
+    }
+    let _ = writeln!(text, "\nentity {} is\n    port (", module.name);
+    let last = lines.len() - 1;
+    for (number, (line, comment)) in lines.into_iter().enumerate() {
+        let semicolon = if number == last { "" } else { ";" };
+        let _ = writeln!(text, "        {line}{semicolon}{comment}");
+    }
+    text.push_str("    );\nend entity;\n");
+}
+
+fn declarations(module: &Module, text: &mut String) {
+    if !module.tables.is_empty() && module.tables_in != Tables::Case {
+        text.push_str("    attribute rom_style : string;\n");
+    }
+    for table in &module.tables {
+        rom(module, table, text);
+    }
+    if !module.tables.is_empty() {
+        text.push('\n');
+    }
+    // Synthesis ignores the values of wires and takes those of registers as power-up values.
+    text.push_str(
+        "    -- Words start at zero: numeric_std would warn of what it compares or looks up before.\n",
+    );
+    if module.latency > 0 {
+        text.push_str(
+            "    -- Valid bits don't, so that one that a reset misses shows as unknown.\n",
+        );
+    }
+    let declare = |text: &mut String, id: WordId| {
+        let word = module.word(id);
+        let _ =
+            writeln!(text, "    signal {} : {}{ZERO};{}", word.name, shape(word), comment(word));
+    };
+    for (number, stage) in module.stages.iter().enumerate() {
+        let last = number + 1 == module.stages.len();
+        if !(last && stage.items.is_empty()) {
+            let _ = writeln!(text, "    -- stage {number}");
+        }
+        for item in &stage.items {
+            match item {
+                Item::Assign(id, _) => declare(text, *id),
+                Item::Scope(_) => {}
+            }
+        }
+        for (id, _) in &stage.registers {
+            if module.word(*id).driver != Driver::OutputRegister {
+                declare(text, *id);
+            }
+        }
+        if !last {
+            let _ = writeln!(text, "    signal {} : std_logic;", valid(number + 1));
+        }
+    }
+}
+
+/// The wanted name, or a longer one if a word has it: to hide a word would be a warning.
+fn own_name(module: &Module, wanted: &str) -> String {
+    let words = module.words.iter().map(|word| &word.name);
+    let outputs = module.outputs.iter().map(|(name, _)| name);
+    let tables = module.tables.iter().map(|table| &table.name);
+    let taken: BTreeSet<&String> = words.chain(outputs).chain(tables).collect();
+    let mut name = wanted.to_owned();
+    while taken.contains(&name) {
+        name.push_str("_l");
+    }
+    name
+}
+
+fn rom(module: &Module, table: &RomTable, text: &mut String) {
+    let RomTable { name, title, addr_bits, row_bits, columns } = table;
+    let columns: Vec<String> =
+        columns.iter().map(|column| format!("{} {}", column.name, column.format)).collect();
+    let _ = writeln!(text, "\n    -- table {title}: {}", columns.join(", "));
+    let row_of = |digits: &str| {
+        if *row_bits == 1 { format!("\"{digits}\"") } else { format!("{row_bits}x\"{digits}\"") }
+    };
+    let (top, last) = (row_bits - 1, table.len() - 1);
+    let style = if module.block_rom { "block" } else { "distributed" };
+    let own = |wanted: &str| own_name(module, wanted);
+    let address = own("address");
+    if module.tables_in == Tables::Case {
+        let top = addr_bits - 1;
+        let _ = write!(
+            text,
+            "    function {name}({address} : unsigned({top} downto 0)) return unsigned is
+    begin
+        case {address} is
+"
+        );
+        for (number, row) in table.rows().enumerate() {
+            let number = cast::count_of(number);
+            let label = if number == last {
+                "others".to_owned()
+            } else {
+                literal(number.into(), *addr_bits)
+            };
+            let _ = writeln!(text, "            when {label} => return {};", row_of(&row));
+        }
+        text.push_str("        end case;\n    end function;\n");
+        return;
+    }
+    let rows = own(&format!("{name}_rows"));
+    let _ = writeln!(text, "    type {rows} is array (0 to {last}) of unsigned({top} downto 0);");
+    if module.tables_in == Tables::Files {
+        let read = own(&format!("{name}_file"));
+        let (source, row, all_rows) = (own("source"), own("row"), own("all_rows"));
+        let file = module.table_file(table);
+        let _ = write!(
+            text,
+            "    impure function {read} return {rows} is
+        file {source} : text open read_mode is \"{file}\";
+        variable {row} : line;
+        variable {all_rows} : {rows};
+    begin
+        for {address} in {all_rows}'range loop
+            readline({source}, {row});
+            hread({row}, {all_rows}({address}));
+        end loop;
+        return {all_rows};
+    end function;
+    constant {name} : {rows} := {read};
+"
+        );
+    } else {
+        let _ = writeln!(text, "    constant {name} : {rows} := (");
+        let all: Vec<String> = table.rows().map(|row| row_of(&row)).collect();
+        let lines: Vec<String> = all.chunks(ROWS_A_LINE).map(|rows| rows.join(", ")).collect();
+        let _ = writeln!(text, "        {}\n    );", lines.join(",\n        "));
+    }
+    let _ = writeln!(text, "    attribute rom_style of {name} : constant is \"{style}\";");
+}
+
+/// Registers between a stage and the next, and the valid bit.
+fn registers(module: &Module, stage: usize, text: &mut String) {
+    if stage + 1 == module.stages.len() {
+        return;
+    }
+    text.push_str("\n    process (clk)\n    begin\n        if rising_edge(clk) then\n");
+    let registers = &module.stages[stage].registers;
+    if !registers.is_empty() {
+        text.push_str("            if ce = '1' then\n");
+        for (id, next) in registers {
+            let name = &module.word(*id).name;
+            let from = match next {
+                Next::Word(from) => module.word(*from).name.clone(),
+                Next::Read(table, address) => Printer { module }.read(*table, *address),
+            };
+            let _ = writeln!(text, "                {name} <= {from};");
+        }
+        text.push_str("            end if;\n");
+    }
+    let (from, to) = (valid(stage), valid(stage + 1));
+    let _ = write!(
+        text,
+        "            if rst = '1' then
+                {to} <= '0';
+            elsif ce = '1' then
+                {to} <= {from};
+            end if;
+        end if;
+    end process;
+"
+    );
+}
+
+fn literal(pattern: u128, bits: u32) -> String {
+    if bits <= 3 {
+        let digits = usize::try_from(bits).expect("bug: small");
+        return format!("\"{pattern:0digits$b}\"");
+    }
+    let digits = usize::try_from(bits.div_ceil(4)).expect("bug: 32 bits fit");
+    format!("{bits}x\"{pattern:0digits$x}\"")
+}
+
+/// A whole word, extended or cut to `bits`.
+fn whole(word: WordId, bits: u32) -> Operand {
+    Operand::View(View { word, lo: 0, zeros: 0, bits })
+}
+
+struct Printer<'a> {
+    module: &'a Module,
+}
+
+impl Printer<'_> {
+    fn read(&self, table: usize, address: WordId) -> String {
+        let RomTable { name, addr_bits, .. } = &self.module.tables[table];
+        let address = self.operand(whole(address, *addr_bits), false);
+        if self.module.tables_in == Tables::Case {
+            format!("{name}({address})")
+        } else {
+            format!("{name}(to_integer({address}))")
+        }
+    }
+
+    fn bit(&self, bit: Bit) -> String {
+        format!("{}({})", self.module.word(bit.word).name, bit.bit)
+    }
+
+    /// True if the operand is part of a signed word.
+    fn is_signed(&self, operand: Operand) -> bool {
+        match operand {
+            Operand::Literal { .. } => false,
+            Operand::View(view) => self.module.word(view.word).signed,
+        }
+    }
+
+    /// The operand with all of its bits, as `signed` or `unsigned`.
+    fn operand(&self, operand: Operand, signed: bool) -> String {
+        match operand {
+            Operand::Literal { pattern, bits } => literal(pattern, bits),
+            Operand::View(View { word, lo, zeros, bits }) => {
+                let word = self.module.word(word);
+                let room = bits.saturating_sub(zeros);
+                let have = (word.bits - lo).min(room);
+                if have == 0 {
+                    return literal(0, bits);
+                }
+                let mut text = word.name.clone();
+                if have < word.bits {
+                    let _ = write!(text, "({} downto {lo})", lo + have - 1);
+                }
+                if have < bits {
+                    text = format!("resize({text}, {bits})");
+                }
+                if zeros > 0 {
+                    text = format!("shift_left({text}, {zeros})");
+                }
+                if word.signed == signed { text } else { format!("{}({text})", sign(signed)) }
+            }
+        }
+    }
+
+    fn expr(&self, expr: &Expr, to: &Word) -> String {
+        let operand = |operand: &Operand| self.operand(*operand, to.signed);
+        match expr {
+            Expr::Copy(a) => operand(a),
+            Expr::Add(a, b) => format!("{} + {}", operand(a), operand(b)),
+            Expr::Sub(a, b) => format!("{} - {}", operand(a), operand(b)),
+            Expr::AddCarry(a, b, bit) => {
+                format!("{} + {} + {}", operand(a), operand(b), self.bit(*bit))
+            }
+            Expr::InvertIf(bit, a) => format!("{} xor {}", operand(a), self.bit(*bit)),
+            Expr::Negate(a) if to.signed => format!("-{}", operand(a)),
+            // Only signed numbers have a minus.
+            Expr::Negate(a) => format!("unsigned(-{})", self.operand(*a, true)),
+            Expr::Multiply(a, b) => self.product(*a, *b, to),
+            Expr::Bitwise(operator, a, b) => {
+                let operator = match operator {
+                    Bitwise::And => "and",
+                    Bitwise::Or => "or",
+                    Bitwise::Xor => "xor",
+                };
+                let side = |id: &WordId| self.operand(whole(*id, to.bits), to.signed);
+                format!("{} {operator} {}", side(a), side(b))
+            }
+            Expr::Equal(a, b) => {
+                let signed = self.is_signed(*a) && self.is_signed(*b);
+                let (a, b) = (self.operand(*a, signed), self.operand(*b, signed));
+                format!("\"1\" when {a} = {b} else \"0\"")
+            }
+            Expr::Less { a, b, signed } => {
+                let (a, b) = (self.operand(*a, *signed), self.operand(*b, *signed));
+                format!("\"1\" when {a} < {b} else \"0\"")
+            }
+            Expr::Choose { cases, default } => {
+                let mut text = String::new();
+                for (bit, value) in cases {
+                    let _ = write!(text, "{} when {} = '1' else ", operand(value), self.bit(*bit));
+                }
+                text + &operand(default)
+            }
+            Expr::Concat(parts) => {
+                let parts: Vec<String> = parts.iter().map(operand).collect();
+                parts.join(" & ")
+            }
+            Expr::ShiftLeft(a, count) => {
+                let count = self.operand(whole(*count, self.module.word(*count).bits), false);
+                format!("shift_left({}, to_integer({count}))", operand(a))
+            }
+            Expr::Above { word, keep } => {
+                let Word { name, bits, signed, .. } = self.module.word(*word);
+                let top = bits - 1;
+                if *signed {
+                    let above = format!("{name}({} downto {keep})", top - 1);
+                    format!("\"1\" when {name}({top}) = '0' and (or {above}) = '1' else \"0\"")
+                } else {
+                    format!("\"1\" when (or {name}({top} downto {keep})) = '1' else \"0\"")
+                }
+            }
+            Expr::Below { word, keep } => {
+                let Word { name, bits, .. } = self.module.word(*word);
+                let top = bits - 1;
+                let above = format!("{name}({} downto {keep})", top - 1);
+                format!("\"1\" when {name}({top}) = '1' and (and {above}) = '0' else \"0\"")
+            }
+            Expr::Read(table, address) => self.read(*table, *address),
+        }
+    }
+
+    /// A product has the bits of both factors, and those that lack in the result hold nothing:
+    /// this is the one place where a number may be resized to fewer.
+    fn product(&self, a: WordId, b: WordId, to: &Word) -> String {
+        let any = self.module.word(a).signed || self.module.word(b).signed;
+        let factor = |id: WordId| {
+            let word = self.module.word(id);
+            if any && !word.signed {
+                (format!("signed('0' & {})", word.name), word.bits + 1)
+            } else {
+                (word.name.clone(), word.bits)
+            }
+        };
+        let ((a, a_bits), (b, b_bits)) = (factor(a), factor(b));
+        let mut text = format!("{a} * {b}");
+        if any != to.signed {
+            text = format!("{}({text})", sign(to.signed));
+        }
+        if a_bits + b_bits == to.bits { text } else { format!("resize({text}, {})", to.bits) }
+    }
+}
