@@ -13,6 +13,7 @@ mod engines;
 mod format;
 mod hdl;
 mod layers;
+mod lower;
 mod lut;
 mod netlist;
 mod op;
