@@ -68,6 +68,11 @@ struct Entry {
     uint64_t words[kFields] = {};
 };
 
+template <typename Port>
+static void put(Port& port, uint64_t word) {
+    port = static_cast<Port>(word);
+}
+
 int main(int argc, char** argv) {
     FILE* const file = argc > 1 ? fopen(argv[1], "rb") : stdin;
     if (!file) {
@@ -110,7 +115,7 @@ int main(int argc, char** argv) {
         }
         dut.valid_in = in.valid;
 {%- for port in inputs %}
-        dut.{{ port.name }} = static_cast<decltype(dut.{{ port.name }})>(in.valid ? in.words[{{ loop.index0 }}] : ~in.words[{{ loop.index0 }}] & UINT64_C({{ port.mask }}));
+        put(dut.{{ port.name }}, (in.valid ? in.words[{{ loop.index0 }}] : ~in.words[{{ loop.index0 }}]) & UINT64_C({{ port.mask }}));
 {%- endfor %}
 {%- if latency > 0 %}
         dut.ce = ce;
