@@ -184,9 +184,8 @@ fn no_tool_warns_of_rotation() {
 
 /// The first netlist without constants, which Verilator would fold, that is as asked.
 fn first_netlist(is_asked: impl Fn(&Netlist) -> bool) -> (u64, Arc<Netlist>) {
-    let folds = |netlist: &Netlist| {
-        netlist.nodes().iter().any(|node| matches!(node.op, Op::Const { .. }))
-    };
+    let folds =
+        |netlist: &Netlist| netlist.nodes().iter().any(|node| matches!(node.op, Op::Const { .. }));
     (0..)
         .map(|seed| (seed, Arc::new(random_netlist_of(seed, 25))))
         .find(|(_, netlist)| !folds(netlist) && netlist.nodes().len() > 15 && is_asked(netlist))
@@ -306,7 +305,9 @@ fn random_hardware_moves_as_the_cycle_simulator() {
             let mut all = vec![Signal { node: id, stage: rtl.schedule().stage(id) }];
             all.extend(rtl.registers(id));
             // The register of a port has the port's name.
-            all.retain(|signal| !signals.iter().any(|(_, port)| port == signal && signal.stage > 0));
+            all.retain(|signal| {
+                !signals.iter().any(|(_, port)| port == signal && signal.stage > 0)
+            });
             signals.extend(all.into_iter().map(|signal| (rtl.local_name(signal), signal)));
         }
         let mut cycle = Cycle::new(Arc::clone(&rtl));
@@ -333,12 +334,12 @@ fn random_hardware_moves_as_the_cycle_simulator() {
 }
 
 /// A unit with a table in a file, registers and two outputs.
-fn small() -> Arc<Rtl> {
+fn little() -> Arc<Rtl> {
     let format = Format::signed(12, 8).unwrap();
-    let mut b = Builder::new("small");
+    let mut b = Builder::new("little");
     let x = b.input("x", format, Quantity::Number);
     let z = b.input("z", format, Quantity::Number);
-    // Odd numbers: no two rows are equal.
+    // No two rows are equal.
     let words = (0..16i64).map(|i| 37 * i + 1).collect();
     let column = Column { name: "c".to_owned(), format, words };
     let t = b.table(Table { name: "t".to_owned(), addr_bits: 4, columns: vec![column] });
@@ -421,67 +422,81 @@ fn fails(ended: &Ended, status: i32, what: &str, says: &str) {
 #[cfg_attr(not(fixpath_tools), ignore = "needs iverilog: testbenches/run installs it")]
 fn the_testbench_can_fail() {
     let folder = tempfile::tempdir().unwrap();
-    let module = emit(&small(), Some(Tables::Files), 200, folder.path());
+    let module = emit(&little(), Some(Tables::Files), 200, folder.path());
     let at = |name: &str| folder.path().join(name);
-    let vectors = at("small_vectors.txt");
+    let vectors = at("little_vectors.txt");
     let good = fs::read_to_string(&vectors).unwrap();
     let run = || {
         // What make makes of the status is 2, whatever it was.
-        let ended = tool(folder.path(), "make", &["-f", "small_icarus.mk"]);
+        let ended = tool(folder.path(), "make", &["-f", "little_icarus.mk"]);
         Ended { stdout: ended.stdout.lines().map(|l| format!("{l}\n")).collect(), ..ended }
     };
     assert_eq!(run().last(), "PASS 200 vectors");
     for (what, text, says) in faulty_vectors(&good) {
         put(&vectors, text.as_deref());
         fails(&run(), 2, what, says);
-        let alone = tool(folder.path(), "vvp", &["-n", "small_tb.vvp"]);
+        let alone = tool(folder.path(), "vvp", &["-n", "little_tb.vvp"]);
         fails(&alone, 1, what, says);
         put(&vectors, Some(&good));
     }
     // The hardware itself: a wrong row, another latency, a register too few, a wrong sign.
     let row = module.table_files().remove(0);
-    let source = fs::read_to_string(at("small.v")).unwrap();
-    let bench = fs::read_to_string(at("small_tb.v")).unwrap();
+    let source = fs::read_to_string(at("little.v")).unwrap();
+    let bench = fs::read_to_string(at("little_tb.v")).unwrap();
     let register = source.lines().find(|line| line.trim_start().starts_with("x_s2 <= ")).unwrap();
     let replaced = |text: &str, from: &str, to: &str| {
         assert!(text.contains(from), "`{from}` is in the file");
         text.replacen(from, to, 1)
     };
     for (what, file, text, says) in [
-        ("a wrong row", row.name.as_str(), replaced(&row.text, "0db\n", "0da\n"), "sum expected"),
-        ("a row too few", &row.name, replaced(&row.text, "0db\n", ""), " expected"),
-        ("another latency", "small_tb.v", replaced(&bench, "LATENCY = 4", "LATENCY = 5"), "valid_out"),
-        ("another latency", "small_tb.v", replaced(&bench, "LATENCY = 4", "LATENCY = 3"), "valid_out"),
+        ("a wrong row", row.name.as_str(), replaced(&row.text, "0df\n", "0de\n"), "sum expected"),
+        ("a row too few", &row.name, replaced(&row.text, "0df\n", ""), " expected"),
+        (
+            "another latency",
+            "little_tb.v",
+            replaced(&bench, "LATENCY = 4", "LATENCY = 5"),
+            "valid_out",
+        ),
+        (
+            "another latency",
+            "little_tb.v",
+            replaced(&bench, "LATENCY = 4", "LATENCY = 3"),
+            "valid_out",
+        ),
         (
             "valid a cycle early",
-            "small.v",
+            "little.v",
             replaced(&source, "valid_out = valid_s4", "valid_out = valid_s3"),
             "valid_out",
         ),
-        ("a register too few", "small.v", replaced(&source, register, ""), "expected"),
+        ("a register too few", "little.v", replaced(&source, register, ""), "expected"),
         (
             "a register that does not stand still",
-            "small.v",
-            replaced(&source, "always @(posedge clk)\n        if (ce) begin", "always @(posedge clk)\n        begin"),
+            "little.v",
+            replaced(
+                &source,
+                "always @(posedge clk)\n        if (ce) begin",
+                "always @(posedge clk)\n        begin",
+            ),
             "expected",
         ),
         (
             "a valid bit without a reset",
-            "small.v",
+            "little.v",
             replaced(&source, "if (rst) valid_s2 <= 1'b0;\n        else if (ce)", "if (ce)"),
             "valid_out",
         ),
-        ("a wrong sum", "small.v", replaced(&source, " + ", " - "), "expected"),
+        ("a wrong sum", "little.v", replaced(&source, " + ", " - "), "expected"),
     ] {
         let right = fs::read_to_string(at(file)).unwrap();
         fs::write(at(file), text).unwrap();
         // Whatever the clock of the file system says.
-        fs::remove_file(at("small_tb.vvp")).unwrap();
+        fs::remove_file(at("little_tb.vvp")).unwrap();
         let ended = run();
         fails(&ended, 2, what, says);
         fs::write(at(file), right).unwrap();
     }
-    fs::remove_file(at("small_tb.vvp")).unwrap();
+    fs::remove_file(at("little_tb.vvp")).unwrap();
     assert_eq!(run().last(), "PASS 200 vectors");
 }
 
@@ -489,11 +504,11 @@ fn the_testbench_can_fail() {
 #[cfg_attr(not(fixpath_tools), ignore = "needs verilator: testbenches/run installs it")]
 fn the_harness_can_fail() {
     let folder = tempfile::tempdir().unwrap();
-    let module = emit(&small(), Some(Tables::Files), 200, folder.path());
+    let module = emit(&little(), Some(Tables::Files), 200, folder.path());
     let folder = passes_build(folder);
-    let vectors = folder.path().join("small_vectors.txt");
+    let vectors = folder.path().join("little_vectors.txt");
     let good = fs::read_to_string(&vectors).unwrap();
-    let run = || tool(folder.path(), "obj_small/Vsmall", &["small_vectors.txt"]);
+    let run = || tool(folder.path(), "obj_little/Vlittle", &["little_vectors.txt"]);
     assert_eq!(run().last(), "PASS 200 vectors");
     for (what, text, says) in faulty_vectors(&good) {
         put(&vectors, text.as_deref());
@@ -501,12 +516,12 @@ fn the_harness_can_fail() {
         put(&vectors, Some(&good));
     }
     let row = module.table_files().remove(0);
-    fs::write(folder.path().join(&row.name), row.text.replacen("0db\n", "0da\n", 1)).unwrap();
+    fs::write(folder.path().join(&row.name), row.text.replacen("0df\n", "0de\n", 1)).unwrap();
     fails(&run(), 1, "a wrong row", "sum expected");
 }
 
 fn passes_build(folder: TempDir) -> TempDir {
-    let ended = tool(folder.path(), "make", &["-s", "-f", "small_verilator.mk"]);
+    let ended = tool(folder.path(), "make", &["-s", "-f", "little_verilator.mk"]);
     if !ended.well || ended.last() != "PASS 200 vectors" {
         give_up(folder, "the harness", &ended);
     }
@@ -514,7 +529,10 @@ fn passes_build(folder: TempDir) -> TempDir {
 }
 
 #[test]
-#[cfg_attr(not(fixpath_tools), ignore = "needs iverilog, verilator and yosys: testbenches/run installs them")]
+#[cfg_attr(
+    not(fixpath_tools),
+    ignore = "needs iverilog, verilator and yosys: testbenches/run installs them"
+)]
 fn bad_names_in_every_tool() {
     // Keywords of every language, and names that back ends declare for themselves.
     let words = [

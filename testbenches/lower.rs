@@ -380,7 +380,10 @@ fn rotation_with_stalls_and_a_reset() {
     }
 }
 
-fn formats(bits: impl Iterator<Item = u32>, frac: impl Iterator<Item = i32> + Clone) -> Vec<Format> {
+fn formats(
+    bits: impl Iterator<Item = u32>,
+    frac: impl Iterator<Item = i32> + Clone,
+) -> Vec<Format> {
     bits.flat_map(|bits| frac.clone().map(move |frac| (bits, frac)))
         .flat_map(|(bits, frac)| [false, true].map(|sign| Format::new(sign, bits, frac).unwrap()))
         .collect()
@@ -437,7 +440,8 @@ fn every_narrow_of_small_formats() {
 
 #[test]
 fn narrows_of_wide_formats() {
-    let wide = [(63, 0), (63, 62), (62, -20), (33, 70), (32, -127), (1, 127), (63, 127), (63, -127)];
+    let wide =
+        [(63, 0), (63, 62), (62, -20), (33, 70), (32, -127), (1, 127), (63, 127), (63, -127)];
     let all: Vec<Format> = wide
         .into_iter()
         .flat_map(|(bits, frac)| [false, true].map(|sign| Format::new(sign, bits, frac).unwrap()))
@@ -540,11 +544,8 @@ fn every_operation_on_two_small_words() {
         assert!(compared > 120_000, "{name}: {compared}");
     }
     for format in formats(1..=5, -1..=1).into_iter().chain(formats([32, 63].into_iter(), 0..=0)) {
-        let bitwise: [Build; 3] = [
-            |b, of| b.and(of[0], of[1]),
-            |b, of| b.or(of[0], of[1]),
-            |b, of| b.xor(of[0], of[1]),
-        ];
+        let bitwise: [Build; 3] =
+            [|b, of| b.and(of[0], of[1]), |b, of| b.or(of[0], of[1]), |b, of| b.xor(of[0], of[1])];
         for build in bitwise {
             assert!(operation(&[format, format], &build) > 0, "{format}");
         }
@@ -633,7 +634,11 @@ fn table(name: &str, addr_bits: u32, formats: &[Format]) -> Table {
         format: *format,
         words: (0..1 << addr_bits).map(|_| random.word(*format)).collect(),
     };
-    Table { name: name.to_owned(), addr_bits, columns: formats.iter().enumerate().map(column).collect() }
+    Table {
+        name: name.to_owned(),
+        addr_bits,
+        columns: formats.iter().enumerate().map(column).collect(),
+    }
 }
 
 #[test]
@@ -739,28 +744,216 @@ fn reads(module: &Module, expr: &Expr) -> Vec<(WordId, u32, u32)> {
 
 /// Words of Verilog, VHDL and C++ from their standards, by memory and not from the crate's list.
 const KEYWORDS: &[&str] = &[
-    "abs", "access", "after", "alias", "all", "always", "and", "architecture", "array", "assert",
-    "assign", "attribute", "auto", "begin", "bit", "block", "body", "bool", "break", "buf",
-    "buffer", "bus", "byte", "case", "casex", "catch", "char", "class", "clk", "component",
-    "configuration", "const", "constant", "continue", "cover", "ce", "deassign", "default",
-    "defparam", "delete", "disable", "disconnect", "do", "double", "downto", "edge", "else",
-    "elsif", "end", "endcase", "endfunction", "endmodule", "entity", "enum", "event", "exit",
-    "explicit", "extern", "file", "final", "float", "for", "force", "forever", "fork", "friend",
-    "function", "generate", "generic", "genvar", "goto", "group", "guarded", "if", "import",
-    "impure", "in", "inertial", "initial", "inline", "inout", "input", "int", "integer", "is",
-    "join", "label", "large", "library", "linkage", "literal", "localparam", "logic", "long",
-    "loop", "map", "mod", "module", "mutable", "namespace", "nand", "negedge", "new", "next",
-    "nmos", "nor", "not", "null", "of", "on", "open", "operator", "or", "others", "out", "output",
-    "package", "parameter", "pmos", "port", "posedge", "postponed", "primitive", "private",
-    "procedure", "process", "protected", "public", "pull0", "pull1", "pure", "range", "real",
-    "record", "reg", "register", "reject", "release", "rem", "repeat", "report", "return", "rol",
-    "ror", "rst", "select", "severity", "shared", "short", "signal", "signed", "sizeof", "sla",
-    "sll", "small", "specify", "sra", "srl", "static", "string", "strong0", "struct", "subtype",
-    "supply0", "supply1", "switch", "table", "task", "template", "then", "this", "throw", "time",
-    "to", "tran", "transport", "tri", "tri0", "triand", "trireg", "try", "type", "typedef",
-    "unaffected", "union", "unique", "units", "unsigned", "until", "use", "using", "valid_in",
-    "valid_out", "var", "variable", "vectored", "virtual", "void", "volatile", "wait", "wand",
-    "weak0", "when", "while", "wire", "with", "wor", "work", "xnor", "xor",
+    "abs",
+    "access",
+    "after",
+    "alias",
+    "all",
+    "always",
+    "and",
+    "architecture",
+    "array",
+    "assert",
+    "assign",
+    "attribute",
+    "auto",
+    "begin",
+    "bit",
+    "block",
+    "body",
+    "bool",
+    "break",
+    "buf",
+    "buffer",
+    "bus",
+    "byte",
+    "case",
+    "casex",
+    "catch",
+    "char",
+    "class",
+    "clk",
+    "component",
+    "configuration",
+    "const",
+    "constant",
+    "continue",
+    "cover",
+    "ce",
+    "deassign",
+    "default",
+    "defparam",
+    "delete",
+    "disable",
+    "disconnect",
+    "do",
+    "double",
+    "downto",
+    "edge",
+    "else",
+    "elsif",
+    "end",
+    "endcase",
+    "endfunction",
+    "endmodule",
+    "entity",
+    "enum",
+    "event",
+    "exit",
+    "explicit",
+    "extern",
+    "file",
+    "final",
+    "float",
+    "for",
+    "force",
+    "forever",
+    "fork",
+    "friend",
+    "function",
+    "generate",
+    "generic",
+    "genvar",
+    "goto",
+    "group",
+    "guarded",
+    "if",
+    "import",
+    "impure",
+    "in",
+    "inertial",
+    "initial",
+    "inline",
+    "inout",
+    "input",
+    "int",
+    "integer",
+    "is",
+    "join",
+    "label",
+    "large",
+    "library",
+    "linkage",
+    "literal",
+    "localparam",
+    "logic",
+    "long",
+    "loop",
+    "map",
+    "mod",
+    "module",
+    "mutable",
+    "namespace",
+    "nand",
+    "negedge",
+    "new",
+    "next",
+    "nmos",
+    "nor",
+    "not",
+    "null",
+    "of",
+    "on",
+    "open",
+    "operator",
+    "or",
+    "others",
+    "out",
+    "output",
+    "package",
+    "parameter",
+    "pmos",
+    "port",
+    "posedge",
+    "postponed",
+    "primitive",
+    "private",
+    "procedure",
+    "process",
+    "protected",
+    "public",
+    "pull0",
+    "pull1",
+    "pure",
+    "range",
+    "real",
+    "record",
+    "reg",
+    "register",
+    "reject",
+    "release",
+    "rem",
+    "repeat",
+    "report",
+    "return",
+    "rol",
+    "ror",
+    "rst",
+    "select",
+    "severity",
+    "shared",
+    "short",
+    "signal",
+    "signed",
+    "sizeof",
+    "sla",
+    "sll",
+    "small",
+    "specify",
+    "sra",
+    "srl",
+    "static",
+    "string",
+    "strong0",
+    "struct",
+    "subtype",
+    "supply0",
+    "supply1",
+    "switch",
+    "table",
+    "task",
+    "template",
+    "then",
+    "this",
+    "throw",
+    "time",
+    "to",
+    "tran",
+    "transport",
+    "tri",
+    "tri0",
+    "triand",
+    "trireg",
+    "try",
+    "type",
+    "typedef",
+    "unaffected",
+    "union",
+    "unique",
+    "units",
+    "unsigned",
+    "until",
+    "use",
+    "using",
+    "valid_in",
+    "valid_out",
+    "var",
+    "variable",
+    "vectored",
+    "virtual",
+    "void",
+    "volatile",
+    "wait",
+    "wand",
+    "weak0",
+    "when",
+    "while",
+    "wire",
+    "with",
+    "wor",
+    "work",
+    "xnor",
+    "xor",
 ];
 
 /// What every module promises, whatever is in it.
@@ -770,9 +963,12 @@ fn check_promises(rtl: &Arc<Rtl>, module: &Module) {
     let mut names: BTreeSet<&str> = BTreeSet::from([module.name.as_str()]);
     let mut taken: Vec<&str> = module.words.iter().map(|word| word.name.as_str()).collect();
     taken.extend(module.tables.iter().map(|table| table.name.as_str()));
-    taken.extend(module.outputs.iter().filter_map(|(name, id)| {
-        (module.word(*id).name != *name).then_some(name.as_str())
-    }));
+    taken.extend(
+        module
+            .outputs
+            .iter()
+            .filter_map(|(name, id)| (module.word(*id).name != *name).then_some(name.as_str())),
+    );
     let valids: Vec<String> = (1..=module.latency).map(|stage| format!("valid_s{stage}")).collect();
     taken.extend(valids.iter().map(String::as_str));
     for name in taken {
@@ -833,7 +1029,12 @@ fn check_promises(rtl: &Arc<Rtl>, module: &Module) {
         assert_eq!(word.used.len(), word.bits as usize);
         if let Some(format) = word.format {
             let is = (word.signed, word.bits, word.frac);
-            assert_eq!(is, (format.is_signed(), format.bits(), format.frac_bits()), "{}", word.name);
+            assert_eq!(
+                is,
+                (format.is_signed(), format.bits(), format.frac_bits()),
+                "{}",
+                word.name
+            );
         }
     }
 }
@@ -912,7 +1113,9 @@ pub(crate) fn badly_named(words: &[&str]) -> Netlist {
 #[test]
 fn no_name_is_a_keyword_or_there_twice() {
     let mut words = KEYWORDS.to_vec();
-    words.extend(["x", "z", "names", "y", "valid", "valid_s1", "valid_s2", "t_rom_2", "a_b_2", "a_b"]);
+    words.extend([
+        "x", "z", "names", "y", "valid", "valid_s1", "valid_s2", "t_rom_2", "a_b_2", "a_b",
+    ]);
     let netlist = Arc::new(badly_named(&words));
     for (rom, depth) in [
         (Rom::Distributed, Depth::Stages(0)),
