@@ -550,3 +550,30 @@ fn bad_names_in_every_tool() {
         lints(folder, &module, &[], "bad names");
     });
 }
+
+#[test]
+#[cfg_attr(
+    not(fixpath_tools),
+    ignore = "needs iverilog and verilator: testbenches/run installs them"
+)]
+fn ports_may_be_called_as_testbenches_call_things() {
+    let format = Format::signed(8, 4).unwrap();
+    let mut b = Builder::new("ports");
+    let names = [
+        "i", "q", "valid", "number", "expected", "x", "next_x", "port_x", "sent", "dut", "check",
+        "eval", "name", "trace", "random", "head", "pipe", "more",
+    ];
+    let inputs: Vec<_> = names.map(|name| b.input(name, format, Quantity::Number)).to_vec();
+    let sum = inputs.iter().copied().reduce(|sum, x| b.add(sum, x)).unwrap();
+    b.output("lfsr", sum);
+    b.output("vectors", inputs[0]);
+    let netlist = Arc::new(b.build().unwrap());
+    let schedule = Schedule::pipeline(&netlist, Rom::Block, Depth::Stages(2)).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    emit(&Arc::new(Rtl::new(netlist, schedule)), None, 50, folder.path());
+    let folder = passes(folder, "ports_icarus.mk", 50, "ports");
+    let ended = tool(folder.path(), "make", &["-s", "-f", "ports_verilator.mk"]);
+    if !ended.well || ended.last() != "PASS 50 vectors" {
+        give_up(folder, "ports", &ended);
+    }
+}
