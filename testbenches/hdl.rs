@@ -373,9 +373,14 @@ fn faulty_vectors(good: &str) -> Vec<(&'static str, Option<String>, &'static str
     let last = lines.len() - 1;
     let cut = lines[last].rsplit_once(' ').unwrap().0.to_owned();
     let more = format!("{good}{}\n", lines[0].split_once(' ').unwrap().0);
+    // What two lines expect, swapped: inputs are the first two fields.
     let swapped = {
-        let mut lines = lines.clone();
-        lines.swap(10, 11);
+        let parts =
+            |line: usize| lines[line].split_at(lines[line].match_indices(' ').nth(1).unwrap().0);
+        let mut lines: Vec<String> = lines.iter().map(|line| (*line).to_owned()).collect();
+        let ((tenth, out), (eleventh, next)) = (parts(10), parts(11));
+        lines[10] = format!("{tenth}{next}");
+        lines[11] = format!("{eleventh}{out}");
         Some(lines.join("\n") + "\n")
     };
     vec![
@@ -387,20 +392,8 @@ fn faulty_vectors(good: &str) -> Vec<(&'static str, Option<String>, &'static str
         ("one word too many", Some(more), "cut short after vector 200"),
         ("no vector", Some(String::new()), " vector"),
         ("no file", None, "can't be read"),
-        ("two in the other order", swapped.map(|text| flip_order(&text)), "vector 10 "),
+        ("two in the other order", swapped, "vector 10 "),
     ]
-}
-
-/// Puts the inputs of lines 10 and 11 back in order, so that only what is expected is swapped.
-fn flip_order(text: &str) -> String {
-    let mut lines: Vec<Vec<String>> =
-        text.lines().map(|line| line.split(' ').map(str::to_owned).collect()).collect();
-    for field in 0..2 {
-        let tenth = lines[10][field].clone();
-        lines[10][field] = lines[11][field].clone();
-        lines[11][field] = tenth;
-    }
-    lines.iter().map(|line| line.join(" ") + "\n").collect()
 }
 
 fn put(path: &Path, text: Option<&str>) {
@@ -576,4 +569,56 @@ fn ports_may_be_called_as_testbenches_call_things() {
     if !ended.well || ended.last() != "PASS 50 vectors" {
         give_up(folder, "ports", &ended);
     }
+}
+
+/// Every operation on every pair of some words, each an output.
+fn every_operation() -> Netlist {
+    let mut b = Builder::new("operations");
+    let formats = [(true, 4, 1), (false, 5, 2), (true, 3, 0), (false, 4, -1), (true, 1, 0)];
+    let inputs: Vec<_> = formats
+        .iter()
+        .enumerate()
+        .map(|(i, (signed, bits, frac))| {
+            let format = Format::new(*signed, *bits, *frac).unwrap();
+            b.input(&format!("x{i}"), format, Quantity::Number)
+        })
+        .collect();
+    let flag = b.input("flag", Format::FLAG, Quantity::Number);
+    let mut results = Vec::new();
+    for x in &inputs {
+        for y in &inputs {
+            results.extend([b.add(*x, *y), b.sub(*x, *y), b.mul(*x, *y), b.equal(*x, *y)]);
+            results.extend([b.less(*x, *y), b.mux(flag, *x, *y), b.addsub(flag, *x, *y)]);
+        }
+        let (neg, abs) = (b.neg(*x), b.abs(*x));
+        let (zeros, shifted) = (b.leading_zeros(abs), b.slice(*x, 0, 1));
+        results.extend([neg, abs, zeros, b.shift_left(*x, shifted, 1), b.mul(flag, *x)]);
+        for (signed, bits, frac) in [(true, 3, 0), (false, 2, -1), (true, 2, 6), (true, 8, -3)] {
+            let to = Format::new(signed, bits, frac).unwrap();
+            for round in Round::ALL {
+                for overflow in Overflow::ALL {
+                    results.push(b.narrow(*x, to, *round, *overflow));
+                }
+            }
+        }
+    }
+    for (i, result) in results.into_iter().enumerate() {
+        b.output(&format!("y{i}"), result);
+    }
+    b.build().unwrap()
+}
+
+#[test]
+#[cfg_attr(
+    not(fixpath_tools),
+    ignore = "needs iverilog, verilator and yosys: testbenches/run installs them"
+)]
+fn every_operation_in_icarus() {
+    let netlist = Arc::new(every_operation());
+    let schedule = Schedule::pipeline(&netlist, Rom::Block, Depth::Stages(1)).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let rtl = Arc::new(Rtl::new(Arc::clone(&netlist), schedule));
+    let module = emit(&rtl, None, 3000, folder.path());
+    let folder = passes(folder, "operations_icarus.mk", 3000, "operations");
+    lints(folder, &module, &[], "operations");
 }

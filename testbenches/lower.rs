@@ -680,6 +680,11 @@ fn tables_of_some_columns_of_which_some_are_read() {
                     .collect();
                 let rom = &module.tables[0];
                 assert_eq!(module.tables.len(), 1);
+                // Some readers drop a last row without a line feed.
+                let options = Options { tables: Some(Tables::Files), ..Options::default() };
+                let files = Module::new(&rtl, &options).unwrap().table_files();
+                let text: String = rom.rows().map(|row| row + "\n").collect();
+                assert_eq!(files.iter().map(|file| &file.text).collect::<Vec<_>>(), [&text]);
                 assert_eq!(rom.columns.iter().collect::<Vec<_>>(), stored);
                 let bits: u32 = stored.iter().map(|column| column.format.bits()).sum();
                 assert_eq!((rom.row_bits, rom.len()), (bits, 1 << table.addr_bits));
