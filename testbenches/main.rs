@@ -15,6 +15,7 @@ mod format;
 mod hdl;
 mod hdl_vhdl;
 mod layers;
+mod lower;
 mod lut;
 mod netlist;
 mod op;

@@ -36,13 +36,13 @@ fn write(
 }
 
 /// Values by full name and time, as wellen reads them.
-struct ReadBack {
-    times: Vec<u64>,
-    signals: BTreeMap<String, BTreeMap<u64, String>>,
+pub(crate) struct ReadBack {
+    pub(crate) times: Vec<u64>,
+    pub(crate) signals: BTreeMap<String, BTreeMap<u64, String>>,
 }
 
 impl ReadBack {
-    fn open(path: &Path) -> Self {
+    pub(crate) fn open(path: &Path) -> Self {
         let mut waves = wellen::simple::read(path).expect("a legal VCD");
         let times = waves.time_table().to_vec();
         let vars: Vec<(String, wellen::SignalRef)> = waves
@@ -68,7 +68,7 @@ impl ReadBack {
     }
 
     /// The last change at or before a time.
-    fn at(&self, name: &str, time: u64) -> &str {
+    pub(crate) fn at(&self, name: &str, time: u64) -> &str {
         let changes = self.signals.get(name).unwrap_or_else(|| panic!("no signal {name}"));
         changes.range(..=time).next_back().map_or("none", |(_, value)| value)
     }

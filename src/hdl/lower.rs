@@ -10,7 +10,7 @@ use super::{
     Word, WordId, check_name, new_word_id, place_tables, refuse_size,
 };
 use crate::cast;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::format::{Format, Narrowing, Overflow, Round, narrow};
 use crate::hdl::names::Names;
 use crate::netlist::{NodeId, TableId};
@@ -23,10 +23,19 @@ pub(super) fn lower(rtl: &Arc<Rtl>, options: &Options) -> Result<Module> {
     let netlist = rtl.netlist();
     let name = options.name.clone().unwrap_or_else(|| netlist.name().to_owned());
     check_name(&name)?;
+    let is_input = netlist.inputs().iter().any(|id| netlist.node(*id).name.as_ref() == Some(&name));
+    if is_input || netlist.outputs().iter().any(|output| output.name == name) {
+        let text = format!("`{name}` is a port of the module: choose another name for the module");
+        return Err(Error::usage(text));
+    }
     let tables_in = place_tables(rtl, options.tables)?;
     let latency = rtl.schedule().latency();
     let mut names = Names::default();
     names.take(&name);
+    // What back ends call the valid bits.
+    for stage in 1..=latency {
+        names.take(&format!("valid_s{stage}"));
+    }
     let stages = usize::try_from(latency).expect("bug: 32 bits fit") + 1;
     let mut lowering = Lowering {
         rtl,
@@ -133,6 +142,8 @@ impl Lowering<'_> {
                 read.entry(table).or_default().insert(column);
             }
         }
+        // Files are named by titles, so no two tables may share one.
+        let mut titles = Names::default();
         for (id, columns) in read {
             let table = &netlist.tables()[id.index()];
             let index = |column: u32| usize::try_from(column).expect("bug: small");
@@ -144,9 +155,10 @@ impl Lowering<'_> {
                 self.columns.insert((id, *column), lo);
             }
             self.roms.insert(id, self.module.tables.len());
+            let title = titles.take(&table.name);
             self.module.tables.push(RomTable {
-                name: self.names.take(&format!("{}_rom", table.name)),
-                title: table.name.clone(),
+                name: self.names.take(&format!("{title}_rom")),
+                title,
                 addr_bits: table.addr_bits,
                 row_bits,
                 columns: columns.iter().map(|c| table.columns[index(*c)].clone()).collect(),

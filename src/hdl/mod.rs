@@ -258,7 +258,7 @@ pub struct Stage {
 pub struct RomTable {
     /// Name of the array.
     pub name: String,
-    /// Its name in the netlist.
+    /// Its name in the netlist, with a number where another table has it.
     pub title: String,
     /// Address bits.
     pub addr_bits: u32,

@@ -417,6 +417,15 @@ const RESERVED: &[&str] = &[
     "typename",
     "using",
     "volatile",
+    // What Verilator's classes have besides ports.
+    "contextp",
+    "eval",
+    "eval_end_step",
+    "eval_step",
+    "name",
+    "rootp",
+    "threads",
+    "trace",
 ];
 
 /// True for a name that no word of ours may have.

@@ -15,11 +15,12 @@ module {{ name }}_tb;
     reg ce = 1'b1;
     reg valid_in = 1'b0;
     wire valid_out;
+    // No port can have a name that stands here for something else.
 {%- for port in inputs %}
-    reg {{ port.shape }}{{ port.name }};
+    reg {{ port.shape }}port_{{ port.name }};
 {%- endfor %}
 {%- for port in outputs %}
-    wire {{ port.shape }}{{ port.name }};
+    wire {{ port.shape }}port_{{ port.name }};
 {%- endfor %}
 
     {{ name }} dut (
@@ -29,7 +30,7 @@ module {{ name }}_tb;
         .valid_in(valid_in), .valid_out(valid_out)
 {%- for port in inputs + outputs -%}
         ,
-        .{{ port.name }}({{ port.name }})
+        .{{ port.name }}(port_{{ port.name }})
 {%- endfor %}
     );
 
@@ -108,11 +109,11 @@ module {{ name }}_tb;
             // Each word counts once: in the cycle after which the pipeline moves on.
             if (ce && valid[LATENCY]) begin
 {%- for port in outputs %}
-                if ({{ port.name }} !== expected[LATENCY]{{ port.slice }}) begin
+                if (port_{{ port.name }} !== expected[LATENCY]{{ port.slice }}) begin
                     mismatches = mismatches + 1;
                     if (mismatches <= SHOWN)
                         $display("mismatch: vector %0d {{ port.name }} expected %h got %h",
-                            number[LATENCY], expected[LATENCY]{{ port.slice }}, {{ port.name }});
+                            number[LATENCY], expected[LATENCY]{{ port.slice }}, port_{{ port.name }});
                 end
 {%- endfor %}
                 checked = checked + 1;
@@ -151,7 +152,7 @@ module {{ name }}_tb;
                 end
                 valid_in <= valid[0];
 {%- for port in inputs %}
-                {{ port.name }} <= valid[0] ? next_{{ port.name }} : {{ port.bits }}'bx;
+                port_{{ port.name }} <= valid[0] ? next_{{ port.name }} : {{ port.bits }}'bx;
 {%- endfor %}
             end
             // A reset in mid-stream: what is on its way is forgotten.
