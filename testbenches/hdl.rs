@@ -4,6 +4,7 @@
 use crate::engines::{random_netlist, random_netlist_of, random_words};
 use crate::lower::badly_named;
 use crate::wave::ReadBack;
+use fixpath::emit::vectors::Vectors;
 use fixpath::format::{Format, Overflow, Round};
 use fixpath::hdl::{LANGUAGES, Module, Options, Tables, testbench};
 use fixpath::netlist::{Builder, Column, Netlist, Quantity, Table};
@@ -12,7 +13,6 @@ use fixpath::rtl::{Rtl, Signal};
 use fixpath::schedule::{Depth, Rom, Schedule};
 use fixpath::sim::cycle::Cycle;
 use fixpath::units::rotation::ROTATION;
-use fixpath::verify::vectors::Vectors;
 use fixpath::wave::{self, Wave};
 use rayon::prelude::*;
 use std::fs;
@@ -134,7 +134,7 @@ fn lints(folder: TempDir, module: &Module, allowed: &[&str], what: &str) {
 }
 
 #[test]
-#[cfg_attr(not(fixpath_tools), ignore = "needs iverilog: testbenches/run installs it")]
+#[ignore = "needs iverilog: testbenches/run installs it"]
 fn random_netlists_in_icarus() {
     (0..60u64).into_par_iter().for_each(|seed| {
         let netlist = Arc::new(random_netlist(seed));
@@ -145,7 +145,7 @@ fn random_netlists_in_icarus() {
 }
 
 #[test]
-#[cfg_attr(not(fixpath_tools), ignore = "needs verilator and yosys: testbenches/run installs them")]
+#[ignore = "needs verilator and yosys: testbenches/run installs them"]
 fn no_tool_warns_of_random_netlists() {
     (0..100u64).into_par_iter().for_each(|seed| {
         let netlist = Arc::new(random_netlist(seed));
@@ -166,7 +166,7 @@ const ROTATIONS: [&[&str]; 5] = [
 ];
 
 #[test]
-#[cfg_attr(not(fixpath_tools), ignore = "needs verilator and yosys: testbenches/run installs them")]
+#[ignore = "needs verilator and yosys: testbenches/run installs them"]
 fn no_tool_warns_of_rotation() {
     ROTATIONS.into_par_iter().enumerate().for_each(|(number, assignments)| {
         let mut assignments = assignments.to_vec();
@@ -193,7 +193,7 @@ fn first_netlist(is_asked: impl Fn(&Netlist) -> bool) -> (u64, Arc<Netlist>) {
 }
 
 #[test]
-#[cfg_attr(not(fixpath_tools), ignore = "needs verilator: testbenches/run installs it")]
+#[ignore = "needs verilator: testbenches/run installs it"]
 fn random_netlists_in_verilator() {
     let bits = |netlist: &Netlist, node| netlist.node(node).format.bits();
     let wide = |n: &Netlist| {
@@ -234,7 +234,7 @@ fn icarus_wave(folder: TempDir, name: &str, what: &str) -> (ReadBack, u64) {
 const PERIOD: u64 = 10;
 
 #[test]
-#[cfg_attr(not(fixpath_tools), ignore = "needs iverilog: testbenches/run installs it")]
+#[ignore = "needs iverilog: testbenches/run installs it"]
 fn the_hardware_moves_as_our_wave_shows_it() {
     ROTATIONS.into_par_iter().for_each(|assignments| {
         let what = assignments.join(" ");
@@ -286,7 +286,7 @@ fn the_hardware_moves_as_our_wave_shows_it() {
 }
 
 #[test]
-#[cfg_attr(not(fixpath_tools), ignore = "needs iverilog: testbenches/run installs it")]
+#[ignore = "needs iverilog: testbenches/run installs it"]
 fn random_hardware_moves_as_the_cycle_simulator() {
     (100..110u64).into_par_iter().for_each(|seed| {
         let netlist = Arc::new(random_netlist(seed));
@@ -412,7 +412,7 @@ fn fails(ended: &Ended, status: i32, what: &str, says: &str) {
 }
 
 #[test]
-#[cfg_attr(not(fixpath_tools), ignore = "needs iverilog: testbenches/run installs it")]
+#[ignore = "needs iverilog: testbenches/run installs it"]
 fn the_testbench_can_fail() {
     let folder = tempfile::tempdir().unwrap();
     let module = emit(&little(), Some(Tables::Files), 200, folder.path());
@@ -479,6 +479,12 @@ fn the_testbench_can_fail() {
             replaced(&source, "if (rst) valid_s2 <= 1'b0;\n        else if (ce)", "if (ce)"),
             "valid_out",
         ),
+        (
+            "a reset that a stall holds up",
+            "little.v",
+            replaced(&source, "if (rst) valid_s", "if (rst && ce) valid_s"),
+            "valid_out",
+        ),
         ("a wrong sum", "little.v", replaced(&source, " + ", " - "), "expected"),
     ] {
         let right = fs::read_to_string(at(file)).unwrap();
@@ -494,7 +500,7 @@ fn the_testbench_can_fail() {
 }
 
 #[test]
-#[cfg_attr(not(fixpath_tools), ignore = "needs verilator: testbenches/run installs it")]
+#[ignore = "needs verilator: testbenches/run installs it"]
 fn the_harness_can_fail() {
     let folder = tempfile::tempdir().unwrap();
     let module = emit(&little(), Some(Tables::Files), 200, folder.path());
@@ -522,10 +528,7 @@ fn passes_build(folder: TempDir) -> TempDir {
 }
 
 #[test]
-#[cfg_attr(
-    not(fixpath_tools),
-    ignore = "needs iverilog, verilator and yosys: testbenches/run installs them"
-)]
+#[ignore = "needs iverilog, verilator and yosys: testbenches/run installs them"]
 fn bad_names_in_every_tool() {
     // Keywords of every language, and names that back ends declare for themselves.
     let words = [
@@ -545,10 +548,7 @@ fn bad_names_in_every_tool() {
 }
 
 #[test]
-#[cfg_attr(
-    not(fixpath_tools),
-    ignore = "needs iverilog and verilator: testbenches/run installs them"
-)]
+#[ignore = "needs iverilog and verilator: testbenches/run installs them"]
 fn ports_may_be_called_as_testbenches_call_things() {
     let format = Format::signed(8, 4).unwrap();
     let mut b = Builder::new("ports");
@@ -609,10 +609,7 @@ fn every_operation() -> Netlist {
 }
 
 #[test]
-#[cfg_attr(
-    not(fixpath_tools),
-    ignore = "needs iverilog, verilator and yosys: testbenches/run installs them"
-)]
+#[ignore = "needs iverilog, verilator and yosys: testbenches/run installs them"]
 fn every_operation_in_icarus() {
     let netlist = Arc::new(every_operation());
     let schedule = Schedule::pipeline(&netlist, Rom::Block, Depth::Stages(1)).unwrap();

@@ -367,6 +367,15 @@ impl Module {
         format!("{}_{}.hex", self.name, table.title)
     }
 
+    /// Names of the files with the rows of tables: none if they don't stand in files.
+    #[must_use]
+    pub fn table_file_names(&self) -> Vec<String> {
+        match self.tables_in {
+            Tables::Files => self.tables.iter().map(|table| self.table_file(table)).collect(),
+            Tables::Inline | Tables::Case => Vec::new(),
+        }
+    }
+
     /// The files with the rows of tables, if they stand in files. Each ends in a line feed: some
     /// readers drop a last row without one.
     #[must_use]

@@ -105,6 +105,7 @@ pub(super) fn render(
         latency => module.latency,
         reference => reference_name(module),
         vectors => vectors_file(module),
+        tables => module.table_file_names(),
         again => vectors.clamp(1, AGAIN),
         inputs, input_bits, outputs, output_bits,
     };
@@ -123,8 +124,9 @@ pub fn companions(module: &Module, languages: &[&dyn Language], vectors: u64) ->
         let _ = writeln!(list, "{name}.{}", language.extension());
     }
     let _ = writeln!(list, "{}", vectors_file(module));
-    for file in module.table_files().iter().chain(&files) {
-        let _ = writeln!(list, "{}", file.name);
+    let companions = files.iter().map(|file| &file.name);
+    for name in module.table_file_names().iter().chain(companions) {
+        let _ = writeln!(list, "{name}");
     }
     files.push(File { name: format!("{name}_files.txt"), text: list });
     files

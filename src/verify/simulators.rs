@@ -104,8 +104,10 @@ fn judged(
     vectors: Vectors,
 ) -> Verdict {
     let count = |text: Option<&str>| text.and_then(|text| text.parse().ok());
-    let last: Vec<&str> =
-        outcome.stdout.trim_end().lines().last().unwrap_or("").split(' ').collect();
+    // GHDL adds a line of its own.
+    let mut lines = outcome.stdout.lines().rev();
+    let last = lines.find(|line| line.starts_with("PASS ") || line.starts_with("FAIL "));
+    let last: Vec<&str> = last.unwrap_or_default().split(' ').collect();
     match last.as_slice() {
         ["PASS", vectors_seen, "vectors"] if outcome.success() => {
             row.vectors = count(Some(vectors_seen)).unwrap_or(0);

@@ -155,10 +155,10 @@ module {{ name }}_tb;
                 port_{{ port.name }} <= valid[0] ? next_{{ port.name }} : {{ port.bits }}'bx;
 {%- endfor %}
             end
-            // A reset in mid-stream: what is on its way is forgotten.
+            // A reset in mid-stream, which a stall doesn't hold up: what is on its way is forgotten.
             if (stalls && !reset_done && sent == {{ again }} / 2) begin
                 rst <= 1'b1;
-                ce <= 1'b1;
+                ce <= 1'b0;
                 reset_done = 1'b1;
             end
         end
@@ -167,8 +167,8 @@ module {{ name }}_tb;
     always @(posedge clk) begin
         check;
         if (rst && stalls) begin
-            // Forgotten, but for what came out just now{% if latency == 0 %}; nothing, since nothing is stored{% endif %}.
-            for (i = 0; i < LATENCY; i = i + 1) if (valid[i]) checked = checked + 1;
+            // Forgotten, but for what hasn't gone in yet.
+            for (i = 1; i <= LATENCY; i = i + 1) if (valid[i]) checked = checked + 1;
         end
         move_on;
         drive;

@@ -200,10 +200,10 @@ begin
 {%- endfor %}
                 end if;
             end if;
-            -- A reset in mid-stream: what is on its way is forgotten.
+            -- A reset in mid-stream, which a stall doesn't hold up: what is on its way is forgotten.
             if stalls and not reset_done and sent = {{ again }} / 2 then
                 rst <= '1';
-                ce <= '1';
+                ce <= '0';
                 reset_done := true;
             end if;
         end procedure;
@@ -228,8 +228,8 @@ begin
             wait until rising_edge(clk);
             check;
             if rst = '1' and stalls then
-                -- Forgotten, but for what came out just now{% if latency == 0 %}; nothing, since nothing is stored{% endif %}.
-                for i in 0 to latency - 1 loop
+                -- Forgotten, but for what hasn't gone in yet.
+                for i in 1 to latency loop
                     if valid(i) = '1' then
                         checked := checked + 1;
                     end if;

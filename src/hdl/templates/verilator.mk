@@ -1,10 +1,22 @@
 # {{ title }}
 # make -f {{ name }}_verilator.mk        builds the C++ harness and runs it on the vectors
+# HDL=DIR says where the module is, if not here.
+HDL ?= .
+{%- if tables %}
+TABLES = {{ tables | join(" ") }}
+{%- endif %}
 .PHONY: run clean
-run: obj_{{ name }}/V{{ name }}
+run: obj_{{ name }}/V{{ name }}{{ " $(TABLES)" if tables }}
 	obj_{{ name }}/V{{ name }} {{ vectors }}
-obj_{{ name }}/V{{ name }}: {{ name }}.v {{ name }}_harness.cpp
+# Verilator would add -Os, which undoes -O2.
+obj_{{ name }}/V{{ name }}: $(HDL)/{{ name }}.v {{ name }}_harness.cpp
 	verilator --cc --exe --build -Wall --Mdir obj_{{ name }} -CFLAGS "-O2" \
-	    -MAKEFLAGS "OPT_FAST= OPT_SLOW= OPT_GLOBAL=" {{ name }}.v {{ name }}_harness.cpp
+	    -MAKEFLAGS "OPT_FAST= OPT_SLOW= OPT_GLOBAL=" $^
+{%- if tables %}
+ifneq ($(HDL),.)
+$(TABLES): %.hex: $(HDL)/%.hex
+	cp $< $@
+endif
+{%- endif %}
 clean:
 	rm -rf obj_{{ name }}

@@ -1,0 +1,13 @@
+# rotation: turns a direction in polar form into the frame of a surface normal
+# make -f rotation_exact_verilator.mk        builds the C++ harness and runs it on the vectors
+# HDL=DIR says where the module is, if not here.
+HDL ?= .
+.PHONY: run clean
+run: obj_rotation_exact/Vrotation_exact
+	obj_rotation_exact/Vrotation_exact rotation_exact_vectors.txt
+# Verilator would add -Os, which undoes -O2.
+obj_rotation_exact/Vrotation_exact: $(HDL)/rotation_exact.v rotation_exact_harness.cpp
+	verilator --cc --exe --build -Wall --Mdir obj_rotation_exact -CFLAGS "-O2" \
+	    -MAKEFLAGS "OPT_FAST= OPT_SLOW= OPT_GLOBAL=" $^
+clean:
+	rm -rf obj_rotation_exact

@@ -1,0 +1,226 @@
+// rotation: turns a direction in polar form into the frame of a surface normal
+// made by fixpath 0.1.0; seed 001 (Lee et al.), section 3.1 and Fig. 7
+//   variant=exact output=polar-table angle_bits=16 table_addr_bits=10 scheme=direct
+//   quarter_wave=off frac_bits=16 int_bits=1 guard_bits=2 rounding=half-up overflow=saturate
+//   sincos_addr_bits=auto asin_addr_bits=auto recip_addr_bits=auto atan_addr_bits=auto
+//   prop_addr_bits=auto recip_int_bits=8 atan_int_bits=auto quadrants=full cordic_iterations=auto
+//   period_ps=5000 stages=auto rom=block
+// latency 18 cycles, a result every cycle; tables read on the clock
+// absolute errors against the golden of the quantised inputs, over 65536 vectors uniform on
+// the sphere (seed 1), and the input words of the worst:
+//   angle: mean 1.43e-3 rad, at most 5.07e-3 rad at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058
+//   dot: mean 1.43e-3, at most 5.07e-3 at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058
+//   x: mean 7.76e-4, at most 4.02e-3 at phi_a=49436 theta_a=17053 phi_n=14175 theta_n=17886
+//   y: mean 6.22e-4, at most 3.23e-3 at phi_a=58542 theta_a=14878 phi_n=27212 theta_n=6389
+//   z: mean 7.43e-4, at most 4.00e-3 at phi_a=1717 theta_a=16513 phi_n=13490 theta_n=25983
+// stated bound on the angle: 1.82e-2 rad
+//
+// Self-checking testbench of rotation_exact_polar_table. It reads rotation_exact_polar_table_vectors.txt: per line the words of the
+// inputs, then of the expected outputs, in hexadecimal. First all vectors go straight through,
+// one a cycle; then, after a reset in mid-stream, the first 358 go again with stalls and
+// gaps. Every bit of every output and the latency are compared. The last line says PASS or
+// FAIL, and a failure ends with a status that isn't 0. With +vcd it writes rotation_exact_polar_table_tb.vcd.
+module rotation_exact_polar_table_tb;
+    localparam LATENCY = 18;
+    localparam SHOWN = 10; // of the mismatches
+
+    reg clk = 1'b0;
+    reg rst = 1'b1;
+    reg ce = 1'b1;
+    reg valid_in = 1'b0;
+    wire valid_out;
+    // No port can have a name that stands here for something else.
+    reg [-1:-16] port_phi_a;
+    reg [-1:-16] port_theta_a;
+    reg [-1:-16] port_phi_n;
+    reg [-1:-16] port_theta_n;
+    wire [-1:-16] port_phi;
+    wire [-1:-16] port_theta;
+
+    rotation_exact_polar_table dut (
+        .clk(clk), .rst(rst), .ce(ce),
+        .valid_in(valid_in), .valid_out(valid_out),
+        .phi_a(port_phi_a),
+        .theta_a(port_theta_a),
+        .phi_n(port_phi_n),
+        .theta_n(port_theta_n),
+        .phi(port_phi),
+        .theta(port_theta)
+    );
+
+    // What should come out, moving beside the pipeline; entry 0 belongs to what goes in.
+    reg [31:0] expected [0:LATENCY];
+    reg valid [0:LATENCY];
+    integer number [0:LATENCY];
+
+    integer file, fields, sent, checked, mismatches, waited, passed, i;
+    reg more, stalls, reset_done, started;
+    reg [31:0] lfsr; // decides on stalls and gaps
+    reg [-1:-16] next_phi_a;
+    reg [-1:-16] next_theta_a;
+    reg [-1:-16] next_phi_n;
+    reg [-1:-16] next_theta_n;
+    reg [-1:-16] next_phi;
+    reg [-1:-16] next_theta;
+
+    always #5 clk = ~clk;
+
+    initial begin
+        if ($test$plusargs("vcd")) begin
+            $dumpfile("rotation_exact_polar_table_tb.vcd");
+            $dumpvars(0, rotation_exact_polar_table_tb);
+        end
+        lfsr = 32'h2545f491;
+        mismatches = 0;
+        passed = 0;
+        stalls = 1'b0;
+        started = 1'b0; // nothing is known before the first edge under reset
+        for (i = 0; i <= LATENCY; i = i + 1) valid[i] = 1'b0;
+        open_vectors;
+    end
+
+    task finish_failed;
+        begin
+`ifdef __ICARUS__
+            $finish_and_return(1);
+`else
+            $fatal(0);
+`endif
+        end
+    endtask
+
+    task open_vectors;
+        begin
+            sent = 0;
+            checked = 0;
+            waited = 0;
+            more = 1'b1;
+            reset_done = 1'b0;
+            file = $fopen("rotation_exact_polar_table_vectors.txt", "r");
+            if (file == 0) begin
+                $display("FAIL: rotation_exact_polar_table_vectors.txt can't be read");
+                finish_failed;
+            end
+        end
+    endtask
+
+    task read_vector;
+        begin
+            fields = $fscanf(file, "%h %h %h %h %h %h ", next_phi_a, next_theta_a, next_phi_n, next_theta_n, next_phi, next_theta);
+            more = fields == 6;
+            if (!more && fields > 0) begin
+                mismatches = mismatches + 1;
+                $display("mismatch: rotation_exact_polar_table_vectors.txt is cut short after vector %0d", sent);
+            end
+        end
+    endtask
+
+    task check;
+        begin
+            if (started && valid_out !== valid[LATENCY]) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= SHOWN)
+                    $display("mismatch: vector %0d valid_out expected %b got %b", checked, valid[LATENCY], valid_out);
+            end
+            // Each word counts once: in the cycle after which the pipeline moves on.
+            if (ce && valid[LATENCY]) begin
+                if (port_phi !== expected[LATENCY][31:16]) begin
+                    mismatches = mismatches + 1;
+                    if (mismatches <= SHOWN)
+                        $display("mismatch: vector %0d phi expected %h got %h",
+                            number[LATENCY], expected[LATENCY][31:16], port_phi);
+                end
+                if (port_theta !== expected[LATENCY][15:0]) begin
+                    mismatches = mismatches + 1;
+                    if (mismatches <= SHOWN)
+                        $display("mismatch: vector %0d theta expected %h got %h",
+                            number[LATENCY], expected[LATENCY][15:0], port_theta);
+                end
+                checked = checked + 1;
+            end
+        end
+    endtask
+
+    task move_on;
+        begin
+            for (i = LATENCY; i > 0; i = i - 1) begin
+                if (rst) valid[i] = 1'b0;
+                else if (ce) valid[i] = valid[i - 1];
+                if (ce) expected[i] = expected[i - 1];
+                if (ce) number[i] = number[i - 1];
+            end
+        end
+    endtask
+
+    // What goes in after this edge: words stay where the pipeline stood still.
+    task drive;
+        begin
+            lfsr = {lfsr[30:0], lfsr[31] ^ lfsr[21] ^ lfsr[1] ^ lfsr[0]};
+            rst <= 1'b0;
+            ce <= !(stalls && lfsr[2:0] == 3'd0);
+            if (ce) begin
+                valid[0] = 1'b0;
+                if (more && !(stalls && lfsr[5:3] == 3'd0)) begin
+                    read_vector;
+                    if (more) begin
+                        valid[0] = 1'b1;
+                        expected[0] = {next_phi, next_theta};
+                        number[0] = sent;
+                        sent = sent + 1;
+                        if (stalls && sent == 358) more = 1'b0;
+                    end
+                end
+                valid_in <= valid[0];
+                port_phi_a <= valid[0] ? next_phi_a : 16'bx;
+                port_theta_a <= valid[0] ? next_theta_a : 16'bx;
+                port_phi_n <= valid[0] ? next_phi_n : 16'bx;
+                port_theta_n <= valid[0] ? next_theta_n : 16'bx;
+            end
+            // A reset in mid-stream, which a stall doesn't hold up: what is on its way is forgotten.
+            if (stalls && !reset_done && sent == 358 / 2) begin
+                rst <= 1'b1;
+                ce <= 1'b0;
+                reset_done = 1'b1;
+            end
+        end
+    endtask
+
+    always @(posedge clk) begin
+        check;
+        if (rst && stalls) begin
+            // Forgotten, but for what hasn't gone in yet.
+            for (i = 1; i <= LATENCY; i = i + 1) if (valid[i]) checked = checked + 1;
+        end
+        move_on;
+        drive;
+        started = 1'b1;
+        if (!more && checked == sent) begin
+            $fclose(file);
+            if (!stalls) begin
+                passed = checked;
+                stalls = 1'b1;
+                open_vectors;
+            end else finish;
+        end else if (!more) begin
+            waited = waited + 1;
+            if (waited > 20 * LATENCY + 20) begin
+                mismatches = mismatches + 1;
+                $display("mismatch: %0d vectors went in and %0d came out", sent, checked);
+                finish;
+            end
+        end
+    end
+
+    task finish;
+        begin
+            if (passed == 0) $display("mismatch: rotation_exact_polar_table_vectors.txt holds no vector");
+            if (mismatches == 0 && passed > 0) begin
+                $display("PASS %0d vectors", passed);
+                $finish(0);
+            end else begin
+                $display("FAIL %0d mismatches in %0d vectors", mismatches, passed);
+                finish_failed;
+            end
+        end
+    endtask
+endmodule

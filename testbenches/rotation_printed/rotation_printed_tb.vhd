@@ -1,0 +1,289 @@
+-- rotation: turns a direction in polar form into the frame of a surface normal
+-- made by fixpath 0.1.0; seed 001 (Lee et al.), section 3.1 and Fig. 7
+--   variant=printed output=auto angle_bits=16 table_addr_bits=10 scheme=direct quarter_wave=off
+--   frac_bits=16 int_bits=1 guard_bits=2 rounding=half-up overflow=saturate sincos_addr_bits=auto
+--   asin_addr_bits=auto recip_addr_bits=auto atan_addr_bits=auto prop_addr_bits=auto
+--   recip_int_bits=8 atan_int_bits=auto quadrants=full cordic_iterations=auto period_ps=5000
+--   stages=auto rom=block
+-- latency 10 cycles, a result every cycle; tables read on the clock
+-- absolute errors against the golden of the quantised inputs, over 65536 vectors uniform on
+-- the sphere (seed 1), and the input words of the worst:
+--   angle: mean 1.49e0 rad, at most 3.14e0 rad at phi_a=15344 theta_a=12973 phi_n=15490 theta_n=26226
+--   dot: mean 1.28e0, at most 2.00e0 at phi_a=15344 theta_a=12973 phi_n=15490 theta_n=26226
+--   x: mean 7.73e-1, at most 2.00e0 at phi_a=37985 theta_a=3793 phi_n=38551 theta_n=19699
+--   y: mean 5.55e-1, at most 1.99e0 at phi_a=65309 theta_a=16773 phi_n=16202 theta_n=27589
+--   z: mean 5.94e-1, at most 1.99e0 at phi_a=29194 theta_a=9772 phi_n=60747 theta_n=22698
+-- no bound is stated: asin, 1/sin and 1/cos have infinite slopes, which no word length bounds; each table's own error is stated
+--
+-- Self-checking testbench of rotation_printed. It reads rotation_printed_vectors.txt: per line the words of the
+-- inputs, then of the expected outputs, in hexadecimal. First all vectors go straight through,
+-- one a cycle; then, after a reset in mid-stream, the first 358 go again with stalls and
+-- gaps. Every bit of every output and the latency are compared. The last line says PASS or
+-- FAIL, and a failure ends with a status that isn't 0, of which GHDL says a line more. With
+-- --vcd=FILE, GHDL writes waves.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+use std.textio.all;
+
+entity rotation_printed_tb is
+end entity;
+
+architecture test of rotation_printed_tb is
+    constant latency : natural := 10;
+    constant shown : natural := 10; -- of the mismatches
+
+    -- Each port has its name after dut_, so that it can't be one that is used here.
+    signal clk : std_logic := '0';
+    signal rst : std_logic := '1';
+    signal ce : std_logic := '1';
+    signal valid_in : std_logic := '0';
+    signal valid_out : std_logic;
+    signal dut_phi_a : unsigned(15 downto 0) := (others => '0');
+    signal dut_theta_a : unsigned(15 downto 0) := (others => '0');
+    signal dut_phi_n : unsigned(15 downto 0) := (others => '0');
+    signal dut_theta_n : unsigned(15 downto 0) := (others => '0');
+    signal dut_phi : unsigned(15 downto 0);
+    signal dut_theta : unsigned(15 downto 0);
+    signal done : boolean := false;
+
+    function hex(word : std_logic_vector) return string is
+        variable digits : string(1 to (word'length + 3) / 4) := to_hstring(word);
+    begin
+        for i in digits'range loop
+            if digits(i) >= 'A' and digits(i) <= 'F' then
+                digits(i) := character'val(character'pos(digits(i)) + 32);
+            end if;
+        end loop;
+        return digits;
+    end function;
+begin
+    dut : entity work.rotation_printed
+        port map (
+            clk => clk, rst => rst, ce => ce,
+            valid_in => valid_in, valid_out => valid_out,
+            phi_a => dut_phi_a,
+            theta_a => dut_theta_a,
+            phi_n => dut_phi_n,
+            theta_n => dut_theta_n,
+            phi => dut_phi,
+            theta => dut_theta
+        );
+
+    clk <= not clk after 5 ns when not done;
+
+    process
+        type words_t is array (0 to latency) of std_logic_vector(31 downto 0);
+        type numbers_t is array (0 to latency) of natural;
+
+        -- What should come out, moving beside the pipeline; entry 0 belongs to what goes in.
+        variable expected : words_t;
+        variable valid : std_logic_vector(0 to latency) := (others => '0');
+        variable number : numbers_t;
+
+        file vectors : text;
+        variable sent, checked, mismatches, waited, passed : natural := 0;
+        variable more, stalls, reset_done, started : boolean := false;
+        variable lfsr : unsigned(31 downto 0) := 32x"2545f491"; -- decides on stalls and gaps
+        variable next_phi_a : std_logic_vector(15 downto 0) := (others => '0');
+        variable next_theta_a : std_logic_vector(15 downto 0) := (others => '0');
+        variable next_phi_n : std_logic_vector(15 downto 0) := (others => '0');
+        variable next_theta_n : std_logic_vector(15 downto 0) := (others => '0');
+        variable next_phi : std_logic_vector(15 downto 0) := (others => '0');
+        variable next_theta : std_logic_vector(15 downto 0) := (others => '0');
+
+        procedure print(message : string) is
+        begin
+            write(output, message & LF);
+        end procedure;
+
+        procedure mismatch(message : string) is
+        begin
+            mismatches := mismatches + 1;
+            if mismatches <= shown then
+                print("mismatch: " & message);
+            end if;
+        end procedure;
+
+        procedure open_vectors is
+            variable status : file_open_status;
+        begin
+            sent := 0;
+            checked := 0;
+            waited := 0;
+            more := true;
+            reset_done := false;
+            file_open(status, vectors, "rotation_printed_vectors.txt", read_mode);
+            if status /= open_ok then
+                print("FAIL: rotation_printed_vectors.txt can't be read");
+                std.env.finish(1);
+            end if;
+        end procedure;
+
+        procedure read_vector is
+            variable words : line;
+            variable good : boolean;
+        begin
+            more := false;
+            while not endfile(vectors) and not more loop
+                readline(vectors, words);
+                more := words'length > 0;
+            end loop;
+            if more then
+                hread(words, next_phi_a, good);
+                more := more and good;
+                hread(words, next_theta_a, good);
+                more := more and good;
+                hread(words, next_phi_n, good);
+                more := more and good;
+                hread(words, next_theta_n, good);
+                more := more and good;
+                hread(words, next_phi, good);
+                more := more and good;
+                hread(words, next_theta, good);
+                more := more and good;
+                if not more then
+                    mismatches := mismatches + 1;
+                    print("mismatch: rotation_printed_vectors.txt is cut short after vector " & to_string(sent));
+                end if;
+            end if;
+        end procedure;
+
+        procedure check is
+            procedure check_port(port_name : string; want, got : std_logic_vector) is
+            begin
+                if got /= want then
+                    mismatch("vector " & to_string(number(latency)) & " " & port_name
+                        & " expected " & hex(want) & " got " & hex(got));
+                end if;
+            end procedure;
+        begin
+            -- Nothing is known before the first edge under reset.
+            if started and valid_out /= valid(latency) then
+                mismatch("vector " & to_string(checked) & " valid_out expected "
+                    & to_string(valid(latency)) & " got " & to_string(valid_out));
+            end if;
+            -- Each word counts once: in the cycle after which the pipeline moves on.
+            if ce = '1' and valid(latency) = '1' then
+                check_port("phi", expected(latency)(31 downto 16),
+                    std_logic_vector(dut_phi));
+                check_port("theta", expected(latency)(15 downto 0),
+                    std_logic_vector(dut_theta));
+                checked := checked + 1;
+            end if;
+        end procedure;
+
+        procedure move_on is
+        begin
+            for i in latency downto 1 loop
+                if rst = '1' then
+                    valid(i) := '0';
+                elsif ce = '1' then
+                    valid(i) := valid(i - 1);
+                end if;
+                if ce = '1' then
+                    expected(i) := expected(i - 1);
+                    number(i) := number(i - 1);
+                end if;
+            end loop;
+        end procedure;
+
+        -- What goes in after this edge: words stay where the pipeline stood still.
+        procedure drive is
+        begin
+            lfsr := lfsr(30 downto 0) & (lfsr(31) xor lfsr(21) xor lfsr(1) xor lfsr(0));
+            rst <= '0';
+            ce <= '1';
+            if stalls and lfsr(2 downto 0) = 0 then
+                ce <= '0';
+            end if;
+            if ce = '1' then
+                valid(0) := '0';
+                if more and not (stalls and lfsr(5 downto 3) = 0) then
+                    read_vector;
+                    if more then
+                        valid(0) := '1';
+                        expected(0)(31 downto 16) := next_phi;
+                        expected(0)(15 downto 0) := next_theta;
+                        number(0) := sent;
+                        sent := sent + 1;
+                        if stalls and sent = 358 then
+                            more := false;
+                        end if;
+                    end if;
+                end if;
+                valid_in <= valid(0);
+                -- A gap carries the opposite of the latest word.
+                if valid(0) = '1' then
+                    dut_phi_a <= unsigned(next_phi_a);
+                    dut_theta_a <= unsigned(next_theta_a);
+                    dut_phi_n <= unsigned(next_phi_n);
+                    dut_theta_n <= unsigned(next_theta_n);
+                else
+                    dut_phi_a <= unsigned(not next_phi_a);
+                    dut_theta_a <= unsigned(not next_theta_a);
+                    dut_phi_n <= unsigned(not next_phi_n);
+                    dut_theta_n <= unsigned(not next_theta_n);
+                end if;
+            end if;
+            -- A reset in mid-stream, which a stall doesn't hold up: what is on its way is forgotten.
+            if stalls and not reset_done and sent = 358 / 2 then
+                rst <= '1';
+                ce <= '0';
+                reset_done := true;
+            end if;
+        end procedure;
+
+        procedure finish is
+        begin
+            if passed = 0 then
+                print("mismatch: rotation_printed_vectors.txt holds no vector");
+            end if;
+            if mismatches = 0 and passed > 0 then
+                print("PASS " & to_string(passed) & " vectors");
+                done <= true;
+            else
+                print("FAIL " & to_string(mismatches) & " mismatches in " & to_string(passed)
+                    & " vectors");
+                std.env.finish(1);
+            end if;
+        end procedure;
+    begin
+        open_vectors;
+        while not done loop
+            wait until rising_edge(clk);
+            check;
+            if rst = '1' and stalls then
+                -- Forgotten, but for what hasn't gone in yet.
+                for i in 1 to latency loop
+                    if valid(i) = '1' then
+                        checked := checked + 1;
+                    end if;
+                end loop;
+            end if;
+            move_on;
+            drive;
+            started := true;
+            if not more and checked = sent then
+                file_close(vectors);
+                if not stalls then
+                    passed := checked;
+                    stalls := true;
+                    open_vectors;
+                else
+                    finish;
+                    wait;
+                end if;
+            elsif not more then
+                waited := waited + 1;
+                if waited > 20 * latency + 20 then
+                    mismatches := mismatches + 1;
+                    print("mismatch: " & to_string(sent) & " vectors went in and "
+                        & to_string(checked) & " came out");
+                    finish;
+                    wait;
+                end if;
+            end if;
+        end loop;
+    end process;
+end architecture;
