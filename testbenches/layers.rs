@@ -168,7 +168,7 @@ fn the_readme_tells_where_every_file_is() {
             || readme.contains(&format!("`src/{module}/`"));
         assert!(told || name == "lib.rs", "README.md doesn't say what src/{name} holds");
     }
-    for command in ["cargo run --release -- demo", "cargo test"] {
+    for command in ["cargo run --release -- demo", "testbenches/run"] {
         assert!(readme.contains(&format!("```sh\n{command}\n```")), "README.md lacks {command}");
     }
 }

@@ -1,6 +1,7 @@
 //! `fixpath demo`: every command on built-in settings, into one folder.
 
 use super::{Sim, pretty, print, run_sweep, stimulus, text, write_wave};
+use crate::emit::{Package, Settings};
 use crate::error::Result;
 use crate::eval::{self, AngleUnit};
 use crate::measure::{Basis, Inputs};
@@ -69,6 +70,13 @@ pub(super) fn run(out: &Path) -> Result<bool> {
         write(&out.join(format!("netlists/{name}.dot")), &netlist.to_dot())?;
         let wave = out.join(format!("waves/{name}.vcd"));
         write_wave(&sim.design, Options::default(), &stimulus(&sim.design, 200, 1)?, &wave)?;
+        let settings = Settings {
+            name: Some(format!("rotation_{name}")),
+            hard_per_group: Some(10),
+            ..Settings::default()
+        };
+        let hardware = out.join("hdl").join(name);
+        Package::new(&sim.design, &settings)?.write(&hardware, &hardware)?;
     }
     write(&out.join("hard_cases.txt"), &hard_text)?;
 
@@ -96,6 +104,7 @@ pub(super) fn run(out: &Path) -> Result<bool> {
         "\n- `sim/`: all figures with the inputs that give the worst, as text and JSON\n\
          - `hard_cases.txt`: the hard-case list with f32 and f64 results and a verdict\n\
          - `waves/`: open with `gtkwave waves/exact_linear.vcd waves/exact_linear.gtkw`\n\
+         - `hdl/`: Verilog, VHDL, testbenches; `make -C hdl/exact_linear -f rotation_exact_linear_icarus.mk`\n\
          - `netlists/`: formats, tables, operators, stages; `.dot` for Graphviz\n\
          - `vectors.csv`, `results.csv`: `eval` on four vectors in degrees\n\
          - `sweep/`: table sizes, variants and schemes as CSV, JSON, `report.md` and plots\n",
