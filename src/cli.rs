@@ -167,7 +167,7 @@ enum Command {
     Hdl(hardware::HdlArgs),
     /// Run a unit's hardware in the outside simulators that are installed, and compare every bit.
     #[command(
-        after_help = "Icarus, Verilator and GHDL take the hard-case list and random vectors; Yosys checks the\nmodule and proves it equal to its combinational reference at small widths.\n\nExamples:\n  fixpath verify rotation\n  fixpath verify rotation -p scheme=linear --with verilator --vectors 10000000\n  fixpath verify rotation -p variant=corrected --keep files --json"
+        after_help = "Icarus, Verilator and GHDL take the hard-case list and random vectors; Yosys checks the\nmodule and proves it equal to its combinational reference at small widths, within 60 s.\n\nExamples:\n  fixpath verify rotation\n  fixpath verify rotation -p scheme=linear --with verilator --vectors 10000000\n  fixpath verify rotation -p variant=corrected --keep files --json"
     )]
     Verify(verify::VerifyArgs),
     /// All of the above on built-in settings, in under half a minute.

@@ -124,8 +124,8 @@ fn header(design: &Design, rtl: &Rtl, figures: bool) -> Result<Vec<String>> {
     };
     lines.push(match schedule.latency() {
         0 => format!("combinational; {rom}"),
-        1 => format!("latency 1 cycle, a result every cycle; {rom}"),
-        cycles => format!("latency {cycles} cycles, a result every cycle; {rom}"),
+        1 => format!("latency 1 cycle, interval 1 cycle; {rom}"),
+        cycles => format!("latency {cycles} cycles, interval 1 cycle; {rom}"),
     });
     if figures {
         lines.extend(error_figures(design)?);

@@ -5,7 +5,7 @@
 //   asin_addr_bits=auto recip_addr_bits=auto atan_addr_bits=auto prop_addr_bits=auto
 //   recip_int_bits=8 atan_int_bits=auto quadrants=full cordic_iterations=auto period_ps=5000
 //   stages=auto rom=block
-// latency 3 cycles, a result every cycle; tables read on the clock
+// latency 3 cycles, interval 1 cycle; tables read on the clock
 // absolute errors against the golden of the quantised inputs, over 65536 vectors uniform on
 // the sphere (seed 1), and the input words of the worst:
 //   angle: mean 1.41e-3 rad, at most 4.85e-3 rad at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058

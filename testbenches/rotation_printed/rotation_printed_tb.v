@@ -5,7 +5,7 @@
 //   asin_addr_bits=auto recip_addr_bits=auto atan_addr_bits=auto prop_addr_bits=auto
 //   recip_int_bits=8 atan_int_bits=auto quadrants=full cordic_iterations=auto period_ps=5000
 //   stages=auto rom=block
-// latency 10 cycles, a result every cycle; tables read on the clock
+// latency 10 cycles, interval 1 cycle; tables read on the clock
 // absolute errors against the golden of the quantised inputs, over 65536 vectors uniform on
 // the sphere (seed 1), and the input words of the worst:
 //   angle: mean 1.49e0 rad, at most 3.14e0 rad at phi_a=15344 theta_a=12973 phi_n=15490 theta_n=26226
