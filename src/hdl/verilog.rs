@@ -143,7 +143,6 @@ fn rom(module: &Module, table: &RomTable, text: &mut String) {
     let _ = writeln!(text, "\n    // table {title}: {}", columns.join(", "));
     let range = if *row_bits == 1 { String::new() } else { format!("[{}:0] ", row_bits - 1) };
     let last = table.len() - 1;
-    let style = if module.block_rom { "block" } else { "logic" };
     if module.tables_in == Tables::Case {
         let _ = writeln!(text, "    function {range}{name};");
         let _ = writeln!(text, "        input [{}:0] address;", addr_bits - 1);
@@ -159,7 +158,10 @@ fn rom(module: &Module, table: &RomTable, text: &mut String) {
         text.push_str("        endcase\n    endfunction\n");
         return;
     }
-    let _ = writeln!(text, "    (* rom_style = \"{style}\" *)");
+    // Without a clock it is logic anyway, and tools don't agree on a word for that.
+    if module.block_rom {
+        text.push_str("    (* rom_style = \"block\" *)\n");
+    }
     let _ = writeln!(text, "    reg {range}{name} [0:{last}];");
     if module.tables_in == Tables::Files {
         let _ = writeln!(text, "    initial $readmemh(\"{}\", {name});", module.table_file(table));

@@ -136,7 +136,7 @@ fn ports(module: &Module, text: &mut String) {
 }
 
 fn declarations(module: &Module, text: &mut String) {
-    if !module.tables.is_empty() && module.tables_in != Tables::Case {
+    if module.block_rom && module.tables_in != Tables::Case {
         text.push_str("    attribute rom_style : string;\n");
     }
     for table in &module.tables {
@@ -203,7 +203,6 @@ fn rom(module: &Module, table: &RomTable, text: &mut String) {
         if *row_bits == 1 { format!("\"{digits}\"") } else { format!("{row_bits}x\"{digits}\"") }
     };
     let (top, last) = (row_bits - 1, table.len() - 1);
-    let style = if module.block_rom { "block" } else { "distributed" };
     let own = |wanted: &str| own_name(module, wanted);
     let address = own("address");
     if module.tables_in == Tables::Case {
@@ -255,7 +254,9 @@ fn rom(module: &Module, table: &RomTable, text: &mut String) {
         let lines: Vec<String> = all.chunks(ROWS_A_LINE).map(|rows| rows.join(", ")).collect();
         let _ = writeln!(text, "        {}\n    );", lines.join(",\n        "));
     }
-    let _ = writeln!(text, "    attribute rom_style of {name} : constant is \"{style}\";");
+    if module.block_rom {
+        let _ = writeln!(text, "    attribute rom_style of {name} : constant is \"block\";");
+    }
 }
 
 /// Registers between a stage and the next, and the valid bit.
