@@ -62,7 +62,7 @@ module rotation_corrected (
     // angles
     wire signed [0:-16] angles_delta_exact = {1'b0, phi_a} - {1'b0, phi_n}; // s17f16
     wire [-1:-16] angles_delta = angles_delta_exact[-1:-16]; // u16f16
-    wire [0:-16] angles_n6 = theta_a + angles_delta; // u17f16
+    wire [0:-16] angles_n6 = {1'b0, theta_a} + {1'b0, angles_delta}; // u17f16
     wire signed [0:-16] angles_n7 = {1'b0, theta_a} - {1'b0, angles_delta}; // s17f16
     wire [-1:-16] angles_ang_x = angles_n6[-1:-16]; // u16f16
     wire [-1:-16] angles_ang_y = angles_n7[-1:-16]; // u16f16
@@ -101,9 +101,9 @@ module rotation_corrected (
     wire signed [1:-18] sincos_sin_y = sincos_row_2[39:20]; // s20f18
     wire signed [1:-18] sincos_cos_y = sincos_row_2[19:0]; // s20f18
     // (unit)
-    wire signed [2:-18] n16 = sincos_sin_x + sincos_sin_y; // s21f18
+    wire signed [2:-18] n16 = {sincos_sin_x[1], sincos_sin_x} + {sincos_sin_y[1], sincos_sin_y}; // s21f18
     wire signed [1:-19] n17 = n16; // s21f19
-    wire signed [2:-18] y_double = sincos_cos_y - sincos_cos_x; // s21f18
+    wire signed [2:-18] y_double = {sincos_cos_y[1], sincos_cos_y} - {sincos_cos_x[1], sincos_cos_x}; // s21f18
 
     reg [-1:-16] theta_n_s2; // u16f16
     reg signed [1:-19] n17_s2; // s21f19

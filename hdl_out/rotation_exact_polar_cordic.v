@@ -294,19 +294,19 @@ module rotation_exact_polar_cordic (
     // angles
     wire signed [0:-16] angles_n4 = {1'b0, phi_a} - {1'b0, phi_n}; // s17f16
     wire [-1:-16] angles_delta = angles_n4[-1:-16]; // u16f16
-    wire [0:-16] angles_n6 = theta_a + angles_delta; // u17f16
+    wire [0:-16] angles_n6 = {1'b0, theta_a} + {1'b0, angles_delta}; // u17f16
     wire [-1:-16] angles_ang_x = angles_n6[-1:-16]; // u16f16
     wire signed [0:-16] angles_n8 = {1'b0, theta_a} - {1'b0, angles_delta}; // s17f16
     wire [-1:-16] angles_ang_y = angles_n8[-1:-16]; // u16f16
-    wire [0:-16] angles_n10 = angles_ang_x + theta_n; // u17f16
+    wire [0:-16] angles_n10 = {1'b0, angles_ang_x} + {1'b0, theta_n}; // u17f16
     wire [-1:-16] angles_x_plus_n = angles_n10[-1:-16]; // u16f16
     wire signed [0:-16] angles_n12 = {1'b0, angles_ang_x} - {1'b0, theta_n}; // s17f16
     wire [-1:-16] angles_x_minus_n = angles_n12[-1:-16]; // u16f16
-    wire [0:-16] angles_n14 = angles_ang_y + theta_n; // u17f16
+    wire [0:-16] angles_n14 = {1'b0, angles_ang_y} + {1'b0, theta_n}; // u17f16
     wire [-1:-16] angles_y_plus_n = angles_n14[-1:-16]; // u16f16
     wire signed [0:-16] angles_n16 = {1'b0, angles_ang_y} - {1'b0, theta_n}; // s17f16
     wire [-1:-16] angles_y_minus_n = angles_n16[-1:-16]; // u16f16
-    wire [0:-16] angles_n18 = theta_a + theta_n; // u17f16
+    wire [0:-16] angles_n18 = {1'b0, theta_a} + {1'b0, theta_n}; // u17f16
     wire [-1:-16] angles_a_plus_n = angles_n18[-1:-16]; // u16f16
     wire signed [0:-16] angles_n20 = {1'b0, theta_a} - {1'b0, theta_n}; // s17f16
     wire [-1:-16] angles_a_minus_n = angles_n20[-1:-16]; // u16f16
@@ -383,19 +383,19 @@ module rotation_exact_polar_cordic (
     wire signed [1:-18] sincos_sin_amn = sincos_row_8[39:20]; // s20f18
     wire signed [1:-18] sincos_cos_amn = sincos_row_8[19:0]; // s20f18
     // sums
-    wire signed [2:-18] sums_n44 = sincos_sin_xpn + sincos_sin_xmn; // s21f18
-    wire signed [2:-18] sums_n45 = sincos_sin_ypn + sincos_sin_ymn; // s21f18
-    wire signed [3:-18] sums_n46 = sums_n44 + sums_n45; // s22f18
+    wire signed [2:-18] sums_n44 = {sincos_sin_xpn[1], sincos_sin_xpn} + {sincos_sin_xmn[1], sincos_sin_xmn}; // s21f18
+    wire signed [2:-18] sums_n45 = {sincos_sin_ypn[1], sincos_sin_ypn} + {sincos_sin_ymn[1], sincos_sin_ymn}; // s21f18
+    wire signed [3:-18] sums_n46 = {sums_n44[2], sums_n44} + {sums_n45[2], sums_n45}; // s22f18
     wire signed [1:-20] sums_n47 = sums_n46; // s22f20
-    wire signed [2:-18] sums_n48 = sincos_sin_apn - sincos_sin_amn; // s21f18
+    wire signed [2:-18] sums_n48 = {sincos_sin_apn[1], sincos_sin_apn} - {sincos_sin_amn[1], sincos_sin_amn}; // s21f18
     wire signed [1:-19] sums_n49 = sums_n48; // s21f19
-    wire signed [2:-18] sums_n51 = sincos_cos_y - sincos_cos_x; // s21f18
+    wire signed [2:-18] sums_n51 = {sincos_cos_y[1], sincos_cos_y} - {sincos_cos_x[1], sincos_cos_x}; // s21f18
     wire signed [1:-19] sums_y_sum = sums_n51; // s21f19
-    wire signed [2:-18] sums_n53 = sincos_cos_xmn - sincos_cos_xpn; // s21f18
-    wire signed [2:-18] sums_n54 = sincos_cos_ymn - sincos_cos_ypn; // s21f18
-    wire signed [3:-18] sums_n55 = sums_n53 + sums_n54; // s22f18
+    wire signed [2:-18] sums_n53 = {sincos_cos_xmn[1], sincos_cos_xmn} - {sincos_cos_xpn[1], sincos_cos_xpn}; // s21f18
+    wire signed [2:-18] sums_n54 = {sincos_cos_ymn[1], sincos_cos_ymn} - {sincos_cos_ypn[1], sincos_cos_ypn}; // s21f18
+    wire signed [3:-18] sums_n55 = {sums_n53[2], sums_n53} + {sums_n54[2], sums_n54}; // s22f18
     wire signed [1:-20] sums_n56 = sums_n55; // s22f20
-    wire signed [2:-18] sums_n57 = sincos_cos_apn + sincos_cos_amn; // s21f18
+    wire signed [2:-18] sums_n57 = {sincos_cos_apn[1], sincos_cos_apn} + {sincos_cos_amn[1], sincos_cos_amn}; // s21f18
     wire signed [1:-19] sums_n58 = sums_n57; // s21f19
 
     reg signed [1:-20] sums_n47_s2; // s22f20

@@ -95,9 +95,9 @@ module rotation_printed (
     wire signed [1:-18] sincos_sin_y = sincos_row_2[39:20]; // s20f18
     wire signed [1:-18] sincos_cos_y = sincos_row_2[19:0]; // s20f18
     // (unit)
-    wire signed [2:-18] n17 = sincos_sin_x + sincos_sin_y; // s21f18
+    wire signed [2:-18] n17 = {sincos_sin_x[1], sincos_sin_x} + {sincos_sin_y[1], sincos_sin_y}; // s21f18
     wire signed [1:-19] n18 = n17; // s21f19
-    wire signed [2:-18] y_double = sincos_cos_y - sincos_cos_x; // s21f18
+    wire signed [2:-18] y_double = {sincos_cos_y[1], sincos_cos_y} - {sincos_cos_x[1], sincos_cos_x}; // s21f18
 
     reg [-1:-16] theta_n_s2; // u16f16
     reg signed [1:-19] n18_s2; // s21f19

@@ -1,5 +1,6 @@
 //! The command line. Exit codes: 0 done, 1 a check failed, 2 wrong use or unreadable input.
 
+mod cost;
 mod demo;
 mod hardware;
 mod text;
@@ -170,7 +171,12 @@ enum Command {
         after_help = "Icarus, Verilator and GHDL take the hard-case list and random vectors; Yosys checks the\nmodule and proves it equal to its combinational reference at small widths, within 60 s.\n\nExamples:\n  fixpath verify rotation\n  fixpath verify rotation -p scheme=linear --with verilator --vectors 10000000\n  fixpath verify rotation -p variant=corrected --keep files --json"
     )]
     Verify(verify::VerifyArgs),
-    /// All of the above on built-in settings, in under half a minute.
+    /// Count what a unit takes on an FPGA, by Yosys, and the clock that it reaches, by nextpnr.
+    #[command(
+        after_help = "`fixpath show` has the estimate without tools.\n\nExamples:\n  fixpath cost rotation\n  fixpath cost rotation -p table_addr_bits=8 --target ice40\n  fixpath cost rotation -p variant=corrected --target ecp5,xilinx --no-route --json"
+    )]
+    Cost(cost::CostArgs),
+    /// Measure, waves, hardware and a sweep of built-in settings, in under half a minute.
     #[command(after_help = "Example:\n  fixpath demo --out demo_out")]
     Demo {
         /// Folder to write.
@@ -388,6 +394,7 @@ fn run(command: &Command) -> Result<bool> {
             print(&told)?;
             return Ok(agree);
         }
+        Command::Cost(args) => print(&cost::run(args)?)?,
         Command::Demo { out } => return demo::run(out),
     }
     Ok(true)

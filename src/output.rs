@@ -13,8 +13,8 @@ static TEMPORARY: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 /// Scratch folders in use.
 static SCRATCH: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
-/// Removes the temporary files of writes under way and scratch folders; for a handler of interrupts, which ends
-/// the process next.
+/// Removes scratch folders and the temporary files of writes under way; for a handler of
+/// interrupts, which ends the process next.
 pub(crate) fn abandon() {
     for folder in &*SCRATCH.lock().unwrap_or_else(PoisonError::into_inner) {
         let _ = fs::remove_dir_all(folder);

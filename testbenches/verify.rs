@@ -10,7 +10,7 @@ use std::time::Duration;
 
 /// All tools take a design, and each of them agrees.
 fn agrees(design: &Design, tables: Option<Tables>, context: &str) {
-    let limit = Duration::from_secs(300);
+    let limit = Duration::from_secs(900);
     let request = Request { tables, limit, ..Request::default() };
     let rows = verify::verify(design, &request, &|_| {}).unwrap();
     for row in &rows {

@@ -1,4 +1,4 @@
-//! `fixpath demo`: every command on built-in settings, into one folder.
+//! `fixpath demo`: what takes no outside tool, on built-in settings, into one folder.
 
 use super::{Sim, pretty, print, run_sweep, stimulus, text, write_wave};
 use crate::emit::{Package, Settings};

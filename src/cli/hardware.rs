@@ -106,11 +106,10 @@ fn told(package: &Package, vectors: u64, out: &Path) -> String {
         let _ = writeln!(text, "  {}", file.name);
     }
     let _ = writeln!(text, "  {}: {vectors} vectors", vectors_file(module));
-    let _ = writeln!(
-        text,
-        "run its testbench with: make -C {} -f {}_icarus.mk",
-        out.display(),
-        module.name
-    );
+    let makefile = package.companions.iter().find(|file| file.name.ends_with(".mk"));
+    if let Some(makefile) = makefile {
+        let out = out.display();
+        let _ = writeln!(text, "run its testbench with: make -C '{out}' -f {}", makefile.name);
+    }
     text
 }

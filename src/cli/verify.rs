@@ -56,6 +56,12 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(String, bool)> {
         keep: args.keep.clone(),
     };
     let design = args.unit.design()?;
+    // What was asked for by name has to be there, before anything runs.
+    if !args.with.is_empty() {
+        for simulator in &request.simulators {
+            simulator.version().map_err(Error::usage)?;
+        }
+    }
     let bar = ProgressBar::new_spinner();
     let names: Vec<&str> = request.simulators.iter().map(|simulator| simulator.name()).collect();
     bar.set_message(format!("{} at work", names.join(", ")));
@@ -64,15 +70,9 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(String, bool)> {
         bar.println(format!("{}: {:.1} s", row.tool, row.seconds));
     })?;
     bar.finish_and_clear();
-    let missing = rows.iter().find(|row| row.is_missing());
-    let ran = rows.iter().any(|row| !row.is_missing());
-    match missing {
-        // Asked for by name, or nothing at all could be done.
-        Some(row) if !args.with.is_empty() || !ran => {
-            let Verdict::Missing(how) = &row.verdict else { unreachable!("bug: it is missing") };
-            return Err(Error::usage(format!("{} is {how}", row.tool)));
-        }
-        Some(_) | None => {}
+    if rows.iter().all(Row::is_missing) {
+        let missing: Vec<String> = rows.iter().map(|row| verdict(&row.verdict)).collect();
+        return Err(Error::usage(missing.join("; ")));
     }
     let agree = rows.iter().all(|row| row.agrees() || row.is_missing());
     let told =

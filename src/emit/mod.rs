@@ -93,13 +93,30 @@ impl Package {
     /// # Errors
     /// If a file can't be written.
     pub fn write(&mut self, hardware: &Path, companions: &Path) -> Result<()> {
+        self.write_texts(hardware, companions)?;
+        self.write_vectors(companions)
+    }
+
+    /// Writes all but the vectors.
+    ///
+    /// # Errors
+    /// If a file can't be written.
+    pub fn write_texts(&self, hardware: &Path, companions: &Path) -> Result<()> {
         for (folder, files) in [(hardware, &self.hardware), (companions, &self.companions)] {
             output::make_folder(folder)?;
             for file in files {
                 output::write_text(&folder.join(&file.name), &file.text)?;
             }
         }
-        let path = companions.join(vectors_file(&self.module));
+        Ok(())
+    }
+
+    /// Writes the vectors.
+    ///
+    /// # Errors
+    /// If the file can't be written.
+    pub fn write_vectors(&mut self, folder: &Path) -> Result<()> {
+        let path = folder.join(vectors_file(&self.module));
         output::write_file(&path, |to| self.vectors.write(to).map_err(output::at(&path)))
     }
 }

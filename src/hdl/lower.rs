@@ -11,7 +11,7 @@ use super::{
 };
 use crate::cast;
 use crate::error::{Error, Result};
-use crate::format::{Format, Narrowing, Overflow, Round, narrow};
+use crate::format::{Format, Narrowing, Overflow, Round, bit_len, narrow};
 use crate::hdl::names::Names;
 use crate::netlist::{NodeId, TableId};
 use crate::op::Op;
@@ -32,10 +32,6 @@ pub(super) fn lower(rtl: &Arc<Rtl>, options: &Options) -> Result<Module> {
     let latency = rtl.schedule().latency();
     let mut names = Names::default();
     names.take(&name);
-    // What back ends call the valid bits.
-    for stage in 1..=latency {
-        names.take(&format!("valid_s{stage}"));
-    }
     let stages = usize::try_from(latency).expect("bug: 32 bits fit") + 1;
     let mut lowering = Lowering {
         rtl,
@@ -423,15 +419,18 @@ impl Lowering<'_> {
             Op::ShiftLeft { max } => {
                 let a = self.resized(self.operand(id, 0), bits);
                 let mut count = self.operand(id, 1);
-                let (count_bits, most) = (of(1).bits(), of(1).max_raw());
-                if i64::from(max) < most {
-                    let limit = Operand::Literal { pattern: max.into(), bits: count_bits };
-                    let given = self.resized(count, count_bits);
-                    let past = Expr::Less { a: limit, b: given, signed: false };
+                if i64::from(max) < of(1).max_raw() {
+                    let given_bits = of(1).bits();
+                    let limit = |bits| Operand::Literal { pattern: max.into(), bits };
+                    let given = self.resized(count, given_bits);
+                    let past = Expr::Less { a: limit(given_bits), b: given, signed: false };
                     let past = self.flag(word, "past", past);
-                    let kept = Expr::Choose { cases: vec![(past, limit)], default: given };
-                    count = self.helper(word, "count", count_bits, false, kept);
-                    self.module.words[count.index()].frac = 0;
+                    // No more bits than the limit has: a count with others is past it.
+                    let kept_bits = bit_len(max.into()).max(1);
+                    let kept = self.resized(count, kept_bits);
+                    let cases = vec![(past, limit(kept_bits))];
+                    let kept = Expr::Choose { cases, default: kept };
+                    count = self.plain(word, "count", kept_bits, kept);
                 }
                 Expr::ShiftLeft(a, count)
             }

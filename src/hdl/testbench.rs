@@ -106,6 +106,7 @@ pub(super) fn render(
         reference => reference_name(module),
         vectors => vectors_file(module),
         tables => module.table_file_names(),
+        count => vectors,
         again => vectors.clamp(1, AGAIN),
         inputs, input_bits, outputs, output_bits,
     };

@@ -158,10 +158,9 @@ fn rom(module: &Module, table: &RomTable, text: &mut String) {
         text.push_str("        endcase\n    endfunction\n");
         return;
     }
-    // Without a clock it is logic anyway, and tools don't agree on a word for that.
-    if module.block_rom {
-        text.push_str("    (* rom_style = \"block\" *)\n");
-    }
+    // A read without a clock could still become block RAM, with the register behind it.
+    let style = if module.block_rom { "block" } else { "logic" };
+    let _ = writeln!(text, "    (* rom_style = \"{style}\" *)");
     let _ = writeln!(text, "    reg {range}{name} [0:{last}];");
     if module.tables_in == Tables::Files {
         let _ = writeln!(text, "    initial $readmemh(\"{}\", {name});", module.table_file(table));
@@ -326,27 +325,11 @@ impl Printer<'_> {
         }
     }
 
-    /// Name of a whole word that lacks just the carry of a sum of `to` bits: every tool extends
-    /// it by that bit, with its sign if both sides have one.
-    fn carry(&self, operand: Operand, to: &Word) -> Option<&str> {
-        let Operand::View(View { word, lo: 0, zeros: 0, bits }) = operand else { return None };
-        let word = self.module.word(word);
-        (bits == to.bits && word.bits + 1 == bits && word.signed == to.signed)
-            .then_some(word.name.as_str())
-    }
-
-    fn sum(&self, operator: &str, a: Operand, b: Operand, to: &Word) -> String {
-        if let (Some(a), Some(b)) = (self.carry(a, to), self.carry(b, to)) {
-            return format!("{a} {operator} {b}");
-        }
-        format!("{} {operator} {}", self.operand(a), self.operand(b))
-    }
-
     fn expr(&self, expr: &Expr, to: &Word) -> String {
         match expr {
             Expr::Copy(a) => self.operand(*a),
-            Expr::Add(a, b) => self.sum("+", *a, *b, to),
-            Expr::Sub(a, b) => self.sum("-", *a, *b, to),
+            Expr::Add(a, b) => format!("{} + {}", self.operand(*a), self.operand(*b)),
+            Expr::Sub(a, b) => format!("{} - {}", self.operand(*a), self.operand(*b)),
             Expr::AddCarry(a, b, bit) => {
                 let carry = match to.bits - 1 {
                     0 => self.bit(*bit),

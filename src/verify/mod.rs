@@ -50,11 +50,24 @@ impl Simulator {
     #[must_use]
     pub fn tools(self) -> &'static [&'static Tool] {
         match self {
-            Self::Icarus => &[&outside::ICARUS],
+            Self::Icarus => &[&outside::ICARUS, &outside::VVP],
             Self::Verilator => &[&outside::VERILATOR, &outside::MAKE, &outside::CXX],
             Self::Ghdl => &[&outside::GHDL],
             Self::Yosys => &[&outside::YOSYS],
         }
+    }
+
+    /// Its version.
+    ///
+    /// # Errors
+    /// If one of its tools isn't there: what brings it.
+    pub fn version(self) -> std::result::Result<String, String> {
+        let mut versions = Vec::new();
+        for tool in self.tools() {
+            let missing = || format!("{} is {}", tool.name, tool.missing());
+            versions.push(tool.version().ok_or_else(missing)?);
+        }
+        Ok(versions.swap_remove(0))
     }
 
     /// Random vectors if no number was asked for.
@@ -182,9 +195,15 @@ impl Row {
 /// # Panics
 /// If a simulator's thread did.
 pub fn verify(design: &Design, request: &Request, progress: &dyn Fn(&Row)) -> Result<Vec<Row>> {
-    let scratch = Scratch::new()?;
-    let folder: &Path = request.keep.as_deref().unwrap_or(scratch.path());
+    let scratch = if request.keep.is_some() { None } else { Some(Scratch::new()?) };
+    let folder = match (&request.keep, &scratch) {
+        (Some(folder), _) => folder.as_path(),
+        (None, Some(scratch)) => scratch.path(),
+        (None, None) => unreachable!("bug: one of them is there"),
+    };
     make_folder(folder)?;
+    // Tools run in the folder: a path from here would lead nowhere.
+    let folder = folder.canonicalize().map_err(|why| Error::io(folder, "can't open", why))?;
     let settings = Settings {
         tables: request.tables,
         random: request.vectors.unwrap_or(SLOW_VECTORS),
@@ -193,27 +212,32 @@ pub fn verify(design: &Design, request: &Request, progress: &dyn Fn(&Row)) -> Re
         ..Settings::default()
     };
     let mut package = Package::new(design, &settings)?;
-    package.write(folder, folder)?;
-    let job = Job { design, request, package: &package, folder };
+    package.write_texts(&folder, &folder)?;
+    let reads_file = |simulator: &Simulator| match simulator {
+        Simulator::Icarus | Simulator::Ghdl => true,
+        // It gets them through a pipe; a proof takes none.
+        Simulator::Verilator | Simulator::Yosys => false,
+    };
+    if request.keep.is_some() || request.simulators.iter().any(reads_file) {
+        package.write_vectors(&folder)?;
+    }
+    let job = Job { design, request, package: &package, folder: &folder };
     let mut rows: Vec<(usize, Row)> = Vec::new();
     let (sender, receiver) = mpsc::channel();
-    let ended: Result<()> = thread::scope(|scope| {
+    thread::scope(|scope| {
         for (at, simulator) in request.simulators.iter().enumerate() {
             let (sender, job) = (sender.clone(), &job);
             scope.spawn(move || {
-                // The receiver outlives all senders.
-                let _ = sender.send((at, simulators::run(job, *simulator)));
+                let row = simulators::run(job, *simulator);
+                sender.send((at, row)).expect("bug: the receiver takes all rows");
             });
         }
         drop(sender);
         for (at, row) in receiver {
-            let row = row?;
             progress(&row);
             rows.push((at, row));
         }
-        Ok(())
     });
-    ended?;
     assert_eq!(rows.len(), request.simulators.len(), "bug: one row a simulator");
     rows.sort_by_key(|(at, _)| *at);
     Ok(rows.into_iter().map(|(_, row)| row).collect())

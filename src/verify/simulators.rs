@@ -2,7 +2,7 @@
 
 use super::{Job, Row, Simulator, Verdict, mismatch};
 use crate::emit::vectors::Vectors;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::hdl::testbench::{proof, reference_name};
 use crate::hdl::{Module, Options, Tables, Verilog};
 use crate::output::{Scratch, write_text};
@@ -11,7 +11,6 @@ use crate::rtl::Rtl;
 use crate::schedule::{Depth, Rom, Schedule};
 use crate::units::{Design, Kind, Value};
 use std::io::Write;
-use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -23,7 +22,7 @@ const PROOF_LIMIT: Duration = Duration::from_secs(60);
 const PROOF_ITERATIONS: i64 = 3;
 
 /// Runs a tool on a job.
-pub(super) fn run(job: &Job<'_>, simulator: Simulator) -> Result<Row> {
+pub(super) fn run(job: &Job<'_>, simulator: Simulator) -> Row {
     let mut row = Row {
         tool: simulator.name(),
         version: String::new(),
@@ -32,51 +31,62 @@ pub(super) fn run(job: &Job<'_>, simulator: Simulator) -> Result<Row> {
         seconds: 0.0,
         verdict: Verdict::Missing(String::new()),
     };
-    for tool in simulator.tools() {
-        match tool.version() {
-            None => {
-                row.verdict = Verdict::Missing(tool.missing());
-                return Ok(row);
-            }
-            Some(version) if row.version.is_empty() => row.version = version,
-            Some(_) => {}
+    match simulator.version() {
+        Ok(version) => row.version = version,
+        Err(missing) => {
+            row.verdict = Verdict::Missing(missing);
+            return row;
         }
     }
     let start = Instant::now();
     let ended = match simulator {
-        Simulator::Icarus => icarus(job, &mut row)?,
-        Simulator::Verilator => verilator(job, &mut row)?,
-        Simulator::Ghdl => ghdl(job, &mut row)?,
-        Simulator::Yosys => yosys(job)?,
+        Simulator::Icarus => icarus(job, &mut row),
+        Simulator::Verilator => verilator(job, &mut row),
+        Simulator::Ghdl => ghdl(job, &mut row),
+        Simulator::Yosys => yosys(job),
     };
     row.seconds = start.elapsed().as_secs_f64();
     row.verdict = match ended {
         Ok(verdict) | Err(verdict) => verdict,
     };
-    Ok(row)
+    row
 }
 
 /// A verdict, or the one that ended the run before its time.
-type Ended = Result<std::result::Result<Verdict, Verdict>>;
+type Ended<T = Verdict> = std::result::Result<T, Verdict>;
 
-/// Runs one step, which has to end well and in silence.
-fn step(
-    job: &Job<'_>,
-    folder: &Path,
-    program: &str,
-    arguments: &[&str],
-) -> Result<std::result::Result<Outcome, Verdict>> {
-    let outcome = outside::run(program, arguments, folder, job.request.limit, None)?;
-    Ok(match failure(&outcome, program) {
-        Some(verdict) => Err(verdict),
-        None if outcome.stderr.trim().is_empty() => Ok(outcome),
-        None => Err(Verdict::Failed(format!("{program} warns: {}", first_line(&outcome.stderr)))),
-    })
+/// What keeps a tool from being run is no agreement.
+fn failed(why: Error) -> Verdict {
+    Verdict::Failed(why.to_string())
 }
 
-fn failure(outcome: &Outcome, program: &str) -> Option<Verdict> {
+/// Runs one step within the time limit.
+fn run_step(job: &Job<'_>, program: &str, arguments: &[&str]) -> Ended<Outcome> {
+    outside::run(program, arguments, job.folder, job.request.limit, None).map_err(failed)
+}
+
+/// Runs one step, which has to end well and in silence. Not through the makefiles that are
+/// written for people: each step has its limit, and what it says is told.
+fn step(job: &Job<'_>, program: &str, arguments: &[&str]) -> Ended<Outcome> {
+    let outcome = run_step(job, program, arguments)?;
+    if let Some(verdict) = failure(&outcome, program, job.request.limit) {
+        return Err(verdict);
+    }
+    silent(&outcome.stderr, program)?;
+    Ok(outcome)
+}
+
+/// A warning is no agreement.
+fn silent(said: &str, program: &str) -> Ended<()> {
+    if said.trim().is_empty() {
+        return Ok(());
+    }
+    Err(Verdict::Failed(format!("{program} warns: {}", first_line(said))))
+}
+
+fn failure(outcome: &Outcome, program: &str, limit: Duration) -> Option<Verdict> {
     if outcome.timed_out {
-        let text = format!("{program} ran past the limit of {:.0} s", outcome.seconds);
+        let text = format!("{program} ran past the limit of {} s", limit.as_secs());
         return Some(Verdict::TimedOut(text));
     }
     if outcome.success() {
@@ -102,48 +112,40 @@ fn judged(
     outcome: &Outcome,
     program: &str,
     vectors: Vectors,
-) -> Verdict {
-    let count = |text: Option<&str>| text.and_then(|text| text.parse().ok());
-    // GHDL adds a line of its own.
-    let mut lines = outcome.stdout.lines().rev();
-    let last = lines.find(|line| line.starts_with("PASS ") || line.starts_with("FAIL "));
-    let last: Vec<&str> = last.unwrap_or_default().split(' ').collect();
-    match last.as_slice() {
-        ["PASS", vectors_seen, "vectors"] if outcome.success() => {
-            row.vectors = count(Some(vectors_seen)).unwrap_or(0);
-            if row.vectors == vectors.count() {
-                Verdict::Agrees(String::new())
-            } else {
-                let all = vectors.count();
-                Verdict::Failed(format!("{program} took {} of {all} vectors", row.vectors))
+) -> Ended {
+    let count = |text: &str| text.parse().unwrap_or(0);
+    let is_verdict = |line: &&str| line.starts_with("PASS ") || line.starts_with("FAIL ");
+    // GHDL adds a line of its own to a failure.
+    let last = outcome.stdout.lines().rev().find(is_verdict).unwrap_or_default();
+    match last.split(' ').collect::<Vec<_>>().as_slice() {
+        ["PASS", seen, "vectors"] if outcome.success() => {
+            row.vectors = count(seen);
+            // Nothing but the verdict: whatever else it says is a warning.
+            let others: Vec<&str> = outcome.stdout.lines().filter(|line| *line != last).collect();
+            silent(&(others.join("\n") + &outcome.stderr), program)?;
+            let all = vectors.count();
+            if row.vectors != all {
+                let text = format!("{program} took {} of {all} vectors", row.vectors);
+                return Err(Verdict::Failed(text));
             }
+            Ok(Verdict::Agrees(String::new()))
         }
-        ["FAIL", mismatches, "mismatches", "in", vectors_seen, "vectors"] => {
-            row.mismatches = count(Some(mismatches)).unwrap_or(0);
-            row.vectors = count(Some(vectors_seen)).unwrap_or(0);
+        ["FAIL", mismatches, "mismatches", "in", seen, "vectors"] => {
+            row.mismatches = count(mismatches);
+            row.vectors = count(seen);
             let line = outcome.stdout.lines().find(|line| line.starts_with("mismatch: "));
-            match line {
+            Err(match line {
                 Some(line) if line.starts_with("mismatch: vector ") => {
                     Verdict::Disagrees(mismatch(job, line, vectors).map(Box::new))
                 }
                 Some(line) => Verdict::Failed(line.to_owned()),
                 None => Verdict::Disagrees(None),
-            }
+            })
         }
-        _ => failure(outcome, program).unwrap_or_else(|| {
+        _ => Err(failure(outcome, program, job.request.limit).unwrap_or_else(|| {
             Verdict::Failed(format!("{program} gave no verdict: {}", first_line(&outcome.stdout)))
-        }),
+        })),
     }
-}
-
-/// Unwraps a step, or ends the run with its verdict.
-macro_rules! ended {
-    ($step:expr) => {
-        match $step? {
-            Ok(outcome) => outcome,
-            Err(verdict) => return Ok(Err(verdict)),
-        }
-    };
 }
 
 fn random(job: &Job<'_>, simulator: Simulator) -> u64 {
@@ -154,11 +156,9 @@ fn icarus(job: &Job<'_>, row: &mut Row) -> Ended {
     let name = &job.package.module.name;
     let (module, testbench) = (format!("{name}.v"), format!("{name}_tb.v"));
     let program = format!("{name}_tb.vvp");
-    let arguments = ["-g2005", "-Wall", "-o", &program, &module, &testbench];
-    ended!(step(job, job.folder, "iverilog", &arguments));
-    let outcome = outside::run("vvp", &["-n", &program], job.folder, job.request.limit, None)?;
-    let vectors = job.vectors(random(job, Simulator::Icarus));
-    Ok(Ok(judged(job, row, &outcome, "vvp", vectors)))
+    step(job, "iverilog", &["-g2005", "-Wall", "-o", &program, &module, &testbench])?;
+    let outcome = run_step(job, "vvp", &["-n", &program])?;
+    judged(job, row, &outcome, "vvp", job.vectors(random(job, Simulator::Icarus)))
 }
 
 fn verilator(job: &Job<'_>, row: &mut Row) -> Ended {
@@ -166,70 +166,63 @@ fn verilator(job: &Job<'_>, row: &mut Row) -> Ended {
     let (module, harness) = (format!("{name}.v"), format!("{name}_harness.cpp"));
     let (objects, makefile) = (format!("obj_{name}"), format!("V{name}.mk"));
     let top = format!("V{name}");
-    ended!(step(
-        job,
-        job.folder,
-        "verilator",
-        &["--cc", "--exe", "-Wall", "--Mdir", &objects, "-CFLAGS", "-O1", &module, &harness],
-    ));
-    // What it would add, -Os, undoes ours.
+    // Building takes longer than running: -O1.
+    let translate = ["--cc", "--exe", "-Wall", "--Mdir", &objects, "-CFLAGS", "-O1"];
+    step(job, "verilator", &[&translate[..], &[&module, &harness]].concat())?;
+    // Its makefile would add -Os, which undoes that. What g++ thinks of its code is no warning
+    // of ours.
     let flags = ["OPT_FAST=", "OPT_SLOW=", "OPT_GLOBAL="];
-    let arguments = ["-s", "-C", &objects, "-f", &makefile, &top, flags[0], flags[1], flags[2]];
-    let built = outside::run("make", &arguments, job.folder, job.request.limit, None)?;
-    if let Some(verdict) = failure(&built, "make") {
-        return Ok(Err(verdict));
+    let make = ["-s", "-C", &objects, "-f", &makefile, &top];
+    let built = run_step(job, "make", &[&make[..], &flags[..]].concat())?;
+    if let Some(verdict) = failure(&built, "make", job.request.limit) {
+        return Err(verdict);
     }
-    let mut vectors = job.vectors(random(job, Simulator::Verilator));
+    let count = random(job, Simulator::Verilator);
     let program = job.folder.join(&objects).join(&top);
-    let program = program.to_string_lossy().into_owned();
+    let mut vectors = job.vectors(count);
     let mut feed = |to: &mut dyn Write| vectors.write(to);
-    let outcome = outside::run(&program, &[], job.folder, job.request.limit, Some(&mut feed))?;
-    let vectors = job.vectors(random(job, Simulator::Verilator));
-    Ok(Ok(judged(job, row, &outcome, &top, vectors)))
+    let limit = job.request.limit;
+    let outcome = outside::run(&program.to_string_lossy(), &[], job.folder, limit, Some(&mut feed))
+        .map_err(failed)?;
+    judged(job, row, &outcome, &top, job.vectors(count))
 }
 
 fn ghdl(job: &Job<'_>, row: &mut Row) -> Ended {
     let name = &job.package.module.name;
     let (module, testbench) = (format!("{name}.vhd"), format!("{name}_tb.vhd"));
     let top = format!("{name}_tb");
-    ended!(step(job, job.folder, "ghdl", &["-a", "--std=08", &module, &testbench]));
-    ended!(step(job, job.folder, "ghdl", &["-e", "--std=08", &top]));
-    let arguments = ["-r", "--std=08", &top];
-    let outcome = outside::run("ghdl", &arguments, job.folder, job.request.limit, None)?;
-    let vectors = job.vectors(random(job, Simulator::Ghdl));
-    let verdict = judged(job, row, &outcome, "ghdl", vectors);
-    if matches!(verdict, Verdict::Agrees(_)) && outcome.stdout.trim().lines().count() > 1 {
-        let warning = first_line(&outcome.stdout);
-        return Ok(Err(Verdict::Failed(format!("ghdl warns: {warning}"))));
-    }
-    Ok(Ok(verdict))
+    step(job, "ghdl", &["-a", "--std=08", &module, &testbench])?;
+    step(job, "ghdl", &["-e", "--std=08", &top])?;
+    let outcome = run_step(job, "ghdl", &["-r", "--std=08", &top])?;
+    judged(job, row, &outcome, "ghdl", job.vectors(random(job, Simulator::Ghdl)))
 }
 
 fn yosys(job: &Job<'_>) -> Ended {
     let script = format!("{}.ys", job.package.module.name);
-    ended!(step(job, job.folder, "yosys", &["-q", &script]));
+    step(job, "yosys", &["-q", &script])?;
+    let limit = PROOF_LIMIT.min(job.request.limit);
     for bits in PROOF_BITS {
         let Some((design, shrunk)) = small(job.design, bits) else { continue };
-        let outcome = prove(job, &design)?;
+        let (outcome, latency) = prove(&design, limit).map_err(failed)?;
         if outcome.timed_out {
             continue;
         }
-        if let Some(verdict) = failure(&outcome, "yosys") {
-            if outcome.stdout.contains("model found: FAIL") {
-                let text =
-                    format!("the pipeline is NOT equal to its combinational reference at {shrunk}");
-                return Ok(Err(Verdict::Failed(text)));
-            }
-            return Ok(Err(verdict));
+        let at = format!("with a latency of {latency} cycles, at {shrunk}");
+        if outcome.stderr.contains("proof did fail") {
+            let text = format!("the pipeline is NOT equal to its combinational reference {at}");
+            return Err(Verdict::Failed(text));
         }
-        let text = format!("no latch; proved equal to its combinational reference at {shrunk}");
-        return Ok(Ok(Verdict::Agrees(text)));
+        if let Some(verdict) = failure(&outcome, "yosys", limit) {
+            return Err(verdict);
+        }
+        silent(&outcome.stderr, "yosys")?;
+        let text = format!("no latch; proved equal to its combinational reference {at}");
+        return Ok(Verdict::Agrees(text));
     }
-    let seconds = PROOF_LIMIT.as_secs();
-    let text = format!(
-        "no latch; not proved equal to its combinational reference: no small widths are legal with the other parameters, or {seconds} s are too short"
-    );
-    Ok(Ok(Verdict::Agrees(text)))
+    Ok(Verdict::Agrees(format!(
+        "no latch; NOT proved equal to its combinational reference: with the other parameters no small widths are legal, or {} s are too short",
+        limit.as_secs()
+    )))
 }
 
 /// The design with every width capped, and what that makes of its parameters.
@@ -259,33 +252,25 @@ fn small(design: &Design, bits: i64) -> Option<(Design, String)> {
         }
     }
     let small = values.build().ok()?;
-    // A latency that was asked for may be too short or too long for nothing that is built.
+    // The latency that was asked for may not do for what is built.
     small.rtl().ok()?;
     let text = if names.is_empty() { "these widths".to_owned() } else { names.join(" ") };
     Some((small, text))
 }
 
-/// Runs Yosys's proof for a design.
-fn prove(job: &Job<'_>, design: &Design) -> Result<Outcome> {
+/// Runs Yosys's proof for a design; also gives its latency.
+fn prove(design: &Design, limit: Duration) -> Result<(Outcome, u32)> {
     let scratch = Scratch::new()?;
-    let module = Module::new(
-        &Arc::new(design.rtl()?),
-        &Options { tables: Some(Tables::Inline), ..Options::default() },
-    )?;
+    let inline = |name| Options { name, tables: Some(Tables::Inline), ..Options::default() };
+    let module = Module::new(&Arc::new(design.rtl()?), &inline(None))?;
     let schedule = Schedule::pipeline(&design.netlist, Rom::Distributed, Depth::Stages(0))?;
     let rtl = Arc::new(Rtl::new(Arc::clone(&design.netlist), schedule));
-    let reference = Options {
-        name: Some(reference_name(&module)),
-        tables: Some(Tables::Inline),
-        ..Options::default()
-    };
-    let mut files = vec![module.file(&Verilog), Module::new(&rtl, &reference)?.file(&Verilog)];
+    let reference = Module::new(&rtl, &inline(Some(reference_name(&module))))?;
     let [comparison, script] = proof(&module);
     let script_name = script.name.clone();
-    files.extend([comparison, script]);
-    for file in files {
+    for file in [module.file(&Verilog), reference.file(&Verilog), comparison, script] {
         write_text(&scratch.path().join(file.name), &file.text)?;
     }
-    let limit = PROOF_LIMIT.min(job.request.limit);
-    outside::run("yosys", &["-Q", "-T", &script_name], scratch.path(), limit, None)
+    let outcome = outside::run("yosys", &["-Q", "-T", &script_name], scratch.path(), limit, None)?;
+    Ok((outcome, module.latency))
 }

@@ -4,42 +4,42 @@ module {{ name }}_equal (
     input  wire clk,
     input  wire valid_in,
 {%- for port in inputs %}
-    input  wire {{ port.shape }}{{ port.name }},
+    input  wire {{ port.shape }}port_{{ port.name }},
 {%- endfor %}
     output wire differ
 );
-    wire [{{ input_bits }}:0] past_0 = {valid_in{% for port in inputs %}, {{ port.name }}{% endfor %}};
+    wire [{{ input_bits }}:0] past_0 = {valid_in{% for port in inputs %}, port_{{ port.name }}{% endfor %}};
 {%- for stage in range(latency) %}
     reg [{{ input_bits }}:0] past_{{ stage + 1 }};
     always @(posedge clk) past_{{ stage + 1 }} <= past_{{ stage }};
 {%- endfor %}
-    wire was_valid, is_valid;
+    wire flag_old, flag_dut;
 {%- for port in inputs %}
-    wire {{ port.shape }}was_{{ port.name }};
+    wire {{ port.shape }}old_{{ port.name }};
 {%- endfor %}
-    assign {was_valid{% for port in inputs %}, was_{{ port.name }}{% endfor %}} = past_{{ latency }};
+    assign {flag_old{% for port in inputs %}, old_{{ port.name }}{% endfor %}} = past_{{ latency }};
 {%- for port in outputs %}
-    wire {{ port.shape }}{{ port.name }}, reference_{{ port.name }};
+    wire {{ port.shape }}port_{{ port.name }}, reference_{{ port.name }};
 {%- endfor %}
-    wire reference_valid;
+    wire flag_reference;
     {{ name }} dut (
 {%- if latency > 0 %}
         .clk(clk), .rst(1'b0), .ce(1'b1),
 {%- endif %}
-        .valid_in(valid_in), .valid_out(is_valid)
+        .valid_in(valid_in), .valid_out(flag_dut)
 {%- for port in inputs + outputs %},
-        .{{ port.name }}({{ port.name }})
+        .{{ port.name }}(port_{{ port.name }})
 {%- endfor %}
     );
     {{ reference }} reference (
-        .valid_in(was_valid), .valid_out(reference_valid)
+        .valid_in(flag_old), .valid_out(flag_reference)
 {%- for port in inputs %},
-        .{{ port.name }}(was_{{ port.name }})
+        .{{ port.name }}(old_{{ port.name }})
 {%- endfor %}
 {%- for port in outputs %},
         .{{ port.name }}(reference_{{ port.name }})
 {%- endfor %}
     );
-    assign differ = is_valid != reference_valid
-{%- for port in outputs %} || {{ port.name }} != reference_{{ port.name }}{% endfor %};
+    assign differ = flag_dut != flag_reference
+{%- for port in outputs %} || port_{{ port.name }} != reference_{{ port.name }}{% endfor %};
 endmodule
