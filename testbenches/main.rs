@@ -9,6 +9,7 @@
 
 mod cli;
 mod committed;
+mod cost;
 mod cycle;
 mod engines;
 mod format;

@@ -1,13 +1,18 @@
-//! `fixpath cost`: what a unit takes on an FPGA, and the clock that it reaches.
+//! `fixpath cost`: what a unit takes on an FPGA.
 
-use super::{UnitArgs, pretty, text};
-use crate::cost::{self, Clock, Cost, Synthesis, Target};
+use super::{UnitArgs, text};
+use crate::cost::{
+    self, Clock, Cost, DEVIATIONS, DEVIATIONS_YOSYS, Synthesis, Target, estimate, route, synthesize,
+};
 use crate::error::Result;
 use crate::hdl::{Module, Options};
+use crate::outside;
+use crate::rtl::Rtl;
 use crate::units::Design;
 use clap::{Args, ValueEnum};
 use indicatif::ProgressBar;
-use serde_json::json;
+use rayon::prelude::*;
+use serde_json::{Map, Value, json};
 use std::fmt::Write as _;
 use std::sync::Arc;
 use std::time::Duration;
@@ -19,9 +24,6 @@ pub(super) struct CostArgs {
     /// Families of FPGAs.
     #[arg(long, value_enum, value_delimiter = ',', default_value = "ice40,ecp5,xilinx")]
     target: Vec<TargetArg>,
-    /// Leave out placing and routing: no clock.
-    #[arg(long)]
-    no_route: bool,
     /// Longest run of a tool in s.
     #[arg(long, value_name = "S", default_value_t = 300, value_parser = clap::value_parser!(u64).range(1..=86_400))]
     time_limit: u64,
@@ -50,12 +52,12 @@ impl TargetArg {
     }
 }
 
-/// What is known of a unit on one target.
-struct Found {
+/// What was found for a target.
+struct Row {
     target: Target,
     synthesis: Synthesis,
     estimate: Cost,
-    clock: Option<Clock>,
+    clock: Clock,
 }
 
 /// Runs the tools; returns what to tell.
@@ -64,66 +66,74 @@ pub(super) fn run(args: &CostArgs) -> Result<String> {
     let rtl = Arc::new(design.rtl()?);
     let module = Module::new(&rtl, &Options::default())?;
     let limit = Duration::from_secs(args.time_limit);
-    let mut found: Vec<Found> = Vec::new();
-    for target in args.target.iter().map(|target| target.target()) {
-        if found.iter().any(|known| known.target == target) {
-            continue;
-        }
-        let bar = ProgressBar::new_spinner();
-        bar.enable_steady_tick(Duration::from_millis(200));
-        bar.set_message(format!("Yosys for {}", target.name()));
-        let synthesis = cost::synthesize(&module, target, limit)?;
-        bar.set_message(format!("nextpnr for {}", target.name()));
-        let clock = if args.no_route { None } else { Some(cost::route(&module, target, limit)?) };
-        bar.finish_and_clear();
-        let estimate = cost::of_module(&module, target);
-        found.push(Found { target, synthesis, estimate, clock });
-    }
-    Ok(if args.json { pretty(&json_of(&design, &found)) } else { told(&design, &found) })
+    let mut targets: Vec<Target> = args.target.iter().map(|target| target.target()).collect();
+    targets.sort_unstable();
+    targets.dedup();
+    let bar = ProgressBar::new_spinner();
+    let names: Vec<&str> = targets.iter().map(|target| target.name()).collect();
+    bar.set_message(format!("synthesis for {}", names.join(", ")));
+    bar.enable_steady_tick(Duration::from_millis(200));
+    let period_ps = rtl.schedule().period_ps();
+    let row = |target: &Target| {
+        let target = *target;
+        let synthesis = synthesize(&module, target, limit)?;
+        bar.println(format!("{}: counted", target.name()));
+        let clock = route(&module, target, synthesis.cost, period_ps, limit)?;
+        bar.println(format!("{}: done", target.name()));
+        Ok(Row { target, estimate: cost::of_module(&module, target), synthesis, clock })
+    };
+    let rows: Result<Vec<Row>> = targets.par_iter().map(row).collect();
+    bar.finish_and_clear();
+    let rows = rows?;
+    let yosys = outside::YOSYS.version().unwrap_or_default();
+    Ok(if args.json {
+        super::pretty(&json_of(&design, &rows, &yosys))
+    } else {
+        told(&design, &rows, &yosys)
+    })
 }
 
-fn told(design: &Design, found: &[Found]) -> String {
-    let mut told =
+fn clock(clock: &Clock) -> String {
+    match clock {
+        Clock::Reached { device, mhz } => format!("{mhz:.1} MHz on {device}"),
+        Clock::TooLarge { device, why } => format!("does not fit {device}: {why}"),
+        Clock::TimedOut { device } => format!("ran past the time limit on {device}"),
+        Clock::Missing(how) => format!("nextpnr {how}"),
+        Clock::Unsupported => "no place and route for this target".to_owned(),
+    }
+}
+
+fn figures(target: &str, from: &str, cost: Cost, last: String) -> Vec<String> {
+    let mut cells = vec![target.to_owned(), from.to_owned()];
+    cells.extend(cost.columns().map(|count| count.to_string()));
+    cells.push(last);
+    cells
+}
+
+fn told(design: &Design, rows: &[Row], yosys: &str) -> String {
+    let mut text =
         format!("{}: {}\n", design.values.unit().name, text::parameter_line(&design.values));
-    let mut rows = Vec::new();
-    for Found { target, synthesis, estimate, .. } in found {
-        for (what, cost) in [
-            (format!("Yosys {}", synthesis.version), synthesis.cost),
-            ("estimate".to_owned(), *estimate),
-        ] {
-            let mut row = vec![target.name().to_owned(), what];
-            row.extend(cost.columns().map(|count| count.to_string()));
-            rows.push(row);
-        }
+    let mut cells = Vec::new();
+    for row in rows {
+        let name = row.target.name();
+        cells.push(figures(name, &format!("Yosys {yosys}"), row.synthesis.cost, clock(&row.clock)));
+        cells.push(figures("", "estimate", row.estimate, String::new()));
     }
-    let headings: Vec<String> = Cost::COLUMNS.iter().map(|heading| format!(">{heading}")).collect();
-    let mut all = vec!["target", "by"];
-    all.extend(headings.iter().map(String::as_str));
-    told.push_str(&text::table(&all, &rows));
-    for Found { target, clock, .. } in found {
-        let _ = match clock {
-            None => Ok(()),
-            Some(Clock::Reaches { device, version, mhz }) => writeln!(
-                told,
-                "{}: {mhz:.1} MHz between registers on {device} (nextpnr {version}, seed 1)",
-                target.name()
-            ),
-            Some(Clock::DoesNotFit { device, why }) => {
-                writeln!(told, "{}: does not fit {device}: {why}", target.name())
-            }
-            Some(Clock::Unknown(why)) => writeln!(told, "{}: no clock: {why}", target.name()),
-        };
-    }
-    told
+    text.push_str(&text::table(
+        &["target", "", ">LUTs", ">flip-flops", ">block RAMs", ">DSPs", "clock"],
+        &cells,
+    ));
+    text.push_str("  the clock is for the unit between registers, with seed 1\n");
+    text
 }
 
-fn json_of(design: &Design, found: &[Found]) -> serde_json::Value {
-    let target = |found: &Found| {
+fn json_of(design: &Design, rows: &[Row], yosys: &str) -> Value {
+    let row = |row: &Row| {
         json!({
-            "target": found.target.name(),
-            "yosys": found.synthesis,
-            "estimate": found.estimate,
-            "clock": found.clock,
+            "target": row.target.name(),
+            "synthesis": row.synthesis,
+            "estimate": row.estimate,
+            "clock": row.clock,
         })
     };
     json!({
@@ -131,6 +141,46 @@ fn json_of(design: &Design, found: &[Found]) -> serde_json::Value {
         "version": env!("CARGO_PKG_VERSION"),
         "unit": design.values.unit().name,
         "parameters": text::parameters(&design.values),
-        "targets": found.iter().map(target).collect::<Vec<_>>(),
+        "yosys": yosys,
+        "targets": rows.iter().map(row).collect::<Vec<_>>(),
     })
+}
+
+/// The estimate for every target, for `show`.
+pub(super) fn estimates(rtl: &Arc<Rtl>) -> String {
+    let mut text = "\nestimate of the cost, without tools\n".to_owned();
+    let mut rows = Vec::new();
+    for (target, deviations) in DEVIATIONS {
+        let cost = match estimate(rtl, *target) {
+            Ok(cost) => cost,
+            Err(why) => return format!("{text}  none: {why}\n"),
+        };
+        let mut cells = vec![target.name().to_owned()];
+        for (count, percent) in cost.columns().iter().zip(deviations) {
+            cells.extend([count.to_string(), format!("within {percent} %")]);
+        }
+        rows.push(cells);
+    }
+    text.push_str(&text::table(
+        &["target", ">LUTs", "", ">flip-flops", "", ">block RAMs", "", ">DSPs", ""],
+        &rows,
+    ));
+    let _ = writeln!(
+        text,
+        "  within N % of Yosys {DEVIATIONS_YOSYS} over the committed units; `fixpath cost` asks Yosys itself"
+    );
+    text
+}
+
+/// The same as JSON.
+pub(super) fn estimates_json(rtl: &Arc<Rtl>) -> Value {
+    let mut targets = Map::new();
+    for (target, deviations) in DEVIATIONS {
+        // What can't be made as a module has none.
+        let Ok(cost) = estimate(rtl, *target) else { return Value::Null };
+        let mut entry = json!(cost);
+        entry["within_percent_of_yosys"] = json!(deviations);
+        targets.insert(target.name().to_owned(), entry);
+    }
+    Value::Object(targets)
 }

@@ -2,13 +2,11 @@
 
 use super::Sim;
 use crate::cast;
-use crate::cost::{self, Cost};
 use crate::error::Result;
 use crate::measure::{self, Basis, Figures, Report, TableFigures, Witness};
 use crate::netlist::{Netlist, Operators, Quantity};
 use crate::report::pareto;
 use crate::report::record::{Measured, Point, Record, parameters_of};
-use crate::rtl::Rtl;
 use crate::schedule::stage_sizes;
 use crate::units::{Design, Kind, PIPELINE, Param, Unit, Values};
 use serde_json::{Map, Value, json};
@@ -163,7 +161,7 @@ fn tables(design: &Design) -> Result<Vec<TableFigures>> {
 
 pub(super) fn show(design: &Design) -> Result<String> {
     let netlist = &design.netlist;
-    let rtl = design.rtl()?;
+    let rtl = Arc::new(design.rtl()?);
     let counts = netlist.counts();
     let unit = design.values.unit();
     let mut text = format!("{}: {}\n", unit.name, unit.summary);
@@ -268,38 +266,16 @@ pub(super) fn show(design: &Design) -> Result<String> {
     );
     let sizes: Vec<String> =
         stage_sizes(netlist, schedule).iter().map(ToString::to_string).collect();
-    let _ = writeln!(text, "  nodes per stage: {}\n", sizes.join(" "));
-    text.push_str(&estimates(&Arc::new(rtl.clone())).unwrap_or_else(|why| {
-        // What is too large to be hardware still has a netlist.
-        format!("no estimate: {why}\n\n")
-    }));
+    let _ = writeln!(text, "  nodes per stage: {}", sizes.join(" "));
+    text.push_str(&super::cost::estimates(&rtl));
+    text.push('\n');
     text.push_str(&netlist.to_text());
     Ok(text)
 }
 
-/// What the hardware costs without asking a tool, and how far that is from one.
-fn estimates(rtl: &Arc<Rtl>) -> Result<String> {
-    let mut rows = Vec::new();
-    for (target, deviations) in cost::DEVIATIONS {
-        let mut row = vec![target.name().to_owned()];
-        let counts = cost::estimate(rtl, target)?.columns();
-        row.extend(
-            counts.iter().zip(deviations).map(|(count, percent)| format!("{count} ±{percent} %")),
-        );
-        rows.push(row);
-    }
-    let headings: Vec<String> = Cost::COLUMNS.iter().map(|name| format!(">{name}")).collect();
-    let mut all = vec!["target"];
-    all.extend(headings.iter().map(String::as_str));
-    Ok(format!(
-        "estimate, and how far it is from Yosys 0.23 at most over the committed units; `fixpath cost` asks Yosys\n{}\n",
-        table(&all, &rows)
-    ))
-}
-
 pub(super) fn show_json(design: &Design) -> Result<Value> {
     let netlist = &design.netlist;
-    let rtl = design.rtl()?;
+    let rtl = Arc::new(design.rtl()?);
     let schedule = rtl.schedule();
     let table = |t: &crate::netlist::Table| {
         let columns: Vec<Value> = t
@@ -319,23 +295,11 @@ pub(super) fn show_json(design: &Design) -> Result<Value> {
             "stage": schedule.stage(id),
         })
     };
-    let hardware = Arc::new(rtl.clone());
-    let mut estimates = Map::new();
-    for (target, deviations) in cost::DEVIATIONS {
-        // None for what is too large to be hardware.
-        let entry = cost::estimate(&hardware, target).ok().map(|cost| {
-            let mut entry = json!(cost);
-            entry["deviation_percent"] = json!(deviations);
-            entry
-        });
-        estimates.insert(target.name().to_owned(), json!(entry));
-    }
     Ok(json!({
         "tool": "fixpath",
         "version": env!("CARGO_PKG_VERSION"),
         "unit": design.values.unit().name,
         "parameters": parameters(&design.values),
-        "estimate": estimates,
         "ports": ports(netlist).1,
         "counts": netlist.counts(),
         "tables": netlist.tables().iter().map(table).collect::<Vec<_>>(),
@@ -347,6 +311,7 @@ pub(super) fn show_json(design: &Design) -> Result<Value> {
             "rom": schedule.rom().to_string(),
             "nodes_per_stage": stage_sizes(netlist, schedule),
         },
+        "cost_estimate": super::cost::estimates_json(&rtl),
         "nodes": netlist.ids().map(node).collect::<Vec<_>>(),
         "outputs": netlist.outputs().iter().map(|o| json!({"name": o.name, "node": o.node.index()})).collect::<Vec<_>>(),
     }))

@@ -97,10 +97,9 @@ struct Part {
 }
 
 impl Part {
-    /// True if neither operand is zero at a bit; of a sum.
+    /// True if a bit of a sum takes more than the carry: not where one operand is zero.
     fn is_free(&self, at: usize) -> bool {
-        let is_set = |word: &[Net]| word.get(at).is_some_and(|net| *net != Net::Zero);
-        is_set(&self.a) && is_set(&self.b)
+        self.kind != Kind::Sum || self.a[at] != Net::Zero && self.b[at] != Net::Zero
     }
 }
 
@@ -423,6 +422,8 @@ pub(super) struct Dsp {
     pub signed_only: bool,
     /// Least bits of both factors together.
     pub least_bits: u32,
+    /// Registers in a row that it takes in before a factor.
+    pub registers: u32,
     /// Which sums of pieces' products it takes in.
     pub adds: Adds,
 }
@@ -446,8 +447,6 @@ pub(super) struct Rules {
     pub ram_ports: usize,
     /// Its multipliers.
     pub dsp: Dsp,
-    /// True if DSPs take in registers of factors, and of products that they add up.
-    pub dsp_registers: bool,
     /// Delays from this many cycles on are in LUTs.
     pub shift_registers: Option<usize>,
 }
@@ -567,14 +566,14 @@ impl<'a> Count<'a> {
         let rules = self.rules;
         let used = cast::count_of(part.out.iter().filter(|wire| self.live[**wire]).count());
         let highest = part.out.iter().rposition(|wire| self.live[*wire]).map_or(0, |at| at + 1);
-        let built = match rules.sum {
+        let built = || match rules.sum {
             Sum::Used => used,
             // Carries come in pairs of LUTs.
             Sum::Pairs => 2 * cast::count_of(highest.div_ceil(2)),
             Sum::Two => cast::count_of((0..highest).filter(|at| part.is_free(*at)).count()),
         };
         match part.kind {
-            Kind::Sum => (built, 0),
+            Kind::Sum => (built(), 0),
             Kind::Difference => {
                 let inverted: BTreeSet<Net> = part.b[..highest]
                     .iter()
@@ -586,7 +585,7 @@ impl<'a> Count<'a> {
                     .copied()
                     .collect();
                 let inverters = if rules.inverters { cast::count_of(inverted.len()) } else { 0 };
-                (built + inverters, 0)
+                (built() + inverters, 0)
             }
             Kind::Compare => (cast::count_of(part.a.len()), 0),
             Kind::Shift { levels } => (used * u64::from(levels.div_ceil(rules.shift_levels)), 0),
@@ -670,7 +669,7 @@ impl<'a> Count<'a> {
             }
         };
         let mut gone: BTreeSet<usize> = BTreeSet::new();
-        if self.rules.dsp_registers {
+        if self.rules.dsp.registers > 0 {
             let products: Vec<&Part> = self
                 .graph
                 .parts
@@ -686,13 +685,25 @@ impl<'a> Count<'a> {
             }
             let whole: BTreeSet<usize> = products
                 .iter()
-                .filter(|part| self.rules.dsp.adds == Adds::All || self.part(part).1 == 1)
+                .filter(|part| self.part(part).1 == 1)
                 .flat_map(|part| part.out.iter().copied())
                 .collect();
             for flop in &flops {
                 let from = input(*flop);
                 let into = factors.get(flop) == Some(&self.uses[*flop]);
-                if into || whole.contains(&from) && self.uses[from] == 1 {
+                if into {
+                    // Registers in a row, as far as each feeds nothing else.
+                    let mut at = *flop;
+                    gone.insert(at);
+                    for _ in 1..self.rules.dsp.registers {
+                        at = input(at);
+                        if !flops.contains(&at) || self.uses[at] > 1 {
+                            break;
+                        }
+                        gone.insert(at);
+                    }
+                }
+                if whole.contains(&from) && self.uses[from] == 1 {
                     gone.insert(*flop);
                 }
             }
@@ -702,6 +713,7 @@ impl<'a> Count<'a> {
             // A chain ends where its last bit feeds anything but one more flip-flop.
             let feeds: BTreeSet<usize> = flops
                 .iter()
+                .filter(|flop| !gone.contains(flop))
                 .map(|flop| input(*flop))
                 .filter(|from| flops.contains(from) && self.uses[*from] == 1)
                 .collect();
