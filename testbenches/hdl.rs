@@ -6,7 +6,7 @@ use crate::lower::badly_named;
 use crate::wave::ReadBack;
 use fixpath::emit::vectors::Vectors;
 use fixpath::format::{Format, Overflow, Round};
-use fixpath::hdl::{LANGUAGES, Module, Options, Tables, testbench};
+use fixpath::hdl::{LANGUAGES, Module, Options, Tables, Verilog, testbench};
 use fixpath::netlist::{Builder, Column, Netlist, Quantity, Table};
 use fixpath::op::Op;
 use fixpath::rtl::{Rtl, Signal};
@@ -628,4 +628,52 @@ fn every_operation_in_icarus() {
     let module = emit(&rtl, None, 3000, folder.path());
     let folder = passes(folder, "operations_icarus.mk", 3000, "operations");
     lints(folder, &module, &[], "operations");
+}
+
+/// Yosys proves a pipeline equal to its reference, and finds a fault of any kind in it.
+#[test]
+#[ignore = "needs yosys: testbenches/run installs it"]
+fn the_proof_can_fail() {
+    let assignments = ["angle_bits=4", "table_addr_bits=4", "frac_bits=4"];
+    let design = ROTATION.values(&assignments).unwrap().build().unwrap();
+    let inline = |name| Options { name, tables: Some(Tables::Inline), ..Options::default() };
+    let module = Module::new(&Arc::new(design.rtl().unwrap()), &inline(None)).unwrap();
+    assert!(module.latency > 1, "there are registers to lose");
+    let schedule = Schedule::pipeline(&design.netlist, Rom::Distributed, Depth::Stages(0)).unwrap();
+    let rtl = Arc::new(Rtl::new(Arc::clone(&design.netlist), schedule));
+    let name = testbench::reference_name(&module);
+    let reference = Module::new(&rtl, &inline(Some(name))).unwrap();
+    let [comparison, script] = testbench::proof(&module);
+    let good = module.file(&Verilog);
+    let last = module.latency;
+    let valid = |stage: u32| format!("assign valid_out = valid_s{stage};");
+    let register = good.text.lines().find(|line| line.trim_start().starts_with("y <= ")).unwrap();
+    let early = register.replace(&format!("_s{};", last - 1), ";");
+    assert_ne!(register, early, "y waits in a register before it goes out");
+    // One bit of the row before last.
+    let row = good.text.lines().find(|line| line.contains("sincos_rom[14] = 16'h")).unwrap();
+    let at = row.find("sincos_rom[14]").unwrap();
+    let digit_at = at + "sincos_rom[14] = 16'h".len() + 3;
+    let digit = u8::from_str_radix(&row[digit_at..=digit_at], 16).unwrap() ^ 4;
+    let wrong_row = format!("{}{digit:x}{}", &row[..digit_at], &row[digit_at + 1..]);
+    let runs = [
+        ("as it is", good.text.clone()),
+        ("a wrong bit in a table", replaced(&good.text, row, &wrong_row)),
+        ("a register too few", replaced(&good.text, register, &early)),
+        ("valid a cycle early", replaced(&good.text, &valid(last), &valid(last - 1))),
+    ];
+    runs.into_par_iter().enumerate().for_each(|(number, (what, text))| {
+        let folder = tempfile::tempdir().unwrap();
+        for file in [&reference.file(&Verilog), &comparison, &script] {
+            fs::write(folder.path().join(&file.name), &file.text).unwrap();
+        }
+        fs::write(folder.path().join(&good.name), text).unwrap();
+        let ended = tool(folder.path(), "yosys", &["-Q", "-T", &script.name]);
+        let fails = ended.stderr.contains("proof did fail");
+        let ends_as_it_should =
+            if number == 0 { ended.well && !fails } else { !ended.well && fails };
+        if !ends_as_it_should {
+            give_up(folder, what, &ended);
+        }
+    });
 }
