@@ -1,11 +1,16 @@
 //! Emitted VHDL in GHDL.
 
 use crate::engines::random_netlist;
-use crate::hdl::{emit, some_rtl};
+use crate::hdl::{
+    Ended, emit, emit_with, fails, faulty_vectors, little, put, replaced, some_rtl, tool,
+};
 use fixpath::format::{Format, Overflow, Round};
 use fixpath::hdl::Tables;
 use fixpath::netlist::{Builder, Column, Quantity, Table};
+use fixpath::rtl::Rtl;
+use fixpath::schedule::{Depth, Rom, Schedule};
 use fixpath::units::Unit;
+use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 use std::sync::Arc;
@@ -133,4 +138,110 @@ fn every_rounding_and_limit_in_ghdl() {
     let netlist = Arc::new(b.build().unwrap());
     let module = emit(&some_rtl(&netlist, 0), None, 1000, folder.path());
     check(folder, &module.name, 1000, "narrowings");
+}
+
+/// A run through make; without the line that GHDL adds to a failure.
+fn run(folder: &Path, name: &str) -> Ended {
+    let ended = tool(folder, "make", &["-s", "-f", &format!("{name}_ghdl.mk")]);
+    let is_ghdls = |line: &&str| line.starts_with("simulation finished");
+    let lines = ended.stdout.lines().filter(|line| !is_ghdls(line));
+    Ended { stdout: lines.map(|line| format!("{line}\n")).collect(), ..ended }
+}
+
+#[test]
+#[ignore = "needs ghdl: testbenches/run installs it"]
+fn the_vhdl_testbench_can_fail() {
+    let folder = tempfile::tempdir().unwrap();
+    let module = emit(&little(), Some(Tables::Files), 200, folder.path());
+    let at = |name: &str| folder.path().join(name);
+    let vectors = at("little_vectors.txt");
+    let good = fs::read_to_string(&vectors).unwrap();
+    assert_eq!(run(folder.path(), "little").last(), "PASS 200 vectors");
+    for (what, text, says) in faulty_vectors(&good) {
+        put(&vectors, text.as_deref());
+        // What make makes of any status.
+        fails(&run(folder.path(), "little"), 2, what, says);
+        put(&vectors, Some(&good));
+    }
+    let row = module.table_files().remove(0);
+    let source = fs::read_to_string(at("little.vhd")).unwrap();
+    let bench = fs::read_to_string(at("little_tb.vhd")).unwrap();
+    let latency = |cycles: u32| {
+        let constant = "constant latency : natural := ";
+        replaced(&bench, &format!("{constant}4"), &format!("{constant}{cycles}"))
+    };
+    let hardware = |from: &str, to: &str| replaced(&source, from, to);
+    let register = source.lines().find(|line| line.trim_start().starts_with("x_s2 <= ")).unwrap();
+    let reset = "if rst = '1' then\n                valid_s2 <= '0';\n            elsif ce";
+    for (what, file, text, says) in [
+        ("a wrong row", row.name.as_str(), replaced(&row.text, "0df\n", "0de\n"), "sum expected"),
+        ("latency 5", "little_tb.vhd", latency(5), "valid_out"),
+        ("latency 3", "little_tb.vhd", latency(3), "valid_out"),
+        (
+            "valid a cycle early",
+            "little.vhd",
+            hardware("valid_out <= valid_s4", "valid_out <= valid_s3"),
+            "valid_out",
+        ),
+        ("a register too few", "little.vhd", hardware(register, ""), "expected"),
+        (
+            "a register that does not stand still",
+            "little.vhd",
+            hardware("if ce = '1' then", "if true then"),
+            "expected",
+        ),
+        ("a valid bit without a reset", "little.vhd", hardware(reset, "if ce"), "valid_out"),
+        (
+            "a reset that a stall holds up",
+            "little.vhd",
+            hardware("if rst = '1' then", "if rst = '1' and ce = '1' then"),
+            "valid_out",
+        ),
+        ("a wrong sum", "little.vhd", hardware(" + ", " - "), "expected"),
+    ] {
+        let right = fs::read_to_string(at(file)).unwrap();
+        fs::write(at(file), text).unwrap();
+        // Whatever the clock of the file system says.
+        fs::remove_dir_all(at("ghdl_little")).unwrap();
+        fails(&run(folder.path(), "little"), 2, what, says);
+        fs::write(at(file), right).unwrap();
+    }
+    fs::remove_dir_all(at("ghdl_little")).unwrap();
+    assert_eq!(run(folder.path(), "little").last(), "PASS 200 vectors");
+}
+
+/// A count is a word of any width, and GHDL's integers have 32 bits: no word is too large.
+#[test]
+#[ignore = "needs ghdl: testbenches/run installs it"]
+fn counts_wider_than_integers_in_ghdl() {
+    let count_format = Format::unsigned(40, 0).unwrap();
+    let mut b = Builder::new("shifts");
+    let inputs = [
+        b.input("a", Format::signed(12, 4).unwrap(), Quantity::Number),
+        b.input("u", Format::unsigned(7, 0).unwrap(), Quantity::Number),
+    ];
+    let count = b.input("count", count_format, Quantity::Number);
+    for (at, input) in inputs.into_iter().enumerate() {
+        for max in [1, 2, 3, 5, 8, 20] {
+            let shifted = b.shift_left(input, count, max);
+            b.output(&format!("y{at}_{max}"), shifted);
+        }
+    }
+    let netlist = Arc::new(b.build().unwrap());
+    let mut first = Vec::new();
+    for count in (0..25).chain([1 << 31, 1 << 32, (1 << 32) + 2, 1 << 39, 3 << 38]) {
+        for count in [count, (1 << 40) - 1 - count, (count + (1 << 31)) - 1] {
+            for (a, u) in [(-2048, 127), (2047, 64), (-1, 1)] {
+                first.push(vec![a, u, count]);
+            }
+        }
+    }
+    let vectors = first.len() as u64 + 500;
+    for (depth, rom) in [(0, Rom::Distributed), (2, Rom::Block)] {
+        let schedule = Schedule::pipeline(&netlist, rom, Depth::Stages(depth)).unwrap();
+        let rtl = Arc::new(Rtl::new(Arc::clone(&netlist), schedule));
+        let folder = tempfile::tempdir().unwrap();
+        let module = emit_with(&rtl, None, first.clone(), 500, folder.path());
+        check(folder, &module.name, vectors, &format!("{depth} stages"));
+    }
 }

@@ -111,6 +111,11 @@ mod commands {
     use std::collections::BTreeMap;
     use std::fs;
     use std::path::Path;
+    #[cfg(target_os = "linux")]
+    use std::thread;
+    #[cfg(target_os = "linux")]
+    use std::time::Duration;
+    use std::time::Instant;
 
     fn fixpath(args: &[&str]) -> Command {
         let mut command = Command::cargo_bin("fixpath").unwrap();
@@ -308,5 +313,173 @@ mod commands {
             assert_eq!(code, 1, "{told}{stderr}");
             assert!(told.contains(says), "no `{says}` in {told}");
         }
+    }
+
+    /// A folder of programs of our own before the shell's.
+    fn before_the_system(folder: &Path) -> String {
+        format!("{}:/usr/bin:/bin", folder.display())
+    }
+
+    /// A design that is built in no time.
+    const SMALL: [&str; 6] =
+        ["verify", "rotation", "-p", "angle_bits=6", "-p", "table_addr_bits=4"];
+
+    /// Fake Icarus: a compiler that does nothing, and a simulator that has a script.
+    fn fake_icarus(vvp: &str) -> tempfile::TempDir {
+        let tools = tempfile::tempdir().unwrap();
+        let version = "if [ \"$1\" = -V ]; then echo 1.0; exit; fi";
+        program(tools.path(), "iverilog", version);
+        program(tools.path(), "vvp", &format!("{version}\n{vvp}"));
+        tools
+    }
+
+    /// Runs `verify --with icarus --vectors 0` with fake programs, and says how long it took.
+    fn with_fake_icarus(vvp: &str, more: &[&str]) -> (i32, String, f64) {
+        let tools = fake_icarus(vvp);
+        let mut command = fixpath(&SMALL);
+        command.args(["--with", "icarus", "--vectors", "0"]).args(more);
+        let start = Instant::now();
+        let (code, told, stderr) = ended(command.env("PATH", before_the_system(tools.path())));
+        (code, told + &stderr, start.elapsed().as_secs_f64())
+    }
+
+    /// A script that gives the verdict that all vectors of the file passed.
+    const PASSES: &str = "echo PASS $(grep -c . rotation_vectors.txt) vectors";
+
+    #[test]
+    fn what_a_simulator_leaves_running_is_ended() {
+        let (code, told, seconds) = with_fake_icarus(&format!("sleep 60 &\n{PASSES}"), &[]);
+        assert_eq!(code, 0, "{told}");
+        assert!(seconds < 30.0, "{seconds} s");
+    }
+
+    #[test]
+    fn a_flood_of_words_ends_at_the_limit() {
+        let (code, told, seconds) = with_fake_icarus("yes", &["--time-limit", "2"]);
+        assert_eq!(code, 1, "{told}");
+        assert!(told.contains("TIMED OUT: vvp ran past the limit of 2 s"), "{told}");
+        assert!(seconds < 15.0, "{seconds} s");
+    }
+
+    #[test]
+    fn a_warning_beside_a_pass_is_no_agreement() {
+        let (code, told, _) = with_fake_icarus(&format!("echo careful >&2; {PASSES}"), &[]);
+        assert_eq!(code, 1, "{told}");
+        assert!(told.contains("FAILED: vvp warns: careful"), "{told}");
+    }
+
+    #[test]
+    fn a_tool_of_a_tool_that_is_missing_is_named() {
+        let tools = tempfile::tempdir().unwrap();
+        program(tools.path(), "iverilog", "echo 1.0");
+        let mut command = fixpath(&SMALL);
+        command.args(["--with", "icarus"]);
+        let (code, stdout, stderr) = ended(command.env("PATH", tools.path()));
+        assert_eq!((code, stdout.as_str()), (2, ""), "{stderr}");
+        let says = "vvp is not found: `apt-get install iverilog` brings it";
+        assert!(stderr.contains(says), "{stderr}");
+    }
+
+    /// A tool that breaks has its row, and so have the others.
+    #[test]
+    fn a_broken_tool_hides_no_mismatch() {
+        let says = "mismatch: vector 0 y expected 10000 got 0ffff";
+        let tools =
+            fake_icarus(&format!("echo '{says}'; echo FAIL 1 mismatches in 5 vectors; exit 1"));
+        let version = "if [ \"$1\" = --version ]; then echo GHDL 4.1; exit; fi";
+        program(tools.path(), "ghdl", &format!("{version}; echo no library >&2; exit 127"));
+        // There, but nothing that runs.
+        fs::write(tools.path().join("yosys"), "").unwrap();
+        let (code, told, stderr) = ended(fixpath(&SMALL).env("PATH", tools.path()));
+        assert_eq!((code, stderr.as_str()), (1, ""), "{told}");
+        for (tool, says) in [
+            ("icarus", "DISAGREES"),
+            ("ghdl", "FAILED: ghdl ended with status 127: no library"),
+            ("verilator", "`apt-get install verilator` brings it"),
+            ("yosys", "`apt-get install yosys` brings it"),
+        ] {
+            let row = told.lines().find(|line| line.trim().starts_with(tool));
+            assert!(row.is_some_and(|row| row.contains(says)), "{tool}: no `{says}` in {told}");
+        }
+        assert!(told.contains("first mismatch in icarus: vector 0"), "{told}");
+    }
+
+    #[test]
+    #[ignore = "needs verilator: testbenches/run installs it"]
+    fn files_are_kept_in_a_folder_that_is_named_from_here() {
+        let here = tempfile::tempdir().unwrap();
+        let mut command = fixpath(&SMALL);
+        command.args(["--with", "verilator", "--vectors", "10", "--keep", "kept/files"]);
+        let (code, told, stderr) = ended(command.current_dir(here.path()));
+        assert_eq!(code, 0, "{told}{stderr}");
+        assert!(told.contains(" agrees"), "{told}");
+        let kept = here.path().join("kept/files");
+        for name in ["rotation.v", "rotation_harness.cpp", "rotation_vectors.txt"] {
+            assert!(kept.join(name).is_file(), "{name} is not kept");
+        }
+        assert!(kept.join("obj_rotation/Vrotation").is_file(), "the program is not kept");
+    }
+
+    /// A process that is there and hasn't ended.
+    #[cfg(target_os = "linux")]
+    fn is_running(id: &str) -> bool {
+        let stat = fs::read_to_string(format!("/proc/{id}/stat")).unwrap_or_default();
+        // Ended but not yet waited for by whoever it fell to: Z.
+        stat.rsplit_once(") ").is_some_and(|(_, rest)| !rest.starts_with('Z'))
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_signal_ends_it_with_its_tools_and_files() {
+        let told = tempfile::tempdir().unwrap();
+        let scratch = tempfile::tempdir().unwrap();
+        let ids = told.path().join("ids");
+        // Complete at once: a file with both ids takes the name that is waited for.
+        let vvp = format!("sleep 300 &\necho $$ $! > {0}.new; mv {0}.new {0}; wait", ids.display());
+        let tools = fake_icarus(&vvp);
+        let mut process = std::process::Command::new(assert_cmd::cargo::cargo_bin("fixpath"))
+            .args(SMALL)
+            .args(["--with", "icarus", "--vectors", "0"])
+            .env("PATH", before_the_system(tools.path()))
+            .env("TMPDIR", scratch.path())
+            .stdout(std::process::Stdio::null())
+            .stderr(std::process::Stdio::null())
+            .spawn()
+            .unwrap();
+        let start = Instant::now();
+        while !ids.exists() {
+            assert!(start.elapsed() < Duration::from_secs(60), "vvp has not started");
+            thread::sleep(Duration::from_millis(20));
+        }
+        assert!(entries(scratch.path()) > 0, "its files are in TMPDIR");
+        let ids = fs::read_to_string(&ids).unwrap();
+        assert!(ids.split_whitespace().all(is_running), "{ids}");
+        let id = process.id().to_string();
+        let kill = std::process::Command::new("kill").args(["-TERM", &id]).status().unwrap();
+        assert!(kill.success());
+        let start = Instant::now();
+        let status = loop {
+            if let Some(status) = process.try_wait().unwrap() {
+                break status;
+            }
+            if start.elapsed() > Duration::from_secs(20) {
+                process.kill().unwrap();
+                panic!("a signal doesn't end it");
+            }
+            thread::sleep(Duration::from_millis(20));
+        };
+        assert_eq!(status.code(), Some(130));
+        assert_eq!(entries(scratch.path()), 0, "files are left in TMPDIR");
+        // A signal takes a moment to arrive.
+        let start = Instant::now();
+        while ids.split_whitespace().any(is_running) {
+            assert!(start.elapsed() < Duration::from_secs(5), "one of {ids} still runs");
+            thread::sleep(Duration::from_millis(20));
+        }
+    }
+
+    #[cfg(target_os = "linux")]
+    fn entries(folder: &Path) -> usize {
+        fs::read_dir(folder).unwrap().count()
     }
 }
