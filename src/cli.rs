@@ -163,7 +163,7 @@ enum Command {
     },
     /// Write a unit as hardware: module, tables, self-checking testbench, vectors, makefiles.
     #[command(
-        after_help = "Examples:\n  fixpath hdl rotation --out rtl && make -C rtl -f rotation_icarus.mk\n  fixpath hdl rotation -p variant=corrected --name corrected --tables files --out rtl\n  fixpath hdl rotation --language vhdl --vectors 10000 --out rtl"
+        after_help = "Examples:\n  fixpath hdl rotation --out rtl && make -C rtl -f rotation_icarus.mk\n  fixpath hdl rotation -p variant=corrected --name corrected --tables files --out rtl\n  fixpath hdl rotation --language vhdl --vectors 100000 --out rtl"
     )]
     Hdl(hardware::HdlArgs),
     /// Run a unit's hardware in the outside simulators that are installed, and compare every bit.

@@ -251,7 +251,7 @@ mod commands {
         assert_eq!(ended(command.env("PATH", nothing.path())).0, 2);
         refused(
             &["verify", "rotation", "--with", "modelsim"],
-            "parameter `with` = `modelsim`: legal is icarus, verilator, ghdl, yosys",
+            "no simulator `modelsim`: legal is icarus, verilator, ghdl, yosys",
         );
     }
 

@@ -26,7 +26,7 @@ pub(super) struct HdlArgs {
     #[arg(long, value_enum, default_value = "auto")]
     tables: TablesArg,
     /// Random vectors after the hard-case list.
-    #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u64).range(..=100_000_000))]
+    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u64).range(..=100_000_000))]
     vectors: u64,
     /// Seed of the random vectors.
     #[arg(long, default_value_t = 1)]
@@ -62,7 +62,8 @@ pub(super) enum TablesArg {
     Inline,
     /// Hexadecimal files, read at the start.
     Files,
-    /// A function with a case for each address; slow in simulators.
+    /// A function with a case for each address; slow in simulators, and a synthesiser may make
+    /// block RAM of it even where it is read without a clock.
     Case,
 }
 

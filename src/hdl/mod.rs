@@ -412,7 +412,7 @@ fn check_name(name: &str) -> Result<()> {
         && !name.contains("__")
         && !name.ends_with('_');
     if !legal {
-        let form = "a module name: a to z, then a to z, 0 to 9 and single _, up to 64 in all";
+        let form = "my_module: a to z first, then a to z, 0 to 9 and single _, up to 64 in all";
         return Err(Error::form(name, form));
     }
     if names::is_reserved(name) {
