@@ -16,9 +16,13 @@ static SCRATCH: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 /// Removes scratch folders and the temporary files of writes under way; for a handler of
 /// interrupts, which ends the process next.
 pub(crate) fn abandon() {
-    for folder in &*SCRATCH.lock().unwrap_or_else(PoisonError::into_inner) {
-        let _ = fs::remove_dir_all(folder);
+    let folders = SCRATCH.lock().unwrap_or_else(PoisonError::into_inner);
+    for folder in &*folders {
+        // A tool's last file may come in between.
+        let _ = fs::remove_dir_all(folder).or_else(|_| fs::remove_dir_all(folder));
     }
+    // Locked for ever: other threads make no new ones until the process ends.
+    std::mem::forget(folders);
     for path in &*TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner) {
         // What can't be removed can't be helped any more.
         let _ = fs::remove_file(path);
@@ -43,10 +47,9 @@ impl Scratch {
     /// # Errors
     /// If it can't be made.
     pub fn new() -> Result<Self> {
-        let folder = tempfile::Builder::new().prefix("fixpath-").tempdir();
         let fail = |why| Error::io(&std::env::temp_dir(), "can't make a folder in it", why);
-        let folder = folder.map_err(fail)?;
         let mut known = SCRATCH.lock().unwrap_or_else(PoisonError::into_inner);
+        let folder = tempfile::Builder::new().prefix("fixpath-").tempdir().map_err(fail)?;
         known.insert(folder.path().to_owned());
         Ok(Self(folder))
     }

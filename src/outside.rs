@@ -140,9 +140,13 @@ fn running() -> std::sync::MutexGuard<'static, BTreeSet<u32>> {
     RUNNING.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Ends what is running; for a handler of interrupts, which ends the process next.
+/// Ends what is running, and lets nothing start any more; for a handler of interrupts, which ends
+/// the process next.
 pub(crate) fn abandon() {
-    running().iter().for_each(|id| end_group(*id));
+    let groups = running();
+    groups.iter().for_each(|id| end_group(*id));
+    // Locked for ever: whoever sees that a tool has ended would start the next one.
+    std::mem::forget(groups);
 }
 
 /// Ends a process and all that it started.
@@ -211,10 +215,12 @@ pub fn run(
         command.process_group(0);
     }
     let start = Instant::now();
+    let mut groups = running();
     let mut child =
         command.spawn().map_err(|why| Error::io(Path::new(program), "can't start", why))?;
     let id = child.id();
-    running().insert(id);
+    groups.insert(id);
+    drop(groups);
     let stdout = collect(child.stdout.take().expect("bug: piped"));
     let stderr = collect(child.stderr.take().expect("bug: piped"));
     let stdin = child.stdin.take();
