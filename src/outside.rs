@@ -208,6 +208,10 @@ pub fn run(
     let mut command = Command::new(program);
     command.args(arguments).current_dir(folder).stdout(Stdio::piped()).stderr(Stdio::piped());
     command.stdin(if feed.is_some() { Stdio::piped() } else { Stdio::null() });
+    if folder.is_absolute() {
+        // Compilers that are ended leave files behind: where they go with the others.
+        command.env("TMPDIR", folder);
+    }
     #[cfg(unix)]
     {
         // A group of its own: what it starts ends with it.

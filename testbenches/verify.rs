@@ -435,7 +435,10 @@ mod commands {
         let scratch = tempfile::tempdir().unwrap();
         let ids = told.path().join("ids");
         // Complete at once: a file with both ids takes the name that is waited for.
-        let vvp = format!("sleep 300 &\necho $$ $! > {0}.new; mv {0}.new {0}; wait", ids.display());
+        let vvp = format!(
+            ": > $TMPDIR/left.s\nsleep 300 &\necho $$ $! > {0}.new; mv {0}.new {0}; wait",
+            ids.display()
+        );
         let tools = fake_icarus(&vvp);
         let mut process = std::process::Command::new(assert_cmd::cargo::cargo_bin("fixpath"))
             .args(SMALL)
