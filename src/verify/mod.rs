@@ -320,7 +320,10 @@ pub fn simulators_of(names: &[String]) -> Result<Vec<Simulator>> {
         let known = Simulator::ALL.iter().find(|simulator| simulator.name() == name);
         let Some(simulator) = known else {
             let all: Vec<&str> = Simulator::ALL.iter().map(|s| s.name()).collect();
-            return Err(Error::usage(format!("no simulator `{name}`: legal is {}", all.join(", "))));
+            return Err(Error::usage(format!(
+                "no simulator `{name}`: legal is {}",
+                all.join(", ")
+            )));
         };
         if !found.contains(simulator) {
             found.push(*simulator);
