@@ -331,6 +331,38 @@ pub struct Module {
     signals: BTreeMap<Signal, WordId>,
 }
 
+/// A port of a module.
+#[derive(Clone, Debug)]
+pub struct Port<'a> {
+    /// Name.
+    pub name: &'a str,
+    /// True if the module drives it.
+    pub is_output: bool,
+    /// Its word; a control bit has none.
+    pub word: Option<&'a Word>,
+    /// What to say beside it.
+    pub comment: String,
+}
+
+impl Port<'_> {
+    /// True for an output port that is a register itself.
+    #[must_use]
+    pub fn is_register(&self) -> bool {
+        self.is_output && self.word.is_some_and(|word| word.name == self.name)
+    }
+}
+
+/// The most table rows on a line.
+const ROWS_A_LINE: usize = 4;
+
+/// Name of the valid bit beside the words of a stage.
+fn valid_bit(stage: usize) -> String {
+    match stage {
+        0 => "valid_in".to_owned(),
+        _ => format!("valid_s{stage}"),
+    }
+}
+
 /// A file to be written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct File {
@@ -353,6 +385,37 @@ impl Module {
     #[must_use]
     pub fn word(&self, id: WordId) -> &Word {
         &self.words[id.index()]
+    }
+
+    /// All ports in the order of their declaration. A combinational module has no clock, reset
+    /// and enable.
+    #[must_use]
+    pub fn ports(&self) -> Vec<Port<'_>> {
+        let bit = |name, is_output, comment: &str| Port {
+            name,
+            is_output,
+            word: None,
+            comment: comment.to_owned(),
+        };
+        let port = |name, is_output, word| Port {
+            name,
+            is_output,
+            word: Some(word),
+            comment: word.format.map(|format| format.to_string()).unwrap_or_default(),
+        };
+        let mut ports = Vec::new();
+        if self.latency > 0 {
+            ports.push(bit("clk", false, ""));
+            ports.push(bit("rst", false, "clears the valid bits"));
+            ports.push(bit("ce", false, "the pipeline stands still without"));
+        }
+        ports.push(bit("valid_in", false, ""));
+        let inputs = self.inputs.iter().map(|id| self.word(*id));
+        ports.extend(inputs.map(|word| port(word.name.as_str(), false, word)));
+        ports.push(bit("valid_out", true, ""));
+        let outputs = self.outputs.iter();
+        ports.extend(outputs.map(|(name, id)| port(name.as_str(), true, self.word(*id))));
+        ports
     }
 
     /// The word of a signal, if the module has one.

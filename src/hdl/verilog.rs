@@ -4,8 +4,8 @@
 //! contexts decide nothing. Words keep the binary point as their least index.
 
 use super::{
-    Bit, Bitwise, Driver, Expr, File, Item, Language, Module, Next, Operand, RomTable, Tables,
-    View, Word, WordId, testbench,
+    Bit, Bitwise, Driver, Expr, File, Item, Language, Module, Next, Operand, ROWS_A_LINE, RomTable,
+    Tables, View, Word, WordId, testbench, valid_bit,
 };
 use crate::cast;
 use std::fmt::Write as _;
@@ -13,9 +13,6 @@ use std::fmt::Write as _;
 /// Verilog-2005.
 #[derive(Debug)]
 pub struct Verilog;
-
-/// The most table rows on a line.
-const ROWS_A_LINE: usize = 4;
 
 impl Language for Verilog {
     fn name(&self) -> &'static str {
@@ -103,35 +100,27 @@ fn index(word: &Word, bit: u32) -> i32 {
 }
 
 fn comment(word: &Word) -> String {
-    word.format.map(|format| format!(" // {format}")).unwrap_or_default()
+    word.format.map(|format| noted(&format.to_string())).unwrap_or_default()
+}
+
+fn noted(text: &str) -> String {
+    if text.is_empty() { String::new() } else { format!(" // {text}") }
 }
 
 fn ports(module: &Module, text: &mut String) {
-    let mut lines: Vec<(String, String)> = Vec::new();
-    if module.latency > 0 {
-        lines.push(("input  wire clk".to_owned(), String::new()));
-        lines.push(("input  wire rst".to_owned(), " // clears the valid bits".to_owned()));
-        lines.push((
-            "input  wire ce".to_owned(),
-            " // the pipeline stands still without".to_owned(),
-        ));
-    }
-    lines.push(("input  wire valid_in".to_owned(), String::new()));
-    for id in &module.inputs {
-        let word = module.word(*id);
-        lines.push((format!("input  wire {}{}", shape(word), word.name), comment(word)));
-    }
-    lines.push(("output wire valid_out".to_owned(), String::new()));
-    for (name, id) in &module.outputs {
-        let word = module.word(*id);
-        let sort = if word.name == *name { "reg " } else { "wire" };
-        lines.push((format!("output {sort} {}{name}", shape(word)), comment(word)));
-    }
     let _ = writeln!(text, "module {} (", module.name);
-    let last = lines.len() - 1;
-    for (number, (line, comment)) in lines.into_iter().enumerate() {
+    let ports = module.ports();
+    let last = ports.len() - 1;
+    for (number, port) in ports.iter().enumerate() {
+        let way = match (port.is_output, port.is_register()) {
+            (false, _) => "input  wire",
+            (true, false) => "output wire",
+            (true, true) => "output reg ",
+        };
         let comma = if number == last { "" } else { "," };
-        let _ = writeln!(text, "    {line}{comma}{comment}");
+        let shape = port.word.map(shape).unwrap_or_default();
+        let note = noted(&port.comment);
+        let _ = writeln!(text, "    {way} {shape}{}{comma}{note}", port.name);
     }
     text.push_str(");\n");
 }
@@ -204,18 +193,14 @@ fn registers(module: &Module, stage: usize, text: &mut String) {
         }
         text.push_str("        end\n");
     }
-    let valid = |stage: usize| match stage {
-        0 => "valid_in".to_owned(),
-        _ => format!("valid_s{stage}"),
-    };
     let _ = writeln!(
         text,
         "    reg {1};\n    always @(posedge clk)\n        if (rst) {1} <= 1'b0;\n        else if (ce) {1} <= {0};",
-        valid(stage),
-        valid(stage + 1)
+        valid_bit(stage),
+        valid_bit(stage + 1)
     );
     if stage + 2 == module.stages.len() {
-        let _ = writeln!(text, "    assign valid_out = {};", valid(stage + 1));
+        let _ = writeln!(text, "    assign valid_out = {};", valid_bit(stage + 1));
     }
 }
 

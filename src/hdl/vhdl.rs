@@ -5,8 +5,8 @@
 //! when it cuts a signed number it keeps the sign instead of the low bits: cuts are slices.
 
 use super::{
-    Bit, Bitwise, Driver, Expr, File, Item, Language, Module, Next, Operand, RomTable, Tables,
-    View, Word, WordId, testbench,
+    Bit, Bitwise, Driver, Expr, File, Item, Language, Module, Next, Operand, ROWS_A_LINE, RomTable,
+    Tables, View, Word, WordId, testbench, valid_bit,
 };
 use crate::cast;
 use std::collections::BTreeSet;
@@ -15,9 +15,6 @@ use std::fmt::Write as _;
 /// VHDL-2008.
 #[derive(Debug)]
 pub struct Vhdl;
-
-/// The most table rows on a line.
-const ROWS_A_LINE: usize = 4;
 
 /// Initial value of every word that is computed with.
 const ZERO: &str = " := (others => '0')";
@@ -74,7 +71,7 @@ impl Language for Vhdl {
                 let _ = writeln!(text, "    {port} <= {};", word.name);
             }
         }
-        let _ = writeln!(text, "    valid_out <= {};", valid(module.stages.len() - 1));
+        let _ = writeln!(text, "    valid_out <= {};", valid_bit(module.stages.len() - 1));
         text.push_str("end architecture;\n");
         text
     }
@@ -90,47 +87,28 @@ fn sign(signed: bool) -> &'static str {
 }
 
 fn comment(word: &Word) -> String {
-    word.format.map(|format| format!(" -- {format}")).unwrap_or_default()
+    word.format.map(|format| noted(&format.to_string())).unwrap_or_default()
 }
 
-/// The valid bit beside a stage's words.
-fn valid(stage: usize) -> String {
-    match stage {
-        0 => "valid_in".to_owned(),
-        _ => format!("valid_s{stage}"),
-    }
+fn noted(text: &str) -> String {
+    if text.is_empty() { String::new() } else { format!(" -- {text}") }
 }
 
 fn ports(module: &Module, text: &mut String) {
-    let mut lines: Vec<(String, String)> = Vec::new();
-    if module.latency > 0 {
-        lines.push(("clk : in std_logic".to_owned(), String::new()));
-        lines.push(("rst : in std_logic".to_owned(), " -- clears the valid bits".to_owned()));
-        lines.push((
-            "ce : in std_logic".to_owned(),
-            " -- the pipeline stands still without".to_owned(),
-        ));
-    }
-    lines.push(("valid_in : in std_logic".to_owned(), String::new()));
-    for id in &module.inputs {
-        let word = module.word(*id);
-        lines.push((format!("{} : in {}", word.name, shape(word)), comment(word)));
-    }
-    lines.push(("valid_out : out std_logic".to_owned(), String::new()));
-    for (name, id) in &module.outputs {
-        let word = module.word(*id);
-        let zero = if word.name == *name { ZERO } else { "" };
-        lines.push((format!("{name} : out {}{zero}", shape(word)), comment(word)));
-    }
     text.push_str("library ieee;\nuse ieee.std_logic_1164.all;\nuse ieee.numeric_std.all;\n");
     if !module.tables.is_empty() && module.tables_in == Tables::Files {
         text.push_str("use std.textio.all;\n");
     }
     let _ = writeln!(text, "\nentity {} is\n    port (", module.name);
-    let last = lines.len() - 1;
-    for (number, (line, comment)) in lines.into_iter().enumerate() {
+    let ports = module.ports();
+    let last = ports.len() - 1;
+    for (number, port) in ports.iter().enumerate() {
+        let way = if port.is_output { "out" } else { "in" };
+        let shape = port.word.map_or_else(|| "std_logic".to_owned(), shape);
+        let zero = if port.is_register() { ZERO } else { "" };
         let semicolon = if number == last { "" } else { ";" };
-        let _ = writeln!(text, "        {line}{semicolon}{comment}");
+        let (name, note) = (port.name, noted(&port.comment));
+        let _ = writeln!(text, "        {name} : {way} {shape}{zero}{semicolon}{note}");
     }
     text.push_str("    );\nend entity;\n");
 }
@@ -176,7 +154,7 @@ fn declarations(module: &Module, text: &mut String) {
             }
         }
         if !last {
-            let _ = writeln!(text, "    signal {} : std_logic;", valid(number + 1));
+            let _ = writeln!(text, "    signal {} : std_logic;", valid_bit(number + 1));
         }
     }
 }
@@ -278,7 +256,7 @@ fn registers(module: &Module, stage: usize, text: &mut String) {
         }
         text.push_str("            end if;\n");
     }
-    let (from, to) = (valid(stage), valid(stage + 1));
+    let (from, to) = (valid_bit(stage), valid_bit(stage + 1));
     let _ = write!(
         text,
         "            if rst = '1' then
