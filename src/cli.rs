@@ -457,7 +457,7 @@ struct Sim {
     design: Design,
     inputs: Inputs,
     report: Report,
-    bound: BoundCheck,
+    bounds: BoundCheck,
     hard: Vec<measure::HardVerdict>,
 }
 
@@ -466,18 +466,18 @@ impl Sim {
         let bar = progress_bar(inputs.count(&design)?, design.values.unit().name);
         let mut reports = measure::measure(&[&design], inputs, &|done| bar.set_position(done))?;
         bar.finish_and_clear();
-        let bound = BoundCheck::new(&design)?;
+        let bounds = BoundCheck::new(&design)?;
         let hard = if inputs.sampler == Sampler::Hard {
-            measure::hard_verdicts(&design, &bound)
+            measure::hard_verdicts(&design, &bounds)
         } else {
             Vec::new()
         };
         let report = reports.pop().expect("bug: one report per design");
-        Ok(Self { design, inputs: *inputs, report, bound, hard })
+        Ok(Self { design, inputs: *inputs, report, bounds, hard })
     }
 
     fn passed(&self) -> bool {
-        self.bound.holds(&self.report) && self.hard.iter().all(|case| case.holds != Some(false))
+        self.bounds.hold(&self.report) && self.hard.iter().all(|case| case.holds != Some(false))
     }
 }
 
@@ -487,23 +487,24 @@ fn write_cases(sim: &Sim, to: &mut dyn Write, path: &Path) -> Result<()> {
     let mut writer = csv::Writer::from_writer(to);
     let mut header = vec!["case".to_owned()];
     header.extend((0..netlist.inputs().len()).map(|i| format!("{}_raw", netlist.input_name(i))));
+    let columns = measure::hard_columns(&sim.design);
     for result in ["fixed", "f32", "f64"] {
-        header.extend(["x", "y", "z"].map(|axis| format!("{axis}_{result}")));
+        header.extend(columns.iter().map(|column| format!("{column}_{result}")));
     }
-    header.extend(["error", "f32_error", "bound", "holds"].map(str::to_owned));
+    header.extend(["error", "f32_error", "bound", "holds", "quantity"].map(str::to_owned));
     let fail = |why: csv::Error| Error::io(path, "can't write", why.into());
     writer.write_record(&header).map_err(fail)?;
     for group in &sim.design.hard {
-        for case in measure::hard_results(&sim.design, group, &sim.bound) {
+        for case in measure::hard_results(&sim.design, group, &sim.bounds) {
             let mut row = vec![group.name.to_owned()];
             row.extend(case.words.iter().map(ToString::to_string));
-            for direction in [case.fixed, case.float32, case.float64] {
-                row.extend(direction.map(|x| x.to_string()));
+            for numbers in [&case.fixed, &case.float32, &case.float64] {
+                row.extend(numbers.iter().map(ToString::to_string));
             }
             row.extend([case.error.to_string(), case.float32_error.to_string()]);
-            row.push(sim.bound.bound.map(|bound| bound.to_string()).unwrap_or_default());
-            let holds = sim.bound.bound.map(|bound| (case.error <= bound).to_string());
-            row.push(holds.unwrap_or_default());
+            row.push(case.bound.map(|bound| bound.to_string()).unwrap_or_default());
+            row.push(case.holds().map(|holds| holds.to_string()).unwrap_or_default());
+            row.push(case.quantity.clone());
             writer.write_record(&row).map_err(fail)?;
         }
     }

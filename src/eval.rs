@@ -196,7 +196,7 @@ pub fn eval(
     let (mut values, mut words, mut quantised) = (Vec::new(), Vec::new(), Vec::new());
     let mut out_words = vec![Vec::new(); outputs.len()];
     let mut out_values = Vec::new();
-    let mut golden = [Vec::new(), Vec::new(), Vec::new()];
+    let mut golden = vec![Vec::new(); design.golden_columns()];
     let mut rows = 0;
     loop {
         let count = input.read(ROWS, &mut values)?;
@@ -208,15 +208,15 @@ pub fn eval(
         values_of(netlist, &outputs, &out_words, &mut out_values);
         let columns: Vec<&[f64]> = quantised.iter().map(Vec::as_slice).collect();
         golden.iter_mut().for_each(|column| column.resize(count, 0.0));
-        (design.golden)(&columns, &mut golden);
+        (design.golden)(&design.values, &columns, &mut golden);
         for row in 0..count {
             let mut fields = Vec::with_capacity(header.len());
             for (i, id) in netlist.inputs().iter().enumerate() {
                 fields.push((quantised[i][row] * scale(id)).to_string());
                 fields.push(words[i][row].to_string());
             }
-            let direction = [golden[0][row], golden[1][row], golden[2][row]];
-            let ports = design.shape.ports(direction);
+            let golden: Vec<f64> = golden.iter().map(|column| column[row]).collect();
+            let ports = design.of_golden(&golden);
             for (i, id) in outputs.iter().enumerate() {
                 fields.push((out_values[i][row] * scale(id)).to_string());
                 fields.push(out_words[i][row].to_string());

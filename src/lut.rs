@@ -18,7 +18,7 @@
 use crate::cast;
 use crate::format::{Format, Overflow, Round, word_mask};
 use crate::function::{Combination, Function};
-use crate::netlist::{Builder, Column, NodeId, Table};
+use crate::netlist::{Builder, Column, NodeId, Part, Table};
 use crate::op::Meaning;
 use std::collections::HashMap;
 use std::fmt;
@@ -92,7 +92,7 @@ pub fn emit(b: &mut Builder, spec: &Spec<'_>, argument: NodeId) -> Vec<NodeId> {
         && b.format(argument).bits() > 3
         && spec.output.is_signed()
         && spec.functions.iter().all(|function| quarter_wave_of(*function).is_some());
-    b.scheme_scope(spec.name, |b| {
+    b.part(Part::Scheme, spec.name, |b| {
         spec.functions
             .iter()
             .enumerate()

@@ -95,6 +95,12 @@ fn range(param: &Param, item: &str, from: &str, rest: &str) -> Result<Vec<Value>
     let numbers = || Error::usage(format!("`{item}`: a range of `{}` needs numbers", param.name));
     match param.kind {
         Kind::Int { .. } => {}
+        Kind::Real { .. } => {
+            return Err(Error::usage(format!(
+                "`{item}`: `{}` has fractions and no ranges: write {}=v,v,…",
+                param.name, param.name
+            )));
+        }
         Kind::Choice(_) => {
             return Err(Error::usage(format!(
                 "`{item}`: `{}` is a name and has no ranges: write {}=v,v,…",

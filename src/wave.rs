@@ -225,10 +225,10 @@ impl<'a> Wave<'a> {
             .map(|(id, word)| netlist.node(*id).format.value(*word))
             .collect();
         let columns: Vec<&[f64]> = inputs.iter().map(std::slice::from_ref).collect();
-        let mut direction = [vec![0.0], vec![0.0], vec![0.0]];
-        (self.design.golden)(&columns, &mut direction);
-        let direction = [direction[0][0], direction[1][0], direction[2][0]];
-        Ideal { nodes: netlist.eval_reals(&inputs), ports: self.design.shape.ports(direction) }
+        let mut golden = vec![vec![0.0]; self.design.golden_columns()];
+        (self.design.golden)(&self.design.values, &columns, &mut golden);
+        let golden: Vec<f64> = golden.iter().map(|column| column[0]).collect();
+        Ideal { nodes: netlist.eval_reals(&inputs), judged: self.design.of_golden(&golden) }
     }
 
     /// Writes the GTKWave save file for a VCD of this name.
@@ -330,7 +330,8 @@ impl<'a> Wave<'a> {
 #[derive(Debug)]
 struct Ideal {
     nodes: Vec<f64>,
-    ports: Vec<f64>,
+    /// Golden values of the judged nodes, which start with the output ports.
+    judged: Vec<f64>,
 }
 
 fn top_index(format: crate::format::Format) -> i32 {
@@ -512,7 +513,7 @@ impl Codes {
                     Quantity::Number => difference,
                 }
             };
-            let golden = trace.port.map_or(0.0, |port| ideal.ports[port] * scale);
+            let golden = trace.port.map_or(0.0, |port| ideal.judged[port] * scale);
             let shown = [value, ideal_value, difference(ideal_value), golden, difference(golden)];
             for (twin, shown) in twins.iter_mut().zip(shown) {
                 if twin.1.map(f64::to_bits) != Some(shown.to_bits()) {

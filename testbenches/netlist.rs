@@ -2,7 +2,7 @@
 
 use expect_test::expect;
 use fixpath::format::{Format, Overflow, Round};
-use fixpath::netlist::{Builder, Column, Counts, Netlist, Quantity, Table};
+use fixpath::netlist::{Builder, Column, Counts, Netlist, Part, Quantity, Table};
 use fixpath::units::Unit;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -35,7 +35,7 @@ fn small() -> Netlist {
     let unused = b.table(Table { name: "unused".to_owned(), ..square_table() });
     let dead = b.read(unused, 0, a);
     let _ = b.mul(dead, dead);
-    let sum = b.scheme_scope("lookup", |b| {
+    let sum = b.part(Part::Scheme, "lookup", |b| {
         let square = b.read(table, 0, a);
         let half = b.read(table, 1, a);
         b.name(half, "half");

@@ -6,7 +6,7 @@
 use fixpath::measure::{Basis, BoundCheck, Inputs, Report, measure};
 use fixpath::netlist::{Netlist, Quantity};
 use fixpath::sim::batch::Program;
-use fixpath::units::{Bound, Design, Sampler, Shape, Unit};
+use fixpath::units::{Bounds, Design, Sampler, Shape, Unit, Values};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use crate::engines::Random;
@@ -59,7 +59,7 @@ fn unit_golden(design: &Design, turns: [f64; 4]) -> Vector {
     let columns: Vec<[f64; 1]> = turns.iter().map(|turns| [*turns]).collect();
     let inputs: Vec<&[f64]> = columns.iter().map(|column| &column[..]).collect();
     let mut outputs = vec![vec![0.0]; 3];
-    (design.golden)(&inputs, &mut outputs);
+    (design.golden)(&design.values, &inputs, &mut outputs);
     [outputs[0][0], outputs[1][0], outputs[2][0]]
 }
 
@@ -140,7 +140,7 @@ fn exact_linear_is_within_two_ulp_of_the_matrices() {
         }
     }
     assert!(worst > 0.5, "words can't be better than rounding: {worst}");
-    assert_eq!(design.shape, Shape::Cartesian);
+    assert_eq!(design.groups[0].shape, Shape::Cartesian);
     let names: Vec<&str> = design.netlist.outputs().iter().map(|o| o.name.as_str()).collect();
     assert_eq!(names, ["x", "y", "z"]);
 }
@@ -268,9 +268,9 @@ fn algorithm_errors_are_as_stated() {
 fn assert_bound(assignments: &[&str], design: &Design, check: &BoundCheck, sampler: Sampler) {
     let inputs = Inputs { sampler, samples: 20_000, seed: 7 };
     let report = measure(&[design], &inputs, &|_| ()).unwrap().remove(0);
-    let (bound, seen) = (check.bound.unwrap(), check.seen(&report).unwrap());
+    let (bound, seen) = (check.stated[0].bound, check.stated[0].seen(&report));
     assert!(
-        seen <= bound && check.holds(&report),
+        seen <= bound && check.hold(&report),
         "{assignments:?} {sampler:?}: {seen:e} is above {bound:e}, {:?}",
         report.figures("angle", Basis::Total).witness
     );
@@ -322,7 +322,7 @@ fn stated_bounds_are_not_idle() {
         let design = design(assignments);
         let check = BoundCheck::new(&design).unwrap();
         let report = lit(&design, 50_000);
-        let (bound, seen) = (check.bound.unwrap(), check.seen(&report).unwrap());
+        let (bound, seen) = (check.stated[0].bound, check.stated[0].seen(&report));
         assert!(bound <= factor * seen, "{assignments:?}: {bound:e} for {seen:e}");
     }
 }
@@ -331,18 +331,18 @@ fn stated_bounds_are_not_idle() {
 fn the_seeds_variants_state_no_bound() {
     for variant in ["printed", "corrected"] {
         let design = design(&[&format!("variant={variant}")]);
-        assert!(matches!(design.bound, Bound::Unstated(_)));
+        assert!(matches!(design.bounds, Bounds::Unstated(_)));
         let check = BoundCheck::new(&design).unwrap();
-        assert_eq!((check.quantity, check.bound), (None, None));
-        assert!(check.why.is_some_and(|why| why.contains("infinite slopes")));
-        assert!(check.holds(&lit(&design, 1000)));
+        assert!(check.stated.is_empty());
+        assert!(check.why_none.is_some_and(|why| why.contains("infinite slopes")));
+        assert!(check.hold(&lit(&design, 1000)));
     }
 }
 
 /// A design whose golden is another's must break its bound: the check can fail.
 #[test]
 fn a_wrong_golden_breaks_the_bound() {
-    fn mirrored(inputs: &[&[f64]], outputs: &mut [Vec<f64>]) {
+    fn mirrored(_: &Values, inputs: &[&[f64]], outputs: &mut [Vec<f64>]) {
         for i in 0..inputs[0].len() {
             let v = matrix_golden([inputs[0][i], inputs[1][i], inputs[2][i], inputs[3][i]]);
             for (column, value) in outputs.iter_mut().zip([v[0], -v[1], v[2]]) {
@@ -353,9 +353,9 @@ fn a_wrong_golden_breaks_the_bound() {
     for output in ["cartesian", "polar-cordic", "polar-table"] {
         let mut design = design(&[&format!("output={output}")]);
         let check = BoundCheck::new(&design).unwrap();
-        assert!(check.holds(&lit(&design, 2000)));
+        assert!(check.hold(&lit(&design, 2000)));
         design.golden = mirrored;
-        assert!(!check.holds(&lit(&design, 2000)), "{output}");
+        assert!(!check.hold(&lit(&design, 2000)), "{output}");
     }
 }
 

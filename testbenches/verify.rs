@@ -37,6 +37,10 @@ fn random_assignments(unit: &'static Unit, random: &mut Random) -> Vec<String> {
     let assignment = |param: &fixpath::units::Param| {
         let value = match param.kind {
             Kind::Choice(names) => names[random.below(names.len())].to_owned(),
+            Kind::Real { min, max } => {
+                let share = f64::from(u32::try_from(random.below(1025)).unwrap()) / 1024.0;
+                (min + (max - min) * share).to_string()
+            }
             Kind::Int { auto: Some(_), .. } if random.below(2) == 0 => "auto".to_owned(),
             Kind::Int { min, max, .. } => {
                 // Large tables take long in slow simulators and show nothing new; a period of

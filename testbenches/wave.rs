@@ -148,7 +148,7 @@ fn every_word_and_twin_is_the_reference_of_its_sample() {
 #[test]
 fn the_golden_stands_beside_output_ports() {
     let design = design(&["variant=exact", "scheme=linear"]);
-    assert_eq!(design.shape, Shape::Cartesian);
+    assert_eq!(design.groups[0].shape, Shape::Cartesian);
     let folder = tempfile::tempdir().unwrap();
     let rows = vec![vec![0, 8192, 0, 0]]; // 45° from the pole, N at the pole
     let read = ReadBack::open(&write(&design, Options::default(), &rows, folder.path()));

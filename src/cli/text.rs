@@ -96,6 +96,7 @@ pub(super) fn list_json(units: &[&'static Unit]) -> Value {
         });
         let extra = match param.kind {
             Kind::Int { min, max, auto } => json!({"min": min, "max": max, "auto": auto.is_some()}),
+            Kind::Real { min, max } => json!({"min": min, "max": max}),
             Kind::Choice(names) => json!({ "choices": names }),
         };
         let fields = entry.as_object_mut().expect("bug: an object");
@@ -183,6 +184,16 @@ pub(super) fn show(design: &Design) -> Result<String> {
         row.extend(counts.map(|count| count.to_string()));
         row
     };
+    let parts = [
+        (counts.dividers, "dividers"),
+        (counts.square_roots, "square roots"),
+        (counts.reciprocal_roots, "reciprocal square roots"),
+    ];
+    let mut rows =
+        vec![operators("datapath", counts.datapath), operators("table schemes", counts.schemes)];
+    if counts.parts != Operators::default() {
+        rows.push(operators("dividers, roots", counts.parts));
+    }
     text.push_str("\noperators\n");
     text.push_str(&table(
         &[
@@ -196,8 +207,13 @@ pub(super) fn show(design: &Design) -> Result<String> {
             ">narrow",
             ">of which round",
         ],
-        &[operators("datapath", counts.datapath), operators("table schemes", counts.schemes)],
+        &rows,
     ));
+    if parts.iter().any(|(count, _)| *count > 0) {
+        let parts = parts.iter().filter(|(count, _)| *count > 0);
+        let parts: Vec<String> = parts.map(|(count, name)| format!("{count} {name}")).collect();
+        let _ = writeln!(text, "  of which each is counted as one: {}", parts.join(", "));
+    }
 
     let _ = writeln!(
         text,
@@ -340,7 +356,7 @@ pub(super) fn sim(sim: &Sim) -> String {
         let show = |x: f64| format!("{}{unit}", number(x * scale));
         vec![
             f.basis.name().to_owned(),
-            f.quantity.to_owned(),
+            f.quantity.clone(),
             show(f.max),
             f.max_ulp.map(number).unwrap_or_default(),
             show(f.mean),
@@ -388,20 +404,18 @@ pub(super) fn sim(sim: &Sim) -> String {
         text.push_str(&hard_cases(sim));
     }
     text.push('\n');
-    match (sim.bound.bound, sim.bound.seen(report), sim.bound.why) {
-        (Some(bound), Some(seen), _) => {
-            let verdict = if sim.bound.holds(report) { "holds" } else { "IS BROKEN" };
-            let _ = writeln!(
-                text,
-                "stated bound on each {}: {}; seen {}: {verdict}",
-                sim.bound.quantity.unwrap_or_default(),
-                number(bound),
-                number(seen)
-            );
-        }
-        (_, _, why) => {
-            let _ = writeln!(text, "no bound is stated: {}", why.unwrap_or_default());
-        }
+    for bound in &sim.bounds.stated {
+        let verdict = if bound.holds(report) { "holds" } else { "IS BROKEN" };
+        let _ = writeln!(
+            text,
+            "stated bound on each {}: {}; seen {}: {verdict}",
+            bound.quantity,
+            number(bound.bound),
+            number(bound.seen(report))
+        );
+    }
+    if let Some(why) = sim.bounds.why_none {
+        let _ = writeln!(text, "no bound is stated: {why}");
     }
     let _ = writeln!(text, "{}", speed(report));
     text
@@ -411,7 +425,10 @@ pub(super) fn sim(sim: &Sim) -> String {
 pub(super) fn hard_cases(sim: &Sim) -> String {
     let mut text =
         format!("hard cases of {}, the worst of each group\n", parameter_line(&sim.design.values));
-    let vector = |v: [f64; 3]| format!("({:.5}, {:.5}, {:.5})", v[0], v[1], v[2]);
+    let vector = |v: &[f64]| {
+        let numbers: Vec<String> = v.iter().map(|x| format!("{x:.5}")).collect();
+        format!("({})", numbers.join(", "))
+    };
     let rows: Vec<Vec<String>> = sim
         .hard
         .iter()
@@ -420,9 +437,10 @@ pub(super) fn hard_cases(sim: &Sim) -> String {
                 case.name.to_owned(),
                 case.cases.to_string(),
                 case.worst.words.iter().map(ToString::to_string).collect::<Vec<_>>().join(","),
-                vector(case.worst.fixed),
-                vector(case.worst.float32),
-                vector(case.worst.float64),
+                vector(&case.worst.fixed),
+                vector(&case.worst.float32),
+                vector(&case.worst.float64),
+                case.worst.quantity.clone(),
                 number(case.worst.error),
                 number(case.float32_worst),
                 match case.holds {
@@ -442,18 +460,18 @@ pub(super) fn hard_cases(sim: &Sim) -> String {
             "fixed",
             "f32",
             "f64",
+            "error of",
             ">error",
             ">worst f32 error",
             "verdict",
         ],
         &rows,
     ));
-    let unit = if sim.bound.quantity == Some("component") {
-        "of the worst component"
-    } else {
-        "the angle in rad"
-    };
-    let _ = writeln!(text, "  errors: {unit}, against f64");
+    let columns = measure::hard_columns(&sim.design).join(", ");
+    let _ = writeln!(
+        text,
+        "  fixed, f32, f64: ({columns}); errors are absolute, of angles in rad, against f64; of several quantities the one nearest to its bound"
+    );
     text
 }
 
@@ -469,6 +487,16 @@ fn speed(report: &Report) -> String {
 
 pub(super) fn sim_json(sim: &Sim) -> Value {
     let (design, report) = (&sim.design, &sim.report);
+    let stated = sim.bounds.stated.iter().map(|bound| {
+        json!({
+            "quantity": bound.quantity,
+            "of": bound.of,
+            "bound": bound.bound,
+            "seen": bound.seen(report),
+            "holds": bound.holds(report),
+        })
+    });
+    let stated: Vec<Value> = stated.collect();
     let mut value = json!({
         "tool": "fixpath",
         "version": env!("CARGO_PKG_VERSION"),
@@ -483,13 +511,12 @@ pub(super) fn sim_json(sim: &Sim) -> Value {
         "counts": design.netlist.counts(),
         "figures": report.figures,
         "overflows": report.overflows,
-        "bound": {
-            "quantity": sim.bound.quantity,
-            "bound": sim.bound.bound,
-            "seen": sim.bound.seen(report),
-            "holds": sim.bound.bound.map(|_| sim.bound.holds(report)),
-            "why_none": sim.bound.why,
-        },
+        // The first on its own too: most units state one.
+        "bound": stated.first().map_or_else(|| json!({
+            "quantity": null, "of": [], "bound": null, "seen": null, "holds": null,
+        }), Clone::clone),
+        "bounds": stated,
+        "why_no_bound": sim.bounds.why_none,
     });
     let fields: &mut Map<String, Value> = value.as_object_mut().expect("bug: an object");
     if !sim.hard.is_empty() {
@@ -516,9 +543,10 @@ pub(super) fn sweep(record: &Record, out: &Path) -> String {
         let _ = writeln!(text, "the first failure: {error}");
     }
     let rom = |m: &Measured| cast::f64_of_count(m.count("rom_bits_dual_port").unwrap_or_default());
-    let basis = record.ranking();
+    let (basis, lead) = (record.ranking(), record.lead());
+    let symbol = if lead.unit == "deg" { "°" } else { "" };
     let costs: Vec<(f64, f64)> =
-        measured.iter().map(|(_, m)| (rom(m), m.angle_max(basis))).collect();
+        measured.iter().map(|(_, m)| (rom(m), m.lead_max(basis))).collect();
     let axes: Vec<&str> = record.header.axes.iter().map(|axis| axis.key.as_str()).collect();
     let rows: Vec<Vec<String>> = pareto(&costs)
         .into_iter()
@@ -526,7 +554,7 @@ pub(super) fn sweep(record: &Record, out: &Path) -> String {
             let (point, m) = measured[i];
             let mut row: Vec<String> = axes.iter().map(|key| point.text(key)).collect();
             row.extend([
-                format!("{}°", number(m.angle_max(basis).to_degrees())),
+                format!("{}{symbol}", number(m.lead_max(basis) * lead.scale)),
                 rom(m).to_string(),
             ]);
             row
@@ -534,11 +562,13 @@ pub(super) fn sweep(record: &Record, out: &Path) -> String {
         .collect();
     let _ = writeln!(
         text,
-        "Pareto-optimal points, by the worst angle ({} error) and ROM bits (a copy for every two ports)",
+        "Pareto-optimal points, by the worst {} ({} error) and ROM bits (a copy for every two ports)",
+        lead.quantity,
         basis.name()
     );
     let mut headings = axes;
-    headings.extend([">worst angle", ">ROM bits"]);
+    let worst = format!(">worst {}", lead.quantity);
+    headings.extend([worst.as_str(), ">ROM bits"]);
     text.push_str(&table(&headings, &rows));
     let _ = writeln!(text, "see {}", out.join("report.md").display());
     text

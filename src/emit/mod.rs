@@ -196,11 +196,11 @@ fn error_figures(design: &Design) -> Result<Vec<String>> {
             at.join(" ")
         ));
     }
-    let bound = BoundCheck::new(design)?;
-    lines.push(match (bound.quantity, bound.bound, bound.why) {
-        (Some("angle"), Some(bound), _) => format!("stated bound on the angle: {bound:.2e} rad"),
-        (Some(quantity), Some(bound), _) => format!("stated bound on each {quantity}: {bound:.2e}"),
-        (_, _, why) => format!("no bound is stated: {}", why.unwrap_or_default()),
-    });
+    let bounds = BoundCheck::new(design)?;
+    lines.extend(bounds.why_none.map(|why| format!("no bound is stated: {why}")));
+    lines.extend(bounds.stated.iter().map(|bound| match bound.quantity {
+        "angle" => format!("stated bound on the angle: {:.2e} rad", bound.bound),
+        quantity => format!("stated bound on each {quantity}: {:.2e}", bound.bound),
+    }));
     Ok(lines)
 }

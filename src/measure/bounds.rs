@@ -3,36 +3,59 @@
 use crate::cast;
 use crate::error::Result;
 use crate::measure::inputs::values_of;
-use crate::measure::{Basis, Report, angle_between, directions, run_golden, table_figures};
-use crate::netlist::NodeId;
+use crate::measure::{Basis, Measurand, Report, as_golden, run_golden, table_figures};
 use crate::sim::batch::Program;
-use crate::units::{Bound, Design, HardCase};
+use crate::units::{Bound, Bounds, Design, HardCase};
 use serde::Serialize;
 
-/// A stated bound beside what was seen.
+/// A stated bound, evaluated.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct StatedBound {
+    /// What is bounded, in a word.
+    pub quantity: &'static str,
+    /// The quantities that it holds for, by their names in reports.
+    pub of: &'static [&'static str],
+    /// The bound, in the unit of those.
+    pub bound: f64,
+}
+
+impl StatedBound {
+    /// The largest total error of the bounded quantities in a report.
+    #[must_use]
+    pub fn seen(&self, report: &Report) -> f64 {
+        let all = self.of.iter().map(|quantity| report.figures(quantity, Basis::Total).max);
+        // f64::max would drop a NaN.
+        all.fold(0.0, |a, b| if a >= b || a.is_nan() { a } else { b })
+    }
+
+    /// True unless it is broken.
+    #[must_use]
+    pub fn holds(&self, report: &Report) -> bool {
+        self.seen(report) <= self.bound // false for NaN
+    }
+}
+
+/// The stated bounds of a design.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BoundCheck {
-    /// Quantity that is bounded; `None` if no bound is stated.
-    pub quantity: Option<&'static str>,
-    /// The bound; `None` if none is stated.
-    pub bound: Option<f64>,
-    /// Why none is stated.
-    pub why: Option<&'static str>,
+    /// Each of them.
+    pub stated: Vec<StatedBound>,
+    /// Why there is none.
+    pub why_none: Option<&'static str>,
 }
 
 impl BoundCheck {
-    /// Evaluates the bound of a design: needs the exact worst error of each table scheme.
+    /// Evaluates the bounds of a design: needs the exact worst error of each table scheme.
     ///
     /// # Errors
     /// As [`table_figures`].
     ///
     /// # Panics
-    /// If the bound asks for a table that the design doesn't have: that is wrong code.
+    /// If a bound asks for a table that the design doesn't have: that is wrong code.
     pub fn new(design: &Design) -> Result<Self> {
-        let (quantity, bound) = match design.bound {
-            Bound::Component(bound) => ("component", bound),
-            Bound::Angle(bound) => ("angle", bound),
-            Bound::Unstated(why) => return Ok(Self::unstated(why)),
+        let bounds = match &design.bounds {
+            Bounds::Stated(bounds) => bounds,
+            Bounds::Unstated(why) => return Ok(Self::unstated(why)),
         };
         let mut worst: Vec<(&str, f64)> = Vec::new();
         for tabulated in &design.tabulated {
@@ -49,37 +72,22 @@ impl BoundCheck {
             assert!(most >= 0.0, "bug: no table `{name}`");
             most
         };
-        Ok(Self {
-            quantity: Some(quantity),
-            bound: Some(bound(&design.values, &worst_of)),
-            why: None,
-        })
+        let evaluated = |bound: &Bound| StatedBound {
+            quantity: bound.what,
+            of: bound.quantities,
+            bound: (bound.bound)(&design.values, &worst_of),
+        };
+        Ok(Self { stated: bounds.iter().map(evaluated).collect(), why_none: None })
     }
 
     fn unstated(why: &'static str) -> Self {
-        Self { quantity: None, bound: None, why: Some(why) }
+        Self { stated: Vec::new(), why_none: Some(why) }
     }
 
-    /// The largest total error of the bounded quantity in a report.
+    /// True unless one is broken.
     #[must_use]
-    pub fn seen(&self, report: &Report) -> Option<f64> {
-        match self.quantity? {
-            "component" => ["x", "y", "z"]
-                .into_iter()
-                .map(|component| report.figures(component, Basis::Total).max)
-                // f64::max would drop a NaN.
-                .reduce(|a, b| if a >= b || a.is_nan() { a } else { b }),
-            quantity => Some(report.figures(quantity, Basis::Total).max),
-        }
-    }
-
-    /// True unless the bound is broken.
-    #[must_use]
-    pub fn holds(&self, report: &Report) -> bool {
-        match (self.bound, self.seen(report)) {
-            (Some(bound), Some(seen)) => seen <= bound, // false for NaN
-            _ => true,
-        }
+    pub fn hold(&self, report: &Report) -> bool {
+        self.stated.iter().all(|bound| bound.holds(report))
     }
 }
 
@@ -88,17 +96,35 @@ impl BoundCheck {
 pub struct HardResult {
     /// Input words.
     pub words: Vec<i64>,
-    /// Bit-true direction.
-    pub fixed: [f64; 3],
-    /// Direction by the golden in `f32`.
-    pub float32: [f64; 3],
-    /// Direction by the golden in `f64`.
-    pub float64: [f64; 3],
-    /// Error of the bounded quantity, bit-true against `f64`: of the worst component, or the angle
-    /// in rad, also where none is bounded.
+    /// Bit-true results, as the golden has them: directions as x, y, z.
+    pub fixed: Vec<f64>,
+    /// Results of the golden in `f32`.
+    pub float32: Vec<f64>,
+    /// Results of the golden in `f64`.
+    pub float64: Vec<f64>,
+    /// The quantity that is nearest to its bound or furthest past it; without a bound, the first
+    /// quantity of a direction, and else the one with the largest error.
+    pub quantity: String,
+    /// Its error, bit-true against `f64`.
     pub error: f64,
-    /// The same of `f32`.
+    /// The largest error of `f32` in the same quantities.
     pub float32_error: f64,
+    /// Its bound.
+    pub bound: Option<f64>,
+}
+
+impl HardResult {
+    /// Whether the bound holds; `None` without one.
+    #[must_use]
+    pub fn holds(&self) -> Option<bool> {
+        self.bound.map(|bound| self.error <= bound) // false for NaN
+    }
+
+    /// What cases are ranked by: the error in units of its bound. A NaN is worst.
+    fn rank(&self) -> f64 {
+        let rank = self.error / self.bound.unwrap_or(1.0);
+        if rank.is_nan() { f64::INFINITY } else { rank }
+    }
 }
 
 /// The worst of a group of hard cases.
@@ -108,15 +134,19 @@ pub struct HardVerdict {
     pub name: &'static str,
     /// Number of cases.
     pub cases: usize,
-    /// The case with the largest error.
+    /// The case with the largest error, by its bound.
     #[serde(flatten)]
     pub worst: HardResult,
     /// The largest error of `f32` over the group.
     pub float32_worst: f64,
-    /// The stated bound.
-    pub bound: Option<f64>,
-    /// Whether it holds for every case of the group; `None` without a bound.
+    /// Whether the bounds hold for every case of the group; `None` without a bound.
     pub holds: Option<bool>,
+}
+
+/// Names of the numbers in a [`HardResult`], in order.
+#[must_use]
+pub fn hard_columns(design: &Design) -> Vec<String> {
+    design.groups.iter().flat_map(crate::units::Group::columns).collect()
 }
 
 /// Runs a group of hard cases, in its order.
@@ -124,65 +154,82 @@ pub struct HardVerdict {
 /// # Panics
 /// If a case doesn't have one word per input port: that is wrong code.
 #[must_use]
-pub fn hard_results(design: &Design, group: &HardCase, bound: &BoundCheck) -> Vec<HardResult> {
+pub fn hard_results(design: &Design, group: &HardCase, bounds: &BoundCheck) -> Vec<HardResult> {
     let netlist = &design.netlist;
-    let outputs: Vec<NodeId> = netlist.outputs().iter().map(|output| output.node).collect();
-    let program = Program::compile(netlist, &outputs);
+    let judged = design.judged();
+    let program = Program::compile(netlist, &judged);
     let columns: Vec<Vec<i64>> = (0..netlist.inputs().len())
         .map(|port| group.words.iter().map(|case| case[port]).collect())
         .collect();
     let slices: Vec<&[i64]> = columns.iter().map(Vec::as_slice).collect();
-    let mut words = vec![Vec::new(); outputs.len()];
+    let mut words = vec![Vec::new(); judged.len()];
     program.runner().run(&program, &slices, &mut words);
     let (mut values, mut inputs) = (Vec::new(), Vec::new());
-    values_of(netlist, &outputs, &words, &mut values);
+    values_of(netlist, &judged, &words, &mut values);
     values_of(netlist, netlist.inputs(), &columns, &mut inputs);
-    let (mut fixed, mut float64) = <([Vec<f64>; 3], [Vec<f64>; 3])>::default();
-    directions(design.shape, &values, &mut fixed);
+    let (mut fixed, mut float64) = (Vec::new(), Vec::new());
+    as_golden(&design.groups, &values, &mut fixed);
     run_golden(design, &inputs, &mut float64);
     let inputs32: Vec<Vec<f32>> =
         inputs.iter().map(|column| column.iter().map(|x| cast::f32_of(*x)).collect()).collect();
     let slices: Vec<&[f32]> = inputs32.iter().map(Vec::as_slice).collect();
-    let mut float32 = [(); 3].map(|()| vec![0.0f32; group.words.len()]);
-    (design.golden_f32)(&slices, &mut float32);
-    let error = |is: [f64; 3], should: [f64; 3]| match bound.quantity {
-        Some("component") => (0..3).map(|i| (is[i] - should[i]).abs()).fold(0.0, f64::max),
-        Some(_) | None => angle_between(is, should),
-    };
-    (0..group.words.len())
-        .map(|i| {
-            let at = |columns: &[Vec<f64>; 3]| [columns[0][i], columns[1][i], columns[2][i]];
-            let (fixed, float64) = (at(&fixed), at(&float64));
-            let float32 = [0, 1, 2].map(|axis| f64::from(float32[axis][i]));
-            HardResult {
-                words: group.words[i].clone(),
-                fixed,
-                float32,
-                float64,
-                error: error(fixed, float64),
-                float32_error: error(float32, float64),
+    let mut float32 = vec![vec![0.0f32; group.words.len()]; design.golden_columns()];
+    (design.golden_f32)(&design.values, &slices, &mut float32);
+    let float32: Vec<Vec<f64>> = float32
+        .iter()
+        .map(|column| column.iter().map(|value| f64::from(*value)).collect())
+        .collect();
+
+    // Which quantities count, and against what.
+    let mut judged: Vec<(Measurand, Option<f64>)> = Vec::new();
+    for measurand in Measurand::all(design) {
+        let name = measurand.name.as_str();
+        let bound = bounds.stated.iter().find(|bound| bound.of.contains(&name));
+        match bound {
+            Some(bound) => judged.push((measurand, Some(bound.bound))),
+            None if bounds.stated.is_empty() && measurand.counts_unbounded(design) => {
+                judged.push((measurand, None));
             }
-        })
-        .collect()
+            None => {}
+        }
+    }
+    let errors = |is: &[Vec<f64>]| -> Vec<Vec<f64>> {
+        let of = |(measurand, _): &(Measurand, Option<f64>)| {
+            let mut errors = Vec::new();
+            measurand.errors(is, &float64, &mut errors);
+            errors
+        };
+        judged.iter().map(of).collect()
+    };
+    let (fixed_errors, float32_errors) = (errors(&fixed), errors(&float32));
+    let result = |i: usize| {
+        let at = |columns: &[Vec<f64>]| columns.iter().map(|column| column[i]).collect();
+        let case = |q: usize| HardResult {
+            words: group.words[i].clone(),
+            fixed: at(&fixed),
+            float32: at(&float32),
+            float64: at(&float64),
+            quantity: judged[q].0.name.clone(),
+            error: fixed_errors[q][i].abs(),
+            float32_error: float32_errors.iter().map(|e| e[i].abs()).fold(0.0, f64::max),
+            bound: judged[q].1,
+        };
+        let worst = (0..judged.len()).map(case).max_by(|a, b| a.rank().total_cmp(&b.rank()));
+        worst.expect("bug: something is judged")
+    };
+    (0..group.words.len()).map(result).collect()
 }
 
 /// Judges each group of the hard-case list.
 #[must_use]
-pub fn hard_verdicts(design: &Design, bound: &BoundCheck) -> Vec<HardVerdict> {
+pub fn hard_verdicts(design: &Design, bounds: &BoundCheck) -> Vec<HardVerdict> {
     let verdict = |group: &HardCase| {
-        let results = hard_results(design, group, bound);
+        let results = hard_results(design, group, bounds);
         let float32_worst = results.iter().map(|case| case.float32_error).fold(0.0, f64::max);
         let cases = results.len();
-        let worst = results.into_iter().max_by(|a, b| a.error.total_cmp(&b.error))?;
-        let holds = bound.bound.map(|bound| worst.error <= bound);
-        Some(HardVerdict {
-            name: group.name,
-            cases,
-            worst,
-            float32_worst,
-            bound: bound.bound,
-            holds,
-        })
+        let worst = results.into_iter().max_by(|a, b| a.rank().total_cmp(&b.rank()))?;
+        let holds = worst.holds();
+        Some(HardVerdict { name: group.name, cases, worst, float32_worst, holds })
     };
     design.hard.iter().filter_map(verdict).collect()
 }

@@ -16,7 +16,9 @@ mod inputs;
 mod stream;
 mod tables;
 
-pub use bounds::{BoundCheck, HardResult, HardVerdict, hard_results, hard_verdicts};
+pub use bounds::{
+    BoundCheck, HardResult, HardVerdict, StatedBound, hard_columns, hard_results, hard_verdicts,
+};
 pub(crate) use inputs::values_of;
 pub use inputs::{Inputs, quantize_inputs, sample_words};
 pub use stream::angle_between;
@@ -28,32 +30,121 @@ use crate::netlist::NodeId;
 use crate::sim::batch::{Program, Runner, check_overflows};
 use crate::sim::real;
 use crate::trig::sin_cos_turns;
-use crate::units::{Design, Shape};
+use crate::units::{Design, Group, Shape};
 use inputs::CHUNK;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::time::{Duration, Instant};
 use stream::{BINS, Histograms, Merged, Stream};
 
-/// Turns columns of output values into x, y, z columns.
-fn directions(shape: Shape, outputs: &[Vec<f64>], to: &mut [Vec<f64>; 3]) {
-    match shape {
-        Shape::Cartesian => {
-            for (to, column) in to.iter_mut().zip(outputs) {
-                to.clone_from(column);
+/// Columns of judged nodes as the golden has them: directions as x, y, z.
+fn as_golden(groups: &[Group], nodes: &[Vec<f64>], to: &mut Vec<Vec<f64>>) {
+    let columns = groups.iter().map(|group| group.shape.columns().len()).sum();
+    to.resize(columns, Vec::new());
+    let (mut node, mut column) = (0, 0);
+    for group in groups {
+        let from = &nodes[node..node + group.shape.nodes()];
+        let to = &mut to[column..column + group.shape.columns().len()];
+        node += from.len();
+        column += to.len();
+        match group.shape {
+            Shape::Cartesian | Shape::Scalar => {
+                for (to, from) in to.iter_mut().zip(from) {
+                    to.clone_from(from);
+                }
+            }
+            Shape::Polar => {
+                to.iter_mut().for_each(Vec::clear);
+                for (phi, theta) in from[0].iter().zip(&from[1]) {
+                    let ((sin_phi, cos_phi), (sin_theta, cos_theta)) =
+                        (sin_cos_turns(*phi), sin_cos_turns(*theta));
+                    to[0].push(sin_theta * cos_phi);
+                    to[1].push(sin_theta * sin_phi);
+                    to[2].push(cos_theta);
+                }
             }
         }
-        Shape::Polar => {
-            let [xs, ys, zs] = to;
-            xs.clear();
-            ys.clear();
-            zs.clear();
-            for (phi, theta) in outputs[0].iter().zip(&outputs[1]) {
-                let ((sin_phi, cos_phi), (sin_theta, cos_theta)) =
-                    (sin_cos_turns(*phi), sin_cos_turns(*theta));
-                xs.push(sin_theta * cos_phi);
-                ys.push(sin_theta * sin_phi);
-                zs.push(cos_theta);
+    }
+}
+
+/// How an error comes from golden columns.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Kind {
+    /// Angle between the directions of three columns.
+    Angle,
+    /// Length of the difference of three columns.
+    Dot,
+    /// Difference of one column.
+    Number,
+}
+
+/// A quantity whose error is measured.
+#[derive(Clone, Debug)]
+struct Measurand {
+    name: String,
+    kind: Kind,
+    /// The first golden column that it takes.
+    column: usize,
+    /// Last place of the node, where the column is a node.
+    ulp: Option<f64>,
+}
+
+impl Measurand {
+    fn unit(&self) -> &'static str {
+        match self.kind {
+            Kind::Angle => "rad",
+            Kind::Dot | Kind::Number => "1",
+        }
+    }
+
+    /// True if it stands for its group where no bound is stated: the angle of a direction, or a
+    /// number itself.
+    fn counts_unbounded(&self, design: &Design) -> bool {
+        let direction = design.groups.iter().any(|group| group.shape != Shape::Scalar);
+        if direction { self.kind == Kind::Angle } else { self.kind == Kind::Number }
+    }
+
+    /// All of a design, in reporting order: the same for all designs of a unit.
+    fn all(design: &Design) -> Vec<Self> {
+        let mut all = Vec::new();
+        let mut column = 0;
+        for group in &design.groups {
+            let named = |part: &str| match group.name {
+                "" => part.to_owned(),
+                name => format!("{name}_{part}"),
+            };
+            if group.shape != Shape::Scalar {
+                for (part, kind) in [("angle", Kind::Angle), ("dot", Kind::Dot)] {
+                    all.push(Self { name: named(part), kind, column, ulp: None });
+                }
+            }
+            for (i, name) in group.columns().into_iter().enumerate() {
+                let ulp = |i: usize| design.netlist.node(group.nodes[i]).format.ulp();
+                let ulp = (group.shape != Shape::Polar).then(|| ulp(i));
+                all.push(Self { name, kind: Kind::Number, column: column + i, ulp });
+            }
+            column += group.shape.columns().len();
+        }
+        all
+    }
+
+    /// Errors of samples.
+    fn errors(&self, is: &[Vec<f64>], should: &[Vec<f64>], errors: &mut Vec<f64>) {
+        errors.clear();
+        let len = is[self.column].len();
+        let at = |v: &[Vec<f64>], i: usize| [0, 1, 2].map(|axis| v[self.column + axis][i]);
+        match self.kind {
+            Kind::Angle => {
+                errors.extend((0..len).map(|i| angle_between(at(is, i), at(should, i))));
+            }
+            Kind::Dot => errors.extend((0..len).map(|i| {
+                let (u, v) = (at(is, i), at(should, i));
+                let d = [u[0] - v[0], u[1] - v[1], u[2] - v[2]];
+                (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt()
+            })),
+            Kind::Number => {
+                let pairs = is[self.column].iter().zip(&should[self.column]);
+                errors.extend(pairs.map(|(is, should)| is - should));
             }
         }
     }
@@ -88,13 +179,6 @@ impl Basis {
     }
 }
 
-/// Quantities on all bases.
-const STREAMS: usize = QUANTITIES.len() * Basis::ALL.len();
-
-/// Quantities measured for a direction, with their units.
-const QUANTITIES: [(&str, &str); 5] =
-    [("angle", "rad"), ("dot", "1"), ("x", "1"), ("y", "1"), ("z", "1")];
-
 /// The input that gave a maximum.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Witness {
@@ -111,16 +195,17 @@ pub struct Witness {
 /// Statistics of one quantity on one basis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Figures {
-    /// What is measured: angle (between vectors), dot (largest error of a dot product with any
-    /// unit vector: the length of the difference), or a component.
-    pub quantity: &'static str,
+    /// What is measured: of a direction angle (between vectors), dot (largest error of a dot
+    /// product with any unit vector: the length of the difference) and each component; a number
+    /// by its own name.
+    pub quantity: String,
     /// `rad`, or `1` for absolute errors.
     pub unit: &'static str,
     /// Against what.
     pub basis: Basis,
     /// Largest absolute value.
     pub max: f64,
-    /// The same in ulp of the output port, for components.
+    /// The same in ulp of the port or node, for numbers and Cartesian components.
     pub max_ulp: Option<f64>,
     /// Input that gave it.
     pub witness: Option<Witness>,
@@ -193,9 +278,25 @@ struct Compiled<'a> {
     design: &'a Design,
     program: Program,
     reals: real::Program,
-    outputs: Vec<NodeId>,
+    judged: Vec<NodeId>,
+    measurands: Vec<Measurand>,
     /// Which set of quantised inputs it shares.
-    inputs: usize,
+    set: usize,
+}
+
+impl Compiled<'_> {
+    /// Measurands on all bases.
+    fn streams(&self) -> usize {
+        self.measurands.len() * Basis::ALL.len()
+    }
+}
+
+/// Designs with the same input words and the same golden model.
+struct Set<'a> {
+    /// One of them.
+    design: &'a Design,
+    /// The set whose values before quantisation, and their golden, are its own too.
+    drawn: usize,
 }
 
 /// Columns of one thread for one design.
@@ -211,14 +312,21 @@ struct Lanes {
 /// Columns of one thread that designs share.
 #[derive(Default)]
 struct Shared {
-    values: Vec<Vec<f64>>,
-    golden: [Vec<f64>; 3],
-    words: Vec<Vec<Vec<i64>>>,
-    quantised: Vec<Vec<Vec<f64>>>,
-    goldens: Vec<[Vec<f64>; 3]>,
-    bit_true: [Vec<f64>; 3],
-    real: [Vec<f64>; 3],
+    sets: Vec<SetColumns>,
+    bit_true: Vec<Vec<f64>>,
+    real: Vec<Vec<f64>>,
     errors: Vec<f64>,
+}
+
+/// Columns of a set of designs.
+#[derive(Clone, Default)]
+struct SetColumns {
+    /// Inputs before quantisation, and their golden; empty if those of another set serve.
+    values: Vec<Vec<f64>>,
+    real_golden: Vec<Vec<f64>>,
+    words: Vec<Vec<i64>>,
+    quantised: Vec<Vec<f64>>,
+    golden: Vec<Vec<f64>>,
 }
 
 /// What a chunk gave for one design.
@@ -245,14 +353,15 @@ pub fn measure(
         designs.iter().all(|design| std::ptr::eq(design.values.unit(), first.values.unit())),
         "bug: designs of different units have no common golden"
     );
-    let mut sets: Vec<&Design> = Vec::new();
+    let mut sets: Vec<Set<'_>> = Vec::new();
     let mut compiled = Vec::new();
     let mut count = None;
     for design in designs {
         let netlist = &design.netlist;
-        let known = sets.iter().position(|known| inputs.same(known, design));
-        let index = known.unwrap_or_else(|| {
-            sets.push(design);
+        let set = sets.iter().position(|known| inputs.same(known.design, design));
+        let set = set.unwrap_or_else(|| {
+            let drawn = sets.iter().position(|known| inputs.same_values(known.design, design));
+            sets.push(Set { design, drawn: drawn.unwrap_or(sets.len()) });
             sets.len() - 1
         });
         let samples = inputs.count(design)?;
@@ -261,13 +370,14 @@ pub fn measure(
                 "designs with different numbers of inputs can't be measured together".to_owned(),
             ));
         }
-        let outputs: Vec<NodeId> = netlist.outputs().iter().map(|output| output.node).collect();
+        let judged = design.judged();
         compiled.push(Compiled {
             design,
-            program: Program::compile(netlist, &outputs),
-            reals: real::Program::compile(netlist, &outputs),
-            outputs,
-            inputs: index,
+            program: Program::compile(netlist, &judged),
+            reals: real::Program::compile(netlist, &judged),
+            judged,
+            measurands: Measurand::all(design),
+            set,
         });
     }
     let count = count.unwrap_or_default();
@@ -277,8 +387,10 @@ pub fn measure(
     let threads = rayon::current_num_threads();
     // A few chunks per thread at a time: memory doesn't grow with samples.
     let round = cast::count_of(threads) * 4;
-    let mut merged = vec![vec![Merged::EMPTY; STREAMS]; compiled.len()];
-    let histograms: Vec<Histograms> = compiled.iter().map(|_| Histograms::new(STREAMS)).collect();
+    let mut merged: Vec<Vec<Merged>> =
+        compiled.iter().map(|c| vec![Merged::EMPTY; c.streams()]).collect();
+    let histograms: Vec<Histograms> =
+        compiled.iter().map(|c| Histograms::new(c.streams())).collect();
     let mut overflows: Vec<Vec<u64>> =
         compiled.iter().map(|c| vec![0; c.program.narrows().len()]).collect();
     let mut engine = vec![Duration::ZERO; compiled.len()];
@@ -325,7 +437,7 @@ pub fn measure(
         .zip(overflows.iter().zip(engine))
         .map(|(((c, merged), histograms), (overflows, engine))| Report {
             samples: count,
-            figures: figures(c.design, &merged, &histograms),
+            figures: figures(&c.measurands, &merged, &histograms),
             overflows: overflow_counts(c, overflows),
             speed: Speed {
                 engine_samples_per_second_per_thread: rate(engine.as_secs_f64()),
@@ -337,14 +449,14 @@ pub fn measure(
 }
 
 fn new_lanes(c: &Compiled<'_>) -> Lanes {
-    let outputs = c.outputs.len();
+    let outputs = c.judged.len();
     Lanes {
         runner: c.program.runner(),
         real_runner: c.reals.runner(),
         words: vec![Vec::new(); outputs],
         values: vec![Vec::new(); outputs],
         reals: vec![Vec::new(); outputs],
-        histograms: vec![0; STREAMS * BINS],
+        histograms: vec![0; c.streams() * BINS],
     }
 }
 
@@ -359,78 +471,66 @@ struct Chunk<'a> {
 
 fn measure_chunk(
     compiled: &[Compiled<'_>],
-    representatives: &[&Design],
+    sets: &[Set<'_>],
     chunk: &Chunk<'_>,
     shared: &mut Shared,
     lanes: &mut [Lanes],
 ) -> Result<Vec<Partial>> {
     let Chunk { inputs, from, len, histograms } = *chunk;
-    let first = representatives[0];
-    inputs.values(first, from, len, &mut shared.values);
-    run_golden(first, &shared.values, &mut shared.golden);
-    let sets = representatives.len();
-    shared.words.resize(sets, Vec::new());
-    shared.quantised.resize(sets, Vec::new());
-    shared.goldens.resize(sets, Default::default());
-    for (i, design) in representatives.iter().enumerate() {
+    let Shared { sets: columns, bit_true, real, errors } = shared;
+    columns.resize(sets.len(), SetColumns::default());
+    for (i, Set { design, drawn }) in sets.iter().enumerate() {
         let netlist = &design.netlist;
-        if inputs.are_words() && i > 0 {
-            inputs.values(design, from, len, &mut shared.values);
+        let (before, own) = columns.split_at_mut(i);
+        let own = &mut own[0];
+        if *drawn == i {
+            inputs.values(design, from, len, &mut own.values);
+            run_golden(design, &own.values, &mut own.real_golden);
         }
-        quantize_inputs(netlist, &shared.values, &mut shared.words[i])?;
-        values_of(netlist, netlist.inputs(), &shared.words[i], &mut shared.quantised[i]);
-        run_golden(design, &shared.quantised[i], &mut shared.goldens[i]);
+        let values = if *drawn == i { &own.values } else { &before[*drawn].values };
+        quantize_inputs(netlist, values, &mut own.words)?;
+        values_of(netlist, netlist.inputs(), &own.words, &mut own.quantised);
+        run_golden(design, &own.quantised, &mut own.golden);
     }
     let mut partials = Vec::with_capacity(compiled.len());
     for ((c, lanes), histograms) in compiled.iter().zip(lanes).zip(histograms) {
-        let words: Vec<&[i64]> = shared.words[c.inputs].iter().map(Vec::as_slice).collect();
+        let set = &columns[c.set];
+        let words: Vec<&[i64]> = set.words.iter().map(Vec::as_slice).collect();
         let before = lanes.runner.overflows().to_vec();
         let start = Instant::now();
         lanes.runner.run(&c.program, &words, &mut lanes.words);
         let engine = start.elapsed();
-        values_of(&c.design.netlist, &c.outputs, &lanes.words, &mut lanes.values);
-        let values: Vec<&[f64]> = shared.quantised[c.inputs].iter().map(Vec::as_slice).collect();
+        values_of(&c.design.netlist, &c.judged, &lanes.words, &mut lanes.values);
+        let values: Vec<&[f64]> = set.quantised.iter().map(Vec::as_slice).collect();
         lanes.real_runner.run(&c.reals, &values, &mut lanes.reals);
-        directions(c.design.shape, &lanes.values, &mut shared.bit_true);
-        directions(c.design.shape, &lanes.reals, &mut shared.real);
-        let golden = &shared.goldens[c.inputs];
-        let mut streams = Vec::with_capacity(STREAMS);
-        for (b, basis) in Basis::ALL.into_iter().enumerate() {
+        as_golden(&c.design.groups, &lanes.values, bit_true);
+        as_golden(&c.design.groups, &lanes.reals, real);
+        let golden = &set.golden;
+        let mut streams = Vec::with_capacity(c.streams());
+        for basis in Basis::ALL {
             let (is, should) = match basis {
-                Basis::Total => (&shared.bit_true, golden),
-                Basis::Arithmetic => (&shared.bit_true, &shared.real),
-                Basis::Algorithm => (&shared.real, golden),
+                Basis::Total => (&*bit_true, golden),
+                Basis::Arithmetic => (&*bit_true, &*real),
+                Basis::Algorithm => (&*real, golden),
                 // Words are their own real inputs.
-                Basis::EndToEnd if inputs.are_words() => (&shared.bit_true, golden),
-                Basis::EndToEnd => (&shared.bit_true, &shared.golden),
+                Basis::EndToEnd if inputs.are_words() => (&*bit_true, golden),
+                Basis::EndToEnd => (&*bit_true, &columns[sets[c.set].drawn].real_golden),
             };
-            let at = |v: &[Vec<f64>; 3], i: usize| [v[0][i], v[1][i], v[2][i]];
-            let errors = &mut shared.errors;
-            for q in 0..QUANTITIES.len() {
-                errors.clear();
-                match q {
-                    0 => errors.extend((0..len).map(|i| angle_between(at(is, i), at(should, i)))),
-                    1 => errors.extend((0..len).map(|i| {
-                        let (u, v) = (at(is, i), at(should, i));
-                        let d = [u[0] - v[0], u[1] - v[1], u[2] - v[2]];
-                        (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt()
-                    })),
-                    _ => errors.extend(
-                        is[q - 2].iter().zip(&should[q - 2]).map(|(is, should)| is - should),
-                    ),
-                }
-                let start = (b * QUANTITIES.len() + q) * BINS;
+            for measurand in &c.measurands {
+                measurand.errors(is, should, errors);
+                let start = streams.len() * BINS;
                 let histogram = &mut lanes.histograms[start..start + BINS];
                 streams.push(Stream::of(errors, from, histogram));
             }
         }
+        let ports = c.design.netlist.outputs().len();
         let witness = |stream: &Stream| {
             let i = usize::try_from(stream.at - from).expect("bug: inside the chunk");
             Witness {
                 sample: stream.at,
-                words: shared.words[c.inputs].iter().map(|column| column[i]).collect(),
-                values: shared.quantised[c.inputs].iter().map(|column| column[i]).collect(),
-                outputs: lanes.words.iter().map(|column| column[i]).collect(),
+                words: set.words.iter().map(|column| column[i]).collect(),
+                values: set.quantised.iter().map(|column| column[i]).collect(),
+                outputs: lanes.words.iter().take(ports).map(|column| column[i]).collect(),
             }
         };
         histograms.take(&mut lanes.histograms);
@@ -444,33 +544,31 @@ fn measure_chunk(
     Ok(partials)
 }
 
-/// Golden direction of columns of inputs.
-fn run_golden(design: &Design, inputs: &[Vec<f64>], to: &mut [Vec<f64>; 3]) {
+/// Golden columns of columns of inputs.
+fn run_golden(design: &Design, inputs: &[Vec<f64>], to: &mut Vec<Vec<f64>>) {
     let len = inputs.first().map_or(0, Vec::len);
+    to.resize(design.golden_columns(), Vec::new());
     for column in to.iter_mut() {
         column.resize(len, 0.0);
     }
     let columns: Vec<&[f64]> = inputs.iter().map(Vec::as_slice).collect();
-    (design.golden)(&columns, to);
+    (design.golden)(&design.values, &columns, to);
 }
 
-fn figures(design: &Design, merged: &[Merged], histograms: &Histograms) -> Vec<Figures> {
-    let netlist = &design.netlist;
-    let ulp = netlist.node(netlist.outputs()[0].node).format.ulp();
+fn figures(measurands: &[Measurand], merged: &[Merged], histograms: &Histograms) -> Vec<Figures> {
     let mut figures = Vec::new();
-    let kinds = Basis::ALL.into_iter().flat_map(|b| QUANTITIES.map(|quantity| (b, quantity)));
-    for (i, ((basis, (quantity, unit)), merged)) in kinds.zip(merged).enumerate() {
+    let kinds = Basis::ALL.into_iter().flat_map(|basis| measurands.iter().map(move |m| (basis, m)));
+    for (i, ((basis, measurand), merged)) in kinds.zip(merged).enumerate() {
         let histogram = histograms.of(i);
         let stream = &merged.stream;
         let count = cast::f64_of_count(stream.count.max(1));
-        let component = design.shape == Shape::Cartesian && !matches!(quantity, "angle" | "dot");
         figures.push(Figures {
-            quantity,
-            unit,
+            quantity: measurand.name.clone(),
+            unit: measurand.unit(),
             basis,
             // -1 means that there was no sample; a NaN stays one.
             max: if stream.count == 0 { 0.0 } else { stream.max },
-            max_ulp: component.then(|| stream.max / ulp),
+            max_ulp: measurand.ulp.map(|ulp| stream.max / ulp),
             witness: merged.witness.clone(),
             mean: stream.sum_abs / count,
             bias: stream.sum / count,

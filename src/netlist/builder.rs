@@ -1,6 +1,6 @@
 //! Growing a netlist, step by checked step.
 
-use super::{Netlist, Node, NodeId, Output, Quantity, Scope, ScopeId, Table, TableId};
+use super::{Netlist, Node, NodeId, Output, Part, Quantity, Scope, ScopeId, Table, TableId};
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::format::{Format, Overflow, Round};
@@ -23,7 +23,7 @@ impl Builder {
     /// Starts an empty netlist.
     #[must_use]
     pub fn new(name: &str) -> Self {
-        let root = Scope { name: name.to_owned(), parent: None, is_scheme: false };
+        let root = Scope { name: name.to_owned(), parent: None, part: None };
         Self {
             netlist: Netlist {
                 name: name.to_owned(),
@@ -102,17 +102,22 @@ impl Builder {
 
     /// Builds the nodes of `body` in a named scope.
     pub fn scope<R>(&mut self, name: &str, body: impl FnOnce(&mut Self) -> R) -> R {
-        self.in_scope(name, false, body)
+        self.in_scope(name, None, body)
     }
 
-    /// As [`Builder::scope`], for the logic around a table.
-    pub fn scheme_scope<R>(&mut self, name: &str, body: impl FnOnce(&mut Self) -> R) -> R {
-        self.in_scope(name, true, body)
+    /// As [`Builder::scope`], for nodes that are counted as one operator.
+    pub fn part<R>(&mut self, part: Part, name: &str, body: impl FnOnce(&mut Self) -> R) -> R {
+        self.in_scope(name, Some(part), body)
     }
 
-    fn in_scope<R>(&mut self, name: &str, is_scheme: bool, body: impl FnOnce(&mut Self) -> R) -> R {
+    fn in_scope<R>(
+        &mut self,
+        name: &str,
+        part: Option<Part>,
+        body: impl FnOnce(&mut Self) -> R,
+    ) -> R {
         let outer = self.scope;
-        let scope = Scope { name: name.to_owned(), parent: Some(outer), is_scheme };
+        let scope = Scope { name: name.to_owned(), parent: Some(outer), part };
         let found = self.netlist.scopes.iter().position(|known| *known == scope);
         let index = found.unwrap_or_else(|| {
             self.netlist.scopes.push(scope);

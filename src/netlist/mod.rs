@@ -90,6 +90,19 @@ pub struct Node {
     pub has_real: bool,
 }
 
+/// A part that is counted as one operator, whatever it is made of.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, PartialOrd, Ord)]
+pub enum Part {
+    /// A table with the logic around it: folding and interpolation are counted apart.
+    Scheme,
+    /// A divider.
+    Divider,
+    /// A square root.
+    SquareRoot,
+    /// A reciprocal square root.
+    ReciprocalRoot,
+}
+
 /// A named group of nodes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Scope {
@@ -97,8 +110,8 @@ pub struct Scope {
     pub name: String,
     /// Enclosing scope; `None` for the unit itself.
     pub parent: Option<ScopeId>,
-    /// True for the logic of a table scheme: folding and interpolation are counted apart.
-    pub is_scheme: bool,
+    /// What it is, if its nodes are counted as one operator.
+    pub part: Option<Part>,
 }
 
 /// One column of a table.
@@ -189,6 +202,14 @@ pub struct Counts {
     pub datapath: Operators,
     /// Operators inside table schemes: folding, interpolation, the addition of a bipartite table.
     pub schemes: Operators,
+    /// Operators inside dividers and roots, with the table schemes there.
+    pub parts: Operators,
+    /// Dividers.
+    pub dividers: u64,
+    /// Square roots.
+    pub square_roots: u64,
+    /// Reciprocal square roots.
+    pub reciprocal_roots: u64,
     /// Distinct tables.
     pub tables: u64,
     /// Words read: pairs of column and address.
@@ -351,12 +372,28 @@ impl Netlist {
         values
     }
 
+    /// The outermost part that a scope is or stands in.
+    fn part_of(&self, scope: ScopeId) -> Option<(Part, ScopeId)> {
+        let mut found = None;
+        let mut at = Some(scope);
+        while let Some(id) = at {
+            let scope = &self.scopes[id.index()];
+            found = scope.part.map(|part| (part, id)).or(found);
+            at = scope.parent;
+        }
+        found
+    }
+
     /// Counts operators, tables, ports and stored bits.
     #[must_use]
     pub fn counts(&self) -> Counts {
         let mut counts = Counts {
             datapath: Operators::default(),
             schemes: Operators::default(),
+            parts: Operators::default(),
+            dividers: 0,
+            square_roots: 0,
+            reciprocal_roots: 0,
             tables: cast::count_of(self.tables.len()),
             reads: 0,
             ports: 0,
@@ -364,9 +401,23 @@ impl Netlist {
             rom_bits_dual_port: 0,
         };
         let mut addresses: BTreeMap<TableId, BTreeSet<NodeId>> = BTreeMap::new();
+        let mut parts: BTreeSet<ScopeId> = BTreeSet::new();
         for node in &self.nodes {
-            let scheme = self.scopes[node.scope.index()].is_scheme;
-            let operators = if scheme { &mut counts.schemes } else { &mut counts.datapath };
+            let operators = match self.part_of(node.scope) {
+                None => &mut counts.datapath,
+                Some((Part::Scheme, _)) => &mut counts.schemes,
+                Some((part, scope)) => {
+                    if parts.insert(scope) {
+                        match part {
+                            Part::Divider => counts.dividers += 1,
+                            Part::SquareRoot => counts.square_roots += 1,
+                            Part::ReciprocalRoot => counts.reciprocal_roots += 1,
+                            Part::Scheme => unreachable!("bug: matched above"),
+                        }
+                    }
+                    &mut counts.parts
+                }
+            };
             match node.op {
                 Op::Mul => operators.multipliers += 1,
                 Op::Add | Op::Sub | Op::AddSub => operators.adders += 1,
@@ -494,7 +545,7 @@ impl Netlist {
                     ", shape=cylinder"
                 } else if node.op == Op::Mul {
                     ", style=filled, fillcolor=\"#ffd9b3\""
-                } else if scope.is_scheme {
+                } else if scope.part.is_some() {
                     ", style=dotted"
                 } else {
                     ""

@@ -40,7 +40,7 @@ fn head(text: &mut String, record: &Record, measured: usize) -> std::fmt::Result
     writeln!(text, "- Inputs: {}.", inputs(record))?;
     writeln!(
         text,
-        "- Errors are absolute: the angle between the vectors, here in degrees (`sweep.csv` and `sweep.json` have rad), and the difference of a component, in ulp of its port."
+        "- Errors are absolute: the angle between vectors, here in degrees (`sweep.csv` and `sweep.json` have rad), and the difference of a number or a component, also in ulp of its port."
     )?;
     writeln!(
         text,
@@ -58,22 +58,26 @@ fn head(text: &mut String, record: &Record, measured: usize) -> std::fmt::Result
 
 fn front(text: &mut String, record: &Record, rows: &[Row<'_>]) -> std::fmt::Result {
     writeln!(text, "## Pareto-optimal points\n")?;
+    let lead = record.lead();
     writeln!(
         text,
-        "By the largest angle error against {}: no other point is as good in both numbers and better in one.\n",
+        "By the largest {} error against {}: no other point is as good in both numbers and better in one.\n",
+        lead.quantity,
         against(record)
     )?;
     let names = axis_names(record);
     writeln!(
         text,
-        "| {} | max angle error (deg) | ROM bits |",
-        if names.is_empty() { "unit" } else { &names }
+        "| {} | max {} error ({}) | ROM bits |",
+        if names.is_empty() { "unit" } else { &names },
+        lead.quantity,
+        lead.unit
     )?;
     writeln!(text, "|---|---:|---:|")?;
     for index in best(rows) {
         let row = &rows[index];
         let values = axis_values(record, row.point);
-        writeln!(text, "| {values} | {} | {} |", short(row.error_deg), row.rom_bits)?;
+        writeln!(text, "| {values} | {} | {} |", short(row.error), row.rom_bits)?;
     }
     writeln!(text)
 }
@@ -84,9 +88,11 @@ fn points(text: &mut String, record: &Record, rows: &[Row<'_>]) -> std::fmt::Res
     for axis in axes {
         write!(text, "| {} ", axis.key)?;
     }
+    let lead = record.lead();
+    let unit = lead.unit;
     writeln!(
         text,
-        "| end-to-end max (deg) | total max (deg) | total mean (deg) | total p99 (deg) | arithmetic max (deg) | algorithm mean (deg) | component max (ulp) | ROM bits | multipliers | latency (cycles) | engine (Msamples/s) |"
+        "| end-to-end max ({unit}) | total max ({unit}) | total mean ({unit}) | total p99 ({unit}) | arithmetic max ({unit}) | algorithm mean ({unit}) | component max (ulp) | ROM bits | multipliers | latency (cycles) | engine (Msamples/s) |"
     )?;
     writeln!(
         text,
@@ -97,20 +103,20 @@ fn points(text: &mut String, record: &Record, rows: &[Row<'_>]) -> std::fmt::Res
         for axis in axes {
             write!(text, "| {} ", row.point.text(&axis.key))?;
         }
-        let angle = |basis, get: fn(&super::record::Figures) -> f64| {
-            let figures = row.measured.figures("angle", basis);
-            figures.map_or("-".to_owned(), |figures| short(get(figures).to_degrees()))
+        let error = |basis, get: fn(&super::record::Figures) -> f64| {
+            let figures = row.measured.lead(basis);
+            figures.map_or("-".to_owned(), |figures| short(get(figures) * lead.scale))
         };
         let count = |name| row.measured.count(name).unwrap_or(0);
         writeln!(
             text,
             "| {} | {} | {} | {} | {} | {} | {} | {} | {} + {} | {} | {} |",
-            angle(Basis::EndToEnd, |f| f.max.0),
-            angle(Basis::Total, |f| f.max.0),
-            angle(Basis::Total, |f| f.mean.0),
-            angle(Basis::Total, |f| f.p99.0),
-            angle(Basis::Arithmetic, |f| f.max.0),
-            angle(Basis::Algorithm, |f| f.mean.0),
+            error(Basis::EndToEnd, |f| f.max.0),
+            error(Basis::Total, |f| f.max.0),
+            error(Basis::Total, |f| f.mean.0),
+            error(Basis::Total, |f| f.p99.0),
+            error(Basis::Arithmetic, |f| f.max.0),
+            error(Basis::Algorithm, |f| f.mean.0),
             row.measured.max_ulp().map_or("-".to_owned(), short),
             row.rom_bits,
             count("datapath_multipliers"),

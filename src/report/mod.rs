@@ -44,8 +44,9 @@ pub fn write(folder: &Path, record: &Record) -> Result<()> {
 struct Row<'a> {
     point: &'a Point,
     measured: &'a Measured,
-    /// Largest angle error on the basis that the record is ranked by; NaN if it is none.
-    error_deg: f64,
+    /// Largest error of the leading quantity on the basis that the record is ranked by, as it is
+    /// shown; NaN if it is none.
+    error: f64,
     rom_bits: f64,
     /// Engine samples per second and thread.
     speed: f64,
@@ -53,7 +54,7 @@ struct Row<'a> {
 
 /// The measured points in grid order.
 fn rows(record: &Record) -> Vec<Row<'_>> {
-    let basis = record.ranking();
+    let (basis, lead) = (record.ranking(), record.lead());
     let row = |point| {
         let point: &Point = point;
         let measured = point.measured.as_ref()?;
@@ -61,7 +62,7 @@ fn rows(record: &Record) -> Vec<Row<'_>> {
         Some(Row {
             point,
             measured,
-            error_deg: measured.angle_max(basis).to_degrees(),
+            error: measured.lead_max(basis) * lead.scale,
             rom_bits: cast::f64_of_count(rom_bits),
             speed: measured.speed.engine_samples_per_second_per_thread,
         })
@@ -71,7 +72,7 @@ fn rows(record: &Record) -> Vec<Row<'_>> {
 
 /// Positions of the rows that are best: error against ROM bits, cheapest first.
 fn best(rows: &[Row<'_>]) -> Vec<usize> {
-    let costs: Vec<_> = rows.iter().map(|row| (row.rom_bits, row.error_deg)).collect();
+    let costs: Vec<_> = rows.iter().map(|row| (row.rom_bits, row.error)).collect();
     pareto(&costs)
 }
 

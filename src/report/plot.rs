@@ -10,8 +10,8 @@ const MAX_SERIES: usize = 8;
 /// Parameters that get colours and marks first.
 const COLOUR_KEY: &str = "variant";
 const MARK_KEY: &str = "scheme";
-/// Algorithm errors up to here are rounding of the golden itself.
-const LEAST_ALGORITHM_RAD: f64 = 1e-9;
+/// Algorithm errors up to here are rounding of the golden itself; rad, or absolute.
+const LEAST_ALGORITHM: f64 = 1e-9;
 
 /// A plot and its file.
 pub(super) struct Plot {
@@ -36,14 +36,16 @@ pub(super) fn plots(record: &Record) -> Vec<Plot> {
 }
 
 /// Title of every error axis.
-fn error_axis() -> (String, Along) {
-    ("largest angle error (degrees)".to_owned(), Along::Log10)
+fn error_axis(record: &Record) -> (String, Along) {
+    let lead = record.lead();
+    let unit = if lead.unit == "deg" { "degrees" } else { "absolute" };
+    (format!("largest {} error ({unit})", lead.quantity), Along::Log10)
 }
 
 /// What the errors of a plot are, and a word on those that a logarithmic axis can't hold.
 fn caption(record: &Record, rows: &[Row<'_>]) -> Vec<String> {
     let mut caption = vec![format!("Bit-true against {}; {}.", against(record), inputs(record))];
-    if rows.iter().any(|row| row.error_deg == 0.0) {
+    if rows.iter().any(|row| row.error == 0.0) {
         caption.push("Points on the lower edge have no error at all.".to_owned());
     }
     caption
@@ -119,7 +121,7 @@ impl<'a> Groups<'a> {
             .into_iter()
             .map(|(label, colour, mark)| Series { label, colour, mark, style, points: Vec::new() })
             .collect();
-        for row in rows.iter().filter(|row| !row.error_deg.is_nan()) {
+        for row in rows.iter().filter(|row| !row.error.is_nan()) {
             all[self.of(row)].points.extend(place(row));
         }
         all.retain(|series| !series.points.is_empty());
@@ -175,7 +177,7 @@ fn error_vs_axis(record: &Record, rows: &[Row<'_>]) -> Option<(&'static str, Cha
         }
         few
     };
-    let mut series = groups.series(rows, Style::Joined, |row| Some((x_of(row)?, row.error_deg)));
+    let mut series = groups.series(rows, Style::Joined, |row| Some((x_of(row)?, row.error)));
     for series in &mut series {
         one_per_x(&mut series.points, f64::min);
     }
@@ -185,7 +187,7 @@ fn error_vs_axis(record: &Record, rows: &[Row<'_>]) -> Option<(&'static str, Cha
     }
     series.extend(algorithm);
     let title = format!("{}: error against {title}", record.header.unit);
-    Some((file, Chart { title, caption, x, y: error_axis(), series, front: None }))
+    Some((file, Chart { title, caption, x, y: error_axis(record), series, front: None }))
 }
 
 /// The largest algorithm error of each variant that has one.
@@ -194,13 +196,13 @@ fn algorithm_errors(
     rows: &[Row<'_>],
     x_of: impl Fn(&Row<'_>) -> Option<f64>,
 ) -> Vec<Series> {
+    let scale = record.lead().scale;
     let variants = Groups { axes: varied(record).filter(|axis| axis.key == COLOUR_KEY).collect() };
     let mut series = variants.series(rows, Style::Dashed, |row| {
-        let figures = row.measured.figures("angle", Basis::Algorithm)?;
-        let rad = figures.max.0;
-        (!rad.is_nan()).then_some((x_of(row)?, rad.to_degrees()))
+        let error = row.measured.lead_max(Basis::Algorithm);
+        (!error.is_nan()).then_some((x_of(row)?, error * scale))
     });
-    series.retain(|s| s.points.iter().any(|(_, y)| y.to_radians() > LEAST_ALGORITHM_RAD));
+    series.retain(|s| s.points.iter().any(|(_, y)| y / scale > LEAST_ALGORITHM));
     for series in &mut series {
         one_per_x(&mut series.points, f64::max);
         series.label = if variants.axes.is_empty() {
@@ -215,10 +217,10 @@ fn algorithm_errors(
 /// Error against ROM bits, with the points that no other beats.
 fn error_vs_rom(record: &Record, rows: &[Row<'_>]) -> Chart {
     let series =
-        Groups::few(record).series(rows, Style::Marks, |row| Some((row.rom_bits, row.error_deg)));
+        Groups::few(record).series(rows, Style::Marks, |row| Some((row.rom_bits, row.error)));
     let front = best(rows).into_iter().map(|index| &rows[index]);
     let points: Vec<_> =
-        front.map(|row| (row.rom_bits, row.error_deg, axis_values(record, row.point))).collect();
+        front.map(|row| (row.rom_bits, row.error, axis_values(record, row.point))).collect();
     let mut caption = caption(record, rows);
     let names = axis_names(record);
     if !names.is_empty() {
@@ -228,7 +230,7 @@ fn error_vs_rom(record: &Record, rows: &[Row<'_>]) -> Chart {
         title: format!("{}: error against ROM bits", record.header.unit),
         caption,
         x: ("ROM bits, copies for two ports each".to_owned(), Along::Log10),
-        y: error_axis(),
+        y: error_axis(record),
         series,
         front: Some(Front { label: "Pareto-optimal".to_owned(), points }),
     }
@@ -236,8 +238,7 @@ fn error_vs_rom(record: &Record, rows: &[Row<'_>]) -> Chart {
 
 /// Error against the speed of the simulation.
 fn error_vs_speed(record: &Record, rows: &[Row<'_>]) -> Chart {
-    let series =
-        Groups::few(record).series(rows, Style::Marks, |row| Some((row.speed, row.error_deg)));
+    let series = Groups::few(record).series(rows, Style::Marks, |row| Some((row.speed, row.error)));
     Chart {
         title: format!("{}: error against simulation speed", record.header.unit),
         caption: {
@@ -246,7 +247,7 @@ fn error_vs_speed(record: &Record, rows: &[Row<'_>]) -> Chart {
             caption
         },
         x: ("bit-true engine alone (samples per second and thread)".to_owned(), Along::Log10),
-        y: error_axis(),
+        y: error_axis(record),
         series,
         front: None,
     }

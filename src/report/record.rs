@@ -15,12 +15,13 @@
 //!   ports per copy ask for);
 //! - `samples`;
 //! - `<quantity>_<basis>_<figure>_<unit>`, for instance `angle_total_max_rad`: the quantity is
-//!   `angle`, `dot`, `x`, `y` or `z`, the basis `total`, `arithmetic`, `algorithm` or
+//!   `angle`, `dot`, `x`, `y` or `z` of a direction (after the name of the direction, where a
+//!   unit has several) or the name of a number, the basis `total`, `arithmetic`, `algorithm` or
 //!   `end_to_end`, the figure `max`, `mean`, `bias`, `rms`, `p50`, `p99` or `p999`, the unit
-//!   `rad`, or `abs` for the absolute error of a number without a unit; components also have
-//!   `<quantity>_<basis>_max_ulp`, which is empty where the outputs are no components;
-//! - `angle_total_witness`: the input words that gave the largest total angle, as
-//!   `phi_a=123;theta_a=…`;
+//!   `rad`, or `abs` for the absolute error of a number without a unit; numbers and components
+//!   also have `<quantity>_<basis>_max_ulp`, which is empty where no node holds the component;
+//! - `<quantity>_total_witness` of the leading quantity, which is the first: the input words that
+//!   gave its largest total error, as `phi_a=123;theta_a=…`;
 //! - `overflows`: how often any `narrow` overflowed;
 //! - `samples_per_second`, `threads` and `engine_samples_per_second_per_thread`;
 //! - `error`: why a point has no figures; empty otherwise.
@@ -32,6 +33,7 @@ use crate::output;
 use crate::units::{Design, Value, Values};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::Map;
+use std::collections::BTreeSet;
 use std::fs;
 use std::io;
 use std::path::Path;
@@ -148,7 +150,7 @@ impl Header {
 /// Figures of one quantity on one basis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Figures {
-    /// `angle`, `dot` or a component.
+    /// Its name.
     pub quantity: String,
     /// `rad`, or `1` for absolute errors of numbers.
     pub unit: String,
@@ -156,7 +158,7 @@ pub struct Figures {
     pub basis: Basis,
     /// Largest absolute value.
     pub max: Real,
-    /// The same in ulp of the output port, for components.
+    /// The same in ulp of the port or node, for numbers and Cartesian components.
     pub max_ulp: Option<Real>,
     /// Input that gave it.
     pub witness: Option<Witness>,
@@ -177,7 +179,7 @@ pub struct Figures {
 impl From<measure::Figures> for Figures {
     fn from(figures: measure::Figures) -> Self {
         Self {
-            quantity: figures.quantity.to_owned(),
+            quantity: figures.quantity,
             unit: figures.unit.to_owned(),
             basis: figures.basis,
             max: Real(figures.max),
@@ -265,23 +267,29 @@ impl Measured {
         self.counts.get(name)?.as_u64()
     }
 
-    /// Largest angle error on a basis in rad; NaN if there is none.
+    /// Figures of the leading quantity, which points are ranked by: the first.
     #[must_use]
-    pub fn angle_max(&self, basis: Basis) -> f64 {
-        self.figures("angle", basis).map_or(f64::NAN, |figures| figures.max.0)
+    pub fn lead(&self, basis: Basis) -> Option<&Figures> {
+        self.figures(&self.figures.first()?.quantity, basis)
     }
 
-    /// Largest total error of any component in ulp of the output port.
+    /// Largest error of the leading quantity on a basis, in its own unit; NaN if there is none.
+    #[must_use]
+    pub fn lead_max(&self, basis: Basis) -> f64 {
+        self.lead(basis).map_or(f64::NAN, |figures| figures.max.0)
+    }
+
+    /// Largest total error of any number or component in ulp of its port or node.
     #[must_use]
     pub fn max_ulp(&self) -> Option<f64> {
         let total = self.figures.iter().filter(|figures| figures.basis == Basis::Total);
         total.filter_map(|figures| Some(figures.max_ulp?.0)).reduce(f64::max)
     }
 
-    /// Input words of the largest total angle error, as `port=word;port=word`.
+    /// Input words of the largest total error of the leading quantity, as `port=word;port=word`.
     #[must_use]
     pub fn witness(&self) -> String {
-        let figures = self.figures("angle", Basis::Total);
+        let figures = self.lead(Basis::Total);
         let Some(witness) = figures.and_then(|figures| figures.witness.as_ref()) else {
             return String::new();
         };
@@ -324,7 +332,27 @@ pub struct Record {
     pub points: Vec<Point>,
 }
 
+/// The quantity that points are ranked by, as it is shown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lead {
+    /// Its name.
+    pub quantity: String,
+    /// Factor from its figures to what is shown.
+    pub scale: f64,
+    /// Unit of what is shown.
+    pub unit: &'static str,
+}
+
 impl Record {
+    /// The leading quantity; angles are shown in degrees.
+    #[must_use]
+    pub fn lead(&self) -> Lead {
+        let figures = self.points.iter().find_map(|p| p.measured.as_ref()?.figures.first());
+        let (quantity, unit) = figures.map_or(("", ""), |f| (f.quantity.as_str(), f.unit.as_str()));
+        let (scale, unit) = if unit == "rad" { (1f64.to_degrees(), "deg") } else { (1.0, "abs") };
+        Lead { quantity: quantity.to_owned(), scale, unit }
+    }
+
     /// What points are ranked by: the total error, but the end-to-end one where points differ in
     /// their inputs' words. A coarse input would look good against its own golden.
     #[must_use]
@@ -362,7 +390,7 @@ impl Record {
         for (point, number) in record.points.iter().zip(1..) {
             let whole = match (&point.measured, &point.error) {
                 (Some(measured), None) => {
-                    measured.figures("angle", Basis::Total).is_some()
+                    measured.lead(Basis::Total).is_some()
                         && measured.count("rom_bits_dual_port").is_some()
                 }
                 (None, error) => error.is_some(),
@@ -426,6 +454,8 @@ struct Columns {
     counts: Vec<String>,
     /// Quantity and its unit in column names.
     quantities: Vec<(String, &'static str)>,
+    /// Those that have figures in ulp.
+    with_ulp: BTreeSet<String>,
     bases: Vec<Basis>,
 }
 
@@ -447,8 +477,13 @@ impl Columns {
     fn new<'a>(header: &Header, points: impl Iterator<Item = &'a Point>) -> Self {
         let axes = header.axes.iter().map(|axis| &axis.key);
         let parameters = axes.chain(header.base.keys()).cloned().collect();
-        let mut columns =
-            Self { parameters, counts: Vec::new(), quantities: Vec::new(), bases: Vec::new() };
+        let mut columns = Self {
+            parameters,
+            counts: Vec::new(),
+            quantities: Vec::new(),
+            with_ulp: BTreeSet::new(),
+            bases: Vec::new(),
+        };
         for measured in points.filter_map(|point| point.measured.as_ref()) {
             for name in measured.counts.keys() {
                 if !columns.counts.contains(name) {
@@ -459,6 +494,9 @@ impl Columns {
                 if columns.quantities.iter().all(|(name, _)| *name != figures.quantity) {
                     let unit = if figures.unit == "rad" { "rad" } else { "abs" };
                     columns.quantities.push((figures.quantity.clone(), unit));
+                }
+                if figures.unit != "rad" && !figures.quantity.ends_with("dot") {
+                    columns.with_ulp.insert(figures.quantity.clone());
                 }
                 if !columns.bases.contains(&figures.basis) {
                     columns.bases.push(figures.basis);
@@ -478,14 +516,15 @@ impl Columns {
                 for (figure, _) in FIGURES {
                     names.push(format!("{quantity}_{basis}_{figure}_{unit}"));
                 }
-                if has_ulp(quantity) {
+                if self.with_ulp.contains(quantity) {
                     names.push(format!("{quantity}_{basis}_max_ulp"));
                 }
             }
         }
+        let lead = self.quantities.first().map_or("lead", |(quantity, _)| quantity.as_str());
+        names.push(format!("{lead}_total_witness"));
         names.extend(
             [
-                "angle_total_witness",
                 "overflows",
                 "samples_per_second",
                 "threads",
@@ -511,7 +550,7 @@ impl Columns {
                 for (_, get) in FIGURES {
                     row.push(number(figures.map(get)).unwrap_or_default());
                 }
-                if has_ulp(quantity) {
+                if self.with_ulp.contains(quantity) {
                     row.push(number(figures.and_then(|f| f.max_ulp)).unwrap_or_default());
                 }
             }
@@ -530,11 +569,6 @@ impl Columns {
         row.push(point.error.clone().unwrap_or_default());
         row
     }
-}
-
-/// True for components, which are outputs of some units and can be told in ulp.
-fn has_ulp(quantity: &str) -> bool {
-    !matches!(quantity, "angle" | "dot")
 }
 
 /// Counts with the operators' group in front of their names.
@@ -562,6 +596,7 @@ fn flat(counts: &Counts) -> Map<String, serde_json::Value> {
 pub fn json_of(value: Value) -> serde_json::Value {
     match value {
         Value::Int(number) => number.into(),
+        Value::Real(number) => number.get().into(),
         Value::Auto | Value::Choice(_) => value.to_string().into(),
     }
 }

@@ -3,7 +3,7 @@ use crate::format::{Format, Overflow, Round};
 use crate::measure::Basis;
 use crate::netlist::{Builder, Quantity};
 use crate::units::rotation::ROTATION;
-use crate::units::{Bound, Shape};
+use crate::units::{Bounds, Group, Shape};
 use serde_json::json;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -155,7 +155,7 @@ fn points_in_grid_order_and_on_disk() {
     assert_eq!(rows.len(), record.points.len());
     for (row, point) in rows.iter().zip(&record.points) {
         let measured = point.measured.as_ref().unwrap();
-        assert_eq!(row[max].parse::<f64>().unwrap(), measured.angle_max(Basis::Total));
+        assert_eq!(row[max].parse::<f64>().unwrap(), measured.lead_max(Basis::Total));
         assert!(row[witness].starts_with("phi_a=") && row[witness].contains(";theta_n="));
         assert!(row[ulp].parse::<f64>().unwrap() > 0.0);
     }
@@ -291,6 +291,7 @@ static TIGHT: Unit = Unit {
         default: "8",
         help: "",
     }],
+    golden_params: &[],
     inputs: "",
     outputs: "",
     build: |values| {
@@ -301,19 +302,24 @@ static TIGHT: Unit = Unit {
             let word = b.narrow(input, format, Round::Floor, Overflow::Error);
             b.output(name, word);
         }
+        let netlist = b.build()?;
         Ok(Design {
             values: values.clone(),
-            netlist: Arc::new(b.build()?),
-            shape: Shape::Cartesian,
-            golden: |inputs, outputs| {
+            groups: vec![Group {
+                name: "",
+                shape: Shape::Cartesian,
+                nodes: netlist.outputs().iter().map(|output| output.node).collect(),
+            }],
+            netlist: Arc::new(netlist),
+            golden: |_, inputs, outputs| {
                 outputs.iter_mut().for_each(|to| to.copy_from_slice(inputs[0]))
             },
-            golden_f32: |_, _| (),
-            bound: Bound::Unstated(""),
+            golden_f32: |_, _, _| (),
+            bounds: Bounds::Unstated(""),
             tabulated: Vec::new(),
             hard: Vec::new(),
             // Not near 0, where a vector has no direction.
-            draw: |_, next, columns, count| {
+            draw: |_, _, next, columns, count| {
                 columns[0] = (0..count).map(|_| 0.1 + 0.8 * next()).collect()
             },
         })
@@ -335,7 +341,7 @@ fn points_that_fail_a_check_are_recorded() {
             }
             // All words fit, so there is no error at all, which no logarithm can show.
             None => assert_eq!(
-                (bits, point.measured.as_ref().unwrap().angle_max(Basis::Total)),
+                (bits, point.measured.as_ref().unwrap().lead_max(Basis::Total)),
                 (8, 0.0)
             ),
         }

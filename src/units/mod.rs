@@ -13,7 +13,7 @@ use crate::error::{Error, Result};
 use crate::format::{Format, Round};
 use crate::function::Function;
 use crate::lut::{Scheme, Spec};
-use crate::netlist::Netlist;
+use crate::netlist::{Netlist, NodeId};
 use crate::rtl::Rtl;
 use crate::schedule::{Depth, Rom, Schedule};
 use std::f64::consts::TAU;
@@ -34,6 +34,9 @@ pub struct Unit {
     pub source: &'static str,
     /// Its own parameters; [`PIPELINE`] follows them.
     pub params: &'static [Param],
+    /// Those of its own parameters that the golden model, the sampler or the set of ports depends
+    /// on: designs that differ in them share no golden values.
+    pub golden_params: &'static [&'static str],
     /// Names of the input ports with what they measure, for `list`.
     pub inputs: &'static str,
     /// Names of the output ports, for `list`.
@@ -67,6 +70,13 @@ pub enum Kind {
         /// Meaning of `auto`, if it is legal.
         auto: Option<&'static str>,
     },
+    /// A number in a range.
+    Real {
+        /// Least legal value.
+        min: f64,
+        /// Greatest legal value.
+        max: f64,
+    },
     /// One of some names.
     Choice(&'static [&'static str]),
 }
@@ -78,6 +88,7 @@ impl Kind {
         match self {
             Self::Int { min, max, auto: None } => format!("{min} to {max}"),
             Self::Int { min, max, auto: Some(auto) } => format!("{min} to {max}, or auto ({auto})"),
+            Self::Real { min, max } => format!("{min} to {max}, also with fractions"),
             Self::Choice(names) => names.join(", "),
         }
     }
@@ -162,16 +173,63 @@ impl Unit {
 pub enum Value {
     /// A whole number.
     Int(i64),
+    /// A number.
+    Real(Number),
     /// `auto`.
     Auto,
     /// A name.
     Choice(&'static str),
 }
 
+/// A finite `f64` that is ordered and can be a key; equal is bit for bit, and there is no -0.
+#[derive(Clone, Copy, Debug)]
+pub struct Number(f64);
+
+impl Number {
+    /// The number.
+    #[must_use]
+    pub fn get(self) -> f64 {
+        self.0
+    }
+}
+
+impl From<f64> for Number {
+    fn from(value: f64) -> Self {
+        Self(value + 0.0) // -0 becomes 0
+    }
+}
+
+impl Ord for Number {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.0.total_cmp(&other.0)
+    }
+}
+
+impl PartialOrd for Number {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Number {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Number {}
+
+impl std::hash::Hash for Number {
+    fn hash<H: std::hash::Hasher>(&self, state: &mut H) {
+        self.0.to_bits().hash(state);
+    }
+}
+
 impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Int(number) => f.pad(&number.to_string()),
+            Self::Real(number) => f.pad(&number.get().to_string()),
             Self::Auto => f.pad("auto"),
             Self::Choice(name) => f.pad(name),
         }
@@ -189,6 +247,11 @@ impl Param {
             Kind::Int { min, max, .. } => {
                 text.parse().ok().filter(|n| (min..=max).contains(n)).map(Value::Int)
             }
+            Kind::Real { min, max } => text
+                .parse()
+                .ok()
+                .filter(|x| (min..=max).contains(x)) // not NaN
+                .map(|x: f64| Value::Real(x.into())),
             Kind::Choice(names) => {
                 names.iter().find(|name| **name == text).map(|name| Value::Choice(name))
             }
@@ -249,7 +312,19 @@ impl Values {
         match self.get(name) {
             Value::Int(number) => Some(number),
             Value::Auto => None,
-            Value::Choice(_) => panic!("bug: `{name}` is a name"),
+            Value::Real(_) | Value::Choice(_) => panic!("bug: `{name}` is no whole number"),
+        }
+    }
+
+    /// A number.
+    ///
+    /// # Panics
+    /// If the parameter is none.
+    #[must_use]
+    pub fn real(&self, name: &str) -> f64 {
+        match self.get(name) {
+            Value::Real(number) => number.get(),
+            Value::Int(_) | Value::Auto | Value::Choice(_) => panic!("bug: `{name}` is no number"),
         }
     }
 
@@ -271,7 +346,7 @@ impl Values {
     pub fn choice(&self, name: &str) -> &'static str {
         match self.get(name) {
             Value::Choice(choice) => choice,
-            Value::Int(_) | Value::Auto => panic!("bug: `{name}` is no name"),
+            Value::Int(_) | Value::Real(_) | Value::Auto => panic!("bug: `{name}` is no name"),
         }
     }
 
@@ -291,6 +366,36 @@ impl Values {
 }
 
 impl Design {
+    /// The nodes of all groups in order, which start with the output ports.
+    #[must_use]
+    pub fn judged(&self) -> Vec<NodeId> {
+        self.groups.iter().flat_map(|group| group.nodes.iter().copied()).collect()
+    }
+
+    /// Number of the golden model's columns.
+    #[must_use]
+    pub fn golden_columns(&self) -> usize {
+        self.groups.iter().map(|group| group.shape.columns().len()).sum()
+    }
+
+    /// Values that a row of golden columns means for the judged nodes.
+    #[must_use]
+    pub fn of_golden(&self, row: &[f64]) -> Vec<f64> {
+        let mut values = Vec::new();
+        let mut at = 0;
+        for group in &self.groups {
+            let columns = group.shape.columns().len();
+            values.extend(group.shape.of_golden(&row[at..at + columns]));
+            at += columns;
+        }
+        values
+    }
+
+    /// The parameters that the golden model depends on.
+    pub(crate) fn golden_key(&self) -> Vec<Value> {
+        self.values.unit().golden_params.iter().map(|name| self.values.get(name)).collect()
+    }
+
     /// The pipelined hardware that the pipeline parameters ask for.
     ///
     /// # Errors
@@ -309,54 +414,121 @@ impl Design {
     }
 }
 
-/// What the outputs of a unit are together.
+/// What some nodes are together.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Shape {
     /// A direction in three components; the golden gives x, y, z.
     Cartesian,
     /// A direction as azimuth and polar angle in turns; the golden gives x, y, z.
     Polar,
+    /// A number; the golden gives it.
+    Scalar,
 }
 
 impl Shape {
-    /// Output values that a golden direction means for the ports; angles in turns, 0 to 1.
+    /// How many nodes it takes.
     #[must_use]
-    pub fn ports(self, [x, y, z]: [f64; 3]) -> Vec<f64> {
+    pub fn nodes(self) -> usize {
         match self {
-            Self::Cartesian => vec![x, y, z],
-            Self::Polar => {
-                let phi = (y.atan2(x) / TAU).rem_euclid(1.0) + 0.0; // -0 becomes 0
-                vec![phi, x.hypot(y).atan2(z) / TAU]
+            Self::Cartesian => 3,
+            Self::Polar => 2,
+            Self::Scalar => 1,
+        }
+    }
+
+    /// Names of the golden's columns.
+    #[must_use]
+    pub fn columns(self) -> &'static [&'static str] {
+        match self {
+            Self::Cartesian | Self::Polar => &["x", "y", "z"],
+            Self::Scalar => &[""],
+        }
+    }
+
+    /// Values that golden columns mean for the nodes; angles in turns, 0 to 1.
+    #[must_use]
+    pub fn of_golden(self, golden: &[f64]) -> Vec<f64> {
+        match (self, golden) {
+            (Self::Polar, [x, y, z]) => {
+                let phi = (y.atan2(*x) / TAU).rem_euclid(1.0) + 0.0; // -0 becomes 0
+                vec![phi, x.hypot(*y).atan2(*z) / TAU]
             }
+            (Self::Cartesian | Self::Scalar | Self::Polar, _) => golden.to_vec(),
         }
     }
 }
 
-/// A golden model on blocks: input columns in, output columns out.
-pub type Golden<F> = fn(&[&[F]], &mut [Vec<F>]);
+/// Nodes with one meaning, which the golden model has too.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Group {
+    /// Name in front of its quantities; nothing for the only one.
+    pub name: &'static str,
+    /// What the nodes are together.
+    pub shape: Shape,
+    /// The nodes.
+    pub nodes: Vec<NodeId>,
+}
+
+impl Group {
+    /// Names of the golden's columns.
+    #[must_use]
+    pub fn columns(&self) -> Vec<String> {
+        self.shape.columns().iter().map(|column| prefixed(self.name, column)).collect()
+    }
+
+    /// One number for each output port of a netlist, named as the port.
+    ///
+    /// # Panics
+    /// If a name is no output port.
+    #[must_use]
+    pub fn ports(netlist: &Netlist, names: &[&'static str]) -> Vec<Self> {
+        let group = |name: &&'static str| {
+            let output = netlist.outputs().iter().find(|output| output.name == *name);
+            let node = output.expect("bug: a port of this name").node;
+            Self { name, shape: Shape::Scalar, nodes: vec![node] }
+        };
+        names.iter().map(group).collect()
+    }
+}
+
+/// `group_part`, or the one that isn't empty.
+fn prefixed(group: &str, part: &str) -> String {
+    match (group, part) {
+        ("", name) | (name, "") => name.to_owned(),
+        (group, part) => format!("{group}_{part}"),
+    }
+}
+
+/// A golden model on blocks: input columns in, columns of all groups out, in order.
+pub type Golden<F> = fn(&Values, &[&[F]], &mut [Vec<F>]);
 
 /// A bound from parameters and the exact worst error of each table scheme by its name.
 pub type BoundFn = fn(&Values, &dyn Fn(&str) -> f64) -> f64;
 
 /// A stated bound on the error against the golden of the quantised inputs.
 #[derive(Clone, Copy)]
-pub enum Bound {
-    /// On the absolute error of each component.
-    Component(BoundFn),
-    /// On the angle between the vectors in rad.
-    Angle(BoundFn),
-    /// None, and why.
-    Unstated(&'static str),
+pub struct Bound {
+    /// What is bounded, in a word.
+    pub what: &'static str,
+    /// The quantities that it holds for, by their names in reports.
+    pub quantities: &'static [&'static str],
+    /// The bound, in the unit of those.
+    pub bound: BoundFn,
 }
 
 impl fmt::Debug for Bound {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Component(_) => "Component",
-            Self::Angle(_) => "Angle",
-            Self::Unstated(why) => why,
-        })
+        f.write_str(self.what)
     }
+}
+
+/// What a design promises of its errors.
+#[derive(Clone, Debug)]
+pub enum Bounds {
+    /// These.
+    Stated(Vec<Bound>),
+    /// Nothing, and why.
+    Unstated(&'static str),
 }
 
 /// A table scheme as a design uses it: what is needed to judge it alone.
@@ -441,7 +613,7 @@ impl Sampler {
 }
 
 /// Fills one column per input with values drawn from `next`, uniform in 0 to 1.
-pub type Draw = fn(Sampler, &mut dyn FnMut() -> f64, &mut [Vec<f64>], usize);
+pub type Draw = fn(&Values, Sampler, &mut dyn FnMut() -> f64, &mut [Vec<f64>], usize);
 
 /// A datapath with what it takes to run and judge it.
 #[derive(Debug)]
@@ -450,14 +622,14 @@ pub struct Design {
     pub values: Values,
     /// The datapath.
     pub netlist: Arc<Netlist>,
-    /// What the outputs are together.
-    pub shape: Shape,
+    /// What is judged: the output ports in order, then nodes inside.
+    pub groups: Vec<Group>,
     /// Golden model in `f64`.
     pub golden: Golden<f64>,
     /// The same in `f32`, to be judged as a rival.
     pub golden_f32: Golden<f32>,
-    /// Stated error bound.
-    pub bound: Bound,
+    /// Stated error bounds.
+    pub bounds: Bounds,
     /// Table schemes in use.
     pub tabulated: Vec<Tabulated>,
     /// The hard cases.

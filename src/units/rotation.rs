@@ -8,7 +8,9 @@
 //! - `exact`: the rotation's triple products expanded to sums, one table read per term.
 
 use super::polar::{self, PolarTables};
-use super::{Bound, Design, HardCase, Kind, Param, Sampler, Shape, Tabulated, Unit, Values};
+use super::{
+    Bound, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Shape, Tabulated, Unit, Values,
+};
 use crate::cast;
 use crate::error::Result;
 use crate::format::{Format, Overflow, Round};
@@ -26,6 +28,7 @@ pub static ROTATION: Unit = Unit {
     summary: "turns a direction in polar form into the frame of a surface normal",
     source: "seed 001 (Lee et al.), section 3.1 and Fig. 7",
     params: PARAMS,
+    golden_params: &[],
     inputs: "phi_a, theta_a, phi_n, theta_n: angles, modulo a turn (theta past half a turn goes on over the pole)",
     outputs: "x, y, z (output=cartesian) or phi, theta: angles (the others)",
     build,
@@ -216,24 +219,36 @@ fn build(values: &Values) -> Result<Design> {
     let netlist = b.build()?;
     let wraps =
         values.bits("int_bits") == 0 && matches!(overflow, Overflow::Wrap | Overflow::Error);
-    let bound = match (variant, output) {
+    let bounds = match (variant, output) {
         ("exact", "cartesian") if wraps => {
-            Bound::Unstated("with int_bits=0 and without saturation, components near 1 wrap to -1")
+            Bounds::Unstated("with int_bits=0 and without saturation, components near 1 wrap to -1")
         }
-        ("exact", "cartesian") => Bound::Component(component_bound),
-        ("exact", _) => Bound::Angle(angle_bound),
-        _ => Bound::Unstated(
+        ("exact", "cartesian") => Bounds::Stated(vec![Bound {
+            what: "component",
+            quantities: &["x", "y", "z"],
+            bound: component_bound,
+        }]),
+        ("exact", _) => Bounds::Stated(vec![Bound {
+            what: "angle",
+            quantities: &["angle"],
+            bound: angle_bound,
+        }]),
+        _ => Bounds::Unstated(
             "asin, 1/sin and 1/cos have infinite slopes, which no word length bounds; each table's own error is stated",
         ),
     };
     Ok(Design {
         hard: hard_cases(values),
         values: values.clone(),
+        groups: vec![Group {
+            name: "",
+            shape: if output == "cartesian" { Shape::Cartesian } else { Shape::Polar },
+            nodes: netlist.outputs().iter().map(|output| output.node).collect(),
+        }],
         netlist: Arc::new(netlist),
-        shape: if output == "cartesian" { Shape::Cartesian } else { Shape::Polar },
         golden: golden::<f64>,
         golden_f32: golden::<f32>,
-        bound,
+        bounds,
         tabulated,
         draw,
     })
@@ -659,7 +674,7 @@ fn angle_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
 /// The golden model: the rotation in plain floating point, angles in turns.
 ///
 /// Written from the mathematics; knows no netlist. Exact up to float rounding, singular nowhere.
-fn golden<F: Real>(inputs: &[&[F]], outputs: &mut [Vec<F>]) {
+fn golden<F: Real>(_: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
     const BLOCK: usize = 256;
     let [phi_a, theta_a, phi_n, theta_n] = inputs else { panic!("bug: four inputs") };
     let [xs, ys, zs] = outputs else { panic!("bug: three outputs") };
@@ -687,7 +702,13 @@ fn golden<F: Real>(inputs: &[&[F]], outputs: &mut [Vec<F>]) {
 }
 
 /// Directions A and N uniform on the sphere; on the lit side, A is mirrored where N·A < 0.
-fn draw(sampler: Sampler, next: &mut dyn FnMut() -> f64, columns: &mut [Vec<f64>], count: usize) {
+fn draw(
+    _: &Values,
+    sampler: Sampler,
+    next: &mut dyn FnMut() -> f64,
+    columns: &mut [Vec<f64>],
+    count: usize,
+) {
     let [phi_a, theta_a, phi_n, theta_n] = columns else { panic!("bug: four inputs") };
     for column in [&mut *phi_a, &mut *theta_a, &mut *phi_n, &mut *theta_n] {
         column.clear();

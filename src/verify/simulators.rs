@@ -244,7 +244,7 @@ fn small(design: &Design, bits: i64) -> Option<(Design, String)> {
             Value::Int(given) => given > cap,
             // What `auto` stands for may be large: a count of steps is set.
             Value::Auto => param.name.ends_with("_iterations"),
-            Value::Choice(_) => false,
+            Value::Real(_) | Value::Choice(_) => false,
         };
         if large {
             values.set(param.name, &cap.to_string()).ok()?;
