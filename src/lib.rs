@@ -59,6 +59,7 @@ pub mod output;
 pub mod outside;
 pub mod report;
 pub mod rtl;
+pub mod scene;
 pub mod schedule;
 pub mod sim;
 mod simd;
