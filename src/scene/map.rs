@@ -5,6 +5,7 @@ use crate::cast;
 use crate::error::{Error, Result};
 use glam::DVec3;
 use image::{DynamicImage, ImageReader, Limits};
+use rayon::prelude::*;
 use std::fs::File;
 use std::io::{Cursor, Read};
 use std::path::Path;
@@ -56,16 +57,13 @@ impl Size {
     }
 
     /// A pattern at the middle of each texel.
-    fn sample<T>(self, pattern: Pattern, of: impl Fn(Sample) -> T) -> Vec<T> {
-        let (width, height) = (f64::from(self.width), f64::from(self.height));
-        let mut texels = Vec::with_capacity(self.len());
-        for y in 0..self.height {
-            for x in 0..self.width {
-                let (u, v) = ((f64::from(x) + 0.5) / width, 1.0 - (f64::from(y) + 0.5) / height);
-                texels.push(of(pattern.sample(u, v)));
-            }
-        }
-        texels
+    fn sample<T: Send>(self, pattern: Pattern, of: impl Fn(Sample) -> T + Sync) -> Vec<T> {
+        let middle = |i: u32, side: u32| (f64::from(i) + 0.5) / f64::from(side);
+        let texels = (0..self.width * self.height).into_par_iter().map(|texel| {
+            let (x, y) = (texel % self.width, texel / self.width);
+            of(pattern.sample(middle(x, self.width), 1.0 - middle(y, self.height)))
+        });
+        texels.collect()
     }
 }
 

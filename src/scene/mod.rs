@@ -22,13 +22,13 @@
 //! # Texture frames
 //! `T = normalise(dP/du - N (N·dP/du))` and `B = h (N x T)`, with handedness h = +1, or -1 where
 //! the texture is mirrored: h is the sign of the determinant of (u, v) over the face, whose
-//! normal points to the side that the sum of its vertex normals is on (where that sum is square to
+//! normal points to the side that the sum of its unit vertex normals is on (where that sum is square to
 //! the face, to the side from which the corners turn counter-clockwise). Each triangle has its own
 //! dP/du; normals of a mesh are interpolated with barycentric weights and made unit again, and a
 //! face whose three normals are equal is flat. Where dP/du lies along N, `T = normalise(h (dP/dv x N))`.
 //! On the sphere, before the object is placed, T = (-sin az, cos az, 0), at its poles too.
-//! A face without area in (u, v) is refused, unless the height map is flat; then it has h = +1
-//! and for dP/du its first edge.
+//! A face without area in (u, v) is refused, unless every bump vector is (0, 0, 1), where T says
+//! nothing; then T is along any of its edges, and h = +1.
 //!
 //! # Maps
 //! u goes right and v goes up, as in OBJ files (glTF's v goes down and is flipped on reading).

@@ -83,7 +83,7 @@ fn wood(u: f64, v: f64) -> (DVec3, f64) {
     let end = 6.0 * along.min(1.0 - along);
     let gap = edge.min(end);
     let body = smooth(0.012, 0.075, gap);
-    color *= 0.18 + 0.82 * smooth(0.008, 0.045, gap);
+    color = mix(srgb(0x22_16_0d), color, smooth(0.0, 0.045, gap));
     let grain = 0.10 * late + 0.035 * fibre - 0.05 * pores;
     (color, body * (0.78 + grain + 0.06 * (log(5) - 0.5)))
 }

@@ -626,3 +626,85 @@ impl Ball {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand_core::{RngCore, SeedableRng};
+
+    /// What the tree finds is what trying everything finds.
+    #[test]
+    fn the_tree_finds_the_nearest() {
+        let mut random = rand_pcg::Pcg64Mcg::seed_from_u64(5);
+        let mut real = || f64::from(random.next_u32()) / 2_147_483_648.0 - 1.0;
+        let mut vector = || DVec3::new(real(), real(), real());
+        let mut objects = Vec::new();
+        let triangles = (0..700).map(|_| {
+            let at = vector();
+            Triangle {
+                points: [at, at + 0.2 * vector(), at + 0.2 * vector()],
+                normals: [vector().normalize(); 3],
+                uvs: [DVec2::ZERO, DVec2::X, DVec2::Y],
+            }
+        });
+        let here = Placement::new(DVec3::ZERO, [0.0; 3], DVec3::ONE);
+        objects.push((Shape::Mesh(PathBuf::new(), triangles.collect()), here));
+        for _ in 0..30 {
+            let placement = Placement::new(vector(), vector().to_array(), DVec3::splat(0.05));
+            objects.push((Shape::Sphere, placement));
+        }
+        // Boxes without thickness, and rays that run along them.
+        objects.push((Shape::Plane, Placement::new(DVec3::ZERO, [0.0; 3], DVec3::splat(0.3))));
+        let surfaces = Surfaces::new(&objects, true).unwrap();
+        let mut hits = 0;
+        for i in 0..3000 {
+            let mut ray = Ray { origin: 2.0 * vector(), direction: vector() };
+            ray.direction -= 0.5 * ray.origin;
+            if i % 5 == 0 {
+                ray.direction[i % 3] = 0.0;
+            }
+            let faces = surfaces.faces.iter().filter_map(|face| {
+                Some((face.meet(&ray)?.0, face.place.object, face.place.number))
+            });
+            let balls = surfaces
+                .balls
+                .iter()
+                .filter_map(|ball| Some((ball.meet(&ray)?, ball.object, CURVED)));
+            let nearest = faces.chain(balls).min_by(|a, b| a.0.total_cmp(&b.0));
+            let seen = surfaces.look(&ray);
+            hits += u32::from(seen.is_some());
+            assert_eq!(
+                seen.map(|seen| (seen.object, seen.face)),
+                nearest.map(|(_, object, face)| (object, face))
+            );
+        }
+        assert!(hits > 1000, "{hits}");
+    }
+
+    #[test]
+    fn quarter_turns_are_exact_and_in_order() {
+        let place = Placement::new(
+            DVec3::new(10.0, 0.0, 0.0),
+            [90.0, 0.0, 90.0],
+            DVec3::new(1.0, 2.0, 3.0),
+        );
+        // y: doubled, about x to z, stays there about z; z: tripled, to -y, to +x.
+        assert_eq!(place.point(DVec3::Y), DVec3::new(10.0, 0.0, 2.0));
+        assert_eq!(place.point(DVec3::Z), DVec3::new(13.0, 0.0, 0.0));
+        assert_eq!(place.point(DVec3::X), DVec3::new(10.0, 1.0, 0.0));
+    }
+
+    #[test]
+    fn normals_that_cancel_fall_back_to_the_face() {
+        let points = [DVec3::ZERO, DVec3::X, DVec3::Y];
+        let place = super::Place { object: 0, number: 0, triangle: true };
+        let normals = [DVec3::Z, DVec3::X, DVec3::NEG_X];
+        let face = Face::new(place, points, [DVec2::ZERO, DVec2::X, DVec2::Y], normals);
+        let seen = face.at(DVec2::new(0.5, 0.5));
+        assert_eq!((seen.normal, seen.face), (DVec3::Z, CURVED));
+        // N along dP/du: T still is at right angles, and B along dP/dv.
+        let seen = face.at(DVec2::new(1.0, 0.0));
+        assert_eq!(seen.normal, DVec3::X);
+        assert_eq!(seen.normal.cross(seen.tangent), DVec3::Y);
+    }
+}
