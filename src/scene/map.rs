@@ -4,7 +4,7 @@ use super::procedural::{Pattern, Sample};
 use crate::cast;
 use crate::error::{Error, Result};
 use glam::DVec3;
-use image::{DynamicImage, ImageReader, Limits};
+use image::{DynamicImage, ImageReader};
 use rayon::prelude::*;
 use std::fs::File;
 use std::io::{Cursor, Read};
@@ -227,19 +227,28 @@ pub(super) fn read_file(path: &Path) -> Result<Vec<u8>> {
 fn open_image(path: &Path) -> Result<(Size, DynamicImage)> {
     let bytes = read_file(path)?;
     let fail = |why: image::ImageError| {
-        Error::file(path, format!("can't be decoded as PNG or JPEG: {why}"))
+        let why = why.to_string();
+        Error::file(path, format!("can't be decoded as PNG or JPEG: {}", why.trim_end()))
     };
-    let reader = || ImageReader::new(Cursor::new(&bytes)).with_guessed_format();
-    let reader = || reader().map_err(|why| Error::io(path, "can't read", why));
+    let check =
+        |(width, height)| check_size(width, height).map_err(|problem| Error::file(path, problem));
+    png_size(&bytes).map_or(Ok(()), check)?;
+    let reader = || {
+        let guessed = ImageReader::new(Cursor::new(&bytes)).with_guessed_format();
+        guessed.map_err(|why| Error::io(path, "can't read", why))
+    };
     let (width, height) = reader()?.into_dimensions().map_err(fail)?;
-    check_size(width, height).map_err(|problem| Error::file(path, problem))?;
-    let mut decoder = reader()?;
-    let mut limits = Limits::default();
-    limits.max_image_width = Some(MAX_SIDE);
-    limits.max_image_height = Some(MAX_SIDE);
-    decoder.limits(limits);
-    let image = decoder.decode().map_err(fail)?;
+    check((width, height))?;
+    let image = reader()?.decode().map_err(fail)?;
     Ok((Size { width, height }, image))
+}
+
+/// Width and height in the header of a PNG file, which the decoder tells only where data follow.
+fn png_size(bytes: &[u8]) -> Option<(u32, u32)> {
+    let header = bytes.strip_prefix(b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR")?;
+    let (width, rest) = header.split_first_chunk()?;
+    let (height, _) = rest.split_first_chunk()?;
+    Some((u32::from_be_bytes(*width), u32::from_be_bytes(*height)))
 }
 
 /// What is wrong with the size of a map.

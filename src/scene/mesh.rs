@@ -1,6 +1,6 @@
 //! Triangles from files. The OBJ reader is ours because it names lines and refuses what can't be lit.
 
-use super::text::FAR;
+use super::text::{self, FAR};
 use super::{gltf, map};
 use crate::error::{Error, Result};
 use glam::{DVec2, DVec3};
@@ -38,7 +38,10 @@ pub(super) fn read(path: &Path) -> Result<Vec<Triangle>> {
 /// What is wrong with the coordinates of a vertex.
 pub(super) fn check_coordinates(what: &str, values: &[f64]) -> Result<(), String> {
     match values.iter().find(|value| !(-FAR..=FAR).contains(*value)) {
-        Some(value) => Err(format!("{what} has {value}: legal is -{FAR} to {FAR}")),
+        Some(value) => {
+            let value = text::shown(*value);
+            Err(format!("{what} has {value}: legal is -{FAR} to {FAR}"))
+        }
         None => Ok(()),
     }
 }
@@ -144,7 +147,7 @@ fn pick<T: Copy>(list: &[T], what: &str, corner: &str, index: Option<&str>) -> R
     });
     position.and_then(|position| list.get(position)).copied().ok_or_else(|| {
         format!(
-            "corner `{corner}` names {what} {}, and up to here there are {}",
+            "corner `{corner}` names {what} {}, and up to here there are {} (they count from 1)",
             shown(index),
             list.len()
         )

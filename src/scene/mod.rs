@@ -2,7 +2,21 @@
 //!
 //! [`Scene::open`] reads a file, [`Scene::builtin`] one of the scenes that come with the program
 //! (their TOML text in `src/scene/builtin/` shows the format), and [`Scene::trace`] gives, row
-//! by row, what each covered pixel sees. What follows is all that it takes to do the same elsewhere.
+//! by row, what each covered pixel sees:
+//!
+//! ```
+//! use fixpath::scene::{Fragments, Scene};
+//! use std::path::Path;
+//!
+//! let text = "[camera]\neye = [5, 0, 0]\n[[object]]\nshape = \"cube\"";
+//! let scene = Scene::parse(text, Path::new("example.toml"))?;
+//! let mut seen = Fragments::default();
+//! scene.trace(256..257, &mut seen); // the row in the middle
+//! assert!(seen.normal[0].iter().all(|x| *x == 1.0)); // of the face towards +x
+//! # Ok::<(), fixpath::error::Error>(())
+//! ```
+//!
+//! What follows is all that it takes to do the same elsewhere.
 //!
 //! # Space
 //! The world is right-handed and z is up. A point of an object goes to

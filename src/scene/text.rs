@@ -121,7 +121,7 @@ enum Source {
 #[serde(deny_unknown_fields)]
 struct ObjectText {
     shape: ShapeText,
-    file: Option<PathBuf>,
+    file: Option<Spanned<PathBuf>>,
     translate: Triple,
     rotate_degrees: Triple,
     scale: Option<Spanned<Scale>>,
@@ -149,9 +149,12 @@ enum Scale {
 pub(super) fn read(text: &str, path: &Path) -> Result<Scene> {
     let reader = Reader { text, path };
     let scene: SceneText = toml::from_str(text).map_err(|why| {
-        let line = why.span().map(|span| reader.line_text(span.start));
-        let seen = line.map(|line| format!(" in `{line}`")).unwrap_or_default();
-        reader.fail(&why.span().unwrap_or_default(), format!("{}{seen}", why.message().trim_end()))
+        let span = why.span().unwrap_or_default();
+        // As who writes a scene would say it.
+        let message = why.message().trim_end().replace("expected i64", "expected a whole number");
+        let message = message.replace("expected f64", "expected a number");
+        let message = message.replace("expected an array of length 3", "expected three numbers");
+        reader.fail(&span, format!("{message} in `{}`", reader.line_text(span.start)))
     })?;
     let image = reader.image(&scene.image)?;
     let camera = reader.camera(scene.camera.as_ref())?;
@@ -228,7 +231,8 @@ impl Reader<'_> {
         if legal.contains(&value) {
             return Ok(value);
         }
-        let problem = format!("`{key}` = {value}: legal is {} to {}", legal.start(), legal.end());
+        let problem =
+            format!("`{key}` = {}: legal is {} to {}", shown(value), legal.start(), legal.end());
         Err(self.fail(&span, problem))
     }
 
@@ -305,19 +309,24 @@ impl Reader<'_> {
         let eye = self.vector("eye", &camera.eye, [3.0, -4.0, 3.0])?;
         let target = self.vector("target", &camera.target, [0.0; 3])?;
         let up = self.vector("up", &camera.up, [0.0, 0.0, 1.0])?;
-        let view = (target - eye).try_normalize();
-        let across = view.zip(up.try_normalize()).map(|(view, up)| view.cross(up).length());
+        let line = |key: &Triple| match (key, given) {
+            (Some(key), _) => key.span(),
+            (None, Some(camera)) => camera.span(),
+            (None, None) => 0..0,
+        };
+        let Some(view) = (target - eye).try_normalize() else {
+            let problem = "the camera's `eye` is its `target`: move one of them".to_owned();
+            return Err(self.fail(&line(&camera.eye), problem));
+        };
         // A millionth of a radian.
-        if across.is_none_or(|across| across < 1e-6) {
-            let problem = if view.is_none() {
-                "the camera's `eye` is its `target`: move one of them".to_owned()
-            } else {
-                format!(
-                    "the camera's `up` = [{}, {}, {}] is no direction or along the view: choose another, such as [0, 1, 0]",
-                    up.x, up.y, up.z
-                )
-            };
-            return Err(self.fail(&given.map(Spanned::span).unwrap_or_default(), problem));
+        if up.try_normalize().is_none_or(|up| view.cross(up).length() < 1e-6) {
+            let mut legal = [0; 3];
+            legal[view.abs().min_position()] = 1;
+            let problem = format!(
+                "the camera's `up` = [{}, {}, {}] is no direction or along the view: choose another, such as {legal:?}",
+                up.x, up.y, up.z
+            );
+            return Err(self.fail(&line(&camera.up), problem));
         }
         Ok(Camera { projection, eye, target, up })
     }
@@ -436,7 +445,8 @@ impl Reader<'_> {
                 };
                 if let Some(wrong) = axes.iter().find(|x| !(1e-6..=FAR).contains(&x.abs())) {
                     let problem = format!(
-                        "`scale` = {wrong}: legal is 0.000001 to {FAR}, or the negative of that, which mirrors"
+                        "`scale` = {}: legal is 0.000001 to {FAR}, or the negative of that, which mirrors",
+                        shown(*wrong)
                     );
                     return Err(self.fail(&scale.span(), problem));
                 }
@@ -446,23 +456,22 @@ impl Reader<'_> {
         let translate = self.vector("translate", &object.translate, [0.0; 3])?;
         let rotate = self.vector("rotate_degrees", &object.rotate_degrees, [0.0; 3])?;
         let placement = Placement::new(translate, rotate.to_array(), DVec3::from_array(scale));
-        let shape = match (object.shape, &object.file) {
-            (ShapeText::Mesh, Some(file)) => {
-                let file = self.beside(file);
+        if object.shape != ShapeText::Mesh {
+            self.refuse("file", &object.file, "it is for `shape = \"mesh\"`")?;
+        }
+        let shape = match object.shape {
+            ShapeText::Plane => Shape::Plane,
+            ShapeText::Cube => Shape::Cube,
+            ShapeText::Sphere => Shape::Sphere,
+            ShapeText::Mesh => {
+                let file = object.file.as_ref().ok_or_else(|| {
+                    let problem = "a mesh needs `file`, an .obj, .gltf or .glb file".to_owned();
+                    self.fail(&given.span(), problem)
+                })?;
+                let file = self.beside(file.get_ref());
                 let triangles = mesh::read(&file)?;
                 Shape::Mesh(file, triangles)
             }
-            (ShapeText::Mesh, None) => {
-                let problem = "a mesh needs `file`, an .obj, .gltf or .glb file".to_owned();
-                return Err(self.fail(&given.span(), problem));
-            }
-            (_, Some(_)) => {
-                let problem = "`file` has no use here: it is for `shape = \"mesh\"`; leave it out";
-                return Err(self.fail(&given.span(), problem.to_owned()));
-            }
-            (ShapeText::Plane, None) => Shape::Plane,
-            (ShapeText::Cube, None) => Shape::Cube,
-            (ShapeText::Sphere, None) => Shape::Sphere,
         };
         Ok((shape, placement))
     }
@@ -471,6 +480,11 @@ impl Reader<'_> {
     fn beside(&self, file: &Path) -> PathBuf {
         self.path.parent().unwrap_or(Path::new("")).join(file)
     }
+}
+
+/// A number for a message, however large.
+pub(super) fn shown(value: f64) -> String {
+    if value.abs() < 1e9 { value.to_string() } else { format!("{value:e}") }
 }
 
 /// Where a map comes from.
