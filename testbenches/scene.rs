@@ -57,7 +57,10 @@ fn builtin_scenes_are_whole() {
             assert!((f.texel[i] as usize) < scene.texture.texels().len());
         }
     }
-    assert!(Scene::builtin("teapot").is_none());
+    assert_eq!(
+        Scene::builtin("teapot").unwrap_err().to_string(),
+        "no built-in scene `teapot`: there are plane, cube, sphere; or give the path of a scene file"
+    );
     let sphere = Scene::builtin("sphere").unwrap();
     assert_eq!(sphere.bumps.size(), (512, 256));
     assert_eq!((sphere.image.width, sphere.image.height), (512, 512));

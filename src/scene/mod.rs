@@ -219,11 +219,20 @@ impl Scene {
         text::read(text, path)
     }
 
-    /// One of [`BUILTIN`], by name; none if there is no such scene.
-    #[must_use]
-    pub fn builtin(name: &str) -> Option<Self> {
-        let (name, text) = BUILTIN.iter().find(|(known, _)| *known == name)?;
-        Some(text::read(text, Path::new(name)).expect("bug: built-in scenes are legal"))
+    /// One of [`BUILTIN`], by name.
+    ///
+    /// # Errors
+    /// If there is no such scene.
+    pub fn builtin(name: &str) -> Result<Self> {
+        let Some((_, text)) = BUILTIN.iter().find(|(known, _)| *known == name) else {
+            let known: Vec<&str> = BUILTIN.iter().map(|(known, _)| *known).collect();
+            let problem = format!(
+                "no built-in scene `{name}`: there are {}; or give the path of a scene file",
+                known.join(", ")
+            );
+            return Err(Error::usage(problem));
+        };
+        text::read(text, Path::new(name))
     }
 
     /// What holds for every pixel.
