@@ -298,7 +298,7 @@ mod tests {
         }
         // A few values of the standard's own curve.
         assert!((from_srgb(0.5) - 0.214_041_14).abs() < 1e-8);
-        assert_eq!((to_srgb(-1.0), to_srgb(2.0)), (0.0, 1.0));
+        assert!(to_srgb(-1.0) == 0.0 && (to_srgb(2.0) - 1.0).abs() < 1e-15);
     }
 
     #[test]
