@@ -1,11 +1,10 @@
 //! Maps over surfaces: colours and heights, from image files or made up.
 
-use super::procedural::{Pattern, Sample};
+use super::procedural::Samples;
 use crate::cast;
 use crate::error::{Error, Result};
 use glam::DVec3;
 use image::{DynamicImage, ImageReader};
-use rayon::prelude::*;
 use std::fs::File;
 use std::io::{Cursor, Read};
 use std::path::Path;
@@ -55,16 +54,6 @@ impl Size {
     fn len(self) -> usize {
         cast::index_of_u32(self.width) * cast::index_of_u32(self.height)
     }
-
-    /// A pattern at the middle of each texel.
-    fn sample<T: Send>(self, pattern: Pattern, of: impl Fn(Sample) -> T + Sync) -> Vec<T> {
-        let middle = |i: u32, side: u32| (f64::from(i) + 0.5) / f64::from(side);
-        let texels = (0..self.width * self.height).into_par_iter().map(|texel| {
-            let (x, y) = (texel % self.width, texel / self.width);
-            of(pattern.sample(middle(x, self.width), 1.0 - middle(y, self.height)))
-        });
-        texels.collect()
-    }
 }
 
 impl Texture {
@@ -75,9 +64,10 @@ impl Texture {
         Self { size, texels: vec![color.map(cast::f32_of); size.len()] }
     }
 
-    pub(super) fn pattern(pattern: Pattern, width: u32, height: u32) -> Self {
-        let size = Size { width, height };
-        Self { size, texels: size.sample(pattern, |sample| sample.color.map(cast::f32_of)) }
+    pub(super) fn made(samples: &Samples) -> Self {
+        let size = Size { width: samples.width, height: samples.height };
+        let texels = samples.texels.iter().map(|sample| sample.color.map(cast::f32_of));
+        Self { size, texels: texels.collect() }
     }
 
     pub(super) fn open(path: &Path) -> Result<Self> {
@@ -117,9 +107,9 @@ impl Bumps {
         Self::new(size, vec![0.0; size.len()], 0.0)
     }
 
-    pub(super) fn pattern(pattern: Pattern, width: u32, height: u32, scale: f64) -> Self {
-        let size = Size { width, height };
-        Self::new(size, size.sample(pattern, |sample| sample.height), scale)
+    pub(super) fn made(samples: &Samples, scale: f64) -> Self {
+        let size = Size { width: samples.width, height: samples.height };
+        Self::new(size, samples.texels.iter().map(|sample| sample.height).collect(), scale)
     }
 
     /// Grey values of a file as they are; of colours, 0.2126 R + 0.7152 G + 0.0722 B.
@@ -264,6 +254,7 @@ pub(super) fn check_size(width: u32, height: u32) -> Result<(), String> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::procedural::Pattern;
     use super::*;
 
     #[test]
@@ -330,6 +321,6 @@ mod tests {
             }
         }
         // No scale, no bumps.
-        assert!(Bumps::pattern(Pattern::Brick, 16, 16, 0.0).is_flat());
+        assert!(Bumps::made(&Pattern::Brick.over(16, 16), 0.0).is_flat());
     }
 }

@@ -5,6 +5,7 @@
 use super::map::from_srgb;
 use crate::cast;
 use glam::DVec3;
+use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
 
 /// A made-up surface.
@@ -27,6 +28,15 @@ pub(super) struct Sample {
     pub(super) height: f64,
 }
 
+/// A surface at the middle of each texel of a map, row by row.
+#[derive(Clone, Debug)]
+pub(super) struct Samples {
+    pub(super) pattern: Pattern,
+    pub(super) width: u32,
+    pub(super) height: u32,
+    pub(super) texels: Vec<Sample>,
+}
+
 impl Pattern {
     /// Columns and rows where the scene gives none.
     pub(super) const fn default_size(self) -> (u32, u32) {
@@ -36,8 +46,18 @@ impl Pattern {
         }
     }
 
+    /// The surface over a map of this size.
+    pub(super) fn over(self, width: u32, height: u32) -> Samples {
+        let middle = |i: u32, side: u32| (f64::from(i) + 0.5) / f64::from(side);
+        let texels = (0..width * height).into_par_iter().map(|texel| {
+            let (x, y) = (texel % width, texel / width);
+            self.sample(middle(x, width), 1.0 - middle(y, height))
+        });
+        Samples { pattern: self, width, height, texels: texels.collect() }
+    }
+
     /// The surface at (u, v), both 0 to 1.
-    pub(super) fn sample(self, u: f64, v: f64) -> Sample {
+    fn sample(self, u: f64, v: f64) -> Sample {
         let (color, height) = match self {
             Self::Wood => wood(u, v),
             Self::Brick => brick(u, v),
@@ -188,40 +208,41 @@ fn noise(p: DVec3, period: [i64; 3], seed: u64) -> f64 {
     let cell = p.floor();
     let f = p - cell;
     let lattice = [cell.x, cell.y, cell.z].map(cast::i64_of);
-    let corner = |i: i64, j: i64, k: i64| {
-        let mut at = [lattice[0] + i, lattice[1] + j, lattice[2] + k];
-        for (x, side) in at.iter_mut().zip(period) {
-            if side != 0 {
-                *x = x.rem_euclid(side);
-            }
-        }
-        let bits = hash(at, seed);
-        let part = |shift: u32| {
-            f64::from(u16::try_from(bits >> shift & 0xffff).unwrap_or(0)) / 32768.0 - 1.0
-        };
-        let gradient = DVec3::new(part(0), part(16), part(32));
-        gradient.dot(f - DVec3::new(cast::f64_of(i), cast::f64_of(j), cast::f64_of(k)))
+    let ends = |axis: usize, offset: i64| {
+        let at = lattice[axis] + offset;
+        if period[axis] == 0 { at } else { at.rem_euclid(period[axis]) }
     };
     let fade = |t: f64| t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
-    let (a, b, c) = (fade(f.x), fade(f.y), fade(f.z));
-    let row = |j, k| mix1(corner(0, j, k), corner(1, j, k), a);
-    let sheet = |k| mix1(row(0, k), row(1, k), b);
-    1.2 * mix1(sheet(0), sheet(1), c)
+    let weight = [fade(f.x), fade(f.y), fade(f.z)];
+    // From plane to line to corner, so that each hashes only its own coordinate.
+    let corner = |state: u64, x: f64, y: f64, k: i64| {
+        let bits = stir(state, ends(2, k));
+        let part = |shift: u32| cast::f64_of_count(bits >> shift & 0xffff) / 32768.0 - 1.0;
+        part(0) * x + part(16) * y + part(32) * (f.z - cast::f64_of(k))
+    };
+    let line = |state: u64, x: f64, j: i64| {
+        let (state, y) = (stir(state, ends(1, j)), f.y - cast::f64_of(j));
+        mix1(corner(state, x, y, 0), corner(state, x, y, 1), weight[2])
+    };
+    let plane = |i: i64| {
+        let (state, x) = (stir(seed, ends(0, i)), f.x - cast::f64_of(i));
+        mix1(line(state, x, 0), line(state, x, 1), weight[1])
+    };
+    1.2 * mix1(plane(0), plane(1), weight[0])
 }
 
-/// Well-mixed bits of three integers (splitmix64 over each in turn).
-fn hash(at: [i64; 3], seed: u64) -> u64 {
-    at.iter().fold(seed, |state, x| {
-        let mut z = (state ^ cast::bits_of(*x)).wrapping_add(0x9e37_79b9_7f4a_7c15);
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    })
+/// Mixes an integer into a state (splitmix64).
+fn stir(state: u64, x: i64) -> u64 {
+    let mut z = (state ^ cast::bits_of(x)).wrapping_add(0x9e37_79b9_7f4a_7c15);
+    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
 }
 
 /// A number in [0, 1) of three integers.
 fn hash01(at: [i64; 3], seed: u64) -> f64 {
-    cast::f64_of_count(hash(at, seed) >> 11) / 9_007_199_254_740_992.0 // 2^53
+    let bits = at.iter().fold(seed, |state, x| stir(state, *x));
+    cast::f64_of_count(bits >> 11) / 9_007_199_254_740_992.0 // 2^53
 }
 
 /// 0 before `from`, 1 after `to`, smooth between; either order.

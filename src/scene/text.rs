@@ -2,7 +2,7 @@
 
 use super::map::{self, Bumps, Texture};
 use super::mesh;
-use super::procedural::Pattern;
+use super::procedural::{Pattern, Samples};
 use super::trace::{Placement, Shape, Surfaces};
 use super::{Camera, Image, Light, Material, Place, Projection, Scene};
 use crate::cast;
@@ -161,8 +161,8 @@ pub(super) fn read(text: &str, path: &Path) -> Result<Scene> {
     let lights = reader.lights(&scene.light)?;
     let ambient = reader.real("intensity", &scene.ambient.intensity, 1.0, 0.0..=1.0)?;
     let material = reader.material(&scene.material, MATERIAL)?;
-    let texture = reader.texture(scene.texture.as_ref())?;
-    let bumps = reader.bumps(scene.height.as_ref())?;
+    let (texture, made) = reader.texture(scene.texture.as_ref())?;
+    let bumps = reader.bumps(scene.height.as_ref(), made)?;
     if scene.object.is_empty() || scene.object.len() > MAX_OBJECTS {
         let problem = format!(
             "{} objects: legal are 1 to {MAX_OBJECTS}; an object is `[[object]]` with `shape = \"sphere\"` below it",
@@ -373,27 +373,30 @@ impl Reader<'_> {
         })
     }
 
-    fn texture(&self, given: Option<&Spanned<MapText>>) -> Result<Texture> {
+    /// The texture, and what it was made from.
+    fn texture(&self, given: Option<&Spanned<MapText>>) -> Result<(Texture, Option<Samples>)> {
         let default = MapText::default();
         let map = given.map_or(&default, Spanned::get_ref);
         self.refuse("scale", &map.scale, "it is for `[height]`")?;
         match self.origin(map, given)? {
             Origin::File(path) => {
                 self.refuse("color", &map.color, "colours come from the file")?;
-                Texture::open(&path)
+                Ok((Texture::open(&path)?, None))
             }
             Origin::Pattern(pattern, width, height) => {
                 self.refuse("color", &map.color, "colours come from `source`")?;
-                Ok(Texture::pattern(pattern, width, height))
+                let made = pattern.over(width, height);
+                Ok((Texture::made(&made), Some(made)))
             }
             Origin::Constant(width, height) => {
                 let color = self.triple("color", &map.color, [1.0; 3], 0.0..=1.0)?;
-                Ok(Texture::constant(color, width, height))
+                Ok((Texture::constant(color, width, height), None))
             }
         }
     }
 
-    fn bumps(&self, given: Option<&Spanned<MapText>>) -> Result<Bumps> {
+    /// The bumps; a surface that was made for the texture isn't made again.
+    fn bumps(&self, given: Option<&Spanned<MapText>>, made: Option<Samples>) -> Result<Bumps> {
         let default = MapText::default();
         let map = given.map_or(&default, Spanned::get_ref);
         self.refuse("color", &map.color, "it is for `[texture]`")?;
@@ -401,7 +404,10 @@ impl Reader<'_> {
         match self.origin(map, given)? {
             Origin::File(path) => Bumps::open(&path, scale),
             Origin::Pattern(pattern, width, height) => {
-                Ok(Bumps::pattern(pattern, width, height, scale))
+                let wanted = (pattern, width, height);
+                let made = made.filter(|made| (made.pattern, made.width, made.height) == wanted);
+                let made = made.unwrap_or_else(|| pattern.over(width, height));
+                Ok(Bumps::made(&made, scale))
             }
             Origin::Constant(width, height) => Ok(Bumps::constant(width, height)),
         }
