@@ -60,6 +60,7 @@ pub mod outside;
 pub mod picture;
 pub mod report;
 pub mod rtl;
+pub mod scene;
 pub mod schedule;
 pub mod sim;
 mod simd;

@@ -12,7 +12,7 @@ const LAYERS: &[&[&str]] = &[
     &["function", "trig"],
     &["op", "netlist"],
     &["lut"],
-    &["schedule", "picture"],
+    &["schedule", "picture", "scene"],
     &["rtl"],
     &["units"],
     &["sim", "hdl"],

@@ -22,5 +22,6 @@ mod netlist;
 mod op;
 mod rotation;
 mod shading;
+mod scene;
 mod verify;
 mod wave;
