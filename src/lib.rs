@@ -58,6 +58,7 @@ pub mod op;
 pub mod output;
 pub mod outside;
 pub mod picture;
+pub mod render;
 pub mod report;
 pub mod rtl;
 pub mod scene;

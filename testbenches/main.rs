@@ -21,7 +21,7 @@ mod lut;
 mod netlist;
 mod op;
 mod rotation;
-mod shading;
 mod scene;
+mod shading;
 mod verify;
 mod wave;
