@@ -62,6 +62,7 @@ pub mod rtl;
 pub mod schedule;
 pub mod sim;
 mod simd;
+pub mod specialise;
 pub mod sweep;
 pub mod trig;
 pub mod units;

@@ -21,5 +21,6 @@ mod lut;
 mod netlist;
 mod op;
 mod rotation;
+mod specialise;
 mod verify;
 mod wave;
