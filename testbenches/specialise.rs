@@ -567,7 +567,18 @@ fn the_parts_of_an_exact_unit_meet_at_named_ports() {
     let special = check(&netlist, &known, &["sum", "strength"], &mut Random::new(1), 1000).unwrap();
     assert_eq!(special.report.removed_outputs, ["unused"]);
     assert_eq!(special.report.removed_inputs, ["scale"]);
-    expect_test::expect![[r"
-    "]]
+    expect_test::expect![[r#"
+        netlist lit_face
+          %0 = input : s6f3  # light
+          %1 = const -4 : s6f3  # scale
+          %2 = mul %0 %1 : s12f6  # light.strength
+          output light_strength = %2
+        netlist lit_pixel
+          %0 = input : s6f3  # bump
+          %1 = input : s12f6  # light_strength
+          %2 = add %1 %0 : s13f6
+          output sum = %2
+          output strength = %1
+    "#]]
     .assert_eq(&(special.face.unwrap().netlist.to_text() + &special.pixel.netlist.to_text()));
 }

@@ -33,17 +33,15 @@ impl<'a> Rebuild<'a> {
     /// The node as it is.
     pub(super) fn copy(&mut self, id: NodeId) {
         let node = self.old.node(id);
-        match node.op {
-            Op::Input => {
-                let port = self.old.inputs().iter().position(|port| *port == id);
-                let port = port.expect("bug: an input is a port");
-                self.port(id, self.old.input_name(port), self.old_inputs[port]);
-            }
-            Op::Read { table, column } => {
-                let table = self.b.table(self.old.tables()[table.index()].clone());
-                self.simpler(id, Op::Read { table, column }, &node.operands);
-            }
-            op => self.simpler(id, op, &node.operands),
+        if node.op == Op::Input {
+            let port = self.old.inputs().iter().position(|port| *port == id);
+            let port = port.expect("bug: an input is a port");
+            self.port(id, self.old.input_name(port), self.old_inputs[port]);
+        } else if let Op::Read { table, column } = node.op {
+            let table = self.b.table(self.old.tables()[table.index()].clone());
+            self.simpler(id, Op::Read { table, column }, &node.operands);
+        } else {
+            self.simpler(id, node.op, &node.operands);
         }
     }
 
