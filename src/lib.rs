@@ -65,6 +65,7 @@ pub mod scene;
 pub mod schedule;
 pub mod sim;
 mod simd;
+pub mod specialise;
 pub mod sweep;
 pub mod trig;
 pub mod units;

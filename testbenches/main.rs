@@ -23,5 +23,6 @@ mod op;
 mod rotation;
 mod scene;
 mod shading;
+mod specialise;
 mod verify;
 mod wave;
