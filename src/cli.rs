@@ -3,6 +3,7 @@
 mod cost;
 mod demo;
 mod hardware;
+mod render;
 mod text;
 mod verify;
 
@@ -176,6 +177,11 @@ enum Command {
         after_help = "Yosys counts; nextpnr, where it is installed, places and routes the unit between registers.\nWhat counts as what: a CCU2C of ECP5 is two LUTs, an SRL16E of Xilinx one; a RAMB36E1 is two\nblock RAMs (RAMB18E1). The estimate is the one of `fixpath show`.\n\nExamples:\n  fixpath cost rotation\n  fixpath cost rotation -p table_addr_bits=8 --target ice40\n  fixpath cost rotation -p variant=corrected --target ecp5,xilinx --json"
     )]
     Cost(cost::CostArgs),
+    /// Render a scene by pipelines: fixed, golden and difference pictures, and figures.
+    #[command(
+        after_help = "Examples:\n  fixpath render sphere --out sphere\n  fixpath render scene.toml --pipelines exact-polar -p angle_bits=12 -p scheme=linear --out pictures"
+    )]
+    Render(render::RenderArgs),
     /// Measure, waves, hardware and a sweep of built-in settings, in under half a minute.
     #[command(after_help = "Example:\n  fixpath demo --out demo_out")]
     Demo {
@@ -395,6 +401,7 @@ fn run(command: &Command) -> Result<bool> {
             return Ok(agree);
         }
         Command::Cost(args) => print(&cost::run(args)?)?,
+        Command::Render(args) => print(&render::run(args)?)?,
         Command::Demo { out } => return demo::run(out),
     }
     Ok(true)
