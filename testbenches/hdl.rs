@@ -584,7 +584,7 @@ fn ports_may_be_called_as_testbenches_call_things() {
 }
 
 /// Every operation on every pair of some words, each an output.
-fn every_operation() -> Netlist {
+pub(crate) fn every_operation() -> Netlist {
     let mut b = Builder::new("operations");
     let formats = [(true, 4, 1), (false, 5, 2), (true, 3, 0), (false, 4, -1), (true, 1, 0)];
     let inputs: Vec<_> = formats
