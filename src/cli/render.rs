@@ -8,11 +8,14 @@ use crate::output;
 use crate::picture::{
     Amplify, Difference, PIXELS_PER_DEGREE, Panel, absolute_map, sheet, signed_map,
 };
-use crate::render::{Pipeline, Rendered, SpecialisedStage, render, specialise_to};
+use crate::render::{Pipeline, Rendered, Shot, SpecialisedStage, render, specialise_to};
 use crate::scene::{BUILTIN, Scene};
 use clap::Args;
 use serde_json::{Value, json};
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
+
+const DEFAULT_PIPELINES: &str = "printed,corrected,exact-polar,exact-cartesian";
 
 /// Arguments of `fixpath render`.
 #[derive(Args)]
@@ -27,7 +30,7 @@ pub(super) struct RenderArgs {
         long,
         value_name = "NAME,…",
         value_delimiter = ',',
-        default_value = "printed,corrected,exact-polar,exact-cartesian"
+        default_value = DEFAULT_PIPELINES
     )]
     pipelines: Vec<String>,
     /// Set a parameter of every pipeline that has it; those of the material come from the scene.
@@ -45,6 +48,38 @@ pub(super) struct RenderArgs {
     json: bool,
 }
 
+impl RenderArgs {
+    /// A built-in scene with the defaults.
+    pub(super) fn of_builtin(name: &str, out: &Path) -> Self {
+        Self {
+            scene: name.into(),
+            out: out.to_owned(),
+            pipelines: DEFAULT_PIPELINES.split(',').map(str::to_owned).collect(),
+            params: Vec::new(),
+            pixels_per_degree: PIXELS_PER_DEGREE,
+            specialise: false,
+            json: false,
+        }
+    }
+}
+
+/// Renders and writes; returns a row of the demo's table for each pipeline.
+pub(super) fn demo_rows(args: &RenderArgs) -> Result<Vec<String>> {
+    let made = render_and_write(args)?;
+    let value = figures(&made.rendered, &made.differences);
+    output::write_text(&args.out.join("figures.json"), &pretty(&value))?;
+    let row = |(shot, d): (&Shot, &Difference)| {
+        format!(
+            "{} | {} | {} | {:.1} %",
+            shot.pipeline.name,
+            text::number(d.max.difference * 255.0),
+            text::number(d.mean * 255.0),
+            d.srgb8_differing * 100.0
+        )
+    };
+    Ok(made.rendered.shots.iter().zip(&made.differences).map(row).collect())
+}
+
 /// The scene of a name or a file.
 pub(super) fn scene_of(path: &Path) -> Result<Scene> {
     let name = path.to_str().filter(|name| BUILTIN.iter().any(|(known, _)| known == name));
@@ -54,8 +89,16 @@ pub(super) fn scene_of(path: &Path) -> Result<Scene> {
     }
 }
 
-/// Renders and writes; returns what to tell, and false if a specialised pipeline differs.
-pub(super) fn run(args: &RenderArgs) -> Result<(String, bool)> {
+/// A scene, how it was rendered, and how far each pipeline is from the golden.
+struct Made {
+    scene: Scene,
+    pipelines: Vec<Pipeline>,
+    rendered: Rendered,
+    differences: Vec<Difference>,
+}
+
+/// Renders, and writes pictures and figures.
+fn render_and_write(args: &RenderArgs) -> Result<Made> {
     let mut pipelines = Vec::new();
     for name in &args.pipelines {
         if pipelines.iter().any(|known: &Pipeline| known.name == *name) {
@@ -74,6 +117,12 @@ pub(super) fn run(args: &RenderArgs) -> Result<(String, bool)> {
         .map(|shot| Difference::between(&shot.picture, &rendered.golden, args.pixels_per_degree))
         .collect::<Result<Vec<_>>>()?;
     write_pictures(&args.out, &rendered)?;
+    Ok(Made { scene, pipelines, rendered, differences })
+}
+
+/// Renders and writes; returns what to tell, and false if a specialised pipeline differs.
+pub(super) fn run(args: &RenderArgs) -> Result<(String, bool)> {
+    let Made { scene, pipelines, rendered, differences } = render_and_write(args)?;
     let mut value = figures(&rendered, &differences);
     let mut told = table(&rendered, &differences);
     let mut same = true;
@@ -178,7 +227,7 @@ fn write_pictures(out: &Path, rendered: &Rendered) -> Result<()> {
 }
 
 fn figures(rendered: &Rendered, differences: &[Difference]) -> Value {
-    let shot = |(shot, difference): (&crate::render::Shot, &Difference)| {
+    let shot = |(shot, difference): (&Shot, &Difference)| {
         json!({
             "pipeline": shot.pipeline.name,
             "unit": shot.pipeline.unit.name,
@@ -187,6 +236,7 @@ fn figures(rendered: &Rendered, differences: &[Difference]) -> Value {
             "vectors": shot.vectors,
             "overflows": shot.overflows,
             "samples": shot.samples,
+            "engine_samples_per_second_per_thread": shot.samples_per_second(),
         })
     };
     json!({
@@ -196,6 +246,8 @@ fn figures(rendered: &Rendered, differences: &[Difference]) -> Value {
         "height_px": rendered.golden.height_px(),
         "covered_px": rendered.covered,
         "blinn_max": rendered.blinn,
+        "pixels_per_second":
+            cast::f64_of_len(rendered.golden.pixels().len()) / rendered.elapsed.as_secs_f64(),
         "pipelines": rendered.shots.iter().zip(differences).map(shot).collect::<Vec<_>>(),
     })
 }
@@ -244,5 +296,12 @@ fn table(rendered: &Rendered, differences: &[Difference]) -> String {
         ],
         &rows,
     ));
+    let pixels = cast::f64_of_len(rendered.golden.pixels().len());
+    let _ = writeln!(
+        told,
+        "  {:.2} M pixels/s for rays, golden and all pipelines together; Blinn's equation differs from the golden by {} at most",
+        pixels / rendered.elapsed.as_secs_f64() / 1e6,
+        text::number(rendered.blinn)
+    );
     told
 }
