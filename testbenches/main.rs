@@ -24,5 +24,6 @@ mod rotation;
 mod scene;
 mod shading;
 mod specialise;
+mod specialised;
 mod verify;
 mod wave;
