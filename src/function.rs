@@ -36,11 +36,15 @@ pub enum Function {
     Recip,
     /// sqrt(1 + x²), the secant of atan x.
     Secant,
+    /// Square root; 0 below 0.
+    Sqrt,
+    /// 1 / sqrt(x); +infinity at 0 and below.
+    RecipSqrt,
 }
 
 impl Function {
     /// Every function.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 11] = [
         Self::Sin,
         Self::Cos,
         Self::HalfRecipSin,
@@ -50,6 +54,8 @@ impl Function {
         Self::Prop,
         Self::Recip,
         Self::Secant,
+        Self::Sqrt,
+        Self::RecipSqrt,
     ];
 
     /// Name in table names, listings and files.
@@ -65,6 +71,8 @@ impl Function {
             Self::Prop => "prop",
             Self::Recip => "recip",
             Self::Secant => "secant",
+            Self::Sqrt => "sqrt",
+            Self::RecipSqrt => "recip_sqrt",
         }
     }
 
@@ -81,6 +89,8 @@ impl Function {
             Self::Prop => x.clamp(-1.0, 1.0).asin() * (4.0 / TAU),
             Self::Recip => 1.0 / x,
             Self::Secant => x.mul_add(x, 1.0).sqrt(),
+            Self::Sqrt => x.max(0.0).sqrt(),
+            Self::RecipSqrt => 1.0 / x.max(0.0).sqrt(),
         }
     }
 
@@ -93,6 +103,7 @@ impl Function {
             Big::try_from(x).expect("bug: argument is finite").with_precision(BIG_BITS).value()
         };
         let one = || exact(1.0);
+        let root = |big: &Big| dashu_float::ops::SquareRoot::sqrt(big);
         let recip = |big: Big| (big != Big::ZERO).then(|| one() / big);
         match self {
             Self::Sin => Some(exact(x).sin_unit(1)),
@@ -105,8 +116,10 @@ impl Function {
             Self::Recip => recip(exact(x)),
             Self::Secant => {
                 let x = exact(x);
-                Some(dashu_float::ops::SquareRoot::sqrt(&(one() + &x * &x)))
+                Some(root(&(one() + &x * &x)))
             }
+            Self::Sqrt => Some(root(&exact(x.max(0.0)))),
+            Self::RecipSqrt => (x > 0.0).then(|| one() / root(&exact(x))),
         }
     }
 }

@@ -119,9 +119,13 @@ fn quarter_wave_of(function: Function) -> Option<(Function, bool)> {
         Function::Cos => Some((Function::Sin, true)),
         Function::HalfRecipSin => Some((Function::HalfRecipSin, false)),
         Function::HalfRecipCos => Some((Function::HalfRecipSin, true)),
-        Function::Asin | Function::Atan | Function::Prop | Function::Recip | Function::Secant => {
-            None
-        }
+        Function::Asin
+        | Function::Atan
+        | Function::Prop
+        | Function::Recip
+        | Function::Secant
+        | Function::Sqrt
+        | Function::RecipSqrt => None,
     }
 }
 

@@ -122,6 +122,17 @@ pub enum Meaning {
     CosNegative(NodeId),
     /// The angle half a turn on.
     Opposite(NodeId),
+    /// `a / b`; 0/0 is 0, and what is over 0 else is the largest `f64`, as words saturate.
+    Quotient {
+        /// Dividend.
+        a: NodeId,
+        /// Divisor.
+        b: NodeId,
+    },
+    /// Square root; 0 below 0.
+    Root(NodeId),
+    /// 1 / square root; the largest `f64` at 0 and below, as words saturate.
+    RecipRoot(NodeId),
 }
 
 impl Meaning {
@@ -129,12 +140,15 @@ impl Meaning {
     #[must_use]
     pub fn arguments(self) -> [Option<NodeId>; 3] {
         match self {
-            Self::Apply(_, a) | Self::Negative(a) | Self::CosNegative(a) | Self::Opposite(a) => {
-                [Some(a), None, None]
-            }
-            Self::Atan2 { y: a, x: b } | Self::OverTwice { y: a, angle: b, .. } => {
-                [Some(a), Some(b), None]
-            }
+            Self::Apply(_, a)
+            | Self::Negative(a)
+            | Self::CosNegative(a)
+            | Self::Opposite(a)
+            | Self::Root(a)
+            | Self::RecipRoot(a) => [Some(a), None, None],
+            Self::Atan2 { y: a, x: b }
+            | Self::OverTwice { y: a, angle: b, .. }
+            | Self::Quotient { a, b } => [Some(a), Some(b), None],
             Self::Inclination { x, y, z } => [Some(x), Some(y), Some(z)],
         }
     }
@@ -152,6 +166,9 @@ impl Meaning {
             Self::Negative(a) => Self::Negative(new(a)),
             Self::CosNegative(a) => Self::CosNegative(new(a)),
             Self::Opposite(a) => Self::Opposite(new(a)),
+            Self::Quotient { a, b } => Self::Quotient { a: new(a), b: new(b) },
+            Self::Root(a) => Self::Root(new(a)),
+            Self::RecipRoot(a) => Self::RecipRoot(new(a)),
         }
     }
 
@@ -176,6 +193,15 @@ impl Meaning {
             Self::Negative(_) => f64::from(u8::from(a < 0.0)),
             Self::CosNegative(_) => f64::from(u8::from(crate::function::cos_turns(a) < 0.0)),
             Self::Opposite(_) => a + 0.5,
+            Self::Quotient { .. } => {
+                if a == 0.0 {
+                    0.0
+                } else {
+                    (a / b).clamp(-f64::MAX, f64::MAX)
+                }
+            }
+            Self::Root(_) => a.max(0.0).sqrt(),
+            Self::RecipRoot(_) => (1.0 / a.max(0.0).sqrt()).min(f64::MAX),
         }
     }
 }

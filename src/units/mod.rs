@@ -6,7 +6,9 @@
 //! cases and its stated error bound. The command line, the suite, the sweep and
 //! the reports know units only through this table.
 
+mod divide;
 mod polar;
+mod root;
 pub mod rotation;
 
 use crate::error::{Error, Result};
