@@ -184,8 +184,8 @@ impl Cost {
     }
 }
 
-/// How far [`estimate()`] is from Yosys 0.23 at most over the five committed units at their
-/// defaults, in %, in the order of [`Cost::COLUMNS`]; a test measures them again.
+/// How far [`estimate()`] is from Yosys 0.23 at most over the five committed settings of
+/// the rotation unit, in %, in the order of [`Cost::COLUMNS`]; a test measures them again.
 pub const DEVIATIONS: &[(Target, [u32; 4])] = &[
     (Target::Ice40, [10, 2, 0, 0]),
     (Target::Ecp5, [12, 3, 0, 0]),

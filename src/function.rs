@@ -15,6 +15,50 @@ type Big = FBig<HalfEven, 2>;
 /// Bits of the high-precision evaluation; table words have at most 63.
 const BIG_BITS: usize = 160;
 
+/// A finite `f64` that is ordered and can be a key; equal is bit for bit, and there is no -0.
+#[derive(Clone, Copy, Debug)]
+pub struct Number(f64);
+
+impl Number {
+    /// The number.
+    #[must_use]
+    pub fn get(self) -> f64 {
+        self.0
+    }
+}
+
+impl From<f64> for Number {
+    fn from(value: f64) -> Self {
+        Self(value + 0.0) // -0 becomes 0
+    }
+}
+
+impl Ord for Number {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.0.total_cmp(&other.0)
+    }
+}
+
+impl PartialOrd for Number {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Number {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Number {}
+
+impl std::hash::Hash for Number {
+    fn hash<H: std::hash::Hasher>(&self, state: &mut H) {
+        self.0.to_bits().hash(state);
+    }
+}
+
 /// A real function of one variable.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, PartialOrd, Ord)]
 pub enum Function {
@@ -40,11 +84,20 @@ pub enum Function {
     Sqrt,
     /// 1 / sqrt(x); +infinity at 0 and below.
     RecipSqrt,
+    /// `offset + factor * max(0, x)^exponent`, a light table of seed 001; 0^0 is 1.
+    Light {
+        /// Light at 0.
+        offset: Number,
+        /// Light at 1 without it; not negative, as the offset.
+        factor: Number,
+        /// The exponent.
+        exponent: u8,
+    },
 }
 
 impl Function {
-    /// Every function.
-    pub const ALL: [Self; 11] = [
+    /// Every function; of those with parameters, one.
+    pub const ALL: [Self; 12] = [
         Self::Sin,
         Self::Cos,
         Self::HalfRecipSin,
@@ -56,6 +109,7 @@ impl Function {
         Self::Secant,
         Self::Sqrt,
         Self::RecipSqrt,
+        Self::Light { offset: Number(0.1), factor: Number(0.8), exponent: 33 },
     ];
 
     /// Name in table names, listings and files.
@@ -73,6 +127,7 @@ impl Function {
             Self::Secant => "secant",
             Self::Sqrt => "sqrt",
             Self::RecipSqrt => "recip_sqrt",
+            Self::Light { .. } => "light",
         }
     }
 
@@ -91,6 +146,9 @@ impl Function {
             Self::Secant => x.mul_add(x, 1.0).sqrt(),
             Self::Sqrt => x.max(0.0).sqrt(),
             Self::RecipSqrt => 1.0 / x.max(0.0).sqrt(),
+            Self::Light { offset, factor, exponent } => {
+                offset.0 + factor.0 * x.max(0.0).powf(f64::from(exponent))
+            }
         }
     }
 
@@ -120,6 +178,10 @@ impl Function {
             }
             Self::Sqrt => Some(root(&exact(x.max(0.0)))),
             Self::RecipSqrt => (x > 0.0).then(|| one() / root(&exact(x))),
+            Self::Light { offset, factor, exponent } => {
+                let power = exact(x.max(0.0)).powi(exponent.into());
+                Some(exact(offset.0) + exact(factor.0) * power)
+            }
         }
     }
 }

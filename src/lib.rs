@@ -57,6 +57,7 @@ pub mod netlist;
 pub mod op;
 pub mod output;
 pub mod outside;
+pub mod picture;
 pub mod report;
 pub mod rtl;
 pub mod schedule;

@@ -125,7 +125,8 @@ fn quarter_wave_of(function: Function) -> Option<(Function, bool)> {
         | Function::Recip
         | Function::Secant
         | Function::Sqrt
-        | Function::RecipSqrt => None,
+        | Function::RecipSqrt
+        | Function::Light { .. } => None,
     }
 }
 

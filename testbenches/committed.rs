@@ -14,6 +14,8 @@ pub(crate) const COMMITTED: &[(&str, &str, &[&str])] = &[
     ("rotation_exact_polar_table", "rotation", &["output=polar-table"]),
     ("rotation_corrected", "rotation", &["variant=corrected"]),
     ("rotation_printed", "rotation", &["variant=printed"]),
+    ("illumination", "illumination", &[]),
+    ("bump", "bump", &[]),
 ];
 
 /// Netlist, module in both languages and tables go to `hdl_out`, what tests them to a folder of

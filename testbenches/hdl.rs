@@ -544,7 +544,8 @@ fn bad_names_in_every_tool() {
     let words = [
         "wire", "begin", "signal", "entity", "class", "clk", "ce", "rst", "valid_in", "unused",
         "valid", "valid_s1", "valid_s2", "address", "t_row", "names", "do", "priority", "final",
-        "x", "y", "i", "file", "sent", "lfsr",
+        "x", "y", "i", "file", "sent", "lfsr", "vector", "near", "complex", "list", "queue",
+        "mailbox", "linux", "wone", "inherit",
     ];
     let netlist = Arc::new(badly_named(&words));
     PLACES.into_par_iter().for_each(|tables| {
@@ -564,7 +565,8 @@ fn ports_may_be_called_as_testbenches_call_things() {
     let mut b = Builder::new("ports");
     let names = [
         "i", "q", "valid", "number", "expected", "x", "next_x", "port_x", "sent", "dut", "check",
-        "eval", "name", "trace", "random", "head", "pipe", "more",
+        "eval", "name", "trace", "random", "head", "pipe", "more", "vector", "far", "queue",
+        "mailbox", "unix", "errno", "uint8_t", "wreal",
     ];
     let inputs: Vec<_> = names.map(|name| b.input(name, format, Quantity::Number)).to_vec();
     let sum = inputs.iter().copied().reduce(|sum, x| b.add(sum, x)).unwrap();

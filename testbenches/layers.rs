@@ -12,7 +12,7 @@ const LAYERS: &[&[&str]] = &[
     &["function", "trig"],
     &["op", "netlist"],
     &["lut"],
-    &["schedule"],
+    &["schedule", "picture"],
     &["rtl"],
     &["units"],
     &["sim", "hdl"],

@@ -167,7 +167,7 @@ pub(super) fn estimates(rtl: &Arc<Rtl>) -> String {
     ));
     let _ = writeln!(
         text,
-        "  within N % of Yosys {DEVIATIONS_YOSYS} over the committed units; `fixpath cost` asks Yosys itself"
+        "  within N % of Yosys {DEVIATIONS_YOSYS} over the committed rotation units; `fixpath cost` asks Yosys itself"
     );
     text
 }

@@ -43,11 +43,22 @@ const RESERVED: &[&str] = &[
      next of on open others out port postponed procedure process range record register \
      reject rem report restrict_guarantee rol ror select severity signal shared sla sll \
      sra srl subtype then to transport unaffected units variable vmode vprop vunit when",
-    // C++, for harnesses.
-    "asm auto bool catch char compl concept constexpr decltype delete double explicit \
-     float friend goto inline long mutable namespace noexcept nullptr operator private \
-     public requires short sizeof switch template throw try typeid typename using \
-     volatile",
+    // C++, for harnesses, with what g++ defines as macros.
+    "alignas alignof and_eq asm auto bitand bitor bool catch char char8_t char16_t char32_t \
+     co_await co_return co_yield compl concept const_cast consteval constexpr constinit decltype \
+     delete double dynamic_cast errno explicit float friend goto inline int8_t int16_t int32_t \
+     int64_t linux long mutable namespace noexcept not_eq nullptr operator private public \
+     reinterpret_cast requires short size_t sizeof static_assert static_cast switch template \
+     thread_local throw try typeid typename uint8_t uint16_t uint32_t uint64_t unix using \
+     volatile wchar_t xor_eq",
+    // What Verilator warns of besides, as words that are common in C++ and SystemC, and the
+    // classes of SystemVerilog that it takes for keywords.
+    "abort atomic_cancel atomic_commit atomic_noexcept cdecl complex const_iterator \
+     const_reference deque far huge interrupt iterator list mailbox near pascal queue reference \
+     sc_clock sc_in sc_inout sc_out sc_signal semaphore sensitive sensitive_neg sensitive_pos \
+     set stack synchronized transaction_safe transaction_safe_dynamic type_info vector",
+    // Keywords of Icarus and GHDL that are in no standard of theirs that we ask for.
+    "inherit wone wreal",
     // What Verilator's classes have besides ports.
     "contextp eval eval_end_step eval_step name rootp threads trace",
 ];

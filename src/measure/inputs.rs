@@ -97,7 +97,7 @@ impl Inputs {
                 );
                 let mut next =
                     || cast::f64_of(cast::word_of_bits(rng.next_u64() >> 11)) * 2f64.powi(-53);
-                (design.draw)(&design.values, self.sampler, &mut next, columns, count);
+                (design.draw)(design, self.sampler, &mut next, columns, count);
             }
             Sampler::Hard => {
                 let skip = usize::try_from(start).expect("bug: the list is short");

@@ -6,7 +6,11 @@
 //! cases and its stated error bound. The command line, the suite, the sweep and
 //! the reports know units only through this table.
 
+pub mod bump;
 mod divide;
+pub mod fragment;
+pub mod illumination;
+mod plan;
 mod polar;
 mod root;
 pub mod rotation;
@@ -14,6 +18,7 @@ pub mod rotation;
 use crate::error::{Error, Result};
 use crate::format::{Format, Round};
 use crate::function::Function;
+pub use crate::function::Number;
 use crate::lut::{Scheme, Spec};
 use crate::netlist::{Netlist, NodeId};
 use crate::rtl::Rtl;
@@ -23,7 +28,7 @@ use std::fmt;
 use std::sync::Arc;
 
 /// Every unit.
-pub static UNITS: &[&Unit] = &[&rotation::ROTATION];
+pub static UNITS: &[&Unit] = &[&rotation::ROTATION, &illumination::ILLUMINATION, &bump::BUMP];
 
 /// A parameterised datapath.
 #[derive(Debug)]
@@ -181,50 +186,6 @@ pub enum Value {
     Auto,
     /// A name.
     Choice(&'static str),
-}
-
-/// A finite `f64` that is ordered and can be a key; equal is bit for bit, and there is no -0.
-#[derive(Clone, Copy, Debug)]
-pub struct Number(f64);
-
-impl Number {
-    /// The number.
-    #[must_use]
-    pub fn get(self) -> f64 {
-        self.0
-    }
-}
-
-impl From<f64> for Number {
-    fn from(value: f64) -> Self {
-        Self(value + 0.0) // -0 becomes 0
-    }
-}
-
-impl Ord for Number {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        self.0.total_cmp(&other.0)
-    }
-}
-
-impl PartialOrd for Number {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for Number {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Number {}
-
-impl std::hash::Hash for Number {
-    fn hash<H: std::hash::Hasher>(&self, state: &mut H) {
-        self.0.to_bits().hash(state);
-    }
 }
 
 impl fmt::Display for Value {
@@ -493,6 +454,25 @@ impl Group {
     }
 }
 
+impl Group {
+    /// Nodes inside, by their labels.
+    ///
+    /// # Panics
+    /// If there is no node of a label, or not as many as the shape takes: that is wrong code.
+    pub(crate) fn inside(
+        netlist: &Netlist,
+        name: &'static str,
+        shape: Shape,
+        labels: &[&str],
+    ) -> Self {
+        let find = |label: &&str| netlist.ids().find(|id| netlist.label(*id) == **label);
+        let found = labels.iter().map(|label| find(label).expect("bug: a node of this label"));
+        let nodes: Vec<NodeId> = found.collect();
+        assert_eq!(nodes.len(), shape.nodes(), "bug: nodes of `{name}`");
+        Self { name, shape, nodes }
+    }
+}
+
 /// `group_part`, or the one that isn't empty.
 fn prefixed(group: &str, part: &str) -> String {
     match (group, part) {
@@ -539,7 +519,7 @@ pub struct Tabulated {
     /// Name of the table and of its scope.
     pub name: &'static str,
     /// Its functions.
-    pub functions: &'static [Function],
+    pub functions: Vec<Function>,
     /// Scheme.
     pub scheme: Scheme,
     /// Address bits asked for.
@@ -562,7 +542,7 @@ impl Tabulated {
     pub fn spec(&self) -> Spec<'_> {
         Spec {
             name: self.name,
-            functions: self.functions,
+            functions: &self.functions,
             scheme: self.scheme,
             addr_bits: self.addr_bits,
             quarter_wave: self.quarter_wave,
@@ -615,7 +595,7 @@ impl Sampler {
 }
 
 /// Fills one column per input with values drawn from `next`, uniform in 0 to 1.
-pub type Draw = fn(&Values, Sampler, &mut dyn FnMut() -> f64, &mut [Vec<f64>], usize);
+pub type Draw = fn(&Design, Sampler, &mut dyn FnMut() -> f64, &mut [Vec<f64>], usize);
 
 /// A datapath with what it takes to run and judge it.
 #[derive(Debug)]

@@ -7,15 +7,15 @@
 //! - `corrected`: the same tables, multipliers and adders with the identities mended;
 //! - `exact`: the rotation's triple products expanded to sums, one table read per term.
 
+use super::plan::{self, Plan, angle, number, rounding_ulp};
 use super::polar::{self, PolarTables};
 use super::{
-    Bound, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Shape, Tabulated, Unit, Values,
+    Bound, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Shape, Unit, Value, Values,
 };
 use crate::cast;
 use crate::error::Result;
-use crate::format::{Format, Overflow, Round};
+use crate::format::{Format, Overflow};
 use crate::function::Function;
-use crate::lut::{self, Scheme};
 use crate::netlist::{Builder, NodeId, Quantity};
 use crate::op::Meaning;
 use crate::trig::{Real, sin_cos_turns};
@@ -34,8 +34,6 @@ pub static ROTATION: Unit = Unit {
     build,
 };
 
-const TABLE_BITS: Kind = Kind::Int { min: 2, max: 20, auto: Some("table_addr_bits") };
-
 static PARAMS: &[Param] = &[
     Param {
         name: "variant",
@@ -49,135 +47,30 @@ static PARAMS: &[Param] = &[
         default: "auto",
         help: "form of the result; auto is cartesian for exact, and the seed's own polar form for the others",
     },
-    Param {
-        name: "angle_bits",
-        kind: Kind::Int { min: 2, max: 24, auto: None },
-        default: "16",
-        help: "bits of every angle port; a word counts 2^-angle_bits turns",
-    },
-    Param {
-        name: "table_addr_bits",
-        kind: Kind::Int { min: 2, max: 20, auto: None },
-        default: "10",
-        help: "address bits of every table that has none of its own",
-    },
-    Param {
-        name: "scheme",
-        kind: Kind::Choice(&["direct", "linear", "bipartite"]),
-        default: "direct",
-        help: "how tables approximate: one word per cell, base + slope, or two tables added",
-    },
-    Param {
-        name: "quarter_wave",
-        kind: Kind::Choice(&["off", "on"]),
-        default: "off",
-        help: "store a quarter turn of sin, cos and their reciprocals and fold",
-    },
-    Param {
-        name: "frac_bits",
-        kind: Kind::Int { min: 2, max: 32, auto: None },
-        default: "16",
-        help: "fraction bits of the components x, y, z",
-    },
+    plan::ANGLE_BITS,
+    plan::TABLE_ADDR_BITS,
+    plan::SCHEME,
+    plan::QUARTER_WAVE,
+    plan::FRAC_BITS,
     Param {
         name: "int_bits",
         kind: Kind::Int { min: 0, max: 1, auto: None },
         default: "1",
         help: "integer bits of the components; 1 gives 1.0 a code, 0 saves a bit and 1.0 overflows",
     },
-    Param {
-        name: "guard_bits",
-        kind: Kind::Int { min: 0, max: 8, auto: None },
-        default: "2",
-        help: "extra fraction bits inside",
-    },
-    Param {
-        name: "rounding",
-        kind: Kind::Choice(&["floor", "toward-zero", "half-up", "half-away", "half-even"]),
-        default: "half-up",
-        help: "rounding wherever bits are dropped",
-    },
-    Param {
-        name: "overflow",
-        kind: Kind::Choice(&["wrap", "saturate", "symmetric", "error"]),
-        default: "saturate",
-        help: "overflow of the components x, y, z (cartesian); everything inside saturates",
-    },
-    Param {
-        name: "sincos_addr_bits",
-        kind: TABLE_BITS,
-        default: "auto",
-        help: "address bits of the sin & cos table",
-    },
-    Param {
-        name: "asin_addr_bits",
-        kind: TABLE_BITS,
-        default: "auto",
-        help: "address bits of the asin table (printed, corrected)",
-    },
-    Param {
-        name: "recip_addr_bits",
-        kind: TABLE_BITS,
-        default: "auto",
-        help: "address bits of the reciprocal tables",
-    },
-    Param {
-        name: "atan_addr_bits",
-        kind: TABLE_BITS,
-        default: "auto",
-        help: "address bits of the atan table",
-    },
-    Param {
-        name: "prop_addr_bits",
-        kind: TABLE_BITS,
-        default: "auto",
-        help: "address bits of T_prop (printed, corrected)",
-    },
-    Param {
-        name: "recip_int_bits",
-        kind: Kind::Int { min: 1, max: 16, auto: None },
-        default: "8",
-        help: "1/(2 sin Z) and 1/(2 cos Z) saturate at 2^recip_int_bits (printed, corrected)",
-    },
-    Param {
-        name: "atan_int_bits",
-        kind: Kind::Int {
-            min: 1,
-            max: 14,
-            auto: Some("what balances its cells against its end, for its size and scheme"),
-        },
-        default: "auto",
-        help: "the index of the atan table, tan phi', saturates at 2^atan_int_bits (printed, corrected)",
-    },
-    Param {
-        name: "quadrants",
-        kind: Kind::Choice(&["full", "half"]),
-        default: "full",
-        help: "phi' over the full circle, or plain atan as eq (9) is printed (printed, corrected)",
-    },
-    Param {
-        name: "cordic_iterations",
-        kind: Kind::Int { min: 1, max: 40, auto: Some("frac_bits + guard_bits") },
-        default: "auto",
-        help: "steps of each CORDIC (polar-cordic)",
-    },
+    plan::GUARD_BITS,
+    plan::ROUNDING,
+    plan::OVERFLOW,
+    plan::SINCOS_ADDR_BITS,
+    plan::ASIN_ADDR_BITS,
+    plan::RECIP_ADDR_BITS,
+    plan::ATAN_ADDR_BITS,
+    plan::PROP_ADDR_BITS,
+    plan::RECIP_INT_BITS,
+    plan::ATAN_INT_BITS,
+    plan::QUADRANTS,
+    plan::CORDIC_ITERATIONS,
 ];
-
-/// Parameters in the form that the netlist is written in.
-struct Plan<'a> {
-    values: &'a Values,
-    angle_bits: u32,
-    /// Fraction bits of components inside.
-    work_bits: u32,
-    /// Fraction bits of angles inside.
-    work_angle_bits: u32,
-    frac_bits: u32,
-    scheme: Scheme,
-    quarter_wave: bool,
-    round: Round,
-    overflow: Overflow,
-    tabulated: Vec<Tabulated>,
-}
 
 fn build(values: &Values) -> Result<Design> {
     let variant = values.choice("variant");
@@ -191,31 +84,25 @@ fn build(values: &Values) -> Result<Design> {
             );
         }
     };
-    let named = |name: &str| values.choice(name);
-    let scheme = Scheme::ALL.iter().find(|scheme| scheme.name() == named("scheme"));
-    let guard_bits = values.bits("guard_bits");
-    let mut plan = Plan {
-        values,
-        angle_bits: values.bits("angle_bits"),
-        work_bits: values.bits("frac_bits") + guard_bits,
-        work_angle_bits: values.bits("angle_bits") + guard_bits,
-        frac_bits: values.bits("frac_bits"),
-        scheme: *scheme.expect("bug: every choice is a scheme"),
-        quarter_wave: named("quarter_wave") == "on",
-        round: named("rounding").parse()?,
-        overflow: named("overflow").parse()?,
-        tabulated: Vec::new(),
-    };
+    let mut plan = Plan::new(values)?;
     let mut b = Builder::new("rotation");
     let turn = Format::turns(plan.angle_bits)?;
     let inputs =
         ["phi_a", "theta_a", "phi_n", "theta_n"].map(|name| b.input(name, turn, Quantity::Turns));
-    if variant == "exact" {
-        exact(&mut b, &mut plan, inputs, output)?;
-    } else {
-        seed(&mut b, &mut plan, inputs, variant == "corrected")?;
+    let overflow: Overflow = values.choice("overflow").parse()?;
+    let form = match output {
+        "cartesian" => {
+            let format = number(values.bits("int_bits"), plan.frac_bits)?;
+            Form::Cartesian { format, overflow }
+        }
+        "polar-cordic" => Form::PolarCordic,
+        _ => Form::PolarTable,
+    };
+    let names: &[&str] = if output == "cartesian" { &["x", "y", "z"] } else { &["phi", "theta"] };
+    for (name, node) in names.iter().zip(rotate(&mut b, &mut plan, variant, form, inputs)?) {
+        b.output(name, node);
     }
-    let (tabulated, overflow) = (plan.tabulated, plan.overflow);
+    let tabulated = plan.tabulated;
     let netlist = b.build()?;
     let wraps =
         values.bits("int_bits") == 0 && matches!(overflow, Overflow::Wrap | Overflow::Error);
@@ -254,92 +141,44 @@ fn build(values: &Values) -> Result<Design> {
     })
 }
 
-/// Signed numbers below 2^int_bits with `frac_bits` fraction bits.
-fn number(int_bits: u32, frac_bits: u32) -> Result<Format> {
-    Format::signed(int_bits + frac_bits + 1, cast::signed_count(frac_bits))
+/// Form of a rotated direction.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Form {
+    /// x, y, z.
+    Cartesian {
+        /// Format of each.
+        format: Format,
+        /// What becomes of components past it.
+        overflow: Overflow,
+    },
+    /// phi, theta of x, y, z by CORDIC.
+    PolarCordic,
+    /// phi, theta of x, y, z by tables; also the form in which the seed's variants come.
+    PolarTable,
 }
 
-impl Plan<'_> {
-    /// Tabulates functions of `argument`; the table's size comes from `<size>_addr_bits`.
-    fn table(
-        &mut self,
-        b: &mut Builder,
-        name: &'static str,
-        size: &str,
-        functions: &'static [Function],
-        argument: NodeId,
-        output: Format,
-    ) -> Vec<NodeId> {
-        let tabulated = self.tabulate(name, size, functions, 0.0, output, b.format(argument));
-        lut::emit(b, &tabulated.spec(), argument)
+/// Rotates a direction: phi_a, theta_a, phi_n, theta_n to x, y, z or phi, theta in the words of
+/// ports. The seed's variants have no form but the polar one.
+pub(super) fn rotate(
+    b: &mut Builder,
+    plan: &mut Plan<'_>,
+    variant: &str,
+    form: Form,
+    inputs: [NodeId; 4],
+) -> Result<Vec<NodeId>> {
+    match variant {
+        "exact" => exact(b, plan, inputs, form),
+        variant => seed(b, plan, inputs, variant == "corrected"),
     }
-
-    fn tabulate(
-        &mut self,
-        name: &'static str,
-        size: &str,
-        functions: &'static [Function],
-        origin: f64,
-        output: Format,
-        argument: Format,
-    ) -> Tabulated {
-        let addr_bits = match self.values.int(size) {
-            Some(bits) => u32::try_from(bits).expect("bug: counts of bits are small"),
-            None => self.values.bits("table_addr_bits"),
-        };
-        let tabulated = Tabulated {
-            name,
-            functions,
-            scheme: self.scheme,
-            addr_bits,
-            quarter_wave: self.quarter_wave,
-            origin,
-            output,
-            round: self.round,
-            argument,
-        };
-        if self.tabulated.iter().all(|known| known.name != name) {
-            self.tabulated.push(tabulated.clone());
-        }
-        tabulated
-    }
-
-    /// sin and cos of an angle.
-    fn sincos(&mut self, b: &mut Builder, angle: NodeId) -> Result<(NodeId, NodeId)> {
-        let output = number(1, self.work_bits)?; // -2 to 2: 1.0 has a code
-        let functions = &[Function::Sin, Function::Cos];
-        let pair = self.table(b, "sincos", "sincos_addr_bits", functions, angle, output);
-        Ok((pair[0], pair[1]))
-    }
-
-    /// An angle inside, rounded to the port's bits, modulo a turn.
-    fn angle_out(&self, b: &mut Builder, name: &str, angle: NodeId) -> Result<()> {
-        let format = b.format(angle);
-        let int_bits = u32::try_from(format.int_bits().max(0)).expect("bug: not negative");
-        // One more whole bit, so that rounding up past the top is no overflow but the next turn.
-        let wide = Format::new(
-            format.is_signed(),
-            int_bits + 1 + u32::from(format.is_signed()) + self.angle_bits,
-            cast::signed_count(self.angle_bits),
-        )?;
-        let rounded = b.narrow(angle, wide, self.round, Overflow::Saturate);
-        let word = b.modulo(rounded, Format::turns(self.angle_bits)?);
-        b.turns(word);
-        b.name(word, name);
-        b.output(name, word);
-        Ok(())
-    }
-}
-
-/// Sum or difference of angles, modulo a turn.
-fn angle(b: &mut Builder, name: &str, exact: NodeId, format: Format) -> NodeId {
-    let word = b.modulo(exact, format);
-    b.turns(word);
-    b.name(word, name)
 }
 
 /// Variant `exact`: every product of sines and cosines as a sum of sines or cosines.
-fn exact(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], output: &str) -> Result<()> {
+fn exact(
+    b: &mut Builder,
+    plan: &mut Plan<'_>,
+    inputs: [NodeId; 4],
+    form: Form,
+) -> Result<Vec<NodeId>> {
     let [phi_a, theta_a, phi_n, theta_n] = inputs;
     let turn = Format::turns(plan.angle_bits)?;
     let [big_y, big_x, xp, xm, yp, ym, ap, am] = b.scope("angles", |b| {
@@ -401,21 +240,19 @@ fn exact(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], output: &str
         let z = b.add(quarter_z, half_z);
         [b.name(x, "x_sum"), b.name(y, "y_sum"), b.name(z, "z_sum")]
     });
-    if output == "cartesian" {
-        let format = number(plan.values.bits("int_bits"), plan.frac_bits)?;
-        for (name, node) in [("x", x), ("y", y), ("z", z)] {
-            let word = b.narrow(node, format, plan.round, plan.overflow);
-            b.name(word, name);
-            b.output(name, word);
-        }
-        return Ok(());
+    if let Form::Cartesian { format, overflow } = form {
+        let word = |(name, node)| {
+            let word = b.narrow(node, format, plan.round, overflow);
+            b.name(word, name)
+        };
+        return Ok([("x", x), ("y", y), ("z", z)].map(word).to_vec());
     }
     let component = number(1, plan.work_bits)?;
     let [x, y, z] = [("x", x), ("y", y), ("z", z)].map(|(name, node)| {
         let word = b.narrow(node, component, plan.round, Overflow::Saturate);
         b.name(word, name)
     });
-    let (phi, theta) = if output == "polar-cordic" {
+    let (phi, theta) = if matches!(form, Form::PolarCordic) {
         let iterations = cordic_iterations(plan.values);
         let work_bits = polar::cordic_frac_bits(plan.work_bits, iterations);
         let angle_bits = polar::cordic_frac_bits(plan.work_angle_bits, iterations);
@@ -460,8 +297,7 @@ fn exact(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], output: &str
     };
     b.means(phi, Meaning::Atan2 { y, x });
     b.means(theta, Meaning::Inclination { x, y, z });
-    plan.angle_out(b, "phi", phi)?;
-    plan.angle_out(b, "theta", theta)
+    Ok(vec![plan.angle_word(b, "phi", phi)?, plan.angle_word(b, "theta", theta)?])
 }
 
 /// Integer bits of the atan table's index. Past 2^k it is off by 2^-k rad; with 2^a cells over
@@ -486,7 +322,12 @@ fn cordic_iterations(values: &Values) -> u32 {
 }
 
 /// Variants `printed` and `corrected`: Fig. 7 with 6 tables, 3 multipliers, 8 adders.
-fn seed(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], corrected: bool) -> Result<()> {
+fn seed(
+    b: &mut Builder,
+    plan: &mut Plan<'_>,
+    inputs: [NodeId; 4],
+    corrected: bool,
+) -> Result<Vec<NodeId>> {
     let [phi_a, theta_a, phi_n, theta_n] = inputs;
     let (work, work_angle) = (plan.work_bits, plan.work_angle_bits);
     let full_circle = plan.values.choice("quadrants") == "full";
@@ -609,29 +450,30 @@ fn seed(b: &mut Builder, plan: &mut Plan<'_>, inputs: [NodeId; 4], corrected: bo
     let rest = b.sub(quarter, distance);
     let part = b.mul(rest, prop);
     let theta = b.add(distance, part);
-    plan.angle_out(b, "phi", phi)?;
-    plan.angle_out(b, "theta", theta)
+    Ok(vec![plan.angle_word(b, "phi", phi)?, plan.angle_word(b, "theta", theta)?])
 }
 
 /// |x', y', z'| each: the terms' weights add up to 2, so twice the table's worst error, and
 /// the last rounding.
-fn component_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
+pub(super) fn component_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
     let ulp = 2f64.powi(-cast::signed_count(values.bits("frac_bits")));
     // Without an integer bit, 1.0 saturates one ulp lower.
-    let saturation = if values.bits("int_bits") == 0 { ulp } else { 0.0 };
+    let saturation = if has_int_bit(values) { 0.0 } else { ulp };
     2.0 * worst("sincos") + rounding_ulp(values) * ulp + saturation
 }
 
-/// Largest error of one rounding in ulp.
-fn rounding_ulp(values: &Values) -> f64 {
-    match values.choice("rounding") {
-        "floor" | "toward-zero" => 1.0,
-        _ => 0.5,
-    }
+fn angle_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
+    polar_bound(values, worst, values.choice("output") == "polar-cordic")
 }
 
-/// Angle between vectors in rad: the components' error, then the conversion's.
-fn angle_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
+/// True unless the components have no integer bit; only the rotation unit alone lets one choose.
+fn has_int_bit(values: &Values) -> bool {
+    values.iter().all(|(name, value)| name != "int_bits" || value != Value::Int(0))
+}
+
+/// Angle between vectors in rad of variant `exact` in a polar form: the components' error, then
+/// the conversion's.
+pub(super) fn polar_bound(values: &Values, worst: &dyn Fn(&str) -> f64, cordic: bool) -> f64 {
     let ulp = |bits: u32| 2f64.powi(-cast::signed_count(bits));
     let guard_bits = values.bits("guard_bits");
     let work_ulp = ulp(values.bits("frac_bits") + guard_bits);
@@ -650,7 +492,7 @@ fn angle_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
     // For the polar angle s is the vector's length; for the azimuth it is sin theta times that, but
     // the azimuth turns the vector by sin theta times as much only: by twice `plane` at most.
     let turned = |plane: f64| (plane / length).min(1.0).asin();
-    let (azimuth, polar) = if values.choice("output") == "polar-cordic" {
+    let (azimuth, polar) = if cordic {
         // x, y and the angle keep `cordic_frac_bits`, so all dropped bits stay below one ulp of
         // what they stand for. The last step leaves at most its own angle undone.
         let iterations = cordic_iterations(values);
@@ -703,7 +545,7 @@ fn golden<F: Real>(_: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
 
 /// Directions A and N uniform on the sphere; on the lit side, A is mirrored where N·A < 0.
 fn draw(
-    _: &Values,
+    _: &Design,
     sampler: Sampler,
     next: &mut dyn FnMut() -> f64,
     columns: &mut [Vec<f64>],

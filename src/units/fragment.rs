@@ -1,0 +1,183 @@
+//! A shading point as real numbers, and what each input port of a shading unit gets of it.
+//!
+//! Ports are known by name, so a front end can feed any unit that has some of these:
+//!
+//! - `phi_V`, `theta_V` and `V_x`, `V_y`, `V_z` for a vector V in polar or Cartesian form: `l`
+//!   the light, `h` the halfway vector, `n` the normal, `t` the tangent, `b` the binormal N × T,
+//!   all in the world; `lt`, `ht` the first two in the texture frame (T, B, N); `p` the perturbed
+//!   normal in the texture frame;
+//! - `psi`: the angle about N from the frame of N's own polar form (T along growing theta, B along
+//!   growing phi) to the texture frame.
+//!
+//! Angles are in turns; at a pole phi is 0, and psi suits that.
+
+use super::{Design, Sampler};
+use glam::DVec3;
+use std::f64::consts::TAU;
+
+/// A shading point: unit vectors.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Fragment {
+    /// The surface normal in the world.
+    pub normal: DVec3,
+    /// The direction in which the texture's u grows, at a right angle to the normal.
+    pub tangent: DVec3,
+    /// The direction to the light in the world.
+    pub light: DVec3,
+    /// The direction halfway between light and eye in the world.
+    pub half: DVec3,
+    /// The perturbed normal in the frame (T, N × T, N).
+    pub perturbed: DVec3,
+}
+
+/// Azimuth and polar angle in turns, 0 to 1 and 0 to ½.
+#[must_use]
+pub fn polar(v: DVec3) -> (f64, f64) {
+    let phi = v.y.atan2(v.x) / TAU;
+    (if phi < 0.0 { phi + 1.0 } else { phi }, v.x.hypot(v.y).atan2(v.z) / TAU)
+}
+
+impl Fragment {
+    /// Value of an input port; `None` for a name that means nothing here.
+    #[must_use]
+    pub fn port(&self, name: &str) -> Option<f64> {
+        if name == "psi" {
+            return Some(self.psi());
+        }
+        if let Some(v) = name.strip_prefix("phi_") {
+            return self.vector(v).map(|v| polar(v).0);
+        }
+        if let Some(v) = name.strip_prefix("theta_") {
+            return self.vector(v).map(|v| polar(v).1);
+        }
+        let (v, axis) = name.rsplit_once('_')?;
+        let v = self.vector(v)?;
+        match axis {
+            "x" => Some(v.x),
+            "y" => Some(v.y),
+            "z" => Some(v.z),
+            _ => None,
+        }
+    }
+
+    fn vector(&self, name: &str) -> Option<DVec3> {
+        let binormal = || self.normal.cross(self.tangent);
+        let in_frame =
+            |v: DVec3| DVec3::new(v.dot(self.tangent), v.dot(binormal()), v.dot(self.normal));
+        match name {
+            "l" => Some(self.light),
+            "h" => Some(self.half),
+            "n" => Some(self.normal),
+            "t" => Some(self.tangent),
+            "b" => Some(binormal()),
+            "p" => Some(self.perturbed),
+            "lt" => Some(in_frame(self.light)),
+            "ht" => Some(in_frame(self.half)),
+            _ => None,
+        }
+    }
+
+    fn psi(&self) -> f64 {
+        let n = self.normal;
+        let across = n.x.hypot(n.y);
+        let (cos, sin) = if across == 0.0 { (1.0, 0.0) } else { (n.x / across, n.y / across) };
+        let along_theta = DVec3::new(n.z * cos, n.z * sin, -across);
+        let along_phi = DVec3::new(-sin, cos, 0.0);
+        let turns = self.tangent.dot(along_phi).atan2(self.tangent.dot(along_theta)) / TAU;
+        if turns < 0.0 { turns + 1.0 } else { turns }
+    }
+
+    /// A random one: N, T and the vector to the eye uniform, the eye before the surface; the light
+    /// before it too where `lit`; slopes of the perturbed normal uniform in ±1.
+    fn random(lit: bool, next: &mut dyn FnMut() -> f64) -> Self {
+        let mut sphere = || {
+            let (z, turns) = (1.0 - 2.0 * next(), next());
+            let (sin, cos) = (turns * TAU).sin_cos();
+            let across = (1.0 - z * z).sqrt();
+            DVec3::new(across * cos, across * sin, z)
+        };
+        let before = |v: DVec3, n: DVec3| if v.dot(n) < 0.0 { -v } else { v };
+        let (normal, other, light, eye) = (sphere(), sphere(), sphere(), sphere());
+        let light = if lit { before(light, normal) } else { light };
+        let eye = before(eye, normal);
+        // Parallel or opposite vectors are as likely as two equal floats.
+        let tangent = normal.cross(other).normalize_or(normal.any_orthonormal_vector());
+        let slopes = [2.0 * next() - 1.0, 2.0 * next() - 1.0];
+        Self {
+            normal,
+            tangent,
+            light,
+            half: (light + eye).normalize_or(normal),
+            perturbed: DVec3::new(slopes[0], slopes[1], 1.0).normalize(),
+        }
+    }
+}
+
+/// Fills the input ports of a shading unit with random shading points.
+///
+/// # Panics
+/// If a port's name means nothing here: that is wrong code.
+pub(super) fn draw(
+    design: &Design,
+    sampler: Sampler,
+    next: &mut dyn FnMut() -> f64,
+    columns: &mut [Vec<f64>],
+    count: usize,
+) {
+    columns.iter_mut().for_each(Vec::clear);
+    for _ in 0..count {
+        let fragment = Fragment::random(sampler == Sampler::Lit, next);
+        for (port, column) in columns.iter_mut().enumerate() {
+            let value = fragment.port(design.netlist.input_name(port));
+            column.push(value.expect("bug: ports of shading units are those of fragments"));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn random(count: usize) -> Vec<Fragment> {
+        let mut state = 1u64;
+        let mut next = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            f64::from(u32::try_from(state >> 32).unwrap()) / 2f64.powi(32)
+        };
+        (0..count).map(|_| Fragment::random(true, &mut next)).collect()
+    }
+
+    /// Rotating by -phi_n about z, -theta_n about y and -psi about z takes T, B, N to x, y, z.
+    #[test]
+    fn psi_completes_the_polar_rotation_to_the_texture_frame() {
+        let mut all = random(200);
+        for normal in [DVec3::Z, DVec3::NEG_Z, DVec3::X] {
+            for tangent in [DVec3::Y, DVec3::new(0.0, -0.6, 0.8), DVec3::new(0.8, 0.6, 0.0)] {
+                let tangent = (tangent - normal * tangent.dot(normal)).normalize();
+                all.push(Fragment { normal, tangent, ..all[0] });
+            }
+        }
+        for fragment in all {
+            let port = |name| fragment.port(name).unwrap() * TAU;
+            let turn = glam::DMat3::from_rotation_z(-port("psi"))
+                * glam::DMat3::from_rotation_y(-port("theta_n"))
+                * glam::DMat3::from_rotation_z(-port("phi_n"));
+            let binormal = fragment.normal.cross(fragment.tangent);
+            for (v, axis) in
+                [(fragment.tangent, DVec3::X), (binormal, DVec3::Y), (fragment.normal, DVec3::Z)]
+            {
+                assert!((turn * v - axis).length() < 1e-12, "{fragment:?}: {}", turn * v);
+            }
+            let lt = ["lt_x", "lt_y", "lt_z"].map(|name| fragment.port(name).unwrap());
+            assert!((turn * fragment.light - DVec3::from(lt)).length() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn names_that_mean_nothing() {
+        let fragment = random(1)[0];
+        for name in ["", "x", "l", "l_w", "phi", "phi_q", "q_x", "psi_n"] {
+            assert_eq!(fragment.port(name), None, "{name}");
+        }
+    }
+}

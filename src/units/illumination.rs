@@ -1,0 +1,613 @@
+//! The illumination unit of seed 001, section 4.2 and Fig. 8: two dot products and light tables.
+//!
+//! From L', H' and the perturbed normal N', all in the texture frame, to the light of a pixel:
+//! `diffuse = ka + kd max(0, N'·L')`, `specular = ks max(0, N'·H')^n`, and their sum. Variants:
+//!
+//! - `printed`: eqs (24), (25) letter for letter, whose second bracket has the wrong sign;
+//! - `corrected`: with that sign mended: 3 cosines and 1 multiplier a dot product;
+//! - `kim`: eqs (3), (4), as Kim et al. 2001: 5 sines and cosines and 3 multipliers;
+//! - `cartesian`: the plain dot product of components, 3 multipliers.
+//!
+//! A rounded dot product can pass 1, so it has a guard bit, and saturates where it indexes a light
+//! table. Where it is negative there is ambient light alone.
+
+use super::plan::{self, Plan, angle, number, rounding_ulp, scheme_of};
+use super::{
+    Bound, Bounds, Design, Group, HardCase, Kind, Param, Shape, Tabulated, Unit, Values, fragment,
+};
+use crate::cast;
+use crate::error::Result;
+use crate::format::{Format, Overflow, Round, quantize};
+use crate::function::Function;
+use crate::lut;
+use crate::netlist::{Builder, Netlist, NodeId, Quantity};
+use crate::op::Meaning;
+use crate::trig::Real;
+use std::sync::Arc;
+
+/// The unit.
+pub static ILLUMINATION: Unit = Unit {
+    name: "illumination",
+    summary: "light of a pixel from light, halfway and perturbed normal vector in the texture frame",
+    source: "seed 001 (Lee et al.), sections 3.2 and 4.2, Fig. 8; variant kim: its eqs (3) and (4)",
+    params: PARAMS,
+    golden_params: &["variant", "highlight", "ambient", "diffuse", "specular", "exponent"],
+    inputs: "phi_lt, theta_lt, phi_ht, theta_ht, phi_p, theta_p: angles; or lt_x, lt_y, lt_z and so on (variant=cartesian)",
+    outputs: "intensity, diffuse (with the ambient light), specular: 0 to 1",
+    build,
+};
+
+static PARAMS: &[Param] = &[
+    Param {
+        name: "variant",
+        kind: Kind::Choice(&["printed", "corrected", "kim", "cartesian"]),
+        default: "corrected",
+        help: "(24) and (25) letter for letter, mended, Kim's (3) and (4), or the dot product of components",
+    },
+    plan::ANGLE_BITS,
+    plan::TABLE_ADDR_BITS,
+    plan::SCHEME,
+    plan::QUARTER_WAVE,
+    plan::FRAC_BITS,
+    plan::GUARD_BITS,
+    plan::ROUNDING,
+    plan::SINCOS_ADDR_BITS,
+    COS_ADDR_BITS,
+    HIGHLIGHT,
+    DIFFUSE_ADDR_BITS,
+    SPECULAR_ADDR_BITS,
+    LIGHT_SCHEME,
+    LIGHT_BITS,
+    AMBIENT,
+    DIFFUSE,
+    SPECULAR,
+    EXPONENT,
+];
+
+pub(super) const COS_ADDR_BITS: Param = Param {
+    name: "cos_addr_bits",
+    kind: Kind::Int { min: 2, max: 20, auto: Some("table_addr_bits") },
+    default: "auto",
+    help: "address bits of the cos table of the dot products",
+};
+
+pub(super) const HIGHLIGHT: Param = Param {
+    name: "highlight",
+    kind: Kind::Choice(&["on", "off"]),
+    default: "on",
+    help: "off leaves out the halfway vector and all that comes of it",
+};
+
+pub(super) const DIFFUSE_ADDR_BITS: Param = Param {
+    name: "diffuse_addr_bits",
+    kind: Kind::Int { min: 2, max: 20, auto: None },
+    default: "10",
+    help: "address bits of the diffuse light table",
+};
+
+pub(super) const SPECULAR_ADDR_BITS: Param = Param {
+    name: "specular_addr_bits",
+    kind: Kind::Int { min: 2, max: 20, auto: None },
+    default: "10",
+    help: "address bits of the specular light table",
+};
+
+pub(super) const LIGHT_SCHEME: Param = Param {
+    name: "light_scheme",
+    kind: Kind::Choice(&["direct", "linear", "bipartite"]),
+    default: "direct",
+    help: "how the light tables approximate; sharp highlights ask for linear",
+};
+
+pub(super) const LIGHT_BITS: Param = Param {
+    name: "light_bits",
+    kind: Kind::Int { min: 2, max: 24, auto: None },
+    default: "16",
+    help: "bits of the light tables' words and of the light; all of them fraction bits",
+};
+
+pub(super) const AMBIENT: Param = Param {
+    name: "ambient",
+    kind: Kind::Real { min: 0.0, max: 1.0 },
+    default: "0.1",
+    help: "ambient light, Ia ka",
+};
+
+pub(super) const DIFFUSE: Param = Param {
+    name: "diffuse",
+    kind: Kind::Real { min: 0.0, max: 1.0 },
+    default: "0.6",
+    help: "light by the diffuse reflection of a surface that faces it, Ii kd",
+};
+
+pub(super) const SPECULAR: Param = Param {
+    name: "specular",
+    kind: Kind::Real { min: 0.0, max: 1.0 },
+    default: "0.3",
+    help: "light in the middle of the highlight, Ii ks",
+};
+
+pub(super) const EXPONENT: Param = Param {
+    name: "exponent",
+    kind: Kind::Int { min: 0, max: 255, auto: None },
+    default: "32",
+    help: "exponent n of the specular reflection",
+};
+
+/// N'·A of polar forms; a word of `frac_bits` fraction bits between -2 and 2.
+pub(super) fn polar_dot(
+    b: &mut Builder,
+    plan: &mut Plan<'_>,
+    variant: &str,
+    name: &str,
+    [phi_a, theta_a]: [NodeId; 2],
+    [phi_p, theta_p]: [NodeId; 2],
+) -> Result<NodeId> {
+    let turn = Format::turns(plan.angle_bits)?;
+    let dot = b.scope(name, |b| -> Result<NodeId> {
+        let delta = b.sub(phi_a, phi_p);
+        let delta = angle(b, "delta", delta, turn);
+        if variant == "kim" {
+            let (_, cos_delta) = plan.sincos(b, delta)?;
+            let ((sin_a, cos_a), (sin_p, cos_p)) =
+                (plan.sincos(b, theta_a)?, plan.sincos(b, theta_p)?);
+            let along = b.mul(cos_a, cos_p); // -1 to 1 but for table error
+            let across = b.mul(sin_a, sin_p);
+            let across =
+                b.narrow(across, number(2, plan.work_bits)?, plan.round, Overflow::Saturate);
+            let across = b.mul(across, cos_delta);
+            return Ok(b.add(along, across));
+        }
+        let sum = b.add(theta_a, theta_p);
+        let sum = angle(b, "sum", sum, turn);
+        let difference = b.sub(theta_a, theta_p);
+        let difference = angle(b, "difference", difference, turn);
+        let mut cos = |b: &mut Builder, angle, name| -> Result<NodeId> {
+            let output = number(1, plan.work_bits)?;
+            let cos = plan.table(b, "cos", "cos_addr_bits", &[Function::Cos], angle, output)[0];
+            Ok(b.name(cos, name))
+        };
+        let cos_sum = cos(b, sum, "cos_sum")?;
+        let cos_difference = cos(b, difference, "cos_difference")?;
+        let cos_delta = cos(b, delta, "cos_delta")?;
+        let along = b.add(cos_sum, cos_difference); // twice cos theta_a cos theta_p
+        let along = b.shift(along, -1);
+        // Twice sin theta_a sin theta_p; as printed, with the opposite sign.
+        let across = if variant == "printed" {
+            b.sub(cos_sum, cos_difference)
+        } else {
+            b.sub(cos_difference, cos_sum)
+        };
+        let across = b.shift(across, -1);
+        let across = b.mul(across, cos_delta);
+        Ok(b.add(along, across))
+    })?;
+    // Below 1.5 in magnitude whatever the tables' sizes, but for `printed`.
+    Ok(b.narrow(dot, number(1, plan.frac_bits)?, plan.round, Overflow::Saturate))
+}
+
+/// The dot product of components of one format; exact up to its last place.
+pub(super) fn cartesian_dot(
+    b: &mut Builder,
+    plan: &Plan<'_>,
+    name: &str,
+    u: [NodeId; 3],
+    v: [NodeId; 3],
+) -> Result<NodeId> {
+    let sum = b.scope(name, |b| {
+        let [x, y, z] = [0, 1, 2].map(|axis| b.mul(u[axis], v[axis]));
+        let sum = b.add(x, y);
+        b.add(sum, z)
+    });
+    // Components of words that are no unit vectors: -12 <= sum <= 12.
+    Ok(b.narrow(sum, number(4, plan.frac_bits)?, plan.round, Overflow::Saturate))
+}
+
+/// Light words of `light_bits` fraction bits.
+pub(super) struct Light {
+    /// Saturated sum.
+    pub(super) intensity: NodeId,
+    /// Ambient and diffuse light.
+    pub(super) diffuse: NodeId,
+    /// Specular light.
+    pub(super) specular: Option<NodeId>,
+}
+
+impl Light {
+    /// Makes the output ports.
+    pub(super) fn output(&self, b: &mut Builder) {
+        b.output("intensity", self.intensity);
+        b.output("diffuse", self.diffuse);
+        if let Some(specular) = self.specular {
+            b.output("specular", specular);
+        }
+    }
+}
+
+/// Names of the output ports that [`Light::output`] makes.
+pub(super) fn light_ports(values: &Values) -> &'static [&'static str] {
+    match values.choice("highlight") {
+        "on" => &["intensity", "diffuse", "specular"],
+        _ => &["intensity", "diffuse"],
+    }
+}
+
+/// Light tables of dot products.
+pub(super) fn light(
+    b: &mut Builder,
+    plan: &mut Plan<'_>,
+    dot_l: NodeId,
+    dot_h: Option<NodeId>,
+) -> Result<Light> {
+    let values = plan.values;
+    let bits = values.bits("light_bits");
+    let output = Format::unsigned(bits, cast::signed_count(bits))?; // 0 <= light < 1
+    let power = u8::try_from(values.bits("exponent")).expect("bug: at most 255");
+    let ambient = values.real("ambient").into();
+    let function = |offset, factor: &str, exponent| Function::Light {
+        offset,
+        factor: values.real(factor).into(),
+        exponent,
+    };
+    let diffuse = function(ambient, "diffuse", 1);
+    let diffuse = table(b, plan, "diffuse", "diffuse_addr_bits", diffuse, dot_l, output)?;
+    let mut light = Light { intensity: diffuse, diffuse, specular: None };
+    if let Some(dot_h) = dot_h {
+        let specular = function(0.0.into(), "specular", power);
+        let specular = table(b, plan, "specular", "specular_addr_bits", specular, dot_h, output)?;
+        let sum = b.add(diffuse, specular);
+        light.intensity = b.narrow(sum, output, plan.round, Overflow::Saturate);
+        b.name(light.intensity, "intensity");
+        light.specular = Some(specular);
+    }
+    Ok(light)
+}
+
+/// The light table at a dot product, and its offset alone where that is negative.
+fn table(
+    b: &mut Builder,
+    plan: &mut Plan<'_>,
+    name: &'static str,
+    size: &str,
+    function: Function,
+    dot: NodeId,
+    output: Format,
+) -> Result<NodeId> {
+    let Function::Light { offset, exponent, .. } = function else { panic!("bug: a light table") };
+    let away = b.negative(dot);
+    let zero = b.constant(0, Format::FLAG);
+    let index = b.mux(away, zero, dot);
+    // 1.0 has no code; 0 <= index < 1.
+    let frac = cast::signed_count(plan.frac_bits);
+    let index = b.narrow(
+        index,
+        Format::unsigned(plan.frac_bits, frac)?,
+        Round::Floor, // there is nothing to round
+        Overflow::Saturate,
+    );
+    b.name(index, &format!("{name}_index"));
+    let tabulated = Tabulated {
+        name,
+        functions: vec![function],
+        scheme: scheme_of(plan.values.choice("light_scheme")),
+        addr_bits: plan.values.bits(size),
+        quarter_wave: false,
+        origin: 0.0,
+        output,
+        round: plan.round,
+        argument: b.format(index),
+    };
+    let light = lut::emit(b, &tabulated.spec(), index)[0];
+    plan.tabulated.push(tabulated);
+    let dark = quantize(offset.get(), output, Round::HalfEven, Overflow::Saturate)?.0;
+    let dark = b.constant(dark, output);
+    let light = b.mux(away, dark, light);
+    if exponent > 0 {
+        // The function is its offset there, to more places than the constant.
+        b.means(light, Meaning::Apply(function, dot));
+    }
+    Ok(b.name(light, name))
+}
+
+fn build(values: &Values) -> Result<Design> {
+    let variant = values.choice("variant");
+    let highlight = values.choice("highlight") == "on";
+    let mut plan = Plan::new(values)?;
+    let mut b = Builder::new("illumination");
+    let vectors: &[&str] = if highlight { &["lt", "ht", "p"] } else { &["lt", "p"] };
+    let dots = if variant == "cartesian" {
+        let component = number(1, plan.frac_bits)?;
+        let vectors: Vec<[NodeId; 3]> = vectors
+            .iter()
+            .map(|v| {
+                ["x", "y", "z"]
+                    .map(|axis| b.input(&format!("{v}_{axis}"), component, Quantity::Number))
+            })
+            .collect();
+        let (last, others) = vectors.split_last().expect("bug: N' is there");
+        let dots =
+            others.iter().zip(DOTS).map(|(v, name)| cartesian_dot(&mut b, &plan, name, *v, *last));
+        dots.collect::<Result<Vec<_>>>()?
+    } else {
+        let turn = Format::turns(plan.angle_bits)?;
+        let vectors: Vec<[NodeId; 2]> = vectors
+            .iter()
+            .map(|v| ["phi", "theta"].map(|a| b.input(&format!("{a}_{v}"), turn, Quantity::Turns)))
+            .collect();
+        let (last, others) = vectors.split_last().expect("bug: N' is there");
+        let dots = others
+            .iter()
+            .zip(DOTS)
+            .map(|(v, name)| polar_dot(&mut b, &mut plan, variant, name, *v, *last));
+        dots.collect::<Result<Vec<_>>>()?
+    };
+    for (dot, name) in dots.iter().zip(DOTS) {
+        b.name(*dot, name);
+    }
+    light(&mut b, &mut plan, dots[0], dots.get(1).copied())?.output(&mut b);
+    let tabulated = plan.tabulated;
+    let netlist = b.build()?;
+    let mut groups = Group::ports(&netlist, light_ports(values));
+    groups.extend(dot_groups(&netlist, highlight));
+    let bounds = match variant {
+        "printed" => Bounds::Unstated("the equations as printed give no dot product"),
+        _ => light_bounds(values),
+    };
+    Ok(Design {
+        hard: hard_cases(values, variant == "cartesian"),
+        values: values.clone(),
+        groups,
+        netlist: Arc::new(netlist),
+        golden: golden::<f64>,
+        golden_f32: golden::<f32>,
+        bounds,
+        tabulated,
+        draw: fragment::draw,
+    })
+}
+
+/// Scopes and names of the dot products.
+pub(super) const DOTS: [&str; 2] = ["dot_l", "dot_h"];
+
+/// The dot products as judged groups.
+pub(super) fn dot_groups(netlist: &Netlist, highlight: bool) -> Vec<Group> {
+    let names = if highlight { &DOTS[..] } else { &DOTS[..1] };
+    names.iter().map(|name| Group::inside(netlist, name, Shape::Scalar, &[name])).collect()
+}
+
+const DOT_BOUND: Bound = Bound { what: "dot", quantities: &DOTS, bound: dot_bound };
+
+/// Bounds of the dot products and of the light that they give.
+fn light_bounds(values: &Values) -> Bounds {
+    let light: &[Bound] = &[
+        Bound {
+            what: "diffuse",
+            quantities: &["diffuse"],
+            bound: |v, w| diffuse_bound(v, w, dot_bound(v, w)),
+        },
+        Bound {
+            what: "specular",
+            quantities: &["specular"],
+            bound: |v, w| specular_bound(v, w, dot_bound(v, w)),
+        },
+        Bound {
+            what: "intensity",
+            quantities: &["intensity"],
+            bound: |v, w| intensity_bound(v, w, dot_bound(v, w)),
+        },
+    ];
+    let mut bounds = vec![DOT_BOUND];
+    bounds.extend_from_slice(light);
+    restricted(values, bounds)
+}
+
+/// Bounds of what there is without the highlight.
+pub(super) fn restricted(values: &Values, mut bounds: Vec<Bound>) -> Bounds {
+    if values.choice("highlight") == "off" {
+        for bound in &mut bounds {
+            if bound.quantities == DOTS {
+                bound.quantities = &["dot_l"];
+            }
+        }
+        bounds.retain(|bound| bound.what != "specular");
+    }
+    Bounds::Stated(bounds)
+}
+
+fn ulp(bits: u32) -> f64 {
+    2f64.powi(-cast::signed_count(bits))
+}
+
+/// Of N'·A: what the terms' table errors add up to, and the last rounding.
+fn dot_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
+    let last = rounding_ulp(values) * ulp(values.bits("frac_bits"));
+    let inner = match values.choice("variant") {
+        "cartesian" => 0.0,
+        // cos cos: 2e + e². sin sin: as much, and one rounding; times cos: (1 + e) of it, and e.
+        "kim" => {
+            let e = worst("sincos");
+            let work = values.bits("frac_bits") + values.bits("guard_bits");
+            let pair = 2.0 * e + e * e;
+            pair + (1.0 + e) * (pair + rounding_ulp(values) * ulp(work)) + e
+        }
+        _ => corrected_dot_bound(worst),
+    };
+    inner + last
+}
+
+/// Of (24) mended: e for the half sum; for the product e of its half difference, which is at most 1,
+/// and e of its cosine.
+pub(super) fn corrected_dot_bound(worst: &dyn Fn(&str) -> f64) -> f64 {
+    let e = worst("cos");
+    e + e + (1.0 + e) * e
+}
+
+/// Of the diffuse light, from the dot product's bound: its slope is kd. An index of 1 saturates one
+/// place lower.
+pub(super) fn diffuse_bound(values: &Values, worst: &dyn Fn(&str) -> f64, dot: f64) -> f64 {
+    let index = dot + ulp(values.bits("frac_bits"));
+    worst("diffuse") + values.real("diffuse") * index + ulp(values.bits("light_bits"))
+}
+
+/// Of the specular light: its slope is ks n at most, and all of it ks. With an exponent of 0 it
+/// jumps at a right angle.
+pub(super) fn specular_bound(values: &Values, worst: &dyn Fn(&str) -> f64, dot: f64) -> f64 {
+    let index = dot + ulp(values.bits("frac_bits"));
+    let slope = match values.bits("exponent") {
+        0 => 1.0,
+        n => (f64::from(n) * index).min(1.0),
+    };
+    worst("specular") + values.real("specular") * slope + ulp(values.bits("light_bits"))
+}
+
+/// Of their sum, which saturates one place below 1.
+pub(super) fn intensity_bound(values: &Values, worst: &dyn Fn(&str) -> f64, dot: f64) -> f64 {
+    let specular = match values.choice("highlight") {
+        "on" => specular_bound(values, worst, dot),
+        _ => 0.0,
+    };
+    diffuse_bound(values, worst, dot) + specular + ulp(values.bits("light_bits"))
+}
+
+/// Components of directions, angles in turns.
+pub(super) fn components<F: Real>(phi: &[F], theta: &[F]) -> [Vec<F>; 3] {
+    let zero = || vec![F::default(); phi.len()];
+    let (mut sin_phi, mut cos_phi, mut sin_theta, mut cos_theta) = (zero(), zero(), zero(), zero());
+    F::sin_cos_turns(phi, &mut sin_phi, &mut cos_phi);
+    F::sin_cos_turns(theta, &mut sin_theta, &mut cos_theta);
+    for ((x, y), across) in cos_phi.iter_mut().zip(&mut sin_phi).zip(&sin_theta) {
+        (*x, *y) = (*x * *across, *y * *across);
+    }
+    [cos_phi, sin_phi, cos_theta]
+}
+
+/// The golden light of dot products: intensity, diffuse, specular (if there is a highlight), and
+/// then the dot products themselves, into the first columns.
+pub(super) fn golden_light<F: Real>(values: &Values, dots: &[Vec<F>], outputs: &mut [Vec<F>]) {
+    let number = |name: &str| F::from(values.real(name)).expect("bug: floats hold numbers");
+    let (ambient, diffuse, specular) = (number("ambient"), number("diffuse"), number("specular"));
+    let exponent = i32::try_from(values.bits("exponent")).expect("bug: at most 255");
+    let (zero, one) = (F::zero(), F::one());
+    let highlight = dots.len() > 1;
+    for i in 0..dots[0].len() {
+        let diffuse = (ambient + diffuse * dots[0][i].max(zero).min(one)).min(one);
+        let mut intensity = diffuse;
+        outputs[1][i] = diffuse;
+        if highlight {
+            let dot = dots[1][i].min(one);
+            let light = if dot > zero { specular * dot.powi(exponent) } else { zero };
+            outputs[2][i] = light;
+            intensity = intensity + light;
+        }
+        outputs[0][i] = intensity.min(one);
+    }
+    let ports = if highlight { 3 } else { 2 };
+    for (column, dot) in outputs[ports..].iter_mut().zip(dots) {
+        column.copy_from_slice(dot);
+    }
+}
+
+/// Dot products of columns of components.
+pub(super) fn golden_dot<F: Real>(u: [&[F]; 3], v: [&[F]; 3]) -> Vec<F> {
+    (0..u[0].len()).map(|i| u[0][i] * v[0][i] + u[1][i] * v[1][i] + u[2][i] * v[2][i]).collect()
+}
+
+/// The golden model: spherical coordinates, dot products of components, the reflection formula.
+fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
+    let dots: Vec<Vec<F>> = if values.choice("variant") == "cartesian" {
+        let vectors: Vec<[&[F]; 3]> = inputs.chunks(3).map(|v| [v[0], v[1], v[2]]).collect();
+        let (p, others) = vectors.split_last().expect("bug: N' is there");
+        others.iter().map(|v| golden_dot(*v, *p)).collect()
+    } else {
+        let vectors: Vec<[Vec<F>; 3]> = inputs.chunks(2).map(|v| components(v[0], v[1])).collect();
+        let (p, others) = vectors.split_last().expect("bug: N' is there");
+        others.iter().map(|v| golden_dot([&v[0], &v[1], &v[2]], [&p[0], &p[1], &p[2]])).collect()
+    };
+    golden_light(values, &dots, outputs);
+}
+
+/// Hard cases of the illumination unit.
+fn hard_cases(values: &Values, cartesian: bool) -> Vec<HardCase> {
+    let highlight = values.choice("highlight") == "on";
+    let bits = values.bits("angle_bits");
+    let turn = 1i64 << bits;
+    let (half, quarter, eighth) = (turn / 2, turn / 4, turn / 8);
+    let near = |centre: i64| [centre - 1, centre, centre + 1];
+    let azimuths = [0, 1, eighth, quarter, half, half + quarter, turn - 1];
+    let polars = [0, 1, eighth, quarter - 1, quarter];
+    // (L', H', N') as pairs of angle words.
+    type Case = [(i64, i64); 3];
+    let (mut facing, mut away, mut edge, mut joints, mut seam) =
+        (Vec::new(), Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    for phi in azimuths {
+        for theta in polars {
+            let p = (phi, theta);
+            facing.extend(near(theta).map(|t| [(phi, t), (phi, t), p]));
+            away.extend(near(half - theta).map(|t| [(phi + half, t), (phi + half, t), p]));
+            // N'·A just below, at and above 0.
+            edge.extend(near(theta + quarter).map(|t| [(phi, t), (phi, t), p]));
+            edge.extend(near(quarter).map(|t| [(phi + quarter, t), (phi + quarter, t), p]));
+            seam.push([(turn - 1, theta), (turn - 1, theta), (0, theta)]);
+            seam.push([(0, theta), (0, theta), (turn - 1, theta)]);
+        }
+    }
+    for size in ["diffuse_addr_bits", "specular_addr_bits"] {
+        let cells = 1i64 << values.bits(size).min(12);
+        for cell in 0..=cells {
+            let cosine = cast::f64_of(cell) / cast::f64_of(cells);
+            let angle = cosine.acos() / std::f64::consts::TAU * cast::f64_of(turn);
+            let word = cast::i64_of(angle.round());
+            joints.extend(near(word).map(|t| [(0, t), (0, t), (0, 0)]));
+        }
+    }
+    let words = |case: Case| -> Vec<i64> {
+        let vectors =
+            if highlight { vec![case[0], case[1], case[2]] } else { vec![case[0], case[2]] };
+        vectors.into_iter().flat_map(|v| direction_words(values, cartesian, v)).collect()
+    };
+    let cases =
+        |name, list: Vec<Case>| HardCase { name, words: list.into_iter().map(words).collect() };
+    let mut all = vec![
+        cases("dot product at 1 and above: A parallel to N', and one word off", facing),
+        cases("dot product at -1: A opposite to N', and one word off", away),
+        cases("dot product at 0, just below and just above", edge),
+        cases("phi wrap: first and last word", seam),
+        cases("first and last entry and joints of the light tables", joints),
+    ];
+    if cartesian {
+        let format = number(1, values.bits("frac_bits")).expect("bug: it was built");
+        let ends = [format.min_raw(), -1, 0, 1, format.max_raw()];
+        let vectors = if highlight { 3 } else { 2 };
+        let list = ends.iter().flat_map(|a| ends.map(|b| vec![[*a; 3], [b; 3]]));
+        let words = list.map(|pair| {
+            let mut words: Vec<i64> = (1..vectors).flat_map(|_| pair[0]).collect();
+            words.extend(pair[1]);
+            words
+        });
+        all.push(HardCase {
+            name: "least and greatest words through all products",
+            words: words.collect(),
+        });
+    }
+    all
+}
+
+/// Words of the ports of a direction given as words of angles: those, or components of them.
+pub(super) fn direction_words(
+    values: &Values,
+    cartesian: bool,
+    (phi, theta): (i64, i64),
+) -> Vec<i64> {
+    let turn = 1i64 << values.bits("angle_bits");
+    if !cartesian {
+        return vec![phi.rem_euclid(turn), theta.rem_euclid(turn)];
+    }
+    let turns = |word: i64| [cast::f64_of(word) / cast::f64_of(turn)];
+    let format = number(1, values.bits("frac_bits")).expect("bug: it was built");
+    components(&turns(phi), &turns(theta))
+        .map(|column| {
+            let word = quantize(column[0], format, Round::HalfEven, Overflow::Saturate);
+            word.expect("bug: components are finite").0
+        })
+        .to_vec()
+}

@@ -1,0 +1,263 @@
+//! What the units of a bump-mapping pipeline share: parameters, and the netlist's plan made of
+//! them.
+
+use super::{Kind, Param, Tabulated, Values};
+use crate::cast;
+use crate::error::Result;
+use crate::format::{Format, Overflow, Round};
+use crate::function::Function;
+use crate::lut::{self, Scheme};
+use crate::netlist::{Builder, NodeId};
+
+const TABLE_BITS: Kind = Kind::Int { min: 2, max: 20, auto: Some("table_addr_bits") };
+
+pub(super) const ANGLE_BITS: Param = Param {
+    name: "angle_bits",
+    kind: Kind::Int { min: 2, max: 24, auto: None },
+    default: "16",
+    help: "bits of every angle port; a word counts 2^-angle_bits turns",
+};
+
+pub(super) const TABLE_ADDR_BITS: Param = Param {
+    name: "table_addr_bits",
+    kind: Kind::Int { min: 2, max: 20, auto: None },
+    default: "10",
+    help: "address bits of every table that has none of its own",
+};
+
+pub(super) const SCHEME: Param = Param {
+    name: "scheme",
+    kind: Kind::Choice(&["direct", "linear", "bipartite"]),
+    default: "direct",
+    help: "how tables approximate: one word per cell, base + slope, or two tables added",
+};
+
+pub(super) const QUARTER_WAVE: Param = Param {
+    name: "quarter_wave",
+    kind: Kind::Choice(&["off", "on"]),
+    default: "off",
+    help: "store a quarter turn of sin, cos and their reciprocals and fold",
+};
+
+pub(super) const FRAC_BITS: Param = Param {
+    name: "frac_bits",
+    kind: Kind::Int { min: 2, max: 32, auto: None },
+    default: "16",
+    help: "fraction bits of the components x, y, z",
+};
+
+pub(super) const GUARD_BITS: Param = Param {
+    name: "guard_bits",
+    kind: Kind::Int { min: 0, max: 8, auto: None },
+    default: "2",
+    help: "extra fraction bits inside",
+};
+
+pub(super) const ROUNDING: Param = Param {
+    name: "rounding",
+    kind: Kind::Choice(&["floor", "toward-zero", "half-up", "half-away", "half-even"]),
+    default: "half-up",
+    help: "rounding wherever bits are dropped",
+};
+
+pub(super) const OVERFLOW: Param = Param {
+    name: "overflow",
+    kind: Kind::Choice(&["wrap", "saturate", "symmetric", "error"]),
+    default: "saturate",
+    help: "overflow of the components x, y, z (cartesian); everything inside saturates",
+};
+
+pub(super) const SINCOS_ADDR_BITS: Param = Param {
+    name: "sincos_addr_bits",
+    kind: TABLE_BITS,
+    default: "auto",
+    help: "address bits of the sin & cos table",
+};
+
+pub(super) const ASIN_ADDR_BITS: Param = Param {
+    name: "asin_addr_bits",
+    kind: TABLE_BITS,
+    default: "auto",
+    help: "address bits of the asin table (printed, corrected)",
+};
+
+pub(super) const RECIP_ADDR_BITS: Param = Param {
+    name: "recip_addr_bits",
+    kind: TABLE_BITS,
+    default: "auto",
+    help: "address bits of the reciprocal tables",
+};
+
+pub(super) const ATAN_ADDR_BITS: Param = Param {
+    name: "atan_addr_bits",
+    kind: TABLE_BITS,
+    default: "auto",
+    help: "address bits of the atan table",
+};
+
+pub(super) const PROP_ADDR_BITS: Param = Param {
+    name: "prop_addr_bits",
+    kind: TABLE_BITS,
+    default: "auto",
+    help: "address bits of T_prop (printed, corrected)",
+};
+
+pub(super) const RECIP_INT_BITS: Param = Param {
+    name: "recip_int_bits",
+    kind: Kind::Int { min: 1, max: 16, auto: None },
+    default: "8",
+    help: "1/(2 sin Z) and 1/(2 cos Z) saturate at 2^recip_int_bits (printed, corrected)",
+};
+
+pub(super) const ATAN_INT_BITS: Param = Param {
+    name: "atan_int_bits",
+    kind: Kind::Int {
+        min: 1,
+        max: 14,
+        auto: Some("what balances its cells against its end, for its size and scheme"),
+    },
+    default: "auto",
+    help: "the index of the atan table, tan phi', saturates at 2^atan_int_bits (printed, corrected)",
+};
+
+pub(super) const QUADRANTS: Param = Param {
+    name: "quadrants",
+    kind: Kind::Choice(&["full", "half"]),
+    default: "full",
+    help: "phi' over the full circle, or plain atan as eq (9) is printed (printed, corrected)",
+};
+
+pub(super) const CORDIC_ITERATIONS: Param = Param {
+    name: "cordic_iterations",
+    kind: Kind::Int { min: 1, max: 40, auto: Some("frac_bits + guard_bits") },
+    default: "auto",
+    help: "steps of each CORDIC (polar-cordic)",
+};
+
+/// Parameters in the form that the netlist is written in.
+pub(super) struct Plan<'a> {
+    pub(super) values: &'a Values,
+    pub(super) angle_bits: u32,
+    /// Fraction bits of components inside.
+    pub(super) work_bits: u32,
+    /// Fraction bits of angles inside.
+    pub(super) work_angle_bits: u32,
+    pub(super) frac_bits: u32,
+    pub(super) scheme: Scheme,
+    pub(super) quarter_wave: bool,
+    pub(super) round: Round,
+    pub(super) tabulated: Vec<Tabulated>,
+}
+
+/// Signed numbers below 2^int_bits with `frac_bits` fraction bits.
+pub(super) fn number(int_bits: u32, frac_bits: u32) -> Result<Format> {
+    Format::signed(int_bits + frac_bits + 1, cast::signed_count(frac_bits))
+}
+
+impl<'a> Plan<'a> {
+    /// The plan of parameters that have all of this file's but the tables' sizes.
+    pub(super) fn new(values: &'a Values) -> Result<Self> {
+        let scheme = values.choice("scheme");
+        let guard_bits = values.bits("guard_bits");
+        Ok(Self {
+            values,
+            angle_bits: values.bits("angle_bits"),
+            work_bits: values.bits("frac_bits") + guard_bits,
+            work_angle_bits: values.bits("angle_bits") + guard_bits,
+            frac_bits: values.bits("frac_bits"),
+            scheme: scheme_of(scheme),
+            quarter_wave: values.choice("quarter_wave") == "on",
+            round: values.choice("rounding").parse()?,
+            tabulated: Vec::new(),
+        })
+    }
+
+    /// Tabulates functions of `argument`; the table's size comes from `<size>_addr_bits`.
+    pub(super) fn table(
+        &mut self,
+        b: &mut Builder,
+        name: &'static str,
+        size: &str,
+        functions: &[Function],
+        argument: NodeId,
+        output: Format,
+    ) -> Vec<NodeId> {
+        let tabulated = self.tabulate(name, size, functions, 0.0, output, b.format(argument));
+        lut::emit(b, &tabulated.spec(), argument)
+    }
+
+    pub(super) fn tabulate(
+        &mut self,
+        name: &'static str,
+        size: &str,
+        functions: &[Function],
+        origin: f64,
+        output: Format,
+        argument: Format,
+    ) -> Tabulated {
+        let addr_bits = match self.values.int(size) {
+            Some(bits) => u32::try_from(bits).expect("bug: counts of bits are small"),
+            None => self.values.bits("table_addr_bits"),
+        };
+        let tabulated = Tabulated {
+            name,
+            functions: functions.to_vec(),
+            scheme: self.scheme,
+            addr_bits,
+            quarter_wave: self.quarter_wave,
+            origin,
+            output,
+            round: self.round,
+            argument,
+        };
+        if self.tabulated.iter().all(|known| known.name != name) {
+            self.tabulated.push(tabulated.clone());
+        }
+        tabulated
+    }
+
+    /// sin and cos of an angle.
+    pub(super) fn sincos(&mut self, b: &mut Builder, angle: NodeId) -> Result<(NodeId, NodeId)> {
+        let output = number(1, self.work_bits)?; // -2 to 2: 1.0 has a code
+        let functions = &[Function::Sin, Function::Cos];
+        let pair = self.table(b, "sincos", "sincos_addr_bits", functions, angle, output);
+        Ok((pair[0], pair[1]))
+    }
+
+    /// An angle inside, rounded to the port's bits, modulo a turn.
+    pub(super) fn angle_word(&self, b: &mut Builder, name: &str, angle: NodeId) -> Result<NodeId> {
+        let format = b.format(angle);
+        let int_bits = u32::try_from(format.int_bits().max(0)).expect("bug: not negative");
+        // One more whole bit, so that rounding up past the top is no overflow but the next turn.
+        let wide = Format::new(
+            format.is_signed(),
+            int_bits + 1 + u32::from(format.is_signed()) + self.angle_bits,
+            cast::signed_count(self.angle_bits),
+        )?;
+        let rounded = b.narrow(angle, wide, self.round, Overflow::Saturate);
+        let word = b.modulo(rounded, Format::turns(self.angle_bits)?);
+        b.turns(word);
+        Ok(b.name(word, name))
+    }
+}
+
+/// The scheme of a legal name.
+pub(super) fn scheme_of(name: &str) -> Scheme {
+    let scheme = Scheme::ALL.iter().find(|scheme| scheme.name() == name);
+    *scheme.expect("bug: every choice is a scheme")
+}
+
+/// Sum or difference of angles, modulo a turn.
+pub(super) fn angle(b: &mut Builder, name: &str, exact: NodeId, format: Format) -> NodeId {
+    let word = b.modulo(exact, format);
+    b.turns(word);
+    b.name(word, name)
+}
+
+/// Largest error of one rounding in ulp.
+pub(super) fn rounding_ulp(values: &Values) -> f64 {
+    match values.choice("rounding") {
+        "floor" | "toward-zero" => 1.0,
+        _ => 0.5,
+    }
+}
