@@ -13,12 +13,23 @@ use crate::op::Meaning;
 pub(crate) enum Method<'a> {
     /// Digit by digit: a subtractor and a multiplexer each. Correctly rounded in every mode.
     Digits,
-    /// A table of the root of the normalised operand, whose argument is [`argument`] and whose
-    /// origin is ¼. Off by twice the root times the table's worst error, before the one rounding.
-    Table(Spec<'a>),
+    /// A table of the root of the normalised operand.
+    Table(Table<'a>),
+}
+
+/// A table of a function of the operand shifted by an even number of places to ¼ and above.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Table<'a> {
+    /// Its specification; the argument is [`argument`], the origin ¼.
+    pub(crate) spec: Spec<'a>,
+    /// Bits that are kept of the shifted operand, at least 4; what lies below is dropped.
+    pub(crate) kept_bits: u32,
 }
 
 /// Square root of an unsigned word in format `output`; what is past it saturates.
+///
+/// By a table it is off by twice the root times the table's worst error and `2^-kept_bits`, before
+/// the one rounding.
 ///
 /// # Panics
 /// If the word is signed: that is wrong code.
@@ -33,9 +44,9 @@ pub(crate) fn root(
     b.part(Part::SquareRoot, name, |b| {
         let exact = match method {
             Method::Digits => digits(b, a, output),
-            Method::Table(spec) => {
+            Method::Table(table) => {
                 let Normalised { table, half_places, half_bits, frac_bits } =
-                    normalised(b, a, spec);
+                    normalised(b, a, table);
                 // sqrt(m * 2^(bits - places)): a shift by half of that.
                 let most = b.checked(Format::integer(bit_len(u64::from(half_bits))));
                 let most = b.constant(i64::from(half_bits), most);
@@ -54,8 +65,8 @@ pub(crate) fn root(
 }
 
 /// 1 / square root of an unsigned word in format `output`, by a table of it for the normalised
-/// operand, as for [`Method::Table`]. What is past the output saturates, 1/sqrt(0) among it. Off by
-/// the result times the table's worst error, before the one rounding.
+/// operand. What is past the output saturates, 1/sqrt(0) among it. Off by the result times the
+/// table's worst error and `4 * 2^-kept_bits`, before the one rounding.
 ///
 /// # Panics
 /// If the word is signed: that is wrong code.
@@ -65,10 +76,10 @@ pub(crate) fn reciprocal_root(
     a: NodeId,
     output: Format,
     round: Round,
-    spec: &Spec<'_>,
+    table: &Table<'_>,
 ) -> NodeId {
     b.part(Part::ReciprocalRoot, name, |b| {
-        let Normalised { table, half_places, half_bits, frac_bits } = normalised(b, a, spec);
+        let Normalised { table, half_places, half_bits, frac_bits } = normalised(b, a, table);
         let shifted = b.shift_left(table, half_places, half_bits);
         let shifted = b.shift(shifted, frac_bits / 2 - cast::signed_count(half_bits));
         let limit = limit(b, output);
@@ -80,13 +91,12 @@ pub(crate) fn reciprocal_root(
     })
 }
 
-/// Format of the tables' argument: the operand, shifted by an even number of places to ¼ and
-/// above, less ¼.
+/// Format of the tables' argument: the shifted operand, less ¼.
 ///
 /// # Errors
 /// If that is past 63 bits.
-pub(crate) fn argument(operand: Format) -> Result<Format> {
-    Format::turns(even_bits(operand).0)
+pub(crate) fn argument(operand: Format, kept_bits: u32) -> Result<Format> {
+    Format::turns(even_bits(operand).0.min(kept_bits))
 }
 
 /// An even number of bits, at least 4, and of fraction bits for an operand.
@@ -105,7 +115,7 @@ struct Normalised {
     frac_bits: i32,
 }
 
-fn normalised(b: &mut Builder, a: NodeId, spec: &Spec<'_>) -> Normalised {
+fn normalised(b: &mut Builder, a: NodeId, table: &Table<'_>) -> Normalised {
     let format = b.format(a);
     assert!(!format.is_signed(), "bug: roots are of unsigned words");
     let (bits, frac_bits) = even_bits(format);
@@ -130,10 +140,11 @@ fn normalised(b: &mut Builder, a: NodeId, spec: &Spec<'_>) -> Normalised {
     let one = b.constant(1, Format::FLAG);
     let top = b.sub(top, one);
     let top = b.slice(top, 0, 2);
-    let low = b.slice(mantissa, 0, bits - 2);
+    let kept = bits.min(table.kept_bits);
+    let low = b.slice(mantissa, bits - kept, kept - 2);
     let argument = b.concat(top, low);
-    let argument = b.shift(argument, -cast::signed_count(bits));
-    let table = lut::emit(b, spec, argument)[0];
+    let argument = b.shift(argument, -cast::signed_count(kept));
+    let table = lut::emit(b, &table.spec, argument)[0];
     Normalised { table, half_places, half_bits: bits / 2, frac_bits }
 }
 
@@ -258,8 +269,8 @@ mod tests {
         floor + i128::from(up)
     }
 
-    fn spec(functions: &[Function], scheme: Scheme) -> Spec<'_> {
-        Spec {
+    fn table(functions: &[Function], scheme: Scheme, kept_bits: u32) -> Table<'_> {
+        let spec = Spec {
             name: "roots",
             functions,
             scheme,
@@ -268,13 +279,14 @@ mod tests {
             origin: 0.25,
             output: "u14f12".parse().unwrap(),
             round: Round::HalfUp,
-        }
+        };
+        Table { spec, kept_bits }
     }
 
     /// Worst error of a table over the mantissas from ¼ to 1.
-    fn worst(spec: &Spec<'_>, operand: Format) -> f64 {
-        let argument = argument(operand).unwrap();
-        let table = netlist(argument, |b, a| lut::emit(b, spec, a)[0]);
+    fn worst(table: &Table<'_>, operand: Format) -> f64 {
+        let (argument, spec) = (argument(operand, table.kept_bits).unwrap(), table.spec);
+        let table = netlist(argument, |b, a| lut::emit(b, &spec, a)[0]);
         let errors = (argument.min_raw()..=argument.max_raw()).filter_map(|word| {
             let m = 0.25 + argument.value(word);
             let is = spec.output.value(result(&table, word));
@@ -285,17 +297,19 @@ mod tests {
 
     #[test]
     fn tables_are_within_the_stated_error_for_every_word() {
-        for scheme in Scheme::ALL {
+        for (scheme, kept) in Scheme::ALL.iter().flat_map(|scheme| [4, 7, 63].map(|k| (scheme, k)))
+        {
+            let dropped = 2f64.powi(-cast::signed_count(kept));
             for (a, output) in
                 [("u12f8", "u12f9"), ("u11f7", "u9f6"), ("u9f0", "u6f1"), ("u3f1", "u8f6")]
             {
                 let (a, output) = (format(a), format(output));
                 let (max, half_ulp) = (output.value(output.max_raw()), 0.5 * output.ulp());
-                let roots = spec(&[Function::Sqrt], *scheme);
+                let roots = table(&[Function::Sqrt], *scheme, kept);
                 let method = Method::Table(roots);
                 let direct =
                     netlist(a, |b, a| root(b, "root", a, output, Round::HalfEven, &method));
-                let reciprocals = spec(&[Function::RecipSqrt], *scheme);
+                let reciprocals = table(&[Function::RecipSqrt], *scheme, kept);
                 let inverse = netlist(a, |b, a| {
                     reciprocal_root(b, "inverse", a, output, Round::HalfEven, &reciprocals)
                 });
@@ -304,14 +318,14 @@ mod tests {
                 for word in a.min_raw()..=a.max_raw() {
                     let exact = a.value(word).sqrt();
                     let is = output.value(result(&direct, word));
-                    let bound = 2.0 * exact * error + half_ulp;
+                    let bound = 2.0 * exact * (error + dropped) + half_ulp;
                     assert!((is - exact.min(max)).abs() <= bound, "{word} {a}: {is} for {exact}");
                     let is = output.value(result(&inverse, word));
                     if word == 0 {
                         assert_eq!(is, max);
                         continue;
                     }
-                    let bound = inverse_error / exact + half_ulp;
+                    let bound = (inverse_error + 4.0 * dropped) / exact + half_ulp;
                     let exact = 1.0 / exact;
                     assert!((is - exact.min(max)).abs() <= bound, "{word} {a}: {is} for {exact}");
                 }
@@ -326,9 +340,9 @@ mod tests {
         let real =
             |netlist: &Netlist, x| netlist.eval_reals(&[x])[netlist.outputs()[0].node.index()];
         assert_eq!(real(&direct, 2.0), 2f64.sqrt());
-        let spec = spec(&[Function::RecipSqrt], Scheme::Linear);
+        let table = table(&[Function::RecipSqrt], Scheme::Linear, 63);
         let inverse =
-            netlist(a, |b, a| reciprocal_root(b, "inverse", a, output, Round::Floor, &spec));
+            netlist(a, |b, a| reciprocal_root(b, "inverse", a, output, Round::Floor, &table));
         assert_eq!(real(&inverse, 4.0), 0.5);
         assert_eq!(real(&inverse, 0.0), f64::MAX);
     }
