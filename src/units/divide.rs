@@ -112,6 +112,29 @@ pub(super) fn sticky(b: &mut Builder, rest: NodeId) -> NodeId {
     b.xor(none, one)
 }
 
+/// A word that is not 0, shifted up by `step` places at a time until one of its top `step` bits is
+/// set, and by how many steps. No wider than the word: a multiplexer for each bit of the count.
+pub(super) fn normalise(b: &mut Builder, word: NodeId, step: u32) -> (NodeId, NodeId) {
+    let bits = b.format(word).bits();
+    let zero = b.constant(0, Format::FLAG);
+    let mut word = b.slice(word, 0, bits);
+    let mut steps = Vec::new();
+    for places in (0..u32::BITS).rev().map(|k| u64::from(step) << k) {
+        let Some(places) = u32::try_from(places).ok().filter(|places| *places < bits) else {
+            continue;
+        };
+        let top = b.slice(word, bits - places, places);
+        let empty = b.equal(top, zero);
+        let low = b.slice(word, 0, bits - places);
+        let zeros = b.checked(Format::integer(places));
+        let zeros = b.constant(0, zeros);
+        let shifted = b.concat(low, zeros);
+        word = b.mux(empty, shifted, word);
+        steps.push(empty);
+    }
+    (word, word_of(b, &steps))
+}
+
 /// The quotient to half an ulp of `output`, a bit that tells whether anything is left, and a flag
 /// for a quotient of twice the largest word and more.
 fn digits(
@@ -199,8 +222,7 @@ fn normalised(
 ) -> NodeId {
     let (of_a, of_d) = (b.format(dividend), b.format(divisor));
     let bits = of_d.bits();
-    let places = b.leading_zeros(divisor);
-    let mantissa = b.shift_left(divisor, places, bits);
+    let (mantissa, places) = normalise(b, divisor, 1);
     let argument = b.slice(mantissa, 0, bits - 1);
     let argument = b.shift(argument, -cast::signed_count(bits));
     let recip = lut::emit(b, spec, argument)[0]; // 1 < recip <= 2

@@ -1,6 +1,6 @@
 //! Square roots and reciprocal square roots: by digit recurrence, and by tables.
 
-use super::divide::{bit_of, limit, sticky, word_of};
+use super::divide::{bit_of, limit, normalise, sticky, word_of};
 use crate::cast;
 use crate::error::Result;
 use crate::format::{Format, Overflow, Round, bit_len};
@@ -130,11 +130,7 @@ fn normalised(b: &mut Builder, a: NodeId, table: &Table<'_>) -> Normalised {
         let zeros = b.constant(0, zeros);
         word = b.concat(zeros, word);
     }
-    let places = b.leading_zeros(word);
-    let half_places = b.slice(places, 1, b.format(places).bits() - 1);
-    let zero = b.constant(0, Format::FLAG);
-    let places = b.concat(half_places, zero);
-    let mantissa = b.shift_left(word, places, bits);
+    let (mantissa, half_places) = normalise(b, word, 2);
     // Less ¼: one less in the top two bits, 01 to 11.
     let top = b.slice(mantissa, bits - 2, 2);
     let one = b.constant(1, Format::FLAG);
