@@ -83,6 +83,12 @@ pub(crate) fn index_of_i32(raw: i32) -> usize {
     raw as usize
 }
 
+/// A small number as an index; nothing is lost where addresses have 32 bits or more.
+#[inline(always)]
+pub(crate) fn index_of_u32(number: u32) -> usize {
+    number as usize
+}
+
 /// The bit pattern of a word.
 #[inline(always)]
 pub(crate) fn bits_of(raw: i64) -> u64 {

@@ -84,6 +84,7 @@ constructors! {
     form(given: &str, form: &str) = Kind::Form { given: given.to_owned(), form: form.to_owned() };
     file(path: &Path, problem: String) = Kind::File { path: path.to_owned(), problem };
     csv(path: &Path, line: u64, column: Option<&str>, problem: String) = Kind::Csv { path: path.to_owned(), line, column: column.map(str::to_owned), problem };
+    line(path: &Path, line: u64, problem: String) = Kind::Csv { path: path.to_owned(), line, column: None, problem };
     io(path: &Path, action: &'static str, source: std::io::Error) = Kind::Io { path: path.to_owned(), action, source };
     usage(text: String) = Kind::Usage(text);
 }

@@ -331,14 +331,18 @@ pub fn narrow(
     round: Round,
     overflow: Overflow,
 ) -> (i64, bool) {
-    let dropped_bits = from_frac - to.frac_bits();
+    fit(rounded(raw, from_frac, to.frac_bits(), round), to, overflow)
+}
+
+/// The first half of [`narrow`]: `raw` as a whole number of units of `to_frac` fraction bits; monotone in `raw`.
+pub(crate) fn rounded(raw: i64, from_frac: i32, to_frac: i32, round: Round) -> i128 {
+    let dropped_bits = from_frac - to_frac;
     // |raw| <= 2^63. Beyond these shifts nothing changes: everything is dropped, or all kept bits are 0.
-    let rounded = if dropped_bits > 0 {
+    if dropped_bits > 0 {
         round_shift(i128::from(raw), dropped_bits.unsigned_abs().min(100), round)
     } else {
         i128::from(raw) << dropped_bits.unsigned_abs().min(63) // |rounded| <= 2^126
-    };
-    fit(rounded, to, overflow)
+    }
 }
 
 /// `wide / 2^shift` rounded to a whole number.

@@ -13,7 +13,8 @@
 //!   by the top bits and by the bits below the cell; one addition, no multiplier.
 //!
 //! Values outside the output format, poles among them, saturate to its ends. Where they do, the
-//! linear and the bipartite scheme have no slope: those cells are as in the direct scheme.
+//! linear and the bipartite scheme have no slope: those cells are as in the direct scheme. (Not
+//! where it is by one place only, as 1.0 in a format of fractions.)
 
 use crate::cast;
 use crate::format::{Format, Overflow, Round, word_mask};
@@ -366,12 +367,13 @@ impl Cells {
     }
 
     /// True if the function saturates within the `2^bits` words from cell `i`, or has a pole
-    /// there. A line through such words could have the wrong sign where the function is small.
+    /// there. A line through such words could have the wrong sign where the function is small. A
+    /// place past the end is no more than rounding: 1.0 where that has no code.
     fn saturates(self, spec: &Spec<'_>, function: Function, i: i64, bits: u32) -> bool {
-        let (lo, hi) = range(spec.output);
+        let ((lo, hi), ulp) = (range(spec.output), spec.output.ulp());
         [0, word_mask(bits), 1 << bits].into_iter().any(|words| {
             let value = function.eval(self.after(i, bits, words));
-            value < lo || value > hi
+            value < lo - ulp || value > hi + ulp
         })
     }
 

@@ -176,7 +176,8 @@ fn show_tells_the_estimate_and_how_far_it_is() {
         String::from_utf8(output.stdout).unwrap()
     };
     let text = run(&["show", "rotation"]);
-    let stated = format!("within N % of Yosys {DEVIATIONS_YOSYS} over the committed units");
+    let stated =
+        format!("within N % of Yosys {DEVIATIONS_YOSYS} over the committed rotation units");
     assert!(text.contains(&stated), "{text}");
     let json: serde_json::Value =
         serde_json::from_str(&run(&["show", "rotation", "--json"])).unwrap();

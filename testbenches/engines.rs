@@ -31,16 +31,16 @@ impl Random {
         (self.bits() % count as u64) as usize
     }
 
-    fn chance(&mut self, percent: usize) -> bool {
+    pub(crate) fn chance(&mut self, percent: usize) -> bool {
         self.below(100) < percent
     }
 
     /// A number of `lo..=hi`.
-    fn within(&mut self, lo: i64, hi: i64) -> i64 {
+    pub(crate) fn within(&mut self, lo: i64, hi: i64) -> i64 {
         lo + (self.bits() % (hi - lo + 1) as u64) as i64
     }
 
-    fn pick<T: Copy>(&mut self, of: &[T]) -> T {
+    pub(crate) fn pick<T: Copy>(&mut self, of: &[T]) -> T {
         of[self.below(of.len())]
     }
 
@@ -66,6 +66,15 @@ pub(crate) fn random_netlist_of(seed: u64, operations: usize) -> Netlist {
     let mut random = Random::new(seed);
     // Widths that keep 32-bit lanes, that just leave them, and any.
     let max_bits = random.pick(&[6, 16, 31, 32, 33, 63, 63]);
+    grow(random, operations, max_bits)
+}
+
+/// As [`random_netlist_of`] with words of at most `max_bits` bits.
+pub(crate) fn random_netlist_within(seed: u64, operations: usize, max_bits: u32) -> Netlist {
+    grow(Random::new(seed), operations, max_bits)
+}
+
+fn grow(random: Random, operations: usize, max_bits: u32) -> Netlist {
     let mut grower = Grower {
         random,
         b: Builder::new("random"),

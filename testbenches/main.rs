@@ -21,5 +21,8 @@ mod lut;
 mod netlist;
 mod op;
 mod rotation;
+mod scene;
+mod shading;
+mod specialise;
 mod verify;
 mod wave;

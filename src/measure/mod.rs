@@ -38,7 +38,7 @@ use std::time::{Duration, Instant};
 use stream::{BINS, Histograms, Merged, Stream};
 
 /// Columns of judged nodes as the golden has them: directions as x, y, z.
-fn as_golden(groups: &[Group], nodes: &[Vec<f64>], to: &mut Vec<Vec<f64>>) {
+pub(crate) fn as_golden(groups: &[Group], nodes: &[Vec<f64>], to: &mut Vec<Vec<f64>>) {
     let columns = groups.iter().map(|group| group.shape.columns().len()).sum();
     to.resize(columns, Vec::new());
     let (mut node, mut column) = (0, 0);
@@ -545,7 +545,7 @@ fn measure_chunk(
 }
 
 /// Golden columns of columns of inputs.
-fn run_golden(design: &Design, inputs: &[Vec<f64>], to: &mut Vec<Vec<f64>>) {
+pub(crate) fn run_golden(design: &Design, inputs: &[Vec<f64>], to: &mut Vec<Vec<f64>>) {
     let len = inputs.first().map_or(0, Vec::len);
     to.resize(design.golden_columns(), Vec::new());
     for column in to.iter_mut() {

@@ -39,6 +39,38 @@ impl Builder {
         }
     }
 
+    /// Starts a netlist called `name` with the scopes of another, which is rebuilt node by node.
+    pub(crate) fn rebuild(of: &Netlist, name: &str) -> Self {
+        let mut builder = Self::new(name);
+        builder.netlist.scopes.extend(of.scopes.iter().skip(1).cloned());
+        builder
+    }
+
+    /// Builds the next nodes in a scope that is there already.
+    pub(crate) fn enter(&mut self, scope: ScopeId) {
+        self.scope = scope;
+    }
+
+    /// Number of nodes so far.
+    pub(crate) fn len(&self) -> usize {
+        self.netlist.nodes.len()
+    }
+
+    /// A node so far.
+    pub(crate) fn node(&self, id: NodeId) -> &Node {
+        self.netlist.node(id)
+    }
+
+    /// The tables so far.
+    pub(crate) fn tables(&self) -> &[Table] {
+        &self.netlist.tables
+    }
+
+    /// Any operation but a port; `asked` is its format, where the operation takes one.
+    pub(crate) fn operation(&mut self, op: Op, operands: &[NodeId], asked: Format) -> NodeId {
+        self.push(op, operands, Some(asked))
+    }
+
     /// Format of a node.
     #[must_use]
     pub fn format(&self, id: NodeId) -> Format {
@@ -319,6 +351,17 @@ impl Builder {
         self.push(Op::Narrow { round, overflow }, &[a], Some(format))
     }
 
+    /// As [`Builder::build`], but a meaning of a node that no output needs is dropped.
+    pub(crate) fn build_rebuilt(mut self) -> Result<Netlist> {
+        let live = live(&self.netlist);
+        for node in &mut self.netlist.nodes {
+            node.meaning = node.meaning.filter(|meaning| {
+                meaning.arguments().into_iter().flatten().all(|id| live[id.index()])
+            });
+        }
+        self.build()
+    }
+
     /// Verifies and freezes the netlist; nodes and tables that no output needs are gone.
     ///
     /// # Errors
@@ -334,19 +377,7 @@ impl Builder {
         let old = self.netlist;
         assert!(!old.outputs.is_empty(), "bug: `{}` has no output", old.name);
 
-        let mut live = vec![false; old.nodes.len()];
-        for id in &old.inputs {
-            live[id.index()] = true;
-        }
-        for output in &old.outputs {
-            live[output.node.index()] = true;
-        }
-        for (index, node) in old.nodes.iter().enumerate().rev() {
-            if live[index] {
-                node.operands.iter().for_each(|id| live[id.index()] = true);
-            }
-        }
-
+        let live = live(&old);
         let mut new_ids = vec![NodeId(u32::MAX); old.nodes.len()];
         let mut new_tables: Vec<Option<TableId>> = vec![None; old.tables.len()];
         let mut netlist = Netlist {
@@ -409,6 +440,23 @@ impl Builder {
         netlist.verify();
         Ok(netlist)
     }
+}
+
+/// Which nodes the outputs need, with all ports.
+fn live(netlist: &Netlist) -> Vec<bool> {
+    let mut live = vec![false; netlist.nodes.len()];
+    for id in &netlist.inputs {
+        live[id.index()] = true;
+    }
+    for output in &netlist.outputs {
+        live[output.node.index()] = true;
+    }
+    for (index, node) in netlist.nodes.iter().enumerate().rev() {
+        if live[index] {
+            node.operands.iter().for_each(|id| live[id.index()] = true);
+        }
+    }
+    live
 }
 
 /// True for names that are legal in VCD, Verilog and VHDL.

@@ -51,6 +51,9 @@ impl TableId {
 }
 
 impl ScopeId {
+    /// The unit itself.
+    pub const ROOT: Self = Self(0);
+
     /// Position in [`Netlist::scopes`].
     #[must_use]
     #[expect(clippy::missing_panics_doc, reason = "32 bits always fit")]

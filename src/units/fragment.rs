@@ -39,43 +39,84 @@ pub fn polar(v: DVec3) -> (f64, f64) {
     (if phi < 0.0 { phi + 1.0 } else { phi }, v.x.hypot(v.y).atan2(v.z) / TAU)
 }
 
-impl Fragment {
-    /// Value of an input port; `None` for a name that means nothing here.
+/// Vectors of a fragment.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+enum Vector {
+    Light,
+    Half,
+    Normal,
+    Tangent,
+    Binormal,
+    LightInFrame,
+    HalfInFrame,
+    Perturbed,
+}
+
+/// What an input port of a shading unit takes of a fragment.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub struct Port(Kind);
+
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+enum Kind {
+    Psi,
+    Phi(Vector),
+    Theta(Vector),
+    Component(Vector, usize),
+}
+
+impl Port {
+    /// The port of a name; `None` if it means nothing here.
     #[must_use]
-    pub fn port(&self, name: &str) -> Option<f64> {
-        if name == "psi" {
-            return Some(self.psi());
-        }
-        if let Some(v) = name.strip_prefix("phi_") {
-            return self.vector(v).map(|v| polar(v).0);
-        }
-        if let Some(v) = name.strip_prefix("theta_") {
-            return self.vector(v).map(|v| polar(v).1);
-        }
-        let (v, axis) = name.rsplit_once('_')?;
-        let v = self.vector(v)?;
-        match axis {
-            "x" => Some(v.x),
-            "y" => Some(v.y),
-            "z" => Some(v.z),
+    pub fn of(name: &str) -> Option<Self> {
+        let vector = |name: &str| match name {
+            "l" => Some(Vector::Light),
+            "h" => Some(Vector::Half),
+            "n" => Some(Vector::Normal),
+            "t" => Some(Vector::Tangent),
+            "b" => Some(Vector::Binormal),
+            "lt" => Some(Vector::LightInFrame),
+            "ht" => Some(Vector::HalfInFrame),
+            "p" => Some(Vector::Perturbed),
             _ => None,
+        };
+        let kind = match name.rsplit_once('_') {
+            None if name == "psi" => Some(Kind::Psi),
+            Some(("phi", v)) => vector(v).map(Kind::Phi),
+            Some(("theta", v)) => vector(v).map(Kind::Theta),
+            Some((v, "x")) => vector(v).map(|v| Kind::Component(v, 0)),
+            Some((v, "y")) => vector(v).map(|v| Kind::Component(v, 1)),
+            Some((v, "z")) => vector(v).map(|v| Kind::Component(v, 2)),
+            Some(_) | None => None,
+        };
+        kind.map(Self)
+    }
+}
+
+impl Fragment {
+    /// Value of an input port.
+    #[must_use]
+    pub fn value(&self, port: Port) -> f64 {
+        match port.0 {
+            Kind::Psi => self.psi(),
+            Kind::Phi(v) => polar(self.vector(v)).0,
+            Kind::Theta(v) => polar(self.vector(v)).1,
+            Kind::Component(v, axis) => self.vector(v)[axis],
         }
     }
 
-    fn vector(&self, name: &str) -> Option<DVec3> {
+    fn vector(&self, vector: Vector) -> DVec3 {
         let binormal = || self.normal.cross(self.tangent);
         let in_frame =
             |v: DVec3| DVec3::new(v.dot(self.tangent), v.dot(binormal()), v.dot(self.normal));
-        match name {
-            "l" => Some(self.light),
-            "h" => Some(self.half),
-            "n" => Some(self.normal),
-            "t" => Some(self.tangent),
-            "b" => Some(binormal()),
-            "p" => Some(self.perturbed),
-            "lt" => Some(in_frame(self.light)),
-            "ht" => Some(in_frame(self.half)),
-            _ => None,
+        match vector {
+            Vector::Light => self.light,
+            Vector::Half => self.half,
+            Vector::Normal => self.normal,
+            Vector::Tangent => self.tangent,
+            Vector::Binormal => binormal(),
+            Vector::LightInFrame => in_frame(self.light),
+            Vector::HalfInFrame => in_frame(self.half),
+            Vector::Perturbed => self.perturbed,
         }
     }
 
@@ -127,11 +168,14 @@ pub(super) fn draw(
     count: usize,
 ) {
     columns.iter_mut().for_each(Vec::clear);
+    let port = |at| Port::of(design.netlist.input_name(at));
+    let ports: Vec<Port> = (0..columns.len())
+        .map(|at| port(at).expect("bug: ports of shading units are those of fragments"))
+        .collect();
     for _ in 0..count {
         let fragment = Fragment::random(sampler == Sampler::Lit, next);
-        for (port, column) in columns.iter_mut().enumerate() {
-            let value = fragment.port(design.netlist.input_name(port));
-            column.push(value.expect("bug: ports of shading units are those of fragments"));
+        for (port, column) in ports.iter().zip(&mut *columns) {
+            column.push(fragment.value(*port));
         }
     }
 }
@@ -144,7 +188,8 @@ pub(super) fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
     let words = |fragment: &Fragment| -> Vec<i64> {
         let word = |(port, id): (usize, &NodeId)| {
             let node = netlist.node(*id);
-            let value = fragment.port(netlist.input_name(port)).expect("bug: a fragment's port");
+            let port = Port::of(netlist.input_name(port)).expect("bug: a fragment's port");
+            let value = fragment.value(port);
             let overflow = match node.quantity {
                 Quantity::Turns => Overflow::Wrap,
                 Quantity::Number => Overflow::Saturate,
@@ -230,7 +275,7 @@ mod tests {
             }
         }
         for fragment in all {
-            let port = |name| fragment.port(name).unwrap() * TAU;
+            let port = |name| fragment.value(Port::of(name).unwrap()) * TAU;
             let turn = glam::DMat3::from_rotation_z(-port("psi"))
                 * glam::DMat3::from_rotation_y(-port("theta_n"))
                 * glam::DMat3::from_rotation_z(-port("phi_n"));
@@ -240,16 +285,15 @@ mod tests {
             {
                 assert!((turn * v - axis).length() < 1e-12, "{fragment:?}: {}", turn * v);
             }
-            let lt = ["lt_x", "lt_y", "lt_z"].map(|name| fragment.port(name).unwrap());
+            let lt = ["lt_x", "lt_y", "lt_z"].map(|name| fragment.value(Port::of(name).unwrap()));
             assert!((turn * fragment.light - DVec3::from(lt)).length() < 1e-12);
         }
     }
 
     #[test]
     fn names_that_mean_nothing() {
-        let fragment = random(1)[0];
         for name in ["", "x", "l", "l_w", "phi", "phi_q", "q_x", "psi_n"] {
-            assert_eq!(fragment.port(name), None, "{name}");
+            assert_eq!(Port::of(name), None, "{name}");
         }
     }
 }

@@ -1,0 +1,326 @@
+//! Maps over surfaces: colours and heights, from image files or made up.
+
+use super::procedural::Samples;
+use crate::cast;
+use crate::error::{Error, Result};
+use glam::DVec3;
+use image::{DynamicImage, ImageReader};
+use std::fs::File;
+use std::io::{Cursor, Read};
+use std::path::Path;
+
+/// Largest side of a map, in texels.
+pub(super) const MAX_SIDE: u32 = 8192;
+/// Most texels of a map.
+const MAX_TEXELS: u64 = 1 << 25;
+/// Largest file that a scene may name, in bytes.
+const MAX_BYTES: u64 = 1 << 28;
+
+/// Colours over a surface, in linear light.
+#[derive(Clone, Debug)]
+pub struct Texture {
+    size: Size,
+    texels: Vec<[f32; 3]>,
+}
+
+/// Bump vectors over a surface, made from heights.
+#[derive(Clone, Debug)]
+pub struct Bumps {
+    size: Size,
+    heights: Vec<f64>,
+    scale: f64,
+    flat: bool,
+}
+
+/// Columns and rows of a map.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+struct Size {
+    width: u32,
+    height: u32,
+}
+
+impl Size {
+    /// Index of the texel at (u, v).
+    #[inline]
+    fn texel(self, u: f64, v: f64) -> u32 {
+        let along = |x: f64, side: u32| {
+            // Far out, where floats have no fraction, the column hardly matters; nothing overflows.
+            cast::i64_of((x * f64::from(side)).floor()).rem_euclid(i64::from(side))
+        };
+        let index = along(1.0 - v, self.height) * i64::from(self.width) + along(u, self.width);
+        cast::id_of(cast::index_of(index))
+    }
+
+    fn len(self) -> usize {
+        cast::index_of_u32(self.width) * cast::index_of_u32(self.height)
+    }
+}
+
+impl Texture {
+    /// One colour, linear.
+    #[must_use]
+    pub(super) fn constant(color: [f64; 3], width: u32, height: u32) -> Self {
+        let size = Size { width, height };
+        Self { size, texels: vec![color.map(cast::f32_of); size.len()] }
+    }
+
+    pub(super) fn made(samples: &Samples) -> Self {
+        let size = Size { width: samples.width, height: samples.height };
+        let texels = samples.texels.iter().map(|sample| sample.color.map(cast::f32_of));
+        Self { size, texels: texels.collect() }
+    }
+
+    pub(super) fn open(path: &Path) -> Result<Self> {
+        let (size, image) = open_image(path)?;
+        // Of 8-bit files this keeps k/255 as 257 k/65535, which is the same number.
+        let linear: Vec<f32> = (0..=u16::MAX)
+            .map(|code| cast::f32_of(from_srgb(f64::from(code) / f64::from(u16::MAX))))
+            .collect();
+        let image = image.into_rgb16();
+        let texels = image.pixels().map(|pixel| pixel.0.map(|code| linear[usize::from(code)]));
+        Ok(Self { size, texels: texels.collect() })
+    }
+
+    /// Columns and rows.
+    #[must_use]
+    pub fn size(&self) -> (u32, u32) {
+        (self.size.width, self.size.height)
+    }
+
+    /// Colours by texel index: linear RGB, 0 to 1.
+    #[must_use]
+    pub fn texels(&self) -> &[[f32; 3]] {
+        &self.texels
+    }
+
+    /// Index of the texel at (u, v).
+    #[inline]
+    #[must_use]
+    pub fn texel(&self, u: f64, v: f64) -> u32 {
+        self.size.texel(u, v)
+    }
+}
+
+impl Bumps {
+    pub(super) fn constant(width: u32, height: u32) -> Self {
+        let size = Size { width, height };
+        Self::new(size, vec![0.0; size.len()], 0.0)
+    }
+
+    pub(super) fn made(samples: &Samples, scale: f64) -> Self {
+        let size = Size { width: samples.width, height: samples.height };
+        Self::new(size, samples.texels.iter().map(|sample| sample.height).collect(), scale)
+    }
+
+    /// Grey values of a file as they are; of colours, 0.2126 R + 0.7152 G + 0.0722 B.
+    pub(super) fn open(path: &Path, scale: f64) -> Result<Self> {
+        let (size, image) = open_image(path)?;
+        let unit = |code: u16| f64::from(code) / f64::from(u16::MAX);
+        let heights = if image.color().has_color() {
+            let luma = |[r, g, b]: [u16; 3]| 0.2126 * unit(r) + 0.7152 * unit(g) + 0.0722 * unit(b);
+            image.into_rgb16().pixels().map(|pixel| luma(pixel.0)).collect()
+        } else {
+            image.into_luma16().pixels().map(|pixel| unit(pixel.0[0])).collect()
+        };
+        Ok(Self::new(size, heights, scale))
+    }
+
+    fn new(size: Size, heights: Vec<f64>, scale: f64) -> Self {
+        let mut bumps = Self { size, heights, scale, flat: false };
+        bumps.flat = (0..bumps.len()).all(|texel| bumps.vector(texel) == DVec3::Z);
+        bumps
+    }
+
+    /// Columns and rows.
+    #[must_use]
+    pub fn size(&self) -> (u32, u32) {
+        (self.size.width, self.size.height)
+    }
+
+    /// Number of texels.
+    #[expect(clippy::len_without_is_empty, reason = "a map has a texel")]
+    #[must_use]
+    pub fn len(&self) -> u32 {
+        self.size.width * self.size.height
+    }
+
+    /// True if every bump vector is (0, 0, 1).
+    #[must_use]
+    pub fn is_flat(&self) -> bool {
+        self.flat
+    }
+
+    /// Heights by texel index, 0 to 1.
+    #[must_use]
+    pub fn heights(&self) -> &[f64] {
+        &self.heights
+    }
+
+    /// Height in texels of a difference of 1.
+    #[must_use]
+    pub fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// The bump vector of a texel by index: a unit vector along (T, B, N). A few additions and one
+    /// square root; for many pixels, convert each texel once.
+    ///
+    /// # Panics
+    /// If there is no such texel.
+    #[must_use]
+    pub fn vector(&self, texel: u32) -> DVec3 {
+        let Size { width, height } = self.size;
+        let (x, y) = (texel % width, texel / width);
+        let at = |x: u32, y: u32| self.heights[cast::index_of_u32(y * width + x)];
+        let (left, right) = ((x + width - 1) % width, (x + 1) % width);
+        let (above, below) = ((y + height - 1) % height, (y + 1) % height);
+        let du = 0.5 * self.scale * (at(right, y) - at(left, y));
+        let dv = 0.5 * self.scale * (at(x, above) - at(x, below));
+        DVec3::new(0.0 - du, 0.0 - dv, 1.0).normalize()
+    }
+
+    /// Index of the texel at (u, v).
+    #[inline]
+    #[must_use]
+    pub fn texel(&self, u: f64, v: f64) -> u32 {
+        self.size.texel(u, v)
+    }
+}
+
+/// Linear light, 0 to 1, from an sRGB code value, 0 to 1 (IEC 61966-2-1).
+#[must_use]
+pub fn from_srgb(code: f64) -> f64 {
+    if code <= 0.04045 { code / 12.92 } else { ((code + 0.055) / 1.055).powf(2.4) }
+}
+
+/// The sRGB code value, 0 to 1, of linear light, which is first brought into 0 to 1.
+#[must_use]
+pub fn to_srgb(linear: f64) -> f64 {
+    let x = linear.clamp(0.0, 1.0);
+    if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 }
+}
+
+/// The whole of a file that a scene names.
+pub(super) fn read_file(path: &Path) -> Result<Vec<u8>> {
+    let fail = |why| Error::io(path, "can't read", why);
+    let mut bytes = Vec::new();
+    let file = File::open(path).map_err(fail)?;
+    file.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(fail)?;
+    if cast::count_of(bytes.len()) > MAX_BYTES {
+        let problem = format!("has more than {MAX_BYTES} bytes, the most that is read");
+        return Err(Error::file(path, problem));
+    }
+    Ok(bytes)
+}
+
+/// Decodes an image, after a look at what its header says.
+fn open_image(path: &Path) -> Result<(Size, DynamicImage)> {
+    let bytes = read_file(path)?;
+    let fail = |why: image::ImageError| {
+        let why = why.to_string();
+        Error::file(path, format!("can't be decoded as PNG or JPEG: {}", why.trim_end()))
+    };
+    let check =
+        |(width, height)| check_size(width, height).map_err(|problem| Error::file(path, problem));
+    png_size(&bytes).map_or(Ok(()), check)?;
+    let reader = || {
+        let guessed = ImageReader::new(Cursor::new(&bytes)).with_guessed_format();
+        guessed.map_err(|why| Error::io(path, "can't read", why))
+    };
+    let (width, height) = reader()?.into_dimensions().map_err(fail)?;
+    check((width, height))?;
+    let image = reader()?.decode().map_err(fail)?;
+    Ok((Size { width, height }, image))
+}
+
+/// Width and height in the header of a PNG file, which the decoder tells only where data follow.
+fn png_size(bytes: &[u8]) -> Option<(u32, u32)> {
+    let header = bytes.strip_prefix(b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR")?;
+    let (width, rest) = header.split_first_chunk()?;
+    let (height, _) = rest.split_first_chunk()?;
+    Some((u32::from_be_bytes(*width), u32::from_be_bytes(*height)))
+}
+
+/// What is wrong with the size of a map.
+pub(super) fn check_size(width: u32, height: u32) -> Result<(), String> {
+    let texels = u64::from(width) * u64::from(height);
+    if width.max(height) > MAX_SIDE || texels > MAX_TEXELS || texels == 0 {
+        return Err(format!(
+            "a map of {width} x {height} texels: legal are sides of 1 to {MAX_SIDE} and at most {MAX_TEXELS} texels; scale it down"
+        ));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::procedural::Pattern;
+    use super::*;
+
+    #[test]
+    fn texels_are_those_of_the_convention() {
+        let size = Size { width: 4, height: 2 };
+        for (u, v, texel) in [
+            (0.0, 1.0, 0),
+            (0.25, 1.0, 1),
+            (0.999, 0.75, 3),
+            (0.0, 0.5, 4),
+            (0.0, 0.25, 4),
+            (1.0, 0.25, 4),   // wraps to the left
+            (-0.01, 0.25, 7), // and to the right
+            (0.0, 0.0, 0),    // the lower edge is the upper one
+            (0.0, 1.2, 4),
+            (1e300, -1e300, 3), // no panic; texel of the largest integer
+        ] {
+            let found = size.texel(u, v);
+            assert!(found < 8);
+            if u < 1e300 {
+                assert_eq!(found, texel, "{u} {v}");
+            }
+        }
+        assert_eq!(Size { width: 1, height: 1 }.texel(0.3, 0.7), 0);
+    }
+
+    #[test]
+    fn srgb_goes_there_and_back() {
+        for code in 0..=255u8 {
+            let x = f64::from(code) / 255.0;
+            assert!((to_srgb(from_srgb(x)) - x).abs() < 1e-7, "{code}");
+        }
+        // A few values of the standard's own curve.
+        assert!((from_srgb(0.5) - 0.214_041_14).abs() < 1e-8);
+        assert!(to_srgb(-1.0) == 0.0 && (to_srgb(2.0) - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn slopes_are_in_texels() {
+        // A ramp that falls by 1/4 per texel to the right and rises by 1/4 per row downwards.
+        let heights: Vec<f64> =
+            (0..16).map(|i| 0.125 * f64::from(i / 4) - 0.125 * f64::from(i % 4) + 0.5).collect();
+        let bumps = Bumps::new(Size { width: 4, height: 4 }, heights, 2.0);
+        let n = bumps.vector(5);
+        // dh/du = -0.25 and dh/dv = -0.25 with scale 2, v upwards.
+        let expected = DVec3::new(0.25, 0.25, 1.0) / 1.125f64.sqrt();
+        assert!((n - expected).length() < 1e-15, "{n}");
+        assert!(!bumps.is_flat());
+        // At the left border the neighbour is the last column.
+        let n = bumps.vector(4);
+        let du = 2.0 * (-0.125 - -0.375) / 2.0;
+        assert!((n.x / n.z + du).abs() < 1e-15, "{n}");
+        assert_eq!(bumps.len(), 16);
+    }
+
+    #[test]
+    fn a_constant_height_is_straight_up_everywhere() {
+        for (width, height) in [(1, 1), (2, 1), (5, 3)] {
+            let size = Size { width, height };
+            let bumps = Bumps::new(size, vec![0.7; size.len()], 1e6);
+            assert!(bumps.is_flat());
+            for texel in 0..bumps.len() {
+                assert_eq!(bumps.vector(texel), DVec3::Z);
+            }
+        }
+        // No scale, no bumps.
+        assert!(Bumps::made(&Pattern::Brick.over(16, 16), 0.0).is_flat());
+    }
+}

@@ -1,0 +1,271 @@
+//! Scenes: objects, lights, textures and a camera from a TOML file, and the pixels that they cover.
+//!
+//! [`Scene::open`] reads a file, [`Scene::builtin`] one of the scenes that come with the program
+//! (their TOML text in `src/scene/builtin/` shows the format), and [`Scene::trace`] gives, row
+//! by row, what each covered pixel sees:
+//!
+//! ```
+//! use fixpath::scene::{Fragments, Scene};
+//! use std::path::Path;
+//!
+//! let text = "[camera]\neye = [5, 0, 0]\n[[object]]\nshape = \"cube\"";
+//! let scene = Scene::parse(text, Path::new("example.toml"))?;
+//! let mut seen = Fragments::default();
+//! scene.trace(256..257, &mut seen); // the row in the middle
+//! assert!(seen.normal[0].iter().all(|x| *x == 1.0)); // of the face towards +x
+//! # Ok::<(), fixpath::error::Error>(())
+//! ```
+//!
+//! What follows is all that it takes to do the same elsewhere.
+//!
+//! # Space
+//! The world is right-handed and z is up. A point of an object goes to
+//! `translate + Rz Ry Rx (scale * point)`: scaled along its own axes, then turned about x, then
+//! y, then z, counter-clockwise seen from the tip of the axis. Normals go by the inverse transpose.
+//!
+//! - *plane*: the square [-1, 1]^2 in z = 0, facing +z; u = (x+1)/2, v = (y+1)/2.
+//! - *cube*: [-1, 1]^3. Faces 0 to 5 are +x, -x, +y, -y, +z, -z; u runs from 0 to 1 along T and v
+//!   along B, which are (+y, +z), (-y, +z), (-x, +z), (+x, +z), (+x, +y), (+x, -y).
+//! - *sphere*: of radius 1 about the origin, poles on z; with az the azimuth from +x towards +y
+//!   and θ the angle from +z, u = az/turn in [0, 1) and v = 1 - θ/(half a turn). It is no mesh:
+//!   rays meet it exactly and normals are exact. On the pole itself az is 0.
+//! - *mesh*: triangles of an `.obj`, `.gltf` or `.glb` file, coordinates as in the file (glTF's y is up:
+//!   `rotate_degrees = [90, 0, 0]` stands it upright). Triangles count from 0 in the file's order;
+//!   polygons of more corners are cut into fans.
+//!
+//! # Texture frames
+//! `T = normalise(dP/du - N (N·dP/du))` and `B = h (N x T)`, with handedness h = +1, or -1 where
+//! the texture is mirrored: h is the sign of the determinant of (u, v) over the face, whose
+//! normal points to the side that the sum of its unit vertex normals is on (where that sum is square to
+//! the face, to the side from which the corners turn counter-clockwise). Each triangle has its own
+//! dP/du; normals of a mesh are interpolated with barycentric weights and made unit again, and a
+//! face whose three normals are equal is flat. Where dP/du lies along N, `T = normalise(h (dP/dv x N))`.
+//! On the sphere, before the object is placed, T = (-sin az, cos az, 0), at its poles too.
+//! A face without area in (u, v) is refused, unless every bump vector is (0, 0, 1), where T says
+//! nothing; then T is along any of its edges, and h = +1.
+//!
+//! # Maps
+//! u goes right and v goes up, as in OBJ files (glTF's v goes down and is flipped on reading).
+//! The texel of (u, v) is column `floor(u w)` and row `floor((1-v) h)`, both modulo the map's size:
+//! maps repeat, nearest texel, row 0 on top. A texel's index is `row * w + column`.
+//! Texture files hold sRGB and are decoded to linear light ([`from_srgb`]); colours in a scene file are
+//! linear. Whoever writes an image encodes it ([`to_srgb`]).
+//! Heights are 0 to 1; the bump vector of a texel is
+//! `normalise(-s (h[x+1] - h[x-1])/2, -s (h[y-1] - h[y+1])/2, 1)` along (T, B, N), where y counts rows
+//! downwards, neighbours wrap around, and the scale s is the height, in texels, of a difference of 1.
+//!
+//! # Camera and light
+//! With f the direction from eye to target, right = normalise(f x up) and top = right x f, pixel
+//! (x, y) of a w x h image has a = (2 (x+½)/w - 1) w/h and b = 1 - 2 (y+½)/h; y counts rows downwards.
+//! In perspective its ray leaves the eye along `f + tan(fov/2) (a right + b top)`; orthographic, it leaves
+//! `eye + (height/2) (a right + b top)` along f. The nearest face that is met from in front (by
+//! the face's own normal, not the interpolated one) is seen; faces are closed, with 1e-9 of an edge to spare,
+//! so that there is no crack between them. Nothing casts a shadow, and light doesn't fade with distance.
+//!
+//! V is the unit vector to the eye (orthographic: -f). L is the unit vector to the light, which for a
+//! directional light is its `direction`; on the very spot of a point light, L = N. H =
+//! normalise(L+V), and H = N where |L+V| < 1e-12.
+
+mod gltf;
+mod map;
+mod mesh;
+mod procedural;
+mod text;
+mod trace;
+
+pub use map::{Bumps, Texture, from_srgb, to_srgb};
+pub use trace::{CURVED, Fragments};
+
+use crate::error::{Error, Result};
+use glam::DVec3;
+use std::path::Path;
+
+/// The scenes that come with the program, with their TOML text.
+pub const BUILTIN: &[(&str, &str)] = &[
+    ("plane", include_str!("builtin/plane.toml")),
+    ("cube", include_str!("builtin/cube.toml")),
+    ("sphere", include_str!("builtin/sphere.toml")),
+];
+
+/// A scene, checked and ready to be traced. Camera, lights and materials may be changed; shapes and
+/// their places are fixed.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// Size and background of its image.
+    pub image: Image,
+    /// Where it is seen from.
+    pub camera: Camera,
+    /// Its lights, 1 to 8.
+    pub lights: Vec<Light>,
+    /// Intensity of the light from everywhere, 0 to 1.
+    pub ambient: f64,
+    /// Colours of its surfaces.
+    pub texture: Texture,
+    /// Bump vectors of its surfaces.
+    pub bumps: Bumps,
+    /// Material of each object.
+    pub materials: Vec<Material>,
+    surfaces: trace::Surfaces,
+}
+
+/// Size and background of a scene's image.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Image {
+    /// Columns, 1 to 4096.
+    pub width: u32,
+    /// Rows, 1 to 4096.
+    pub height: u32,
+    /// Linear RGB, each 0 to 1, where no object is.
+    pub background: [f64; 3],
+}
+
+/// Where a scene is seen from.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Camera {
+    /// How its rays run.
+    pub projection: Projection,
+    /// Where it stands.
+    pub eye: DVec3,
+    /// What it looks at; not the eye.
+    pub target: DVec3,
+    /// What is upwards in the image; not along the view.
+    pub up: DVec3,
+}
+
+/// How the rays of a camera run.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Projection {
+    /// From the eye, through an image this many degrees high.
+    Perspective {
+        /// Vertical field of view, in degrees.
+        fov_degrees: f64,
+    },
+    /// Side by side, through an image this high.
+    Orthographic {
+        /// Height of the image in the world.
+        height: f64,
+    },
+}
+
+/// A light.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Light {
+    /// Where it is.
+    pub place: Place,
+    /// Intensity, 0 to 1; the same at every distance.
+    pub intensity: f64,
+}
+
+/// Where a light is.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Place {
+    /// Far away: the unit vector from every surface towards it.
+    Direction(DVec3),
+    /// At a point.
+    Position(DVec3),
+}
+
+/// How a surface answers light: `Ia ka + Σ I (kd max(0, N·L) + ks max(0, N·H)^n)`.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Material {
+    /// ka, 0 to 1.
+    pub ambient: f64,
+    /// kd, 0 to 1.
+    pub diffuse: f64,
+    /// ks, 0 to 1.
+    pub specular: f64,
+    /// n, 0 to 255.
+    pub exponent: u32,
+}
+
+/// What holds for every pixel of a scene, so that a datapath can do with less.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Facts {
+    /// Some material has a specular part and some light an intensity: H is needed.
+    pub specular: bool,
+    /// Some material has a diffuse part and some light an intensity: L is needed, unless for H.
+    pub diffuse: bool,
+    /// Every face is flat: N, T and handedness are constant per face.
+    pub flat_faces: bool,
+    /// Every light is directional: L is constant per light.
+    pub constant_light: bool,
+    /// The camera is orthographic: V is constant, and H too where L is.
+    pub constant_eye: bool,
+    /// Every bump vector is (0, 0, 1).
+    pub flat_bumps: bool,
+    /// No texture is mirrored: handedness is +1 everywhere.
+    pub right_handed: bool,
+}
+
+impl Scene {
+    /// Reads a scene file; the paths in it are relative to its folder.
+    ///
+    /// # Errors
+    /// If it or a file that it names can't be read, isn't TOML, has a key that scenes don't
+    /// have or a value that isn't legal (which names the line), or a mesh can't be lit.
+    pub fn open(path: &Path) -> Result<Self> {
+        let bytes = map::read_file(path)?;
+        let text = String::from_utf8(bytes)
+            .map_err(|_| Error::file(path, "the text is not UTF-8".to_owned()))?;
+        text::read(&text, path)
+    }
+
+    /// A scene from TOML text; the paths in it are relative to the folder of `path`, which is
+    /// also its name in messages.
+    ///
+    /// # Errors
+    /// As [`Self::open`].
+    pub fn parse(text: &str, path: &Path) -> Result<Self> {
+        text::read(text, path)
+    }
+
+    /// One of [`BUILTIN`], by name.
+    ///
+    /// # Errors
+    /// If there is no such scene.
+    pub fn builtin(name: &str) -> Result<Self> {
+        let Some((_, text)) = BUILTIN.iter().find(|(known, _)| *known == name) else {
+            let known: Vec<&str> = BUILTIN.iter().map(|(known, _)| *known).collect();
+            let problem = format!(
+                "no built-in scene `{name}`: there are {}; or give the path of a scene file",
+                known.join(", ")
+            );
+            return Err(Error::usage(problem));
+        };
+        text::read(text, Path::new(name))
+    }
+
+    /// What holds for every pixel.
+    #[must_use]
+    pub fn facts(&self) -> Facts {
+        let lit = self.lights.iter().any(|light| light.intensity > 0.0);
+        Facts {
+            specular: lit && self.materials.iter().any(|material| material.specular > 0.0),
+            diffuse: lit && self.materials.iter().any(|material| material.diffuse > 0.0),
+            flat_faces: self.surfaces.is_flat(),
+            constant_light: self.lights.iter().all(|l| matches!(l.place, Place::Direction(_))),
+            constant_eye: matches!(self.camera.projection, Projection::Orthographic { .. }),
+            flat_bumps: self.bumps.is_flat(),
+            right_handed: self.surfaces.is_right_handed(),
+        }
+    }
+}
+
+impl Light {
+    /// The unit vector L from a point of a surface with normal N towards the light; N on the very
+    /// spot of a point light.
+    #[must_use]
+    pub fn towards(&self, point: DVec3, normal: DVec3) -> DVec3 {
+        match self.place {
+            Place::Direction(direction) => direction,
+            Place::Position(position) => (position - point).try_normalize().unwrap_or(normal),
+        }
+    }
+}
+
+/// The unit vector H halfway between L and V; N where |L+V| < 1e-12, since the light is behind.
+#[must_use]
+pub fn halfway(light: DVec3, eye: DVec3, normal: DVec3) -> DVec3 {
+    let sum = light + eye;
+    if sum.length_squared() < 1e-24 { normal } else { sum.normalize() }
+}

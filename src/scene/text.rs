@@ -1,0 +1,501 @@
+//! From TOML text to a scene: what is legal, and what is wrong in which line.
+
+use super::map::{self, Bumps, Texture};
+use super::mesh;
+use super::procedural::{Pattern, Samples};
+use super::trace::{Placement, Shape, Surfaces};
+use super::{Camera, Image, Light, Material, Place, Projection, Scene};
+use crate::cast;
+use crate::error::{Error, Result};
+use glam::DVec3;
+use serde::Deserialize;
+use std::ops::{Range, RangeInclusive};
+use std::path::{Path, PathBuf};
+use toml::Spanned;
+
+/// Coordinates, lengths and angles stay within this, so that their squares stay far from infinity.
+pub(super) const FAR: f64 = 1e6;
+/// Most objects of a scene.
+const MAX_OBJECTS: usize = 1000;
+/// Most lights of a scene.
+const MAX_LIGHTS: usize = 8;
+
+type Real = Option<Spanned<f64>>;
+type Integer = Option<Spanned<i64>>;
+type Triple = Option<Spanned<[f64; 3]>>;
+
+#[derive(Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+struct SceneText {
+    image: ImageText,
+    camera: Option<Spanned<CameraText>>,
+    light: Vec<Spanned<LightText>>,
+    ambient: AmbientText,
+    material: MaterialText,
+    texture: Option<Spanned<MapText>>,
+    height: Option<Spanned<MapText>>,
+    object: Vec<Spanned<ObjectText>>,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+struct ImageText {
+    width: Integer,
+    height: Integer,
+    background: Triple,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+struct CameraText {
+    projection: ProjectionText,
+    eye: Triple,
+    target: Triple,
+    up: Triple,
+    fov_degrees: Real,
+    height: Real,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum ProjectionText {
+    #[default]
+    Perspective,
+    Orthographic,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+struct LightText {
+    kind: LightKind,
+    direction: Triple,
+    position: Triple,
+    intensity: Real,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum LightKind {
+    #[default]
+    Directional,
+    Point,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+struct AmbientText {
+    intensity: Real,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+struct MaterialText {
+    ambient: Real,
+    diffuse: Real,
+    specular: Real,
+    exponent: Integer,
+}
+
+/// `[texture]` and `[height]`; each refuses the other's own key.
+#[derive(Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+struct MapText {
+    source: Option<Source>,
+    file: Option<PathBuf>,
+    width: Integer,
+    height: Integer,
+    color: Triple,
+    scale: Real,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Source {
+    Wood,
+    Brick,
+    Earth,
+    Constant,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ObjectText {
+    shape: ShapeText,
+    file: Option<Spanned<PathBuf>>,
+    translate: Triple,
+    rotate_degrees: Triple,
+    scale: Option<Spanned<Scale>>,
+    #[serde(default)]
+    material: MaterialText,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum ShapeText {
+    Plane,
+    Cube,
+    Sphere,
+    Mesh,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(untagged, expecting = "scale is a number or three numbers in brackets")]
+enum Scale {
+    Uniform(f64),
+    Axes([f64; 3]),
+}
+
+/// Reads a scene; `path` names it in messages, and files are relative to its folder.
+pub(super) fn read(text: &str, path: &Path) -> Result<Scene> {
+    let reader = Reader { text, path };
+    let scene: SceneText = toml::from_str(text).map_err(|why| {
+        let span = why.span().unwrap_or_default();
+        // As who writes a scene would say it.
+        let message = why.message().trim_end().replace("expected i64", "expected a whole number");
+        let message = message.replace("expected f64", "expected a number");
+        let message = message.replace("expected an array of length 3", "expected three numbers");
+        reader.fail(&span, format!("{message} in `{}`", reader.line_text(span.start)))
+    })?;
+    let image = reader.image(&scene.image)?;
+    let camera = reader.camera(scene.camera.as_ref())?;
+    let lights = reader.lights(&scene.light)?;
+    let ambient = reader.real("intensity", &scene.ambient.intensity, 1.0, 0.0..=1.0)?;
+    let material = reader.material(&scene.material, MATERIAL)?;
+    let (texture, made) = reader.texture(scene.texture.as_ref())?;
+    let bumps = reader.bumps(scene.height.as_ref(), made)?;
+    if scene.object.is_empty() || scene.object.len() > MAX_OBJECTS {
+        let problem = format!(
+            "{} objects: legal are 1 to {MAX_OBJECTS}; an object is `[[object]]` with `shape = \"sphere\"` below it",
+            scene.object.len()
+        );
+        return Err(Error::file(path, problem));
+    }
+    let mut materials = Vec::new();
+    let mut objects = Vec::new();
+    for object in &scene.object {
+        materials.push(reader.material(&object.get_ref().material, material)?);
+        objects.push(reader.object(object)?);
+    }
+    let surfaces = Surfaces::new(&objects, !bumps.is_flat()).map_err(|(object, problem)| {
+        match &objects[object].0 {
+            Shape::Mesh(file, _) => Error::file(file, problem),
+            Shape::Plane | Shape::Cube | Shape::Sphere => {
+                reader.fail(&scene.object[object].span(), problem)
+            }
+        }
+    })?;
+    Ok(Scene { image, camera, lights, ambient, texture, bumps, materials, surfaces })
+}
+
+const MATERIAL: Material = Material { ambient: 0.1, diffuse: 0.7, specular: 0.2, exponent: 32 };
+
+/// The text, to say where something is wrong.
+struct Reader<'a> {
+    text: &'a str,
+    path: &'a Path,
+}
+
+impl Reader<'_> {
+    fn fail(&self, span: &Range<usize>, problem: String) -> Error {
+        let before = &self.text.as_bytes()[..span.start.min(self.text.len())];
+        let line = 1 + before.iter().filter(|byte| **byte == b'\n').count();
+        Error::line(self.path, cast::count_of(line), problem)
+    }
+
+    /// The line around a byte, not too long, nothing in it that a terminal would act on.
+    fn line_text(&self, at: usize) -> String {
+        let number = self.text.bytes().take(at).filter(|byte| *byte == b'\n').count();
+        let line = self.text.lines().nth(number).unwrap_or_default().trim();
+        let end = if line.chars().nth(60).is_some() { "…" } else { "" };
+        line.chars().take(60).filter(|c| !c.is_control()).collect::<String>() + end
+    }
+
+    fn real(
+        &self,
+        key: &str,
+        given: &Real,
+        default: f64,
+        legal: RangeInclusive<f64>,
+    ) -> Result<f64> {
+        let Some(given) = given else { return Ok(default) };
+        self.check(key, given.span(), *given.get_ref(), &legal)
+    }
+
+    fn check(
+        &self,
+        key: &str,
+        span: Range<usize>,
+        value: f64,
+        legal: &RangeInclusive<f64>,
+    ) -> Result<f64> {
+        if legal.contains(&value) {
+            return Ok(value);
+        }
+        let problem =
+            format!("`{key}` = {}: legal is {} to {}", shown(value), legal.start(), legal.end());
+        Err(self.fail(&span, problem))
+    }
+
+    fn triple(
+        &self,
+        key: &str,
+        given: &Triple,
+        default: [f64; 3],
+        legal: RangeInclusive<f64>,
+    ) -> Result<[f64; 3]> {
+        let Some(given) = given else { return Ok(default) };
+        for value in given.get_ref() {
+            self.check(key, given.span(), *value, &legal)?;
+        }
+        Ok(*given.get_ref())
+    }
+
+    fn vector(&self, key: &str, given: &Triple, default: [f64; 3]) -> Result<DVec3> {
+        self.triple(key, given, default, -FAR..=FAR).map(DVec3::from_array)
+    }
+
+    fn integer(
+        &self,
+        key: &str,
+        given: &Integer,
+        default: u32,
+        legal: RangeInclusive<u32>,
+    ) -> Result<u32> {
+        let Some(given) = given else { return Ok(default) };
+        let value = u32::try_from(*given.get_ref()).ok().filter(|value| legal.contains(value));
+        value.ok_or_else(|| {
+            let problem = format!(
+                "`{key}` = {}: legal are whole numbers {} to {}",
+                given.get_ref(),
+                legal.start(),
+                legal.end()
+            );
+            self.fail(&given.span(), problem)
+        })
+    }
+
+    /// Refuses a key that says nothing here.
+    fn refuse<T>(&self, key: &str, given: &Option<Spanned<T>>, why: &str) -> Result<()> {
+        given.as_ref().map_or(Ok(()), |given| {
+            Err(self.fail(&given.span(), format!("`{key}` has no use here: {why}; leave it out")))
+        })
+    }
+
+    fn image(&self, image: &ImageText) -> Result<Image> {
+        Ok(Image {
+            width: self.integer("width", &image.width, 512, 1..=4096)?,
+            height: self.integer("height", &image.height, 512, 1..=4096)?,
+            background: self.triple("background", &image.background, [0.0; 3], 0.0..=1.0)?,
+        })
+    }
+
+    fn camera(&self, given: Option<&Spanned<CameraText>>) -> Result<Camera> {
+        let default = CameraText::default();
+        let camera = given.map_or(&default, Spanned::get_ref);
+        let projection = match camera.projection {
+            ProjectionText::Perspective => {
+                self.refuse("height", &camera.height, "it is for `projection = \"orthographic\"`")?;
+                let fov_degrees =
+                    self.real("fov_degrees", &camera.fov_degrees, 40.0, 0.01..=170.0)?;
+                Projection::Perspective { fov_degrees }
+            }
+            ProjectionText::Orthographic => {
+                let why = "it is for `projection = \"perspective\"`";
+                self.refuse("fov_degrees", &camera.fov_degrees, why)?;
+                let height = self.real("height", &camera.height, 4.0, 1e-6..=FAR)?;
+                Projection::Orthographic { height }
+            }
+        };
+        let eye = self.vector("eye", &camera.eye, [3.0, -4.0, 3.0])?;
+        let target = self.vector("target", &camera.target, [0.0; 3])?;
+        let up = self.vector("up", &camera.up, [0.0, 0.0, 1.0])?;
+        let line = |key: &Triple| match (key, given) {
+            (Some(key), _) => key.span(),
+            (None, Some(camera)) => camera.span(),
+            (None, None) => 0..0,
+        };
+        let Some(view) = (target - eye).try_normalize() else {
+            let problem = "the camera's `eye` is its `target`: move one of them".to_owned();
+            return Err(self.fail(&line(&camera.eye), problem));
+        };
+        // A millionth of a radian.
+        if up.try_normalize().is_none_or(|up| view.cross(up).length() < 1e-6) {
+            let mut legal = [0; 3];
+            legal[view.abs().min_position()] = 1;
+            let problem = format!(
+                "the camera's `up` = [{}, {}, {}] is no direction or along the view: choose another, such as {legal:?}",
+                up.x, up.y, up.z
+            );
+            return Err(self.fail(&line(&camera.up), problem));
+        }
+        Ok(Camera { projection, eye, target, up })
+    }
+
+    fn lights(&self, given: &[Spanned<LightText>]) -> Result<Vec<Light>> {
+        if given.len() > MAX_LIGHTS {
+            let problem = format!("{} lights: legal are 1 to {MAX_LIGHTS}", given.len());
+            return Err(self.fail(&given[MAX_LIGHTS].span(), problem));
+        }
+        if given.is_empty() {
+            return Ok(vec![self.light(&LightText::default())?]);
+        }
+        given.iter().map(|light| self.light(light.get_ref())).collect()
+    }
+
+    fn light(&self, light: &LightText) -> Result<Light> {
+        let place = match light.kind {
+            LightKind::Directional => {
+                self.refuse("position", &light.position, "it is for `kind = \"point\"`")?;
+                let direction = self.vector("direction", &light.direction, [1.0, -2.0, 3.0])?;
+                let unit = direction.try_normalize().ok_or_else(|| {
+                    let span = light.direction.as_ref().map(Spanned::span).unwrap_or_default();
+                    let problem =
+                        "`direction` has no length: it points from the surface towards the light";
+                    self.fail(&span, problem.to_owned())
+                })?;
+                Place::Direction(unit)
+            }
+            LightKind::Point => {
+                self.refuse("direction", &light.direction, "it is for `kind = \"directional\"`")?;
+                Place::Position(self.vector("position", &light.position, [2.0, -4.0, 6.0])?)
+            }
+        };
+        Ok(Light { place, intensity: self.real("intensity", &light.intensity, 1.0, 0.0..=1.0)? })
+    }
+
+    /// A material whose missing keys are those of another.
+    fn material(&self, given: &MaterialText, base: Material) -> Result<Material> {
+        Ok(Material {
+            ambient: self.real("ambient", &given.ambient, base.ambient, 0.0..=1.0)?,
+            diffuse: self.real("diffuse", &given.diffuse, base.diffuse, 0.0..=1.0)?,
+            specular: self.real("specular", &given.specular, base.specular, 0.0..=1.0)?,
+            exponent: self.integer("exponent", &given.exponent, base.exponent, 0..=255)?,
+        })
+    }
+
+    /// The texture, and what it was made from.
+    fn texture(&self, given: Option<&Spanned<MapText>>) -> Result<(Texture, Option<Samples>)> {
+        let default = MapText::default();
+        let map = given.map_or(&default, Spanned::get_ref);
+        self.refuse("scale", &map.scale, "it is for `[height]`")?;
+        match self.origin(map, given)? {
+            Origin::File(path) => {
+                self.refuse("color", &map.color, "colours come from the file")?;
+                Ok((Texture::open(&path)?, None))
+            }
+            Origin::Pattern(pattern, width, height) => {
+                self.refuse("color", &map.color, "colours come from `source`")?;
+                let made = pattern.over(width, height);
+                Ok((Texture::made(&made), Some(made)))
+            }
+            Origin::Constant(width, height) => {
+                let color = self.triple("color", &map.color, [1.0; 3], 0.0..=1.0)?;
+                Ok((Texture::constant(color, width, height), None))
+            }
+        }
+    }
+
+    /// The bumps; a surface that was made for the texture isn't made again.
+    fn bumps(&self, given: Option<&Spanned<MapText>>, made: Option<Samples>) -> Result<Bumps> {
+        let default = MapText::default();
+        let map = given.map_or(&default, Spanned::get_ref);
+        self.refuse("color", &map.color, "it is for `[texture]`")?;
+        let scale = self.real("scale", &map.scale, 4.0, -FAR..=FAR)?;
+        match self.origin(map, given)? {
+            Origin::File(path) => Bumps::open(&path, scale),
+            Origin::Pattern(pattern, width, height) => {
+                let wanted = (pattern, width, height);
+                let made = made.filter(|made| (made.pattern, made.width, made.height) == wanted);
+                let made = made.unwrap_or_else(|| pattern.over(width, height));
+                Ok(Bumps::made(&made, scale))
+            }
+            Origin::Constant(width, height) => Ok(Bumps::constant(width, height)),
+        }
+    }
+
+    fn origin(&self, map: &MapText, given: Option<&Spanned<MapText>>) -> Result<Origin> {
+        let span = given.map(Spanned::span).unwrap_or_default();
+        if let Some(file) = &map.file {
+            if map.source.is_some() {
+                let problem = "`source` and `file` are both there: a map has one of them";
+                return Err(self.fail(&span, problem.to_owned()));
+            }
+            self.refuse("width", &map.width, "the size is that of the file")?;
+            self.refuse("height", &map.height, "the size is that of the file")?;
+            return Ok(Origin::File(self.beside(file)));
+        }
+        let pattern = match map.source {
+            Some(Source::Wood) => Some(Pattern::Wood),
+            Some(Source::Brick) => Some(Pattern::Brick),
+            Some(Source::Earth) => Some(Pattern::Earth),
+            Some(Source::Constant) | None => None,
+        };
+        let default = pattern.map_or((1, 1), Pattern::default_size);
+        let width = self.integer("width", &map.width, default.0, 1..=map::MAX_SIDE)?;
+        let height = self.integer("height", &map.height, default.1, 1..=map::MAX_SIDE)?;
+        map::check_size(width, height).map_err(|problem| self.fail(&span, problem))?;
+        Ok(match pattern {
+            Some(pattern) => Origin::Pattern(pattern, width, height),
+            None => Origin::Constant(width, height),
+        })
+    }
+
+    fn object(&self, given: &Spanned<ObjectText>) -> Result<(Shape, Placement)> {
+        let object = given.get_ref();
+        let scale = match &object.scale {
+            None => [1.0; 3],
+            Some(scale) => {
+                let axes = match *scale.get_ref() {
+                    Scale::Uniform(factor) => [factor; 3],
+                    Scale::Axes(axes) => axes,
+                };
+                if let Some(wrong) = axes.iter().find(|x| !(1e-6..=FAR).contains(&x.abs())) {
+                    let problem = format!(
+                        "`scale` = {}: legal is 0.000001 to {FAR}, or the negative of that, which mirrors",
+                        shown(*wrong)
+                    );
+                    return Err(self.fail(&scale.span(), problem));
+                }
+                axes
+            }
+        };
+        let translate = self.vector("translate", &object.translate, [0.0; 3])?;
+        let rotate = self.vector("rotate_degrees", &object.rotate_degrees, [0.0; 3])?;
+        let placement = Placement::new(translate, rotate.to_array(), DVec3::from_array(scale));
+        if object.shape != ShapeText::Mesh {
+            self.refuse("file", &object.file, "it is for `shape = \"mesh\"`")?;
+        }
+        let shape = match object.shape {
+            ShapeText::Plane => Shape::Plane,
+            ShapeText::Cube => Shape::Cube,
+            ShapeText::Sphere => Shape::Sphere,
+            ShapeText::Mesh => {
+                let file = object.file.as_ref().ok_or_else(|| {
+                    let problem = "a mesh needs `file`, an .obj, .gltf or .glb file".to_owned();
+                    self.fail(&given.span(), problem)
+                })?;
+                let file = self.beside(file.get_ref());
+                let triangles = mesh::read(&file)?;
+                Shape::Mesh(file, triangles)
+            }
+        };
+        Ok((shape, placement))
+    }
+
+    /// A path relative to the scene's folder.
+    fn beside(&self, file: &Path) -> PathBuf {
+        self.path.parent().unwrap_or(Path::new("")).join(file)
+    }
+}
+
+/// A number for a message, however large.
+pub(super) fn shown(value: f64) -> String {
+    if value.abs() < 1e9 { value.to_string() } else { format!("{value:e}") }
+}
+
+/// Where a map comes from.
+enum Origin {
+    File(PathBuf),
+    Pattern(Pattern, u32, u32),
+    Constant(u32, u32),
+}

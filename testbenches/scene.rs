@@ -1,0 +1,812 @@
+//! Scenes against conventions derived once more, and every way in which their files can be wrong.
+
+use expect_test::expect;
+use fixpath::scene::{BUILTIN, CURVED, Fragments, Light, Place, Scene, halfway};
+use glam::{DMat3, DVec2, DVec3};
+use std::collections::HashMap;
+use std::f64::consts::{PI, TAU};
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+
+fn parse(text: &str) -> Scene {
+    Scene::parse(text, Path::new("scene.toml")).unwrap()
+}
+
+fn traced(scene: &Scene) -> Fragments {
+    let mut fragments = Fragments::default();
+    scene.trace(0..scene.image.height, &mut fragments);
+    fragments
+}
+
+fn normal(f: &Fragments, i: usize) -> DVec3 {
+    Fragments::vector(&f.normal, i)
+}
+
+fn tangent(f: &Fragments, i: usize) -> DVec3 {
+    Fragments::vector(&f.tangent, i)
+}
+
+#[test]
+fn builtin_scenes_are_whole() {
+    for (name, _) in BUILTIN {
+        let scene = Scene::builtin(name).unwrap();
+        let f = traced(&scene);
+        let pixels = scene.image.width * scene.image.height;
+        assert!(f.len() > pixels as usize / 3, "{name}: {}", f.len());
+        assert!(f.pixel.is_sorted_by(|a, b| a < b) && *f.pixel.last().unwrap() < pixels);
+        let facts = scene.facts();
+        assert!(facts.specular && facts.diffuse && facts.right_handed && !facts.flat_bumps);
+        assert_eq!(facts.flat_faces, *name != "sphere");
+        assert_eq!(
+            (facts.constant_light, facts.constant_eye),
+            (*name == "sphere", *name == "sphere")
+        );
+        let mut faces = HashMap::new();
+        for i in 0..f.len() {
+            let (n, t, v) = (normal(&f, i), tangent(&f, i), Fragments::vector(&f.eye, i));
+            for unit in [n, t, v] {
+                assert!((unit.length() - 1.0).abs() < 1e-12, "{name} {i} {unit}");
+            }
+            assert!(n.dot(t).abs() < 1e-12 && n.dot(v) > 0.0, "{name} {i}");
+            assert_eq!(f.face[i] == CURVED, *name == "sphere");
+            // To the last bit, so that a datapath may keep them per face.
+            let of_face = faces.entry(f.face[i]).or_insert((n, t));
+            assert!(facts.flat_faces.then_some((n, t)).is_none_or(|frame| frame == *of_face));
+            assert!(f.bump[i] < scene.bumps.len());
+            assert!((f.texel[i] as usize) < scene.texture.texels().len());
+        }
+    }
+    assert_eq!(
+        Scene::builtin("teapot").unwrap_err().to_string(),
+        "no built-in scene `teapot`: there are plane, cube, sphere; or give the path of a scene file"
+    );
+    let sphere = Scene::builtin("sphere").unwrap();
+    assert_eq!(sphere.bumps.size(), (512, 256));
+    assert_eq!((sphere.image.width, sphere.image.height), (512, 512));
+}
+
+#[test]
+fn rows_are_independent_and_memory_is_reused() {
+    let scene = parse("[image]\nwidth = 40\nheight = 30\n[[object]]\nshape = \"cube\"");
+    let whole = traced(&scene);
+    let (mut pixels, mut z) = (Vec::new(), Vec::new());
+    let mut part = Fragments::default();
+    scene.trace(0..30, &mut part);
+    let room = part.pixel.capacity();
+    for rows in [0..7, 7..8, 8..30, 30..99] {
+        scene.trace(rows, &mut part);
+        pixels.extend_from_slice(&part.pixel);
+        z.extend_from_slice(&part.position[2]);
+    }
+    assert_eq!((pixels, z), (whole.pixel, whole.position[2].clone()));
+    assert_eq!(part.pixel.capacity(), room);
+    fn shared<T: Sync>(_: &T) {}
+    shared(&scene);
+}
+
+/// A point of a shape from (u, v), before it is placed, and back; faces as numbered in the docs.
+fn surface(shape: &str, face: u32, uv: DVec2) -> DVec3 {
+    let (a, b) = (2.0 * uv.x - 1.0, 2.0 * uv.y - 1.0);
+    match (shape, face) {
+        ("sphere", _) => {
+            let (theta, az) = (PI * (1.0 - uv.y), TAU * uv.x);
+            DVec3::new(theta.sin() * az.cos(), theta.sin() * az.sin(), theta.cos())
+        }
+        ("plane", _) => DVec3::new(a, b, 0.0),
+        (_, 0) => DVec3::new(1.0, a, b),
+        (_, 1) => DVec3::new(-1.0, -a, b),
+        (_, 2) => DVec3::new(-a, 1.0, b),
+        (_, 3) => DVec3::new(a, -1.0, b),
+        (_, 4) => DVec3::new(a, b, 1.0),
+        (_, _) => DVec3::new(a, -b, -1.0),
+    }
+}
+
+fn uv_of(shape: &str, face: u32, p: DVec3) -> DVec2 {
+    let half = |a: f64, b: f64| DVec2::new((a + 1.0) / 2.0, (b + 1.0) / 2.0);
+    match (shape, face) {
+        ("sphere", _) => DVec2::new(
+            (p.y.atan2(p.x) / TAU).rem_euclid(1.0),
+            1.0 - p.z.clamp(-1.0, 1.0).acos() / PI,
+        ),
+        ("plane", _) => half(p.x, p.y),
+        (_, 0) => half(p.y, p.z),
+        (_, 1) => half(-p.y, p.z),
+        (_, 2) => half(-p.x, p.z),
+        (_, 3) => half(p.x, p.z),
+        (_, 4) => half(p.x, p.y),
+        (_, _) => half(p.x, -p.y),
+    }
+}
+
+/// Rays, frames and texels of placed shapes from the text of the module's documentation.
+#[test]
+fn conventions_from_finite_differences() {
+    let cameras = [
+        "eye = [3.0, -4.0, 3.0]\nfov_degrees = 50.0",
+        "eye = [-4.0, 2.0, -3.0]\nprojection = \"orthographic\"\nheight = 5.0\nup = [0.3, 1.0, 0.0]",
+    ];
+    let placements = [
+        (DVec3::ZERO, [0.0, 0.0, 0.0], DVec3::ONE),
+        (DVec3::new(0.2, -0.1, 0.3), [20.0, -35.0, 50.0], DVec3::new(1.0, 0.6, 1.3)),
+        (DVec3::new(-0.2, 0.1, 0.0), [200.0, 10.0, -80.0], DVec3::new(-1.1, 0.9, 0.8)),
+    ];
+    for camera in cameras {
+        for (translate, rotate, scale) in placements {
+            for shape in ["plane", "cube", "sphere"] {
+                let text = format!(
+                    "[image]\nwidth = 33\nheight = 24\n[camera]\n{camera}\n[texture]\nwidth = 64\nheight = 32\n[height]\nwidth = 16\nheight = 8\n\
+                     [[object]]\nshape = \"{shape}\"\ntranslate = {:?}\nrotate_degrees = {rotate:?}\nscale = {:?}",
+                    translate.to_array(),
+                    scale.to_array()
+                );
+                let scene = parse(&text);
+                let f = traced(&scene);
+                let [x, y, z] = rotate.map(f64::to_radians);
+                let linear = DMat3::from_rotation_z(z)
+                    * DMat3::from_rotation_y(y)
+                    * DMat3::from_rotation_x(x)
+                    * DMat3::from_diagonal(scale);
+                if shape != "plane" {
+                    assert!(f.len() > 40, "{text}");
+                }
+                for i in 0..f.len() {
+                    let position = Fragments::vector(&f.position, i);
+                    let local = linear.inverse() * (position - translate);
+                    let uv = uv_of(shape, f.face[i], local);
+                    let place = |uv| linear * surface(shape, f.face[i], uv) + translate;
+                    assert!((place(uv) - position).length() < 1e-9, "{shape} {i}");
+                    let step = 1e-6;
+                    let along =
+                        |d: DVec2| (place(uv + d * step) - place(uv - d * step)) / (2.0 * step);
+                    let (dpdu, dpdv) = (along(DVec2::X), along(DVec2::Y));
+                    // Outwards: as the shape's own normal, which a mirrored scale turns inside out.
+                    let mirrored = linear.determinant() < 0.0;
+                    let h = if mirrored { -1.0 } else { 1.0 };
+                    let n = h * dpdu.cross(dpdv).normalize();
+                    assert!((normal(&f, i) - n).length() < 1e-7, "{shape} {i} {n}");
+                    let t = (dpdu - n * n.dot(dpdu)).normalize();
+                    assert!((tangent(&f, i) - t).length() < 1e-6, "{shape} {i} {t}");
+                    assert_eq!(f.handedness[i], h);
+                    assert!(f.bitangent(i).dot(dpdv) > 0.0);
+                    let texel = |w: f64, h: f64| {
+                        let (x, y) = (uv.x * w, (1.0 - uv.y) * h);
+                        let safe = [x, y].iter().all(|x| (x - x.round()).abs() > 1e-6);
+                        safe.then(|| (y.floor() * w + x.floor()) as u32)
+                    };
+                    assert!(texel(64.0, 32.0).is_none_or(|texel| texel == f.texel[i]));
+                    assert!(texel(16.0, 8.0).is_none_or(|texel| texel == f.bump[i]));
+
+                    // The ray of the pixel goes through the point, and the eye is at its other end.
+                    let (px, py) = (f.pixel[i] % 33, f.pixel[i] / 33);
+                    let a = (2.0 * (f64::from(px) + 0.5) / 33.0 - 1.0) * 33.0 / 24.0;
+                    let b = 1.0 - 2.0 * (f64::from(py) + 0.5) / 24.0;
+                    let eye = scene.camera.eye;
+                    let forward = -eye.normalize();
+                    let right = forward.cross(scene.camera.up).normalize();
+                    let top = right.cross(forward);
+                    let v = if camera.contains("fov") {
+                        let ray = forward + 25f64.to_radians().tan() * (a * right + b * top);
+                        assert!((position - eye).cross(ray).length() < 1e-9);
+                        (eye - position).normalize()
+                    } else {
+                        let from = eye + 2.5 * (a * right + b * top);
+                        assert!((position - from).cross(forward).length() < 1e-9);
+                        -forward
+                    };
+                    assert!((Fragments::vector(&f.eye, i) - v).length() < 1e-12);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_pole_has_the_frame_of_azimuth_0() {
+    for (side, row) in [("1.0", 0), ("-1.0", 0)] {
+        let scene = parse(&format!(
+            "[image]\nwidth = 5\nheight = 5\n[camera]\neye = [0, 0, {side}]\ntarget = [0, 0, 0]\nup = [0, 1, 0]\nprojection = \"orthographic\"\nheight = 0.5\n\
+             [texture]\nwidth = 8\nheight = 4\n[[object]]\nshape = \"sphere\"\nscale = 0.5"
+        ));
+        let f = traced(&scene);
+        assert_eq!(f.len(), 25);
+        let pole: f64 = side.parse().unwrap();
+        assert_eq!((normal(&f, 12), tangent(&f, 12)), (DVec3::new(0.0, 0.0, pole), DVec3::Y));
+        // The lower edge of the map wraps to its upper one.
+        assert_eq!(f.texel[12], 8 * row);
+    }
+}
+
+#[test]
+fn lights_and_halfway_vectors() {
+    let lamp = Light { place: Place::Position(DVec3::new(0.0, 0.0, 3.0)), intensity: 1.0 };
+    let l = lamp.towards(DVec3::new(0.0, 4.0, 0.0), DVec3::X);
+    assert!((l - DVec3::new(0.0, -0.8, 0.6)).length() < 1e-15);
+    assert_eq!(lamp.towards(DVec3::new(0.0, 0.0, 3.0), DVec3::X), DVec3::X);
+    assert_eq!(halfway(DVec3::X, DVec3::X, DVec3::Z), DVec3::X);
+    assert_eq!(halfway(DVec3::X, DVec3::NEG_X, DVec3::Z), DVec3::Z);
+    let scene = parse("[[light]]\ndirection = [0, 0, 9]\n[[object]]\nshape = \"sphere\"");
+    assert_eq!(scene.lights[0].place, Place::Direction(DVec3::Z));
+    let f = traced(&scene);
+    let (mut l, mut h) = Default::default();
+    for _ in 0..2 {
+        f.lit_by(&scene.lights[0], &mut l, &mut h);
+    }
+    assert_eq!((l[0].len(), h[2].len()), (f.len(), f.len()));
+    for i in 0..f.len() {
+        assert_eq!(Fragments::vector(&l, i), DVec3::Z);
+        let half = (Fragments::vector(&f.eye, i) + DVec3::Z).normalize();
+        assert!((Fragments::vector(&h, i) - half).length() < 1e-15);
+    }
+}
+
+#[test]
+fn a_shape_alone_is_a_scene_and_materials_inherit() {
+    let scene = parse(
+        "[material]\nspecular = 0\nexponent = 7\n[[object]]\nshape = \"sphere\"\n\
+         [[object]]\nshape = \"plane\"\nmaterial = { diffuse = 0.25 }",
+    );
+    assert_eq!(scene.materials[0].exponent, 7);
+    assert_eq!((scene.materials[1].exponent, scene.materials[1].diffuse), (7, 0.25));
+    let facts = scene.facts();
+    assert!(!facts.specular && facts.flat_bumps && facts.constant_light && !facts.constant_eye);
+    assert_eq!((scene.texture.size(), scene.bumps.size()), ((1, 1), (1, 1)));
+    let f = traced(&scene);
+    assert!(f.texel.iter().chain(&f.bump).all(|texel| *texel == 0));
+    assert_eq!(scene.bumps.vector(0), DVec3::Z);
+    let both = f.object.contains(&0) && f.object.contains(&1);
+    assert!(both, "the sphere stands out of the plane");
+
+    let dark = parse("[[light]]\nintensity = 0\n[[object]]\nshape = \"plane\"").facts();
+    assert!(!dark.specular && !dark.diffuse && dark.flat_faces);
+    let faraway = parse("[camera]\ntarget = [9, -9, 3]\n[[object]]\nshape = \"sphere\"");
+    assert!(traced(&faraway).is_empty());
+}
+
+/// Eight points, 24 corners of a cube with its frames: point, normal, uv per corner, 12 triangles.
+fn cube_corners() -> Vec<(DVec3, DVec3, DVec2)> {
+    let mut corners = Vec::new();
+    for face in 0..6 {
+        let at = |u: f64, v: f64| surface("cube", face, DVec2::new(u, v));
+        let n = (at(0.0, 0.0) + at(1.0, 1.0)) / 2.0;
+        for (u, v) in [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 0.0), (1.0, 1.0), (0.0, 1.0)] {
+            corners.push((at(u, v), n, DVec2::new(u, v)));
+        }
+    }
+    corners
+}
+
+fn cube_obj() -> String {
+    let mut text = String::from("# a cube\nmtllib none.mtl\no cube\n");
+    for (p, n, uv) in cube_corners() {
+        writeln!(
+            text,
+            "v {} {} {}\nvn {} {} {}\nvt {} {}",
+            p.x, p.y, p.z, n.x, n.y, n.z, uv.x, uv.y
+        )
+        .unwrap();
+    }
+    for i in 0..12 {
+        let (a, b, c) = (3 * i + 1, 3 * i + 2, 3 * i + 3);
+        // Counted from the start, and from the end.
+        if i % 2 == 0 {
+            writeln!(text, "f {a}/{a}/{a} {b}/{b}/{b} {c}/{c}/{c}").unwrap();
+        } else {
+            let (a, b, c) = (a - 37, b - 37, c - 37);
+            writeln!(text, "f {a}/{a}/{a} {b}/{b}/{b} {c}/{c}/{c}").unwrap();
+        }
+    }
+    text
+}
+
+/// A glTF document of the cube and its buffer; `uri` goes into the document.
+fn cube_gltf(uri: &str) -> (String, Vec<u8>) {
+    let corners = cube_corners();
+    let mut bytes = Vec::new();
+    let mut put = |values: &[f64]| {
+        values.iter().for_each(|x| bytes.extend_from_slice(&(*x as f32).to_le_bytes()));
+    };
+    corners.iter().for_each(|(p, ..)| put(&p.to_array()));
+    corners.iter().for_each(|(_, n, _)| put(&n.to_array()));
+    corners.iter().for_each(|(.., uv)| put(&[uv.x, 1.0 - uv.y]));
+    (0..36u16).for_each(|i| bytes.extend_from_slice(&i.to_le_bytes()));
+    // Scaled by its node to the same size, from a buffer of half of it.
+    let document = format!(
+        r#"{{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [0]}}],
+"nodes": [{{"children": [1], "translation": [0, 0, 0]}}, {{"mesh": 0, "rotation": [0, 0, 0, 1]}}],
+"meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2}}, "indices": 3}}]}}],
+"accessors": [
+{{"bufferView": 0, "componentType": 5126, "count": 36, "type": "VEC3"}},
+{{"bufferView": 0, "byteOffset": 432, "componentType": 5126, "count": 36, "type": "VEC3"}},
+{{"bufferView": 1, "componentType": 5126, "count": 36, "type": "VEC2"}},
+{{"bufferView": 2, "componentType": 5123, "count": 36, "type": "SCALAR"}}],
+"bufferViews": [{{"buffer": 0, "byteLength": 864}}, {{"buffer": 0, "byteOffset": 864, "byteLength": 288}},
+{{"buffer": 0, "byteOffset": 1152, "byteLength": 72}}],
+"buffers": [{{{uri}"byteLength": 1224}}]}}"#
+    );
+    (document, bytes)
+}
+
+fn glb(document: &str, binary: &[u8]) -> Vec<u8> {
+    let mut json = document.as_bytes().to_vec();
+    json.resize(json.len().next_multiple_of(4), b' ');
+    let mut bytes = b"glTF\x02\0\0\0".to_vec();
+    bytes.extend_from_slice(&((12 + 8 + json.len() + 8 + binary.len()) as u32).to_le_bytes());
+    for (kind, chunk) in [(b"JSON", &json[..]), (b"BIN\0", binary)] {
+        bytes.extend_from_slice(&(chunk.len() as u32).to_le_bytes());
+        bytes.extend_from_slice(kind);
+        bytes.extend_from_slice(chunk);
+    }
+    bytes
+}
+
+fn base64(bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let digits = bytes.chunks(3).flat_map(|three| {
+        let word = three
+            .iter()
+            .chain([&0, &0])
+            .take(3)
+            .fold(0u32, |word, byte| word << 8 | u32::from(*byte));
+        (0..4).map(move |i| DIGITS[(word >> (18 - 6 * i) & 63) as usize] as char)
+    });
+    digits.collect()
+}
+
+#[test]
+fn one_cube_in_every_format_is_the_cube() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, bytes: &[u8]| fs::write(folder.path().join(name), bytes).unwrap();
+    write("cube.obj", cube_obj().as_bytes());
+    let (document, binary) = cube_gltf("\"uri\": \"the%20cube.bin\", ");
+    write("cube.gltf", document.as_bytes());
+    write("the cube.bin", &binary);
+    write("cube.glb", &glb(&cube_gltf("").0, &binary));
+    let data = format!("\"uri\": \"data:application/octet-stream;base64,{}\", ", base64(&binary));
+    write("data.gltf", cube_gltf(&data).0.as_bytes());
+
+    let scene = |object: &str| {
+        let text = format!(
+            "[image]\nwidth = 64\nheight = 48\n[texture]\nwidth = 7\nheight = 5\n[height]\nsource = \"brick\"\n[[object]]\n{object}\nrotate_degrees = [10, 20, 30]"
+        );
+        Scene::parse(&text, &folder.path().join("scene.toml")).unwrap()
+    };
+    let expected = traced(&scene("shape = \"cube\""));
+    for name in ["cube.obj", "cube.gltf", "cube.glb", "data.gltf"] {
+        let scene = scene(&format!("shape = \"mesh\"\nfile = \"{name}\""));
+        assert!(scene.facts().flat_faces && scene.facts().right_handed);
+        let f = traced(&scene);
+        assert_eq!(f.pixel, expected.pixel, "{name}");
+        for i in 0..f.len() {
+            assert_eq!(f.face[i] / 2, expected.face[i], "two triangles to the face");
+            for (a, b) in [
+                (&f.position, &expected.position),
+                (&f.normal, &expected.normal),
+                (&f.tangent, &expected.tangent),
+            ] {
+                assert!((Fragments::vector(a, i) - Fragments::vector(b, i)).length() < 1e-12);
+            }
+        }
+        let differ = (0..f.len()).filter(|i| f.texel[*i] != expected.texel[*i]).count();
+        assert!(differ <= 2, "{name}: only on the border of a texel may rounding choose");
+    }
+}
+
+const SQUARE: &str =
+    "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvn 0 0 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
+
+#[test]
+fn mirrored_and_smooth_meshes() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("a.obj");
+    let scene = || {
+        let text = "[image]\nwidth = 20\nheight = 20\n[camera]\neye = [0, 0, 5]\nup = [0, 1, 0]\n[height]\nsource = \"wood\"\n[[object]]\nshape = \"mesh\"\nfile = \"a.obj\"";
+        Scene::parse(text, &folder.path().join("scene.toml")).unwrap()
+    };
+    // A square by one polygon: its texture as on the plane, then with u to the left.
+    fs::write(&file, format!("{SQUARE}f 1/1/1 2/2/1 3/3/1 4/4/1")).unwrap();
+    let f = traced(&scene());
+    assert!(!f.is_empty() && f.handedness.iter().all(|h| *h == 1.0));
+    assert_eq!(tangent(&f, 0), DVec3::X);
+    fs::write(&file, format!("{SQUARE}f 1/2/1 2/1/1 3/4/1 4/3/1")).unwrap();
+    let mirrored = scene();
+    assert!(!mirrored.facts().right_handed);
+    let f = traced(&mirrored);
+    assert!(f.handedness.iter().all(|h| *h == -1.0));
+    assert_eq!((tangent(&f, 0), f.bitangent(0)), (DVec3::NEG_X, DVec3::Y));
+    // The corners the other way round, but normals towards us: the normals say where its front is.
+    fs::write(&file, format!("{SQUARE}f 4/4/1 3/3/1 2/2/1 1/1/1")).unwrap();
+    let turned = traced(&scene());
+    assert_eq!(turned.pixel, f.pixel);
+    assert!(turned.handedness.iter().all(|h| *h == 1.0));
+    // Normals that differ: interpolated, made unit again, and no flat face.
+    fs::write(&file, format!("{SQUARE}vn 1 0 1\nvn -2 0 2\nf 1/1/3 2/2/2 3/3/2 4/4/3")).unwrap();
+    let smooth = scene();
+    assert!(!smooth.facts().flat_faces);
+    let f = traced(&smooth);
+    for i in 0..f.len() {
+        let n = DVec3::new(f.position[0][i], 0.0, 1.0).normalize();
+        assert!((normal(&f, i) - n).length() < 1e-12, "{i}");
+        let t = (DVec3::X - n * n.x).normalize();
+        assert!((tangent(&f, i) - t).length() < 1e-12, "{i}");
+        assert_eq!(f.face[i], CURVED);
+    }
+}
+
+#[test]
+fn there_is_no_crack_between_triangles() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut text = String::new();
+    // A wavy sheet of 2 x 30 x 30 triangles beyond all borders of the image.
+    for i in 0..=30 {
+        for j in 0..=30 {
+            let (x, y) = (f64::from(i) / 3.0 - 5.0, f64::from(j) / 3.0 - 5.0);
+            writeln!(text, "v {x} {y} {}\nvt {x} {y}", 0.2 * (3.0 * x).sin() * (2.0 * y).cos())
+                .unwrap();
+        }
+    }
+    text.push_str("vn 0 0 1\n");
+    for i in 0..30 {
+        for j in 0..30 {
+            let a = 31 * i + j + 1;
+            let corner = |k| format!("{k}/{k}/1");
+            writeln!(
+                text,
+                "f {} {} {} {}",
+                corner(a),
+                corner(a + 31),
+                corner(a + 32),
+                corner(a + 1)
+            )
+            .unwrap();
+        }
+    }
+    fs::write(folder.path().join("sheet.obj"), text).unwrap();
+    // The middle of the image and of many pixels lie right on edges.
+    for camera in ["eye = [0, 0, 6]\nprojection = \"orthographic\"\nheight = 4", "eye = [0, 0, 6]"]
+    {
+        let text = format!(
+            "[image]\nwidth = 144\nheight = 144\n[camera]\n{camera}\nup = [0, 1, 0]\n[[object]]\nshape = \"mesh\"\nfile = \"sheet.obj\""
+        );
+        let scene = Scene::parse(&text, &folder.path().join("x.toml")).unwrap();
+        assert_eq!(traced(&scene).len(), 144 * 144);
+    }
+}
+
+#[test]
+fn maps_from_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    image::RgbImage::from_fn(3, 2, |x, y| image::Rgb([(x * 100) as u8, (y * 255) as u8, 128]))
+        .save(at("t.png"))
+        .unwrap();
+    let grey = image::ImageBuffer::<image::Luma<u16>, _>::from_fn(3, 3, |x, _| {
+        image::Luma([x as u16 * 20_000])
+    });
+    grey.save(at("h.png")).unwrap();
+    image::RgbImage::from_pixel(8, 8, image::Rgb([90, 90, 90])).save(at("g.jpg")).unwrap();
+    let read = |text: &str| {
+        Scene::parse(&format!("{text}\n[[object]]\nshape = \"plane\""), &at("s.toml")).unwrap()
+    };
+    let scene = read("[texture]\nfile = \"t.png\"\n[height]\nfile = \"h.png\"\nscale = -3");
+    assert_eq!(scene.texture.size(), (3, 2));
+    let texel = scene.texture.texels()[4];
+    let curve = |code: f64| ((code / 255.0 + 0.055) / 1.055).powf(2.4);
+    assert!((f64::from(texel[0]) - curve(100.0)).abs() < 1e-7 && texel[1] == 1.0);
+    assert!((f64::from(texel[2]) - curve(128.0)).abs() < 1e-7);
+    assert_eq!(scene.bumps.heights()[1], 20_000.0 / 65_535.0);
+    let n = scene.bumps.vector(4);
+    let slope = -3.0 * (40_000.0 / 65_535.0) / 2.0;
+    assert!((n.x / n.z + slope).abs() < 1e-14 && n.y == 0.0, "{n}");
+    let scene = read("[texture]\nfile = \"g.jpg\"\n[height]\nfile = \"g.jpg\"");
+    assert!(scene.facts().flat_bumps && scene.texture.size() == (8, 8));
+}
+
+/// Messages of scenes that are wrong, one line each.
+#[test]
+fn wrong_scenes_are_refused() {
+    let mut seen = String::new();
+    let object = "[[object]]\nshape = \"cube\"\n";
+    for text in [
+        "[image]\nwidht = 3",
+        "[image]\nwidth = 4097",
+        "[image]\n\nheight = 0",
+        "[image]\nwidth = \"wide\"",
+        "[image]\nwidth = 1.5",
+        "[image]\nbackground = [0.0, 2.0, 0.0]",
+        "[image]\nbackground = [0.0, 0.5]",
+        "[image",
+        "[camera]\neye = [nan, 0, 0]",
+        "[camera]\ntarget = [0, inf, 0]",
+        "[camera]\neye = [0, 0, 1e7]",
+        "[camera]\neye = [0, 0, 0]",
+        "[camera]\neye = [0, 0, 5]",
+        "[camera]\nup = [0, 0, 0]",
+        "[camera]\nfov_degrees = 180",
+        "[camera]\nprojection = \"orthographic\"\nfov_degrees = 30",
+        "[camera]\nheight = 3",
+        "[camera]\nprojection = \"fisheye\"",
+        "[[light]]\nintensity = 1.5",
+        "[[light]]\ncolour = 1",
+        "[[light]]\nkind = \"spot\"",
+        "[[light]]\ndirection = [0, 0, 0]",
+        "[[light]]\nposition = [0, 0, 1]",
+        "[[light]]\nkind = \"point\"\ndirection = [0, 0, 1]",
+        &"[[light]]\n".repeat(9),
+        "[ambient]\nintensity = -0.1",
+        "[material]\ndiffuse = 1.01",
+        "[material]\nexponent = 256",
+        "[material]\nexponent = -1",
+        "[texture]\nsource = \"marble\"",
+        "[texture]\nsource = \"wood\"\nfile = \"wood.png\"",
+        "[texture]\nsource = \"wood\"\ncolor = [1, 1, 1]",
+        "[texture]\nscale = 3",
+        "[texture]\ncolor = [1, 1, -1]",
+        "[texture]\nfile = \"none.png\"\nwidth = 3",
+        "[texture]\nfile = \"none.png\"",
+        "[height]\ncolor = [1, 1, 1]",
+        "[height]\nscale = inf",
+        "[height]\nwidth = 8193",
+        "[height]\nwidth = 8000\nheight = 8000",
+    ] {
+        let error = Scene::parse(&format!("{text}\n{object}"), Path::new("s.toml")).unwrap_err();
+        assert!(!error.is_failed_check());
+        writeln!(seen, "{error}").unwrap();
+    }
+    for text in [
+        "",
+        "[[object]]",
+        "[[object]]\nshape = \"torus\"",
+        "[[object]]\nshape = \"mesh\"",
+        "[[object]]\nshape = \"cube\"\nfile = \"a.obj\"",
+        "[[object]]\nshape = \"mesh\"\nfile = \"none.obj\"",
+        "[[object]]\nshape = \"cube\"\nscale = 0",
+        "[[object]]\nshape = \"cube\"\nscale = [1, nan, 1]",
+        "[[object]]\nshape = \"cube\"\nscale = \"big\"",
+        "[[object]]\nshape = \"cube\"\ncolor = 1",
+        "[[object]]\nshape = \"cube\"\nrotate_degrees = [0, inf, 0]",
+        "[[object]]\nshape = \"cube\"\n\nmaterial = { specular = 2 }",
+    ] {
+        let error = Scene::parse(text, Path::new("s.toml")).unwrap_err();
+        writeln!(seen, "{error}").unwrap();
+    }
+    expect![[r#"
+        s.toml, line 2: unknown field `widht`, expected one of `width`, `height`, `background` in `widht = 3`
+        s.toml, line 2: `width` = 4097: legal are whole numbers 1 to 4096
+        s.toml, line 3: `height` = 0: legal are whole numbers 1 to 4096
+        s.toml, line 2: invalid type: string "wide", expected a whole number in `width = "wide"`
+        s.toml, line 2: invalid type: floating point `1.5`, expected a whole number in `width = 1.5`
+        s.toml, line 2: `background` = 2: legal is 0 to 1
+        s.toml, line 2: invalid length 2, expected three numbers in `background = [0.0, 0.5]`
+        s.toml, line 1: unclosed table, expected `]` in `[image`
+        s.toml, line 2: `eye` = NaN: legal is -1000000 to 1000000
+        s.toml, line 2: `target` = inf: legal is -1000000 to 1000000
+        s.toml, line 2: `eye` = 10000000: legal is -1000000 to 1000000
+        s.toml, line 2: the camera's `eye` is its `target`: move one of them
+        s.toml, line 1: the camera's `up` = [0, 0, 1] is no direction or along the view: choose another, such as [1, 0, 0]
+        s.toml, line 2: the camera's `up` = [0, 0, 0] is no direction or along the view: choose another, such as [1, 0, 0]
+        s.toml, line 2: `fov_degrees` = 180: legal is 0.01 to 170
+        s.toml, line 3: `fov_degrees` has no use here: it is for `projection = "perspective"`; leave it out
+        s.toml, line 2: `height` has no use here: it is for `projection = "orthographic"`; leave it out
+        s.toml, line 2: unknown variant `fisheye`, expected `perspective` or `orthographic` in `projection = "fisheye"`
+        s.toml, line 2: `intensity` = 1.5: legal is 0 to 1
+        s.toml, line 2: unknown field `colour`, expected one of `kind`, `direction`, `position`, `intensity` in `colour = 1`
+        s.toml, line 2: unknown variant `spot`, expected `directional` or `point` in `kind = "spot"`
+        s.toml, line 2: `direction` has no length: it points from the surface towards the light
+        s.toml, line 2: `position` has no use here: it is for `kind = "point"`; leave it out
+        s.toml, line 3: `direction` has no use here: it is for `kind = "directional"`; leave it out
+        s.toml, line 9: 9 lights: legal are 1 to 8
+        s.toml, line 2: `intensity` = -0.1: legal is 0 to 1
+        s.toml, line 2: `diffuse` = 1.01: legal is 0 to 1
+        s.toml, line 2: `exponent` = 256: legal are whole numbers 0 to 255
+        s.toml, line 2: `exponent` = -1: legal are whole numbers 0 to 255
+        s.toml, line 2: unknown variant `marble`, expected one of `wood`, `brick`, `earth`, `constant` in `source = "marble"`
+        s.toml, line 1: `source` and `file` are both there: a map has one of them
+        s.toml, line 3: `color` has no use here: colours come from `source`; leave it out
+        s.toml, line 2: `scale` has no use here: it is for `[height]`; leave it out
+        s.toml, line 2: `color` = -1: legal is 0 to 1
+        s.toml, line 3: `width` has no use here: the size is that of the file; leave it out
+        none.png: can't read: No such file or directory (os error 2)
+        s.toml, line 2: `color` has no use here: it is for `[texture]`; leave it out
+        s.toml, line 2: `scale` = inf: legal is -1000000 to 1000000
+        s.toml, line 2: `width` = 8193: legal are whole numbers 1 to 8192
+        s.toml, line 1: a map of 8000 x 8000 texels: legal are sides of 1 to 8192 and at most 33554432 texels; scale it down
+        s.toml: 0 objects: legal are 1 to 1000; an object is `[[object]]` with `shape = "sphere"` below it
+        s.toml, line 1: missing field `shape` in `[[object]]`
+        s.toml, line 2: unknown variant `torus`, expected one of `plane`, `cube`, `sphere`, `mesh` in `shape = "torus"`
+        s.toml, line 1: a mesh needs `file`, an .obj, .gltf or .glb file
+        s.toml, line 3: `file` has no use here: it is for `shape = "mesh"`; leave it out
+        none.obj: can't read: No such file or directory (os error 2)
+        s.toml, line 3: `scale` = 0: legal is 0.000001 to 1000000, or the negative of that, which mirrors
+        s.toml, line 3: `scale` = NaN: legal is 0.000001 to 1000000, or the negative of that, which mirrors
+        s.toml, line 3: scale is a number or three numbers in brackets in `scale = "big"`
+        s.toml, line 3: unknown field `color`, expected one of `shape`, `file`, `translate`, `rotate_degrees`, `scale`, `material` in `color = 1`
+        s.toml, line 3: `rotate_degrees` = inf: legal is -1000000 to 1000000
+        s.toml, line 4: `specular` = 2: legal is 0 to 1
+    "#]].assert_eq(&seen);
+    assert!(Scene::open(Path::new("/nowhere/scene.toml")).is_err());
+}
+
+/// A PNG header of a grey image this large, with nothing behind it.
+fn png_header(width: u32, height: u32) -> Vec<u8> {
+    let mut chunk = b"IHDR".to_vec();
+    chunk.extend_from_slice(&width.to_be_bytes());
+    chunk.extend_from_slice(&height.to_be_bytes());
+    chunk.extend_from_slice(&[8, 0, 0, 0, 0]);
+    let crc = !chunk.iter().fold(!0u32, |crc, byte| {
+        (0..8).fold(crc ^ u32::from(*byte), |crc, _| {
+            crc >> 1 ^ (0xedb8_8320 & 0u32.wrapping_sub(crc & 1))
+        })
+    });
+    let mut png = b"\x89PNG\r\n\x1a\n\0\0\0\x0d".to_vec();
+    png.extend_from_slice(&chunk);
+    png.extend_from_slice(&crc.to_be_bytes());
+    png
+}
+
+/// Messages of files that are wrong, one line each.
+#[test]
+fn wrong_files_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut seen = String::new();
+    let mut refused = |text: &str, name: &str, bytes: &[u8]| {
+        fs::write(folder.path().join(name), bytes).unwrap();
+        let text = format!("{text}\nfile = \"{name}\"\n");
+        let text =
+            if text.contains("[[object]]") { text } else { text + "[[object]]\nshape = \"plane\"" };
+        let error = Scene::parse(&text, &folder.path().join("s.toml")).unwrap_err().to_string();
+        let error = error.replace(&format!("{}/", folder.path().display()), "");
+        writeln!(seen, "{error}").unwrap();
+    };
+    let mut good = Vec::new();
+    let picture = image::RgbImage::from_fn(40, 40, |x, y| image::Rgb([(x * y) as u8, x as u8, 3]));
+    picture.write_to(&mut std::io::Cursor::new(&mut good), image::ImageFormat::Png).unwrap();
+    refused("[texture]", "text.png", b"this is no picture");
+    refused("[texture]", "empty.png", b"");
+    refused("[texture]", "cut.png", &good[..good.len() / 2]);
+    let mut flipped = good.clone();
+    flipped[60] ^= 0x55;
+    refused("[height]", "flipped.png", &flipped);
+    refused("[texture]", "huge.png", &png_header(100_000, 100_000));
+    refused("[height]", "wide.png", &png_header(8193, 1));
+    refused("[height]", "many.png", &png_header(8000, 8000));
+    refused("[texture]", "header.png", &png_header(8000, 4000));
+    refused("[texture]", "cut.jpg", b"\xff\xd8\xff\xe0\0\x10JFIF\0");
+
+    let bumpy = "[height]\nsource = \"brick\"\nwidth = 8\nheight = 8\n[[object]]\nshape = \"mesh\"";
+    for (name, faces) in [
+        ("no_normals.obj", "f 1/1 2/2 3/3"),
+        ("no_uv.obj", "f 1//1 2//1 3//1"),
+        ("points.obj", "f 1 2 3"),
+        ("nan.obj", "v 0 nan 0"),
+        ("inf.obj", "vn 0 0 -inf"),
+        ("uv.obj", "vt 1e300 0"),
+        ("word.obj", "v 0 zero 0"),
+        ("few.obj", "vt 0"),
+        ("none.obj", "vn 0 0 0"),
+        ("nine.obj", "f 1/1/1 2/2/1 9/3/1"),
+        ("zero.obj", "f 1/1/1 2/2/1 0/3/1"),
+        ("back.obj", "f 1/1/1 2/2/1 3/-5/1"),
+        ("letters.obj", "f 1/1/1 2/2/1 c/3/1"),
+        ("two.obj", "f 1/1/1 2/2/1"),
+        ("empty.obj", ""),
+        ("thin.obj", "f 1/1/1 2/2/1 3/3/1\nf 1/1/1 2/2/1 2/3/1"),
+        ("flat_uv.obj", "f 1/1/1 2/2/1 3/3/1\nf 1/1/1 3/1/1 4/2/1"),
+        ("mesh.stl", ""),
+    ] {
+        refused(bumpy, name, format!("{SQUARE}{faces}").as_bytes());
+    }
+
+    let (document, binary) = cube_gltf("");
+    let mesh = "[[object]]\nshape = \"mesh\"";
+    for (name, from, to) in [
+        ("no_normals.glb", "\"NORMAL\": 1, ", ""),
+        ("no_uv.glb", ", \"TEXCOORD_0\": 2", ""),
+        ("accessor.glb", "\"NORMAL\": 1", "\"NORMAL\": 9"),
+        ("kind.glb", "\"NORMAL\": 1", "\"NORMAL\": 2"),
+        (
+            "count.glb",
+            "\"componentType\": 5123, \"count\": 36",
+            "\"componentType\": 5123, \"count\": 35",
+        ),
+        ("beyond.glb", "\"byteOffset\": 432", "\"byteOffset\": 436"),
+        ("overflow.glb", "\"byteOffset\": 432", "\"byteOffset\": 18446744073709551615"),
+        ("stride.glb", "\"byteLength\": 288", "\"byteLength\": 288, \"byteStride\": 4"),
+        ("memory.glb", "\"type\": \"VEC2\"", "\"type\": \"VEC2\", \"sparse\": {}"),
+        ("lines.glb", "\"indices\": 3", "\"indices\": 3, \"mode\": 1"),
+        ("loop.glb", "\"mesh\": 0", "\"mesh\": 0, \"children\": [0]"),
+        ("singular.glb", "\"rotation\": [0, 0, 0, 1]", "\"scale\": [1, 1, 0]"),
+        ("huge.glb", "\"rotation\": [0, 0, 0, 1]", "\"scale\": [1e9, 1e9, 1e9]"),
+        (
+            "draco.glb",
+            "\"scene\": 0",
+            "\"extensionsRequired\": [\"KHR_draco_mesh_compression\"], \"scene\": 0",
+        ),
+        ("json.glb", "\"scene\": 0", "\"scene\": zero"),
+        ("scene.glb", "\"scene\": 0", "\"scene\": 1"),
+        ("buffer.glb", "\"byteLength\": 1224", "\"byteLength\": 1228"),
+        ("none.glb", "\"mesh\": 0, ", ""),
+    ] {
+        assert!(document.contains(from), "{name}");
+        refused(mesh, name, &glb(&document.replace(from, to), &binary));
+    }
+    let mut wrong = binary.clone();
+    wrong[0..4].copy_from_slice(&f32::NAN.to_le_bytes());
+    refused(mesh, "nan.glb", &glb(&document, &wrong));
+    let mut wrong = binary.clone();
+    wrong[1222..1224].copy_from_slice(&36u16.to_le_bytes());
+    refused(mesh, "index.glb", &glb(&document, &wrong));
+    let mut wrong = binary.clone();
+    wrong[1222..1224].copy_from_slice(&34u16.to_le_bytes());
+    refused(mesh, "thin.glb", &glb(&document, &wrong));
+    let whole = glb(&document, &binary);
+    refused(mesh, "cut.glb", &whole[..whole.len() - 100]);
+    refused(mesh, "head.glb", &whole[..9]);
+    let mut old = whole.clone();
+    old[4] = 1;
+    refused(mesh, "old.glb", &old);
+    refused(mesh, "away.gltf", cube_gltf("\"uri\": \"away.bin\", ").0.as_bytes());
+    refused(mesh, "base.gltf", cube_gltf("\"uri\": \"data:;base64,!\", ").0.as_bytes());
+
+    // Without bumps, a face needs no area in the texture.
+    let text = "[[object]]\nshape = \"mesh\"\nfile = \"flat_uv.obj\"";
+    let scene = Scene::parse(text, &folder.path().join("s.toml")).unwrap();
+    let f = traced(&scene);
+    assert!((0..f.len()).all(|i| tangent(&f, i).dot(normal(&f, i)).abs() < 1e-12));
+    expect![[r#"
+        text.png: can't be decoded as PNG or JPEG: The image format could not be determined
+        empty.png: can't be decoded as PNG or JPEG: The image format could not be determined
+        cut.png: can't be decoded as PNG or JPEG: unexpected end of file
+        flipped.png: can't be decoded as PNG or JPEG: Format error decoding Png: Corrupt deflate stream. InvalidCodeLengthRepeat
+        huge.png: a map of 100000 x 100000 texels: legal are sides of 1 to 8192 and at most 33554432 texels; scale it down
+        wide.png: a map of 8193 x 1 texels: legal are sides of 1 to 8192 and at most 33554432 texels; scale it down
+        many.png: a map of 8000 x 8000 texels: legal are sides of 1 to 8192 and at most 33554432 texels; scale it down
+        header.png: can't be decoded as PNG or JPEG: unexpected end of file
+        cut.jpg: can't be decoded as PNG or JPEG: Format error decoding Jpeg: I/O errors Not enough bytes, expected 1 but found 0
+        no_normals.obj, line 10: corner `1/1` has no normal: export with texture coordinates and normals (v/vt/vn)
+        no_uv.obj, line 10: corner `1//1` has no texture coordinate: export with texture coordinates and normals (v/vt/vn)
+        points.obj, line 10: corner `1` has no texture coordinate: export with texture coordinates and normals (v/vt/vn)
+        nan.obj, line 10: the point has NaN: legal is -1000000 to 1000000
+        inf.obj, line 10: the normal has -inf: legal is -1000000 to 1000000
+        uv.obj, line 10: the texture coordinate has 1e300: legal is -1000000 to 1000000
+        word.obj, line 10: the point has `zero`, no number
+        few.obj, line 10: the texture coordinate has fewer than 2 numbers
+        none.obj, line 10: the normal has no length: give every vertex a direction
+        nine.obj, line 10: corner `9/3/1` names point 9, and up to here there are 4 (they count from 1)
+        zero.obj, line 10: corner `0/3/1` names point 0, and up to here there are 4 (they count from 1)
+        back.obj, line 10: corner `3/-5/1` names texture coordinate -5, and up to here there are 4 (they count from 1)
+        letters.obj, line 10: corner `c/3/1` names point c, and up to here there are 4 (they count from 1)
+        two.obj, line 10: a face of 2 corners: 3 or more make one
+        empty.obj: has no triangles
+        thin.obj: triangle 1 (they count from 0) has no area: remove it
+        flat_uv.obj: triangle 1 (they count from 0) has no area in the texture, so bumps have no direction: unwrap it, or leave [height] out
+        mesh.stl: a mesh is an .obj, .gltf or .glb file, by its extension
+        no_normals.glb: mesh 0, primitive 0: has no normals (NORMAL): export with texture coordinates and normals
+        no_uv.glb: mesh 0, primitive 0: has no uv (TEXCOORD_0): export with texture coordinates and normals
+        accessor.glb: mesh 0, primitive 0: accessor 9 is named, and there are 4
+        kind.glb: mesh 0, primitive 0: accessor 2: is VEC2 where VEC3 is needed
+        count.glb: mesh 0, primitive 0: 35 corners don't make whole triangles
+        beyond.glb: mesh 0, primitive 0: accessor 1: reaches beyond its buffer
+        overflow.glb: mesh 0, primitive 0: accessor 1: reaches beyond its buffer
+        stride.glb: mesh 0, primitive 0: accessor 2: reaches beyond its buffer
+        memory.glb: mesh 0, primitive 0: accessor 2: sparse data isn't read: export without it
+        lines.glb: mesh 0, primitive 0: its mode is 1: only lists of triangles (4) are read
+        loop.glb: node 0 has two parents
+        singular.glb: mesh 0, primitive 0: the matrix of its node can't be inverted
+        huge.glb: mesh 0, primitive 0: vertex 0 has 1e9: legal is -1000000 to 1000000
+        draco.glb: needs the extension `KHR_draco_mesh_compression`: export without it
+        json.glb: no glTF 2.0: expected value at line 1 column 40
+        scene.glb: scene 1 is named, and there are 1
+        buffer.glb: buffer 0 has 1224 bytes of 1228: the file is cut off
+        none.glb: has no triangles
+        nan.glb: mesh 0, primitive 0: vertex 0 has NaN: legal is -1000000 to 1000000
+        index.glb: mesh 0, primitive 0: vertex 36 is named, and there are 36
+        thin.glb: triangle 11 (they count from 0) has no area: remove it
+        cut.glb: the file is cut off in a chunk of its .glb container
+        head.glb: has no JSON chunk in its .glb container
+        old.glb: is .glb of version 1: only 2 is read
+        away.bin: can't read: No such file or directory (os error 2)
+        base.gltf: buffer 0: its data URI is no base64
+    "#]].assert_eq(&seen);
+}
