@@ -107,8 +107,25 @@ pub struct Architecture {
     pub set_up: &'static [&'static str],
     /// The quantity whose angle is compared.
     pub vector: &'static str,
-    /// Why counts differ from the paper's at the defaults: stage, count, and the reason.
-    pub differences: &'static [(Stage, &'static str, &'static str)],
+    /// Why counts differ from the paper's at the defaults.
+    pub differences: &'static [Note],
+}
+
+/// A count that is not the paper's at the defaults.
+#[derive(Clone, Copy, Debug)]
+pub struct Note {
+    /// Stage.
+    pub stage: Stage,
+    /// What is counted, of [`COUNTS`].
+    pub count: &'static str,
+    /// Ours.
+    pub ours: u64,
+    /// Why, in a line.
+    pub why: &'static str,
+}
+
+const fn note(stage: Stage, count: &'static str, ours: u64, why: &'static str) -> Note {
+    Note { stage, count, ours, why }
 }
 
 /// A stage of Table 1.
@@ -135,7 +152,18 @@ impl Stage {
 use Stage::{Illumination, SetUp};
 
 const ROTATIONS: &[&str] = &["light", "half", "bump"];
-const SHARED_N: &str = "both vectors share sines and cosines of the normal's angles";
+/// Why a count differs where it isn't the one at the defaults.
+pub const BY_PARAMETERS: &str = "it comes with the parameters that were set";
+
+const FOR_PSI: &str = "one more turns N' by psi, for texture axes that don't follow N's own frame";
+const TABLES: &str = "the paper counts 6 tables for each vector: sines and cosines at X and Y are 4 words of one of them";
+const TEXT: &str = "the paper's section 4.2 says 13 as well, its Table 1 says 11";
+
+const SEED: &[Note] = &[
+    note(SetUp, "adders", 17, FOR_PSI),
+    note(SetUp, "look-ups", 18, TABLES),
+    note(Illumination, "adders", 13, TEXT),
+];
 
 /// Every architecture, in the paper's order, and this project's pipelines after the paper's.
 pub static ARCHITECTURES: &[Architecture] = &[
@@ -155,7 +183,50 @@ pub static ARCHITECTURES: &[Architecture] = &[
         paper: KUGLER,
         set_up: &["setup"],
         vector: "pl_angle",
-        differences: &[],
+        differences: &[
+            note(
+                SetUp,
+                "multipliers",
+                3,
+                "reconstruction: two ratios and a length turn the normal into angles; what the paper's 5 do it doesn't say",
+            ),
+            note(
+                SetUp,
+                "adders",
+                6,
+                "two rotate, as in the paper; four fold octants of the normal's angles",
+            ),
+            note(
+                SetUp,
+                "look-ups",
+                5,
+                "the normal's angles take two reciprocals, two arctangents and a secant, words of two tables",
+            ),
+            note(
+                Illumination,
+                "multipliers",
+                0,
+                "reconstruction: the set-up's map rotates N' into the light's frame without a product",
+            ),
+            note(
+                Illumination,
+                "adders",
+                3,
+                "a difference of azimuths for each light, and the sum of both lights",
+            ),
+            note(
+                Illumination,
+                "look-ups",
+                0,
+                "addresses come from the set-up's map and not from LUTs",
+            ),
+            note(
+                Illumination,
+                "maps",
+                3,
+                "two light maps as in the paper, and the set-up's map again for their addresses",
+            ),
+        ],
     },
     Architecture {
         name: "kim",
@@ -164,7 +235,27 @@ pub static ARCHITECTURES: &[Architecture] = &[
         paper: KIM,
         set_up: &["setup"],
         vector: "lt_angle",
-        differences: &[(SetUp, "look-ups", SHARED_N)],
+        differences: &[
+            note(
+                SetUp,
+                "multipliers",
+                30,
+                "reconstruction: 8 for components and frame, 16 in the transforms, whose binormal has no z, 6 for angles",
+            ),
+            note(
+                SetUp,
+                "adders",
+                19,
+                "reconstruction: 10 in the transforms, 8 that fold octants of angles, 1 for psi",
+            ),
+            note(
+                SetUp,
+                "look-ups",
+                22,
+                "sines and cosines of six angles are 12 words of one table; 10 turn components into angles",
+            ),
+            note(Illumination, "look-ups", 10, "sine and cosine of N' serve both dot products"),
+        ],
     },
     Architecture {
         name: "ernst",
@@ -173,7 +264,7 @@ pub static ARCHITECTURES: &[Architecture] = &[
         paper: ERNST,
         set_up: &["setup"],
         vector: "lt_angle",
-        differences: &[],
+        differences: &[note(Illumination, "adders", 6, "one more adds the ambient light")],
     },
     Architecture {
         name: "lee printed",
@@ -182,7 +273,7 @@ pub static ARCHITECTURES: &[Architecture] = &[
         paper: LEE,
         set_up: ROTATIONS,
         vector: "lt_angle",
-        differences: &[],
+        differences: SEED,
     },
     Architecture {
         name: "lee corrected",
@@ -191,7 +282,7 @@ pub static ARCHITECTURES: &[Architecture] = &[
         paper: LEE,
         set_up: ROTATIONS,
         vector: "lt_angle",
-        differences: &[],
+        differences: SEED,
     },
     Architecture {
         name: "exact-polar",
@@ -200,7 +291,21 @@ pub static ARCHITECTURES: &[Architecture] = &[
         paper: LEE,
         set_up: ROTATIONS,
         vector: "lt_angle",
-        differences: &[],
+        differences: &[
+            note(
+                SetUp,
+                "adders",
+                49,
+                "for each vector 9 for angles, 11 for sums in place of products, 4 that fold octants; 1 for psi",
+            ),
+            note(
+                SetUp,
+                "look-ups",
+                38,
+                "for each vector 14 sines and cosines of 8 angles, and 5 words that turn components into angles",
+            ),
+            note(Illumination, "adders", 13, TEXT),
+        ],
     },
     Architecture {
         name: "exact-cartesian",
@@ -209,7 +314,29 @@ pub static ARCHITECTURES: &[Architecture] = &[
         paper: LEE,
         set_up: ROTATIONS,
         vector: "lt_angle",
-        differences: &[],
+        differences: &[
+            note(
+                SetUp,
+                "multipliers",
+                4,
+                "none in the rotation; four turn N' by psi in components",
+            ),
+            note(
+                SetUp,
+                "adders",
+                42,
+                "for each vector 9 for angles and 11 for sums in place of products; two turn N' by psi",
+            ),
+            note(
+                SetUp,
+                "look-ups",
+                30,
+                "for each vector 14 sines and cosines of 8 angles; two of psi",
+            ),
+            note(Illumination, "multipliers", 6, "dot products of components take three each"),
+            note(Illumination, "adders", 5, "two in each dot product, and the sum of both lights"),
+            note(Illumination, "look-ups", 2, "the light tables alone"),
+        ],
     },
 ];
 
@@ -463,9 +590,12 @@ fn row_of(
         let (Some(ours), Some(paper)) = row.stage(stage) else { continue };
         for ((count, ours), paper) in COUNTS.into_iter().zip(ours.counts()).zip(paper.counts()) {
             if ours != paper {
-                let note = |(of, name, _): &&(Stage, &str, &str)| *of == stage && *name == count;
-                let note = architecture.differences.iter().find(note);
-                let why = note.map_or("it comes with the parameters that were set", |note| note.2);
+                let known = architecture.differences.iter();
+                let note = known
+                    .filter(|note| note.stage == stage && note.count == count && note.ours == ours)
+                    .map(|note| note.why)
+                    .next();
+                let why = note.unwrap_or(BY_PARAMETERS);
                 row.differences.push(Difference { stage, count, ours, paper, why });
             }
         }
