@@ -4,6 +4,7 @@ mod compare;
 mod cost;
 mod demo;
 mod hardware;
+mod render;
 mod text;
 mod verify;
 
@@ -182,6 +183,11 @@ enum Command {
         after_help = "Counts come from the netlists of peercy, kugler, kim, ernst and of every pipeline of bump.\n\nExamples:\n  fixpath compare\n  fixpath compare -p scheme=linear --samples 1000000\n  fixpath compare -p map_addr_bits=20 -p exponent=64 --out table1.md"
     )]
     Compare(compare::CompareArgs),
+    /// Render a scene by pipelines: fixed, golden and difference pictures, and figures.
+    #[command(
+        after_help = "Examples:\n  fixpath render sphere --out sphere\n  fixpath render scene.toml --pipelines exact-polar -p angle_bits=12 -p scheme=linear --out pictures"
+    )]
+    Render(render::RenderArgs),
     /// Measure, waves, hardware and a sweep of built-in settings, in under half a minute.
     #[command(after_help = "Example:\n  fixpath demo --out demo_out")]
     Demo {
@@ -402,6 +408,7 @@ fn run(command: &Command) -> Result<bool> {
         }
         Command::Cost(args) => print(&cost::run(args)?)?,
         Command::Compare(args) => print(&compare::run(args)?)?,
+        Command::Render(args) => print(&render::run(args)?)?,
         Command::Demo { out } => return demo::run(out),
     }
     Ok(true)

@@ -1,0 +1,167 @@
+//! `fixpath render`: a scene by pipelines, its golden, differences and figures.
+
+use super::{pretty, progress_bar, text};
+use crate::error::{Error, Result};
+use crate::output;
+use crate::picture::{
+    Amplify, Difference, PIXELS_PER_DEGREE, Panel, absolute_map, sheet, signed_map,
+};
+use crate::render::{Pipeline, Rendered, render};
+use crate::scene::{BUILTIN, Scene};
+use clap::Args;
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+
+/// Arguments of `fixpath render`.
+#[derive(Args)]
+pub(super) struct RenderArgs {
+    /// Scene file, or a built-in scene: plane, cube, sphere.
+    scene: PathBuf,
+    /// Folder to write.
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    /// Pipelines to compare.
+    #[arg(
+        long,
+        value_name = "NAME,…",
+        value_delimiter = ',',
+        default_value = "printed,corrected,exact-polar,exact-cartesian"
+    )]
+    pipelines: Vec<String>,
+    /// Set a parameter of every pipeline that has it; those of the material come from the scene.
+    #[arg(short = 'p', long = "param", value_name = "KEY=VALUE")]
+    params: Vec<String>,
+    /// Pixels per degree of sight, for FLIP.
+    #[arg(long, default_value_t = PIXELS_PER_DEGREE)]
+    pixels_per_degree: f64,
+    /// As JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+/// The scene of a name or a file.
+pub(super) fn scene_of(path: &Path) -> Result<Scene> {
+    let name = path.to_str().filter(|name| BUILTIN.iter().any(|(known, _)| known == name));
+    match name {
+        Some(name) if !path.exists() => Scene::builtin(name),
+        Some(_) | None => Scene::open(path),
+    }
+}
+
+/// Renders and writes; returns what to tell.
+pub(super) fn run(args: &RenderArgs) -> Result<String> {
+    let mut pipelines = Vec::new();
+    for name in &args.pipelines {
+        if pipelines.iter().any(|known: &Pipeline| known.name == *name) {
+            return Err(Error::usage(format!("pipeline `{name}` is named twice")));
+        }
+        pipelines.push(Pipeline::named(name)?);
+    }
+    Pipeline::set(&mut pipelines, &args.params)?;
+    let scene = scene_of(&args.scene)?;
+    let bar = progress_bar(u64::from(scene.image.height), "rows");
+    let rendered = render(&scene, &pipelines, true, &|done| bar.set_position(done))?;
+    bar.finish_and_clear();
+    let differences = rendered
+        .shots
+        .iter()
+        .map(|shot| Difference::between(&shot.picture, &rendered.golden, args.pixels_per_degree))
+        .collect::<Result<Vec<_>>>()?;
+    write_pictures(&args.out, &rendered)?;
+    let value = figures(&rendered, &differences);
+    output::write_text(&args.out.join("figures.json"), &pretty(&value))?;
+    let told = table(&rendered, &differences);
+    output::write_text(&args.out.join("figures.txt"), &told)?;
+    Ok(if args.json { pretty(&value) } else { told })
+}
+
+fn write_pictures(out: &Path, rendered: &Rendered) -> Result<()> {
+    output::make_folder(out)?;
+    let golden = rendered.golden.to_srgb8();
+    golden.save_png(&out.join("golden.png"))?;
+    let mut panels = vec![("golden".to_owned(), golden)];
+    for shot in &rendered.shots {
+        let name = &shot.pipeline.name;
+        let picture = shot.picture.to_srgb8();
+        picture.save_png(&out.join(format!("{name}.png")))?;
+        let difference = absolute_map(&shot.picture, &rendered.golden, Amplify::Fit)?;
+        difference.save_png(&out.join(format!("{name}_difference.png")))?;
+        signed_map(&shot.picture, &rendered.golden, Amplify::Fit)?
+            .save_png(&out.join(format!("{name}_signed.png")))?;
+        panels.push((name.clone(), picture));
+        panels.push((format!("{name}: difference"), difference));
+    }
+    let panels: Vec<Panel<'_>> =
+        panels.iter().map(|(caption, picture)| Panel { caption, picture }).collect();
+    sheet(&panels, 3)?.save_png(&out.join("sheet.png"))
+}
+
+fn figures(rendered: &Rendered, differences: &[Difference]) -> Value {
+    let shot = |(shot, difference): (&crate::render::Shot, &Difference)| {
+        json!({
+            "pipeline": shot.pipeline.name,
+            "unit": shot.pipeline.unit.name,
+            "parameters": shot.design_values.iter().map(|(k, v)| (k.clone(), json!(v))).collect::<serde_json::Map<_, _>>(),
+            "difference": difference,
+            "vectors": shot.vectors,
+            "overflows": shot.overflows,
+            "samples": shot.samples,
+        })
+    };
+    json!({
+        "tool": "fixpath",
+        "version": env!("CARGO_PKG_VERSION"),
+        "width_px": rendered.golden.width_px(),
+        "height_px": rendered.golden.height_px(),
+        "covered_px": rendered.covered,
+        "blinn_max": rendered.blinn,
+        "pipelines": rendered.shots.iter().zip(differences).map(shot).collect::<Vec<_>>(),
+    })
+}
+
+fn table(rendered: &Rendered, differences: &[Difference]) -> String {
+    let rows: Vec<Vec<String>> = rendered
+        .shots
+        .iter()
+        .zip(differences)
+        .map(|(shot, d)| {
+            let angle = |rad: f64| format!("{}°", text::number(rad.to_degrees()));
+            vec![
+                shot.pipeline.name.clone(),
+                text::number(d.max.difference * 255.0),
+                text::number(d.mean * 255.0),
+                format!("{:.1}", d.psnr_db),
+                format!("{:.4}", d.ssim),
+                format!("{:.4}", d.flip),
+                format!("{:.2} %", d.srgb8_differing * 100.0),
+                d.srgb8_max_codes.to_string(),
+                shot.vectors.map(|v| angle(v.max_rad)).unwrap_or_default(),
+                shot.vectors.map(|v| angle(v.mean_rad)).unwrap_or_default(),
+                format!("{:.1}", shot.samples_per_second() / 1e6),
+            ]
+        })
+        .collect();
+    let mut told = format!(
+        "{} x {} pixels, {} of them covered; differences to the golden, in linear light\n",
+        rendered.golden.width_px(),
+        rendered.golden.height_px(),
+        rendered.covered
+    );
+    told.push_str(&text::table(
+        &[
+            "pipeline",
+            ">max/255",
+            ">mean/255",
+            ">PSNR dB",
+            ">SSIM",
+            ">FLIP",
+            ">8-bit differing",
+            ">codes",
+            ">L' angle max",
+            ">mean",
+            ">M samples/s a thread",
+        ],
+        &rows,
+    ));
+    told
+}
