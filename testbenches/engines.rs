@@ -288,7 +288,7 @@ impl Grower {
             }
             17 => {
                 let (node, count) = (self.any(), self.integer(7));
-                let room = self.max_bits - self.b.format(node).bits();
+                let room = self.max_bits.saturating_sub(self.b.format(node).bits());
                 let max = self.random.below(room as usize + 1) as u32;
                 self.b.shift_left(node, count, max)
             }
