@@ -499,6 +499,9 @@ pub struct Comparison {
 ///
 /// # Errors
 /// If a value is not legal, or no architecture has the parameter.
+///
+/// # Panics
+/// If an architecture that the claim names is not listed: that is wrong code.
 pub fn compare(
     set: &[String],
     inputs: &Inputs,
