@@ -408,7 +408,11 @@ fn run(command: &Command) -> Result<bool> {
         }
         Command::Cost(args) => print(&cost::run(args)?)?,
         Command::Compare(args) => print(&compare::run(args)?)?,
-        Command::Render(args) => print(&render::run(args)?)?,
+        Command::Render(args) => {
+            let (told, same) = render::run(args)?;
+            print(&told)?;
+            return Ok(same);
+        }
         Command::Demo { out } => return demo::run(out),
     }
     Ok(true)

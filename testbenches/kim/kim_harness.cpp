@@ -6,8 +6,8 @@
 //   light_scheme=direct light_bits=16 ambient=0.1 diffuse=0.6 specular=0.3 exponent=32
 //   period_ps=5000 stages=auto rom=block
 // latency 30 cycles, interval 1 cycle; tables read on the clock
-// absolute errors against the golden of the quantised inputs, over 65536 vectors uniform on
-// the sphere (seed 1), and the input words of the worst:
+// absolute errors against the golden of the quantised inputs, over 65536 random inputs
+// (sampler sphere, seed 1), and the input words of the worst:
 //   intensity: mean 6.91e-4, at most 1.28e-2 (836.5 ulp) at phi_l=12249 theta_l=10042 phi_h=25129 theta_h=12990 phi_n=27856 theta_n=18250 psi=18706 phi_p=19124 theta_p=3769
 //   diffuse: mean 5.92e-4, at most 7.09e-3 (464.8 ulp) at phi_l=5887 theta_l=21190 phi_h=20694 theta_h=21693 phi_n=7057 theta_n=377 psi=41054 phi_p=32253 theta_p=7036
 //   specular: mean 1.54e-4, at most 1.15e-2 (756.4 ulp) at phi_l=46792 theta_l=23943 phi_h=48621 theta_h=15295 phi_n=56540 theta_n=7516 psi=771 phi_p=53306 theta_p=8323
