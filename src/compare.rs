@@ -11,6 +11,9 @@ use crate::error::{Error, Result};
 use crate::measure::{self, Basis, Inputs, Report};
 use crate::netlist::{Netlist, Part, ScopeId};
 use crate::op::Op;
+use crate::picture::{self, PIXELS_PER_DEGREE};
+use crate::render::{Pipeline, render};
+use crate::scene::Scene;
 use crate::units::{Design, Unit};
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -430,8 +433,23 @@ pub struct Row {
     pub dot: Option<Spread>,
     /// Light of the pixel, end to end.
     pub intensity: Option<Spread>,
+    /// Difference of the picture of each scene to the golden one; none where the unit gives no light.
+    pub images: Vec<ImageError>,
     /// Each count that is not the paper's.
     pub differences: Vec<Difference>,
+}
+
+/// How far a scene's picture is from the golden one, in linear light.
+#[derive(Clone, Debug, Serialize)]
+pub struct ImageError {
+    /// The scene.
+    pub scene: String,
+    /// The largest difference of a channel.
+    pub max: f64,
+    /// The mean difference.
+    pub mean: f64,
+    /// LDR-FLIP.
+    pub flip: f64,
 }
 
 /// A count that is not the paper's.
@@ -553,6 +571,38 @@ pub fn compare(
     Ok(Comparison { source: SOURCE, samples: inputs.samples, seed: inputs.seed, rows, claims })
 }
 
+impl Comparison {
+    /// Renders a scene by every architecture that gives light, and adds what came of it.
+    ///
+    /// # Errors
+    /// If the scene's material doesn't go together with the parameters that were set.
+    pub fn add_scene(
+        &mut self,
+        name: &str,
+        scene: &Scene,
+        progress: &(dyn Fn(u64) + Sync),
+    ) -> Result<()> {
+        let (mut pipelines, mut of) = (Vec::new(), Vec::new());
+        for (at, row) in self.rows.iter().enumerate().filter(|(_, row)| row.intensity.is_some()) {
+            let unit = Unit::find(row.unit)?;
+            pipelines.push(Pipeline::of_unit(row.name, unit, &row.parameters));
+            of.push(at);
+        }
+        let rendered = render(scene, &pipelines, false, progress)?;
+        for (at, shot) in of.into_iter().zip(&rendered.shots) {
+            let d =
+                picture::Difference::between(&shot.picture, &rendered.golden, PIXELS_PER_DEGREE)?;
+            self.rows[at].images.push(ImageError {
+                scene: name.to_owned(),
+                max: d.max.difference,
+                mean: d.mean,
+                flip: d.flip,
+            });
+        }
+        Ok(())
+    }
+}
+
 /// Both stages of the paper, where both are available.
 #[must_use]
 pub fn whole(paper: Paper) -> Option<Hardware> {
@@ -587,6 +637,7 @@ fn row_of(
         vector: architecture.vector,
         dot: Spread::of(report, "dot_l"),
         intensity: Spread::of(report, "intensity"),
+        images: Vec::new(),
         differences: Vec::new(),
     };
     for stage in [SetUp, Illumination] {

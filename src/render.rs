@@ -83,6 +83,15 @@ impl Pipeline {
         Ok(Self { name: name.to_owned(), unit, assignments })
     }
 
+    /// A unit with parameters, under a name of its own; what the scene gives is left out of them.
+    #[must_use]
+    pub fn of_unit(name: &str, unit: &'static Unit, assignments: &[String]) -> Self {
+        let from_scene =
+            |set: &&String| set.split_once('=').is_some_and(|(key, _)| MATERIAL.contains(&key));
+        let assignments = assignments.iter().filter(|set| !from_scene(set)).cloned().collect();
+        Self { name: name.to_owned(), unit, assignments }
+    }
+
     /// Sets parameters for all pipelines that have them.
     ///
     /// # Errors

@@ -9,7 +9,7 @@ use crate::output;
 use crate::units::Sampler;
 use clap::Args;
 use std::fmt::Write as _;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 #[derive(Args)]
 pub(super) struct CompareArgs {
@@ -22,6 +22,14 @@ pub(super) struct CompareArgs {
     /// Seed of the random fragments.
     #[arg(long, default_value_t = 1)]
     seed: u64,
+    /// Scenes to render for the image error: built-in ones or files; none to leave it out.
+    #[arg(
+        long,
+        value_name = "SCENE,…",
+        value_delimiter = ',',
+        default_value = "plane,cube,sphere"
+    )]
+    scenes: Vec<String>,
     /// As JSON.
     #[arg(long)]
     json: bool,
@@ -45,8 +53,21 @@ pub(super) fn run(args: &CompareArgs) -> Result<String> {
         bar.set_prefix(name.to_owned());
         bar.set_position(done);
     };
-    let comparison = compare::compare(&args.params, &inputs, &progress)?;
+    let scenes = match &args.scenes[..] {
+        [none] if none == "none" => Vec::new(),
+        names => names
+            .iter()
+            .map(|name| Ok((name.as_str(), super::render::scene_of(Path::new(name))?)))
+            .collect::<Result<_>>()?,
+    };
+    let mut comparison = compare::compare(&args.params, &inputs, &progress)?;
     bar.finish_and_clear();
+    for (name, scene) in &scenes {
+        let bar = super::progress_bar(u64::from(scene.image.height), name);
+        let name = Path::new(name).file_stem().and_then(|stem| stem.to_str()).unwrap_or(name);
+        comparison.add_scene(name, scene, &|rows| bar.set_position(rows))?;
+        bar.finish_and_clear();
+    }
     if let Some(path) = &args.out {
         let markdown = ending.flatten() == Some("md");
         let text = if markdown { markdown_of(&comparison) } else { csv_of(&comparison) };
@@ -57,7 +78,7 @@ pub(super) fn run(args: &CompareArgs) -> Result<String> {
         return Ok(super::pretty(&value));
     }
     let mut told = String::new();
-    for section in sections(&comparison) {
+    for section in sections(&comparison).into_iter().filter(|section| !section.rows.is_empty()) {
         let _ = writeln!(told, "{}", section.title);
         let headings: Vec<&str> = section.headings.iter().map(String::as_str).collect();
         told.push_str(&text::table(&headings, &section.rows));
@@ -206,6 +227,7 @@ fn sections(comparison: &Comparison) -> Vec<Section> {
                 "end to end: against the golden of the inputs before quantisation; `fixpath sim` splits each error",
             ]),
         },
+        images(comparison),
         Section {
             title: "why counts differ from the paper's".to_owned(),
             headings: strings(&["architecture", "stage", "count", ">ours / paper", "because"]),
@@ -215,9 +237,42 @@ fn sections(comparison: &Comparison) -> Vec<Section> {
     ]
 }
 
+/// Image errors, three columns for each scene.
+fn images(comparison: &Comparison) -> Section {
+    let scenes: Vec<&str> = comparison
+        .rows
+        .iter()
+        .max_by_key(|row| row.images.len())
+        .map(|row| row.images.iter().map(|image| image.scene.as_str()).collect())
+        .unwrap_or_default();
+    let mut headings = vec!["architecture".to_owned()];
+    for scene in &scenes {
+        headings.extend([format!(">{scene}: max/255"), ">mean/255".to_owned(), ">FLIP".to_owned()]);
+    }
+    let row = |row: &Row| {
+        let mut cells = vec![row.name.to_owned()];
+        for image in &row.images {
+            cells.extend([image.max, image.mean].map(|x| text::number(x * 255.0)));
+            cells.push(format!("{:.4}", image.flip));
+        }
+        cells.resize(1 + 3 * scenes.len(), "-".to_owned());
+        cells
+    };
+    Section {
+        title: "difference of pictures to the golden, in linear light".to_owned(),
+        headings,
+        rows: if scenes.is_empty() {
+            Vec::new()
+        } else {
+            comparison.rows.iter().map(row).collect()
+        },
+        notes: vec!["peercy has no illumination; `fixpath render` shows the pictures".to_owned()],
+    }
+}
+
 fn markdown_of(comparison: &Comparison) -> String {
     let mut text = "# Table 1 rebuilt\n".to_owned();
-    for section in sections(comparison) {
+    for section in sections(comparison).into_iter().filter(|section| !section.rows.is_empty()) {
         let heads: Vec<&str> = section.headings.iter().map(|h| h.trim_start_matches('>')).collect();
         let rule: Vec<&str> = section
             .headings
@@ -254,6 +309,12 @@ fn csv_of(comparison: &Comparison) -> String {
             let _ = write!(text, ",{quantity}_{figure}");
         }
     }
+    let most = comparison.rows.iter().max_by_key(|row| row.images.len());
+    let scenes: Vec<&str> =
+        most.iter().flat_map(|row| row.images.iter().map(|image| image.scene.as_str())).collect();
+    for scene in &scenes {
+        let _ = write!(text, ",{scene}_max,{scene}_mean,{scene}_flip");
+    }
     text.push('\n');
     for row in &comparison.rows {
         let (set_up, illumination) = (row.stage(Stage::SetUp), row.stage(Stage::Illumination));
@@ -274,8 +335,12 @@ fn csv_of(comparison: &Comparison) -> String {
                     let figures = spread.map(|s| format!(",{},{},{}", s.mean, s.p99, s.max));
                     text.push_str(&figures.unwrap_or_else(|| ",,,".to_owned()));
                 }
+                for image in &row.images {
+                    let _ = write!(text, ",{},{},{}", image.max, image.mean, image.flip);
+                }
+                text.push_str(&",".repeat(3 * (scenes.len() - row.images.len())));
             } else {
-                text.push_str(&",".repeat(12));
+                text.push_str(&",".repeat(12 + 3 * scenes.len()));
             }
             text.push('\n');
         }
