@@ -225,7 +225,7 @@ fn lights_and_halfway_vectors() {
     assert!((l - DVec3::new(0.0, -0.8, 0.6)).length() < 1e-15);
     assert_eq!(lamp.towards(DVec3::new(0.0, 0.0, 3.0), DVec3::X), DVec3::X);
     assert_eq!(halfway(DVec3::X, DVec3::X, DVec3::Z), DVec3::X);
-    assert_eq!(halfway(DVec3::X, DVec3::NEG_X, DVec3::Z), DVec3::Z);
+    assert_eq!(halfway(DVec3::X, DVec3::NEG_X, DVec3::Z), DVec3::NEG_Z);
     let scene = parse("[[light]]\ndirection = [0, 0, 9]\n[[object]]\nshape = \"sphere\"");
     assert_eq!(scene.lights[0].place, Place::Direction(DVec3::Z));
     let f = traced(&scene);
