@@ -20,6 +20,7 @@ mod lower;
 mod lut;
 mod netlist;
 mod op;
+mod render;
 mod rotation;
 mod scene;
 mod shading;
