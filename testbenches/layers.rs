@@ -18,7 +18,7 @@ const LAYERS: &[&[&str]] = &[
     &["sim", "hdl"],
     &["measure", "wave"],
     &["report", "eval", "emit", "render"],
-    &["sweep", "verify", "cost"],
+    &["sweep", "verify", "cost", "compare"],
     &["cli"],
 ];
 

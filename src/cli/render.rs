@@ -1,17 +1,22 @@
 //! `fixpath render`: a scene by pipelines, its golden, differences and figures.
 
 use super::{pretty, progress_bar, text};
+use crate::cast;
 use crate::error::{Error, Result};
+use crate::netlist::Counts;
 use crate::output;
 use crate::picture::{
     Amplify, Difference, PIXELS_PER_DEGREE, Panel, absolute_map, check_pixels_per_degree, sheet,
     signed_map,
 };
-use crate::render::{Pipeline, Rendered, render};
+use crate::render::{Pipeline, Rendered, Shot, SpecialisedStage, render, specialise_to};
 use crate::scene::Scene;
 use clap::Args;
 use serde_json::{Value, json};
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
+
+const DEFAULT_PIPELINES: &str = "printed,corrected,exact-polar,exact-cartesian";
 
 /// Arguments of `fixpath render`.
 #[derive(Args)]
@@ -26,7 +31,7 @@ pub(super) struct RenderArgs {
         long,
         value_name = "NAME,…",
         value_delimiter = ',',
-        default_value = "printed,corrected,exact-polar,exact-cartesian"
+        default_value = DEFAULT_PIPELINES
     )]
     pipelines: Vec<String>,
     /// Set a parameter of every pipeline that has it; those of the material come from the scene.
@@ -35,9 +40,45 @@ pub(super) struct RenderArgs {
     /// Pixels per degree of sight, for FLIP.
     #[arg(long, default_value_t = PIXELS_PER_DEGREE)]
     pixels_per_degree: f64,
+    /// Cut each pipeline down to what the scene needs, hold it to the general one on every pixel, and
+    /// tell what that saves.
+    #[arg(long)]
+    specialise: bool,
     /// As JSON.
     #[arg(long)]
     json: bool,
+}
+
+impl RenderArgs {
+    /// A built-in scene with the defaults.
+    pub(super) fn of_builtin(name: &str, out: &Path) -> Self {
+        Self {
+            scene: name.into(),
+            out: out.to_owned(),
+            pipelines: DEFAULT_PIPELINES.split(',').map(str::to_owned).collect(),
+            params: Vec::new(),
+            pixels_per_degree: PIXELS_PER_DEGREE,
+            specialise: false,
+            json: false,
+        }
+    }
+}
+
+/// Renders and writes; returns a row of the demo's table for each pipeline.
+pub(super) fn demo_rows(args: &RenderArgs) -> Result<Vec<String>> {
+    let made = render_and_write(args)?;
+    let value = figures(&made.rendered, &made.differences);
+    output::write_text(&args.out.join("figures.json"), &pretty(&value))?;
+    let row = |(shot, d): (&Shot, &Difference)| {
+        format!(
+            "{} | {} | {} | {:.1} %",
+            shot.pipeline.name,
+            text::number(d.max.difference * 255.0),
+            text::number(d.mean * 255.0),
+            d.srgb8_differing * 100.0
+        )
+    };
+    Ok(made.rendered.shots.iter().zip(&made.differences).map(row).collect())
 }
 
 /// The scene of a name or a file.
@@ -50,8 +91,16 @@ pub(super) fn scene_of(path: &Path) -> Result<Scene> {
     }
 }
 
-/// Renders and writes; returns what to tell.
-pub(super) fn run(args: &RenderArgs) -> Result<String> {
+/// A scene, how it was rendered, and how far each pipeline is from the golden.
+struct Made {
+    scene: Scene,
+    pipelines: Vec<Pipeline>,
+    rendered: Rendered,
+    differences: Vec<Difference>,
+}
+
+/// Renders, and writes pictures and figures.
+fn render_and_write(args: &RenderArgs) -> Result<Made> {
     let mut pipelines = Vec::new();
     for name in &args.pipelines {
         if pipelines.iter().any(|known: &Pipeline| known.name == *name) {
@@ -75,11 +124,92 @@ pub(super) fn run(args: &RenderArgs) -> Result<String> {
         .map(|shot| Difference::between(&shot.picture, &rendered.golden, args.pixels_per_degree))
         .collect::<Result<Vec<_>>>()?;
     write_pictures(&args.out, &rendered)?;
-    let value = figures(&rendered, &differences);
+    Ok(Made { scene, pipelines, rendered, differences })
+}
+
+/// Renders and writes; returns what to tell, and false if a specialised pipeline differs.
+pub(super) fn run(args: &RenderArgs) -> Result<(String, bool)> {
+    let Made { scene, pipelines, rendered, differences } = render_and_write(args)?;
+    let mut value = figures(&rendered, &differences);
+    let mut told = table(&rendered, &differences);
+    let mut same = true;
+    if args.specialise {
+        let reduced = pipelines
+            .iter()
+            .map(|pipeline| Ok((pipeline.name.as_str(), specialise_to(&scene, pipeline)?)))
+            .collect::<Result<Vec<_>>>()?;
+        same = reduced.iter().flat_map(|(_, stages)| stages).all(|stage| stage.mismatches == 0);
+        let fields = value.as_object_mut().expect("bug: an object");
+        let stages = |(name, stages): &(&str, Vec<SpecialisedStage>)| json!({ "pipeline": name, "designs": stages });
+        fields.insert("specialised".to_owned(), reduced.iter().map(stages).collect());
+        told.push('\n');
+        told.push_str(&savings(&reduced));
+    }
     output::write_text(&args.out.join("figures.json"), &pretty(&value))?;
-    let told = table(&rendered, &differences);
     output::write_text(&args.out.join("figures.txt"), &told)?;
-    Ok(if args.json { pretty(&value) } else { told })
+    Ok((if args.json { pretty(&value) } else { told }, same))
+}
+
+/// What specialised pipelines save, a row for each design.
+fn savings(reduced: &[(&str, Vec<SpecialisedStage>)]) -> String {
+    let mut rows = Vec::new();
+    for (name, stages) in reduced {
+        for stage in stages {
+            let report = &stage.report;
+            let (before, after) = (&report.before, &report.pixel.counts);
+            let multipliers = |counts: &Counts| {
+                counts.datapath.multipliers + counts.schemes.multipliers + counts.parts.multipliers
+            };
+            let adders = |c: &Counts| c.datapath.adders + c.schemes.adders + c.parts.adders;
+            let change = |from: u64, to: u64| format!("{from} to {to}");
+            let per = |seconds: f64| seconds / cast::f64_of_count(stage.samples.max(1)) * 1e9;
+            let inputs = |rate: &str| stage.inputs.iter().filter(|port| port.rate == rate).count();
+            rows.push(vec![
+                (*name).to_owned(),
+                format!("{}, {}", stage.material, stage.light),
+                format!("{} {} {}", inputs("scene"), inputs("face"), inputs("pixel")),
+                change(before.tables, after.tables),
+                change(before.rom_bits, after.rom_bits),
+                change(before.rom_bits_dual_port, after.rom_bits_dual_port),
+                change(multipliers(before), multipliers(after)),
+                change(adders(before), adders(after)),
+                report.face.as_ref().map_or_else(
+                    || "-".to_owned(),
+                    |face| format!("{} adders, {}", adders(&face.counts), stage.faces),
+                ),
+                format!(
+                    "{:.1} to {:.1}",
+                    per(stage.general_seconds),
+                    per(stage.specialised_seconds)
+                ),
+                if stage.mismatches == 0 {
+                    format!("all {} words", stage.samples)
+                } else {
+                    format!("{} DIFFER", stage.mismatches)
+                },
+            ]);
+        }
+    }
+    let mut told = String::from(
+        "only what the scene needs, per pixel; each design is held to the general one on every pixel\n",
+    );
+    told.push_str(&text::table(
+        &[
+            "pipeline",
+            "material, light",
+            "ports constant on scene, face; changing",
+            "tables",
+            "ROM bits",
+            "with copies",
+            "multipliers",
+            "adders",
+            "once per face, faces",
+            "ns a sample",
+            "equal",
+        ],
+        &rows,
+    ));
+    told
 }
 
 fn write_pictures(out: &Path, rendered: &Rendered) -> Result<()> {
@@ -104,7 +234,7 @@ fn write_pictures(out: &Path, rendered: &Rendered) -> Result<()> {
 }
 
 fn figures(rendered: &Rendered, differences: &[Difference]) -> Value {
-    let shot = |(shot, difference): (&crate::render::Shot, &Difference)| {
+    let shot = |(shot, difference): (&Shot, &Difference)| {
         json!({
             "pipeline": shot.pipeline.name,
             "unit": shot.pipeline.unit.name,
@@ -113,6 +243,7 @@ fn figures(rendered: &Rendered, differences: &[Difference]) -> Value {
             "vectors": shot.vectors,
             "overflows": shot.overflows,
             "samples": shot.samples,
+            "engine_samples_per_second_per_thread": shot.samples_per_second(),
         })
     };
     json!({
@@ -122,6 +253,8 @@ fn figures(rendered: &Rendered, differences: &[Difference]) -> Value {
         "height_px": rendered.golden.height_px(),
         "covered_px": rendered.covered,
         "blinn_max": rendered.blinn,
+        "pixels_per_second":
+            cast::f64_of_len(rendered.golden.pixels().len()) / rendered.elapsed.as_secs_f64(),
         "pipelines": rendered.shots.iter().zip(differences).map(shot).collect::<Vec<_>>(),
     })
 }
@@ -170,5 +303,12 @@ fn table(rendered: &Rendered, differences: &[Difference]) -> String {
         ],
         &rows,
     ));
+    let pixels = cast::f64_of_len(rendered.golden.pixels().len());
+    let _ = writeln!(
+        told,
+        "  {:.2} M pixels/s for rays, golden and all pipelines together; Blinn's equation differs from the golden by {} at most",
+        pixels / rendered.elapsed.as_secs_f64() / 1e6,
+        text::number(rendered.blinn)
+    );
     told
 }
