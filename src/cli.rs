@@ -287,7 +287,8 @@ pub fn main() -> ExitCode {
         }
         // One line, as every other error: the message and its tips, without the usage.
         let text = error.to_string();
-        let lines = text.lines().take_while(|line| !line.starts_with("Usage:"));
+        let ends = |line: &str| line.starts_with("Usage:") || line.starts_with("For more info");
+        let lines = text.lines().take_while(|line| !ends(line));
         let parts: Vec<&str> = lines.map(str::trim).filter(|line| !line.is_empty()).collect();
         let _ = writeln!(io::stderr(), "{}: `fixpath --help` tells more", parts.join(" "));
         std::process::exit(2);

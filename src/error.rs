@@ -120,7 +120,7 @@ impl Error {
 }
 
 /// `, did you mean …` for the closest known name, or nothing if none is close.
-fn nearest<'a>(given: &str, known: impl Iterator<Item = &'a str>) -> String {
+pub(crate) fn nearest<'a>(given: &str, known: impl Iterator<Item = &'a str>) -> String {
     known
         .map(|name| (strsim::damerau_levenshtein(given, name), name))
         .min()

@@ -16,7 +16,7 @@ mod specialised;
 pub use specialised::{SeenPort, SpecialisedStage, specialise_to};
 
 use crate::cast;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, nearest};
 use crate::format::Format;
 use crate::measure::{angle_between, as_golden, quantize_inputs, run_golden};
 use crate::netlist::NodeId;
@@ -73,8 +73,9 @@ impl Pipeline {
     /// If there is none.
     pub fn named(name: &str) -> Result<Self> {
         if !Self::names().contains(&name) {
-            let names = Self::names().join(", ");
-            return Err(Error::usage(format!("no pipeline `{name}`: legal is {names}")));
+            let (hint, names) =
+                (nearest(name, Self::names().into_iter()), Self::names().join(", "));
+            return Err(Error::usage(format!("no pipeline `{name}`{hint}: legal is {names}")));
         }
         let (unit, assignments) = match Unit::find(name) {
             Ok(unit) => (unit, Vec::new()),
@@ -105,6 +106,11 @@ impl Pipeline {
                     format!("parameter `{key}` comes from the scene's [material] and lights");
                 return Err(Error::usage(text));
             }
+            let own = |p: &Self| p.assignments.iter().any(|own| own.starts_with("pipeline="));
+            if key == "pipeline" && pipelines.iter().any(own) {
+                let text = "parameter `pipeline` comes from the names of the pipelines";
+                return Err(Error::usage(text.to_owned()));
+            }
             let mut known = false;
             for pipeline in pipelines.iter_mut() {
                 if pipeline.unit.all_params().any(|param| param.name == key) {
@@ -114,9 +120,11 @@ impl Pipeline {
             }
             if !known {
                 let names: Vec<&str> = pipelines.iter().map(|p| p.name.as_str()).collect();
+                let all = pipelines.iter().flat_map(|p| p.unit.all_params());
                 return Err(Error::usage(format!(
-                    "no parameter `{key}` in any of the pipelines {}: `fixpath list` names them all",
-                    names.join(", ")
+                    "no parameter `{key}` in any of the pipelines {}{}: `fixpath list` names them all",
+                    names.join(", "),
+                    nearest(key, all.map(|param| param.name))
                 )));
             }
         }

@@ -560,3 +560,134 @@ fn an_interrupt_leaves_nothing_half_written() {
     assert_eq!(child.wait().unwrap().code(), Some(130));
     assert!(is_empty(folder.path()));
 }
+
+/// A scene or an option that is wrong is refused with its place, before anything is written.
+#[test]
+fn a_render_that_is_wrong_writes_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let write = |name: &str, bytes: &[u8]| fs::write(folder.path().join(name), bytes).unwrap();
+    let out = at("out");
+    let refused_with = |scene: &str, options: &[&str], message: &str| {
+        let args = [&["render", scene, "--out", &out], options].concat();
+        refused(&args, message);
+        assert!(!Path::new(&out).exists(), "{message}");
+    };
+    let wrong = |name: &str, text: &str, message: &str| {
+        write(name, text.as_bytes());
+        refused_with(&at(name), &[], message);
+    };
+    write("corrupt.png", b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\x04\0\0");
+    let mut huge = b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR".to_vec();
+    huge.extend_from_slice(&[0, 1, 0x86, 0xa0, 0, 1, 0x86, 0xa0, 8, 2, 0, 0, 0]);
+    write("huge.png", &huge);
+    let points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\n";
+    for (name, face) in [
+        ("points.obj", "f 1 2 3"),
+        ("no_normals.obj", "f 1/1 2/2 3/3"),
+        ("nan.obj", "v 0 NaN 1"),
+        ("thin.obj", "f 1/1/1 2/2/1 3/3/1\nf 1/1/1 2/2/1 4/3/1"),
+    ] {
+        write(name, format!("{points}{face}\n").as_bytes());
+    }
+    let plane = "[[object]]\nshape = \"plane\"\n";
+    let mesh = |file: &str| format!("[[object]]\nshape = \"mesh\"\nfile = \"{file}\"\n");
+    wrong("a.toml", &format!("{plane}[texture]\nfile = \"no.png\""), "no.png: can't read: ");
+    wrong(
+        "a.toml",
+        &format!("{plane}[texture]\nfile = \"corrupt.png\""),
+        "corrupt.png: can't be decoded",
+    );
+    wrong(
+        "a.toml",
+        &format!("{plane}[height]\nfile = \"huge.png\""),
+        "huge.png: a map of 100000 x 100000 texels: legal are sides of 1 to 8192",
+    );
+    wrong("a.toml", &mesh("no.obj"), "no.obj: can't read: ");
+    wrong(
+        "a.toml",
+        &mesh("points.obj"),
+        "points.obj, line 9: corner `1` has no texture coordinate",
+    );
+    wrong("a.toml", &mesh("no_normals.obj"), "no_normals.obj, line 9: corner `1/1` has no normal");
+    wrong("a.toml", &mesh("nan.obj"), "nan.obj, line 9: the point has NaN");
+    wrong(
+        "a.toml",
+        &mesh("thin.obj"),
+        "thin.obj, line 10: triangle 1 (they count from 0) has no area",
+    );
+    wrong(
+        "a.toml",
+        &format!("{plane}\n[[light]]\ncolour = 1"),
+        "a.toml, line 5: unknown field `colour`",
+    );
+    wrong(
+        "a.toml",
+        "[image]\nwidth = 0\nheight = 0\n",
+        "a.toml, line 2: `width` = 0: legal are whole numbers 1 to 4096",
+    );
+    wrong(
+        "a.toml",
+        "[image]\nheight = 1000000000\n",
+        "a.toml, line 2: `height` = 1000000000: legal",
+    );
+    refused_with(&at("none.toml"), &[], "none.toml: can't read: ");
+    refused_with("shpere", &[], "no built-in scene `shpere`: there are plane, cube, sphere");
+
+    write("good.toml", format!("[image]\nwidth = 4\nheight = 4\n{plane}").as_bytes());
+    let good = at("good.toml");
+    for (options, message) in [
+        (
+            &["--pipelines", "exact-polr"][..],
+            "no pipeline `exact-polr`, did you mean `exact-polar`: legal is printed,",
+        ),
+        (&["--pipelines", ""], "no pipeline ``: legal is"),
+        (&["--pipelines", "printed,printed"], "pipeline `printed` is named twice"),
+        (
+            &["-p", "angel_bits=8"],
+            "no parameter `angel_bits` in any of the pipelines printed, corrected, exact-polar, exact-cartesian, did you mean `angle_bits`",
+        ),
+        (&["-p", "angle_bits=99"], "parameter `angle_bits` = `99`: legal is 2 to 24"),
+        (&["-p", "angle_bits"], "`angle_bits` is not of the form key=value"),
+        (
+            &["-p", "exponent=3"],
+            "parameter `exponent` comes from the scene's [material] and lights",
+        ),
+        (&["-p", "diffuse=0.5"], "parameter `diffuse` comes from the scene's"),
+        (&["-p", "pipeline=printed"], "parameter `pipeline` comes from the names of the pipelines"),
+        (
+            &["--pixels-per-degree", "0"],
+            "parameter `pixels_per_degree` = `0.0`: legal is a number from 1 to 1000",
+        ),
+        (&["--pixels-per-degree", "1e-300"], "= `1e-300`: legal is a number from 1 to 1000"),
+        (&["--pixels-per-degree", "NaN"], "= `NaN`: legal"),
+        (&["--pixels-per-degree", "inf"], "= `inf`: legal"),
+        (&["--pixels-per-degree", "many"], "invalid value 'many'"),
+    ] {
+        refused_with(&good, options, message);
+    }
+    refused(
+        &["render", &good, "--out", &good],
+        "good.toml: is no folder, and pictures go into one",
+    );
+    refused(&["render", &good, "--out", &format!("{good}/out")], "can't make the folder");
+    assert!(fs::read_to_string(&good).unwrap().starts_with("[image]"));
+
+    // Nor does a folder stand in the way of a name: an earlier run may have written it.
+    fs::create_dir(folder.path().join("plane")).unwrap();
+    let mut command = fixpath();
+    command.current_dir(folder.path()).args([
+        "render",
+        "plane",
+        "--out",
+        "plane",
+        "-p",
+        "angle_bits=99",
+    ]);
+    let stderr = String::from_utf8(command.output().unwrap().stderr).unwrap();
+    assert!(stderr.contains("angle_bits"), "{stderr}");
+    command = fixpath();
+    command.current_dir(folder.path()).args(["render", "plane", "--out", "good.toml"]);
+    let stderr = String::from_utf8(command.output().unwrap().stderr).unwrap();
+    assert!(stderr.contains("good.toml: is no folder"), "{stderr}");
+}

@@ -20,6 +20,7 @@ mod lower;
 mod lut;
 mod netlist;
 mod op;
+mod render;
 mod rivals;
 mod rotation;
 mod scene;

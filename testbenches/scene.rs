@@ -225,7 +225,7 @@ fn lights_and_halfway_vectors() {
     assert!((l - DVec3::new(0.0, -0.8, 0.6)).length() < 1e-15);
     assert_eq!(lamp.towards(DVec3::new(0.0, 0.0, 3.0), DVec3::X), DVec3::X);
     assert_eq!(halfway(DVec3::X, DVec3::X, DVec3::Z), DVec3::X);
-    assert_eq!(halfway(DVec3::X, DVec3::NEG_X, DVec3::Z), DVec3::Z);
+    assert_eq!(halfway(DVec3::X, DVec3::NEG_X, DVec3::Z), DVec3::NEG_Z);
     let scene = parse("[[light]]\ndirection = [0, 0, 9]\n[[object]]\nshape = \"sphere\"");
     assert_eq!(scene.lights[0].place, Place::Direction(DVec3::Z));
     let f = traced(&scene);
@@ -779,8 +779,8 @@ fn wrong_files_are_refused() {
         letters.obj, line 10: corner `c/3/1` names point c, and up to here there are 4 (they count from 1)
         two.obj, line 10: a face of 2 corners: 3 or more make one
         empty.obj: has no triangles
-        thin.obj: triangle 1 (they count from 0) has no area: remove it
-        flat_uv.obj: triangle 1 (they count from 0) has no area in the texture, so bumps have no direction: unwrap it, or leave [height] out
+        thin.obj, line 11: triangle 1 (they count from 0) has no area: remove it
+        flat_uv.obj, line 11: triangle 1 (they count from 0) has no area in the texture, so bumps have no direction: unwrap it, or leave [height] out
         mesh.stl: a mesh is an .obj, .gltf or .glb file, by its extension
         no_normals.glb: mesh 0, primitive 0: has no normals (NORMAL): export with texture coordinates and normals
         no_uv.glb: mesh 0, primitive 0: has no uv (TEXCOORD_0): export with texture coordinates and normals

@@ -6,10 +6,11 @@ use crate::error::{Error, Result};
 use crate::netlist::Counts;
 use crate::output;
 use crate::picture::{
-    Amplify, Difference, PIXELS_PER_DEGREE, Panel, absolute_map, sheet, signed_map,
+    Amplify, Difference, PIXELS_PER_DEGREE, Panel, absolute_map, check_pixels_per_degree, sheet,
+    signed_map,
 };
 use crate::render::{Pipeline, Rendered, Shot, SpecialisedStage, render, specialise_to};
-use crate::scene::{BUILTIN, Scene};
+use crate::scene::Scene;
 use clap::Args;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -82,9 +83,10 @@ pub(super) fn demo_rows(args: &RenderArgs) -> Result<Vec<String>> {
 
 /// The scene of a name or a file.
 pub(super) fn scene_of(path: &Path) -> Result<Scene> {
-    let name = path.to_str().filter(|name| BUILTIN.iter().any(|(known, _)| known == name));
-    match name {
-        Some(name) if !path.exists() => Scene::builtin(name),
+    // A bare word that is no file is meant as a name, though there may be no such scene. A folder of
+    // that name may be what an earlier run wrote.
+    match path.to_str().filter(|name| !name.contains(['.', '/', '\\'])) {
+        Some(name) if !path.exists() || path.is_dir() => Scene::builtin(name),
         Some(_) | None => Scene::open(path),
     }
 }
@@ -107,6 +109,11 @@ fn render_and_write(args: &RenderArgs) -> Result<Made> {
         pipelines.push(Pipeline::named(name)?);
     }
     Pipeline::set(&mut pipelines, &args.params)?;
+    // Before the work, not after it.
+    check_pixels_per_degree(args.pixels_per_degree)?;
+    if args.out.exists() && !args.out.is_dir() {
+        return Err(Error::file(&args.out, "is no folder, and pictures go into one".to_owned()));
+    }
     let scene = scene_of(&args.scene)?;
     let bar = progress_bar(u64::from(scene.image.height), "rows");
     let rendered = render(&scene, &pipelines, true, &|done| bar.set_position(done))?;

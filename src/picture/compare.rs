@@ -126,11 +126,7 @@ impl Difference {
     /// If the pictures differ in size, or `pixels_per_degree` is outside its range.
     pub fn between(picture: &Picture, golden: &Picture, pixels_per_degree: f64) -> Result<Self> {
         check_equal_sizes(picture, golden)?;
-        if !LEGAL_PIXELS_PER_DEGREE.contains(&pixels_per_degree) {
-            let given = pixels_per_degree.to_string();
-            let legal = "a number from 1 to 1000".to_owned();
-            return Err(Error::parameter_value("pixels_per_degree", &given, legal));
-        }
+        check_pixels_per_degree(pixels_per_degree)?;
         let codes = [picture.to_srgb8(), golden.to_srgb8()];
         let all = Sums::of(picture, golden, &codes);
         let pixels = cast::f64_of_len(picture.pixels().len());
@@ -153,6 +149,16 @@ impl Difference {
             pixels_per_degree,
         })
     }
+}
+
+/// Fails if FLIP can't be told so, which takes no pictures to know.
+pub(crate) fn check_pixels_per_degree(pixels_per_degree: f64) -> Result<()> {
+    if LEGAL_PIXELS_PER_DEGREE.contains(&pixels_per_degree) {
+        return Ok(());
+    }
+    let given = format!("{pixels_per_degree:?}"); // as a power of ten, where that is shorter
+    let legal = "a number from 1 to 1000".to_owned();
+    Err(Error::parameter_value("pixels_per_degree", &given, legal))
 }
 
 /// What is known of some rows.

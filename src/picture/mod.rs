@@ -23,6 +23,7 @@ mod ssim;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use compare::check_pixels_per_degree;
 pub use compare::{Channel, ChannelDifference, Difference, Extreme, PIXELS_PER_DEGREE};
 pub use draw::{Panel, sheet};
 pub use maps::{Amplify, absolute_map, signed_map};

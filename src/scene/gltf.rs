@@ -263,6 +263,7 @@ impl File<'_> {
                 points: [a.0, b.0, c.0],
                 normals: [a.1, b.1, c.1],
                 uvs: [a.2, b.2, c.2],
+                line: None,
             });
         }
         Ok(())

@@ -16,6 +16,8 @@ pub(super) struct Triangle {
     /// Of any length but zero.
     pub(super) normals: [DVec3; 3],
     pub(super) uvs: [DVec2; 3],
+    /// Line of its file, where that has lines.
+    pub(super) line: Option<u64>,
 }
 
 /// Reads a mesh by its file's extension.
@@ -98,6 +100,7 @@ fn read_obj(text: &str, path: &Path) -> Result<Vec<Triangle>> {
                         points: [a.0, b.0, c.0],
                         normals: [a.1, b.1, c.1],
                         uvs: [a.2, b.2, c.2],
+                        line: Some(number),
                     });
                 }
                 if triangles.len() > MAX_TRIANGLES {

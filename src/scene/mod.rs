@@ -50,7 +50,8 @@
 //! maps repeat, nearest texel, row 0 on top. A texel's index is `row * w + column`.
 //! Texture files hold sRGB and are decoded to linear light ([`from_srgb`]); colours in a scene file are
 //! linear. Whoever writes an image encodes it ([`to_srgb`]).
-//! Heights are 0 to 1; the bump vector of a texel is
+//! Heights are 0 to 1: the grey values of a file as they are, not decoded; of colours,
+//! 0.2126 R + 0.7152 G + 0.0722 B. Transparency is passed over. The bump vector of a texel is
 //! `normalise(-s (h[x+1] - h[x-1])/2, -s (h[y-1] - h[y+1])/2, 1)` along (T, B, N), where y counts rows
 //! downwards, neighbours wrap around, and the scale s is the height, in texels, of a difference of 1.
 //!
@@ -64,7 +65,11 @@
 //!
 //! V is the unit vector to the eye (orthographic: -f). L is the unit vector to the light, which for a
 //! directional light is its `direction`; on the very spot of a point light, L = N. H =
-//! normalise(L+V), and H = N where |L+V| < 1e-12.
+//! normalise(L+V), and H = -N where |L+V| < 1e-12: from right behind there is no highlight.
+//!
+//! A material answers with `Ia ka + Σ I kd max(0, N'·L)` times the texture's colour, plus
+//! `Σ I ks (N'·H)^n` over the lights where N'·H > 0 (with n = 0 too: 0^0 is 0 here), whichever side of the
+//! surface a light is on. N' is the bump vector along (T, B, N). The two sums, and then the colour, end at 1.
 
 mod gltf;
 mod map;
@@ -165,7 +170,8 @@ pub enum Place {
     Position(DVec3),
 }
 
-/// How a surface answers light: `Ia ka + Σ I (kd max(0, N·L) + ks max(0, N·H)^n)`.
+/// How a surface answers light: `Ia ka + Σ I (kd max(0, N·L) + ks max(0, N·H)^n)`, where the last term
+/// is 0 unless N·H > 0, even for n = 0.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Material {
     /// ka, 0 to 1.
@@ -263,9 +269,10 @@ impl Light {
     }
 }
 
-/// The unit vector H halfway between L and V; N where |L+V| < 1e-12, since the light is behind.
+/// The unit vector H halfway between L and V; -N where |L+V| < 1e-12, since the light is right behind
+/// and must give no highlight.
 #[must_use]
 pub fn halfway(light: DVec3, eye: DVec3, normal: DVec3) -> DVec3 {
     let sum = light + eye;
-    if sum.length_squared() < 1e-24 { normal } else { sum.normalize() }
+    if sum.length_squared() < 1e-24 { -normal } else { sum.normalize() }
 }

@@ -3,7 +3,7 @@
 use super::map::{self, Bumps, Texture};
 use super::mesh;
 use super::procedural::{Pattern, Samples};
-use super::trace::{Placement, Shape, Surfaces};
+use super::trace::{Placement, Shape, Surfaces, Unfit};
 use super::{Camera, Image, Light, Material, Place, Projection, Scene};
 use crate::cast;
 use crate::error::{Error, Result};
@@ -176,10 +176,12 @@ pub(super) fn read(text: &str, path: &Path) -> Result<Scene> {
         materials.push(reader.material(&object.get_ref().material, material)?);
         objects.push(reader.object(object)?);
     }
-    let surfaces = Surfaces::new(&objects, !bumps.is_flat()).map_err(|(object, problem)| {
-        match &objects[object].0 {
-            Shape::Mesh(file, _) => Error::file(file, problem),
-            Shape::Plane | Shape::Cube | Shape::Sphere => {
+    let surfaces = Surfaces::new(&objects, !bumps.is_flat()).map_err(|unfit| {
+        let Unfit { object, line, problem } = unfit;
+        match (&objects[object].0, line) {
+            (Shape::Mesh(file, _), Some(line)) => Error::line(file, line, problem),
+            (Shape::Mesh(file, _), None) => Error::file(file, problem),
+            (Shape::Plane | Shape::Cube | Shape::Sphere, _) => {
                 reader.fail(&scene.object[object].span(), problem)
             }
         }

@@ -233,6 +233,17 @@ impl Placement {
     }
 }
 
+/// Why a mesh can't be lit.
+#[derive(Debug)]
+pub(super) struct Unfit {
+    /// The object that it is.
+    pub(super) object: usize,
+    /// Line of its file, where that has lines.
+    pub(super) line: Option<u64>,
+    /// What is wrong with it.
+    pub(super) problem: String,
+}
+
 /// Every surface of a scene, and a tree over them.
 #[derive(Clone, Debug)]
 pub(super) struct Surfaces {
@@ -304,11 +315,8 @@ const CUBE: [(DVec3, DVec3); 6] = [
 ];
 
 impl Surfaces {
-    /// Places shapes; with bumps, every face needs an area in the texture. A failure names the object.
-    pub(super) fn new(
-        objects: &[(Shape, Placement)],
-        has_bumps: bool,
-    ) -> Result<Self, (usize, String)> {
+    /// Places shapes; with bumps, every face needs an area in the texture.
+    pub(super) fn new(objects: &[(Shape, Placement)], has_bumps: bool) -> Result<Self, Unfit> {
         let (mut faces, mut balls) = (Vec::new(), Vec::new());
         for (i, (shape, placement)) in objects.iter().enumerate() {
             let object = cast::id_of(i);
@@ -349,13 +357,13 @@ impl Surfaces {
                             let problem = format!(
                                 "triangle {number} (they count from 0) has no area: remove it"
                             );
-                            return Err((i, problem));
+                            return Err(Unfit { object: i, line: triangle.line, problem });
                         }
                         if has_bumps && face.uv_determinant() == 0.0 {
                             let problem = format!(
                                 "triangle {number} (they count from 0) has no area in the texture, so bumps have no direction: unwrap it, or leave [height] out"
                             );
-                            return Err((i, problem));
+                            return Err(Unfit { object: i, line: triangle.line, problem });
                         }
                         faces.push(face);
                     }
@@ -645,6 +653,7 @@ mod tests {
                 points: [at, at + 0.2 * vector(), at + 0.2 * vector()],
                 normals: [vector().normalize(); 3],
                 uvs: [DVec2::ZERO, DVec2::X, DVec2::Y],
+                line: None,
             }
         });
         let here = Placement::new(DVec3::ZERO, [0.0; 3], DVec3::ONE);

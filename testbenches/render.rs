@@ -1,0 +1,486 @@
+//! Hard scenes, rendered: the golden re-derived, the exact pipelines held to their units' bounds.
+//!
+//! A pixel may be off by what the units state for its material under each light, times the texture,
+//! and by what the words of the inputs do before; nothing here is measured and then written down.
+
+use fixpath::measure::BoundCheck;
+use fixpath::picture::{Difference, PIXELS_PER_DEGREE, Picture};
+use fixpath::render::{Pipeline, Rendered, render};
+use fixpath::scene::{Fragments, Material, Scene, halfway};
+use fixpath::units::Design;
+use std::f64::consts::{SQRT_2, TAU};
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+
+const PIPELINES: [&str; 4] = ["exact-polar", "exact-cartesian", "corrected", "printed"];
+
+/// Settings that every hard scene is rendered with.
+const SETTINGS: [&[&str]; 3] = [
+    &[],
+    &["scheme=linear", "light_scheme=linear"],
+    &["angle_bits=8", "frac_bits=8", "guard_bits=0", "table_addr_bits=6", "rounding=floor"],
+];
+
+fn pipelines(names: &[&str], assignments: &[&str]) -> Vec<Pipeline> {
+    let mut all: Vec<Pipeline> = names.iter().map(|name| Pipeline::named(name).unwrap()).collect();
+    let assignments: Vec<String> = assignments.iter().map(|text| (*text).to_owned()).collect();
+    Pipeline::set(&mut all, &assignments).unwrap();
+    all
+}
+
+fn rendered(scene: &Scene, names: &[&str], assignments: &[&str]) -> Rendered {
+    render(scene, &pipelines(names, assignments), true, &|_| ()).unwrap()
+}
+
+fn traced(scene: &Scene) -> Fragments {
+    let mut fragments = Fragments::default();
+    scene.trace(0..scene.image.height, &mut fragments);
+    fragments
+}
+
+/// The largest difference of any channel, in linear light.
+fn largest(picture: &Picture, golden: &Picture) -> f64 {
+    Difference::between(picture, golden, PIXELS_PER_DEGREE).unwrap().max.difference
+}
+
+/// N'·L and N'·H of a fragment under a light, everything in the world.
+fn dots(scene: &Scene, f: &Fragments, i: usize, light: usize) -> [f64; 2] {
+    let normal = Fragments::vector(&f.normal, i);
+    let bump = scene.bumps.vector(f.bump[i]);
+    let perturbed =
+        bump.x * Fragments::vector(&f.tangent, i) + bump.y * f.bitangent(i) + bump.z * normal;
+    let l = scene.lights[light].towards(Fragments::vector(&f.position, i), normal);
+    [perturbed.dot(l), perturbed.dot(halfway(l, Fragments::vector(&f.eye, i), normal))]
+}
+
+/// What a highlight keeps of its light.
+fn highlight(dot: f64, exponent: u32) -> f64 {
+    if dot > 0.0 { dot.min(1.0).powf(f64::from(exponent)) } else { 0.0 }
+}
+
+/// What a pixel's light may be off by in an exact pipeline.
+struct Limits {
+    /// N'·L and N'·H, by the words of the inputs.
+    inputs: f64,
+    /// N'·L and N'·H besides, and one step of the light tables' index.
+    dot: f64,
+    /// Diffuse light, of the same input words.
+    diffuse: f64,
+    /// The specular table alone.
+    specular: f64,
+}
+
+impl Limits {
+    fn of(design: &Design) -> Self {
+        let check = BoundCheck::new(design).unwrap();
+        let bound = |what: &str| check.stated.iter().find(|b| b.quantity == what).unwrap().bound;
+        let bits = |name: &str| i32::try_from(design.values.int(name).unwrap()).unwrap();
+        let (dot, exponent) = (bound("dot") + 2f64.powi(-bits("frac_bits")), bits("exponent"));
+        let slope = if exponent == 0 { 1.0 } else { (f64::from(exponent) * dot).min(1.0) };
+        // Angles are off by half a word: a direction by √2 of that, and the frame by three of them.
+        let half = TAU * 2f64.powi(-bits("angle_bits") - 1);
+        let perturbed = match design.values.choice("pipeline") {
+            "exact-cartesian" => 3f64.sqrt() * 2f64.powi(-bits("frac_bits") - 1),
+            _ => SQRT_2 * half,
+        };
+        Self {
+            inputs: SQRT_2 * half + 3.0 * half + perturbed,
+            dot,
+            diffuse: bound("diffuse"),
+            specular: bound("specular") - design.values.real("specular") * slope,
+        }
+    }
+}
+
+/// Limits of an exact pipeline for each material under each light.
+fn limits(scene: &Scene, pipeline: &Pipeline) -> Vec<Vec<Limits>> {
+    let of = |material: &Material| {
+        let lights = scene.lights.iter().enumerate();
+        let of = |(number, light)| {
+            let ambient = if number == 0 { scene.ambient * material.ambient } else { 0.0 };
+            Limits::of(&pipeline.design(ambient, light, material).unwrap())
+        };
+        lights.map(of).collect()
+    };
+    scene.materials.iter().map(of).collect()
+}
+
+/// Holds a rendered scene to the formulas: its golden to those of the conventions, its exact
+/// pipelines to the limits. Gives the largest part of a limit that was used, and the limit there.
+fn check(name: &str, scene: &Scene, pipelines: &[Pipeline], rendered: &Rendered) -> (f64, f64) {
+    let f = traced(scene);
+    assert_eq!(rendered.covered, f.len() as u64, "{name}");
+    assert!(rendered.blinn < 1e-9, "{name}: {:e}", rendered.blinn);
+    let mut worst = (0.0, 0.0);
+    let background = scene.image.background.map(|x| x as f32);
+    let pictures = rendered.shots.iter().map(|shot| &shot.picture).chain([&rendered.golden]);
+    for picture in pictures {
+        let mut covered = f.pixel.iter().peekable();
+        for (at, pixel) in picture.pixels().iter().enumerate() {
+            assert!(pixel.iter().all(|x| (0.0..=1.0).contains(x)), "{name} {at}: {pixel:?}");
+            if covered.next_if(|pixel| **pixel as usize == at).is_none() {
+                assert_eq!(*pixel, background, "{name} {at}");
+            }
+        }
+    }
+    for (pipeline, shot) in pipelines.iter().zip(&rendered.shots) {
+        let exact = pipeline.name.starts_with("exact");
+        if let Some(vectors) = shot.vectors {
+            let ordered = vectors.mean_rad <= 1.0001 * vectors.max_rad; // false for NaN
+            assert!(ordered, "{name}: {vectors:?}");
+        } else {
+            assert!(!PIPELINES.contains(&pipeline.name.as_str()), "{name}: {}", pipeline.name);
+        }
+        let limits = if exact { limits(scene, pipeline) } else { Vec::new() };
+        for i in 0..f.len() {
+            let material = &scene.materials[f.object[i] as usize];
+            let (mut diffuse, mut specular) = (scene.ambient * material.ambient, 0.0);
+            let (mut diffuse_limit, mut specular_limit) = (0.0, 1e-6);
+            let mut at_the_jump = false;
+            for (number, light) in scene.lights.iter().enumerate() {
+                let [dot_l, dot_h] = dots(scene, &f, i, number);
+                let (kd, ks) =
+                    (light.intensity * material.diffuse, light.intensity * material.specular);
+                let power = |dot| ks * highlight(dot, material.exponent);
+                diffuse += kd * dot_l.max(0.0);
+                specular += power(dot_h);
+                at_the_jump |= material.exponent == 0 && ks > 0.0 && dot_h.abs() < 1e-9;
+                if let Some(limits) = limits.get(f.object[i] as usize) {
+                    let limit = &limits[number];
+                    let off = limit.inputs + limit.dot;
+                    let (less, more) = (power(dot_h - off), power(dot_h + off));
+                    diffuse_limit += limit.diffuse + kd * limit.inputs;
+                    specular_limit +=
+                        limit.specular + (power(dot_h) - less).max(more - power(dot_h));
+                }
+            }
+            let pixel = f.pixel[i] as usize;
+            let texel = scene.texture.texels()[f.texel[i] as usize];
+            for channel in 0..3 {
+                let texel = f64::from(texel[channel]);
+                let golden = f64::from(rendered.golden.pixels()[pixel][channel]);
+                let should = (diffuse.min(1.0) * texel + specular.min(1.0)).min(1.0);
+                assert!(at_the_jump || (golden - should).abs() < 1e-6, "{name} {pixel}: {golden}");
+                if exact {
+                    let off = (f64::from(shot.picture.pixels()[pixel][channel]) - golden).abs();
+                    let limit = diffuse_limit * texel + specular_limit;
+                    let what = &pipeline.name;
+                    assert!(off <= limit, "{name} {what} {pixel}: {off:e} > {limit:e}");
+                    if off / limit > worst.0 {
+                        worst = (off / limit, limit);
+                    }
+                }
+            }
+        }
+    }
+    worst
+}
+
+/// Maps and meshes that the hard scenes name.
+fn files() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let grey = |width, height, of: fn(u32, u32) -> u8| {
+        image::GrayImage::from_fn(width, height, |x, y| image::Luma([of(x, y)]))
+    };
+    grey(16, 8, |x, y| (x * x * 7 + y * y * 29 + x * y * 13) as u8).save(at("rough.png")).unwrap();
+    grey(16, 8, |x, y| {
+        let x = 15 - x;
+        (x * x * 7 + y * y * 29 + x * y * 13) as u8
+    })
+    .save(at("turned.png"))
+    .unwrap();
+    grey(9, 7, |_, _| 77).save(at("level.png")).unwrap();
+    grey(1, 1, |_, _| 188).save(at("one.png")).unwrap();
+    let sheet = |mirrored: bool| {
+        let mut text = String::new();
+        for i in 0..=8 {
+            let angle = 0.25 * f64::from(i) - 1.0;
+            let (sin, cos) = angle.sin_cos();
+            let u = f64::from(if mirrored { 8 - i } else { i }) / 8.0;
+            for y in [-1, 1] {
+                let v = f64::from(y + 1) / 2.0;
+                writeln!(text, "v {sin} {y} {cos}\nvn {sin} 0 {cos}\nvt {u} {v}").unwrap();
+            }
+        }
+        for i in 0..8 {
+            let corner = [1, 3, 4, 2].map(|k| 2 * i + k);
+            let [a, b, c, d] = corner.map(|k| format!("{k}/{k}/{k}"));
+            writeln!(text, "f {a} {b} {c} {d}").unwrap();
+        }
+        text
+    };
+    fs::write(at("sheet.obj"), sheet(false)).unwrap();
+    fs::write(at("mirrored.obj"), sheet(true)).unwrap();
+    folder
+}
+
+fn parse(folder: &Path, text: &str) -> Scene {
+    Scene::parse(text, &folder.join("scene.toml")).unwrap()
+}
+
+/// A camera that looks straight down, side by side, on 2 x 2 of the world.
+const DOWN: &str =
+    "[camera]\nprojection = \"orthographic\"\nheight = 2\neye = [0, 0, 5]\nup = [0, 1, 0]\n";
+const UP: &str =
+    "[camera]\nprojection = \"orthographic\"\nheight = 2\neye = [0, 0, -5]\nup = [0, 1, 0]\n";
+const ASIDE: &str = "[camera]\neye = [4, 0, 0.5]\nfov_degrees = 32\n";
+const ROUGH: &str = "[texture]\nsource = \"earth\"\nwidth = 32\nheight = 16\n[height]\nfile = \"rough.png\"\nscale = 3\n";
+const SPHERE: &str = "[[object]]\nshape = \"sphere\"\n";
+const PLANE: &str = "[[object]]\nshape = \"plane\"\n";
+
+fn hard_scenes() -> Vec<(&'static str, String)> {
+    let sun = |x: f64, y: f64, z: f64| format!("[[light]]\ndirection = [{x:?}, {y:?}, {z:?}]\n");
+    let lamp = |x: f64, y: f64, z: f64| {
+        format!("[[light]]\nkind = \"point\"\nposition = [{x:?}, {y:?}, {z:?}]\n")
+    };
+    let material = |text: &str| format!("[material]\n{text}\n");
+    let eight: String =
+        (0..8).map(|i| sun(f64::from(i) - 3.5, -1.0, 2.0) + "intensity = 0.2\n").collect();
+    vec![
+        ("the pole", [DOWN, ROUGH, SPHERE, &sun(0.3, 0.2, 1.0)].concat()),
+        ("the other pole", [UP, ROUGH, SPHERE, &sun(0.3, 0.2, -1.0)].concat()),
+        ("the phi seam", [ASIDE, ROUGH, SPHERE, &sun(1.0, 0.0, 0.3)].concat()),
+        ("back-lit", [ASIDE, ROUGH, SPHERE, &sun(-1.0, 0.05, 0.0)].concat()),
+        ("light and eye opposite", [DOWN, ROUGH, SPHERE, &sun(0.0, 0.0, -1.0)].concat()),
+        ("grazing light", [DOWN, ROUGH, PLANE, &sun(1.0, 0.0, 0.0)].concat()),
+        (
+            "grazing light, no bumps",
+            [DOWN, PLANE, &sun(1.0, 1.0, 0.0), &sun(1.0, 0.0, 1e-4)].concat(),
+        ),
+        ("light along the normal", [DOWN, PLANE, &sun(0.0, 0.0, 1.0)].concat()),
+        (
+            "exponent 255",
+            [DOWN, ROUGH, SPHERE, &sun(0.3, 0.2, 1.0), &material("exponent = 255\nspecular = 1")]
+                .concat(),
+        ),
+        (
+            "exponent 0",
+            [DOWN, ROUGH, SPHERE, &sun(1.0, 0.2, -0.6), &material("exponent = 0")].concat(),
+        ),
+        (
+            "exponent 1",
+            [DOWN, ROUGH, SPHERE, &sun(1.0, 0.2, -0.6), &material("exponent = 1")].concat(),
+        ),
+        (
+            "black",
+            [DOWN, ROUGH, SPHERE, &material("ambient = 0\ndiffuse = 0\nspecular = 0")].concat(),
+        ),
+        (
+            "white",
+            [DOWN, ROUGH, SPHERE, &material("ambient = 1\ndiffuse = 1\nspecular = 1")].concat(),
+        ),
+        ("constant height", [ASIDE, SPHERE, "[height]\nfile = \"level.png\"\n"].concat()),
+        (
+            "one texel",
+            [ASIDE, SPHERE, "[texture]\nfile = \"one.png\"\n[height]\nfile = \"one.png\"\n"]
+                .concat(),
+        ),
+        (
+            "a mirrored texture",
+            ["[camera]\neye = [1, -2, 4]\nfov_degrees = 32\n", ROUGH, &lamp(-2.0, 1.0, 2.0)]
+                .concat()
+                + "[[object]]\nshape = \"mesh\"\nfile = \"mirrored.obj\"\n[[object]]\nshape = \"cube\"\nscale = [0.5, -0.4, 0.3]\ntranslate = [0.2, -0.2, 1.3]\n",
+        ),
+        ("eight lights", [ASIDE, ROUGH, SPHERE, &eight].concat()),
+        (
+            "materials and lights",
+            [ASIDE, ROUGH, &lamp(2.0, 1.0, 2.0), &sun(1.0, -1.0, 0.2)].concat()
+                + "[[object]]\nshape = \"sphere\"\nscale = 0.6\nmaterial = { exponent = 3, specular = 1 }\n[[object]]\nshape = \"cube\"\ntranslate = [0, 1.1, 0]\nscale = 0.6\nmaterial = { diffuse = 0, ambient = 0 }\n[[object]]\nshape = \"plane\"\ntranslate = [0, 0, -0.6]\nscale = 3\nmaterial = { specular = 0 }\n",
+        ),
+        ("a lamp inside", [ASIDE, ROUGH, SPHERE, &lamp(0.2, 0.1, 0.3)].concat()),
+        // The middle of the image is the spot of the lamp.
+        ("a lamp on the surface", [DOWN, ROUGH, PLANE, &lamp(0.0, 0.0, 0.0)].concat()),
+        ("one pixel", [DOWN, ROUGH, SPHERE].concat()),
+        ("nothing", ["[camera]\neye = [4, 0, 0]\ntarget = [9, 0, 0]\n", ROUGH, SPHERE].concat()),
+        (
+            "no light",
+            [ASIDE, ROUGH, SPHERE, "[[light]]\nintensity = 0\n[ambient]\nintensity = 0\n"].concat(),
+        ),
+    ]
+}
+
+/// Of odd size, so that poles and seams lie in the middle of a pixel.
+fn small(name: &str) -> &'static str {
+    match name {
+        "one pixel" => "[image]\nwidth = 1\nheight = 1\nbackground = [0.5, 0.25, 0.125]\n",
+        _ => "[image]\nwidth = 25\nheight = 25\nbackground = [0.5, 0.25, 0.125]\n",
+    }
+}
+
+#[test]
+fn hard_scenes_keep_to_the_bounds_of_their_units() {
+    let files = files();
+    for (name, text) in hard_scenes() {
+        let scene = parse(files.path(), &[small(name), &text].concat());
+        for settings in SETTINGS {
+            let pipelines = pipelines(&PIPELINES, settings);
+            let rendered = render(&scene, &pipelines, true, &|_| ()).unwrap();
+            let (used, limit) = check(name, &scene, &pipelines, &rendered);
+            // What an error of a dot product makes of a highlight.
+            let sharpest = scene.materials.iter().map(|m| m.specular * f64::from(m.exponent));
+            let most = 1e-3 * (1.0 + sharpest.fold(0.0, f64::max));
+            let fine = settings.contains(&"scheme=linear");
+            assert!(!fine || limit < most, "{name}: {used} of {limit}, which says nothing");
+        }
+    }
+}
+
+/// The rivals, for which nothing is derived here: their pictures are whole.
+#[test]
+fn hard_scenes_by_every_other_pipeline() {
+    let files = files();
+    let others = Pipeline::names().into_iter().filter(|name| !PIPELINES.contains(name));
+    let pipelines = pipelines(&others.collect::<Vec<_>>(), &[]);
+    assert!(pipelines.len() >= 3);
+    for (name, text) in hard_scenes() {
+        let scene = parse(files.path(), &[small(name), &text].concat());
+        let rendered = render(&scene, &pipelines, true, &|_| ()).unwrap();
+        check(name, &scene, &pipelines, &rendered);
+    }
+}
+
+/// Small pictures of the scenes that come with the program, held to whole codes of 8 bits.
+#[test]
+fn the_three_scenes_within_a_code_of_diffuse_and_two_of_highlights() {
+    for name in ["plane", "cube", "sphere"] {
+        let mut scene = Scene::builtin(name).unwrap();
+        (scene.image.width, scene.image.height) = (96, 96);
+        let within = |scene: &Scene, settings: &[&str], codes: f64| {
+            let rendered = rendered(scene, &PIPELINES, settings);
+            let off: Vec<f64> = rendered
+                .shots
+                .iter()
+                .map(|shot| 255.0 * largest(&shot.picture, &rendered.golden))
+                .collect();
+            assert!(off[0] <= codes && off[1] <= codes, "{name} {settings:?}: {off:?}");
+            // The seed's own equations are shown as bad as they are.
+            assert!(off[2] > 10.0 && off[3] > off[2], "{name}: {off:?}");
+        };
+        let linear = ["table_addr_bits=10", "scheme=linear", "light_scheme=linear"];
+        for material in &mut scene.materials {
+            (material.specular, material.exponent) = (0.0, 32);
+        }
+        within(&scene, &[&linear[..], &["angle_bits=12"]].concat(), 1.0);
+        for light_scheme in ["light_scheme=direct", "light_scheme=linear"] {
+            for specular in [0.2, 1.0] {
+                scene.materials.iter_mut().for_each(|material| material.specular = specular);
+                let sizes = ["angle_bits=14", "diffuse_addr_bits=12", "specular_addr_bits=12"];
+                within(&scene, &[&linear[..2], &sizes[..], &[light_scheme]].concat(), 2.0);
+            }
+        }
+    }
+}
+
+/// Covered pixels of the golden and of the exact pipelines are all this, up to a few last places.
+fn all_are(scene: &Scene, colour: [f64; 3], off: f64) {
+    let rendered = rendered(scene, &PIPELINES[..2], &["scheme=linear", "light_scheme=linear"]);
+    let f = traced(scene);
+    assert!(!f.is_empty());
+    for (picture, off) in [
+        (&rendered.golden, 1e-6),
+        (&rendered.shots[0].picture, off),
+        (&rendered.shots[1].picture, off),
+    ] {
+        for pixel in &f.pixel {
+            let is = picture.pixels()[*pixel as usize];
+            for channel in 0..3 {
+                let apart = (f64::from(is[channel]) - colour[channel]).abs();
+                assert!(apart <= off, "{pixel}: {is:?} for {colour:?}");
+            }
+        }
+    }
+}
+
+/// Light whose sums are done in the head.
+#[test]
+fn colours_known_beforehand() {
+    let folder = Path::new("");
+    let image = "[image]\nwidth = 5\nheight = 5\n";
+    let base = "[material]\nambient = 0.125\ndiffuse = 0.5\nspecular = 0.25\n";
+    let scene = |light: &str, more: &str| {
+        let texture = "[texture]\nsource = \"constant\"\ncolor = [1.0, 0.5, 0.0]\n";
+        let text = [image, DOWN, base, more, texture, light, PLANE].concat();
+        parse(folder, &text)
+    };
+    let facing = "[[light]]\ndirection = [0, 0, 1]\n";
+    // L = V = N: 0.625 of the texture, and the whole highlight, whatever its exponent; the dot
+    // product is short of 1 by a place or two.
+    for exponent in [0, 1, 32, 255] {
+        let off = 1e-4 + 0.25 * f64::from(exponent) * 2f64.powi(-15);
+        let more = format!("exponent = {exponent}\n");
+        all_are(&scene(facing, &more), [0.875, 0.5625, 0.25], off);
+    }
+    // Half as bright; at 60 degrees, with H at 30; both at once, and past 1.
+    all_are(
+        &scene(&[facing, "intensity = 0.5\n"].concat(), "exponent = 8\n"),
+        [0.5, 0.3125, 0.125],
+        1e-4,
+    );
+    let low = "[[light]]\ndirection = [1.7320508075688772, 0, 1]\n";
+    let h = 0.25 * 0.75f64.powi(2);
+    all_are(&scene(low, "exponent = 4\n"), [0.375 + h, 0.1875 + h, h], 3e-4);
+    let both = [facing, low].concat();
+    all_are(&scene(&both, "exponent = 4\n"), [1.0, 0.4375 + 0.25 + h, 0.25 + h], 3e-4);
+    // From behind and from right behind there is ambient light alone; from the side a highlight too.
+    let aside = 0.25 * 0.5f64.powi(8);
+    for (direction, h) in [("[0.3, 0.1, -1]", 0.0), ("[0, 0, -1]", 0.0), ("[-1, 0, 0]", aside)] {
+        let light = format!("[[light]]\ndirection = {direction}\n");
+        all_are(&scene(&light, "exponent = 16\n"), [0.125 + h, 0.0625 + h, h], 1e-4);
+    }
+    let text = "[[light]]\ndirection = [0, 0, -1]\n[material]\nambient = 0.25\nspecular = 1\n[[object]]\nshape = \"sphere\"\n";
+    all_are(&parse(folder, &[image, DOWN, text].concat()), [0.25; 3], 1e-4);
+    // A lamp inside a sphere doesn't light its outside, nor does black shine.
+    let text = "[[light]]\nkind = \"point\"\nposition = [0.1, 0.2, 0.3]\n[material]\nambient = 0.25\nspecular = 0\n[[object]]\nshape = \"sphere\"\n";
+    all_are(&parse(folder, &[image, ASIDE, text].concat()), [0.25; 3], 1e-4);
+    let black =
+        "[material]\nambient = 0\ndiffuse = 0\nspecular = 0\n[[object]]\nshape = \"sphere\"\n";
+    all_are(&parse(folder, &[image, ASIDE, black].concat()), [0.0; 3], 0.0);
+}
+
+/// A height map of one height is none, and a map of one texel is a colour.
+#[test]
+fn level_heights_are_no_heights() {
+    let files = files();
+    let picture = |maps: &str| {
+        let scene = parse(files.path(), &[small(""), ASIDE, maps, SPHERE].concat());
+        assert!(scene.facts().flat_bumps);
+        let rendered = rendered(&scene, &PIPELINES, &[]);
+        let shots = rendered.shots.into_iter().map(|shot| shot.picture);
+        shots.chain([rendered.golden]).collect::<Vec<Picture>>()
+    };
+    let none = picture("");
+    assert_eq!(none, picture("[height]\nfile = \"level.png\"\nscale = 1000\n"));
+    assert_eq!(none, picture("[height]\nfile = \"one.png\"\n"));
+    let colour = fixpath::scene::from_srgb(188.0 / 255.0);
+    let made = format!("[texture]\ncolor = [{colour:?}, {colour:?}, {colour:?}]\n");
+    assert_eq!(picture(&made), picture("[texture]\nfile = \"one.png\"\n"));
+}
+
+/// A mirrored texture of a map is the texture of that map turned round: the same bumps, the right way out.
+#[test]
+fn bumps_of_a_mirrored_texture_stand_out() {
+    let files = files();
+    let scene = |mesh: &str, map: &str| {
+        let text = format!(
+            "[camera]\neye = [1, -2, 4]\nfov_degrees = 32\n[height]\nfile = \"{map}.png\"\nscale = 4\n[[light]]\ndirection = [-1, 0.5, 1]\n[[object]]\nshape = \"mesh\"\nfile = \"{mesh}.obj\"\n"
+        );
+        parse(files.path(), &["[image]\nwidth = 64\nheight = 64\n", &text].concat())
+    };
+    let settings = ["scheme=linear", "light_scheme=linear"];
+    let pictures = |scene: &Scene| rendered(scene, &PIPELINES[..2], &settings);
+    let plain = pictures(&scene("sheet", "rough"));
+    let mirrored = scene("mirrored", "turned");
+    assert!(!mirrored.facts().right_handed);
+    let mirrored = pictures(&mirrored);
+    assert!(mirrored.covered > 1000);
+    assert!(largest(&mirrored.golden, &plain.golden) < 1e-6);
+    for (a, b) in mirrored.shots.iter().zip(&plain.shots) {
+        let apart = largest(&a.picture, &b.picture);
+        assert!(apart < 0.005, "{}: {apart}", a.pipeline.name);
+    }
+    // Which is no triviality: the map itself gives another picture.
+    let other = pictures(&scene("mirrored", "rough"));
+    assert!(largest(&other.golden, &plain.golden) > 0.2);
+}
