@@ -101,10 +101,10 @@ fn figures(rendered: &Rendered, differences: &[Difference]) -> Value {
         json!({
             "pipeline": shot.pipeline.name,
             "unit": shot.pipeline.unit.name,
-            "parameters": shot.design_values.iter().map(|(k, v)| (k.clone(), json!(v))).collect::<serde_json::Map<_, _>>(),
+            "parameters": shot.design.values.iter().map(|(k, v)| (k.to_owned(), json!(v.to_string()))).collect::<serde_json::Map<_, _>>(),
             "difference": difference,
             "vectors": shot.vectors,
-            "overflows": shot.overflows,
+            "overflows": shot.overflowed(),
             "samples": shot.samples,
         })
     };
