@@ -33,6 +33,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
+/// The most pixels of all pictures that are rendered together.
+const TOGETHER_PIXELS: u64 = 1 << 24;
 /// Rows that a thread takes at a time.
 const ROWS: u32 = 8;
 
@@ -315,6 +317,9 @@ pub struct Shot {
     pub design: Arc<Design>,
     /// Time in the bit-true engine, all threads together.
     pub engine: Duration,
+    /// Samples per second and thread of the engine alone: the median of all samples by the rate of the
+    /// rows that they were in, so that a thread that was held up hardly shows.
+    pub samples_per_second: f64,
     /// Samples that the engine took: covered pixels times lights.
     pub samples: u64,
     /// Errors of the rotated light vectors, if they were asked for and the unit has them.
@@ -324,13 +329,6 @@ pub struct Shot {
 }
 
 impl Shot {
-    /// Samples per second and thread of the engine alone.
-    #[must_use]
-    pub fn samples_per_second(&self) -> f64 {
-        let seconds = self.engine.as_secs_f64();
-        if seconds > 0.0 { cast::f64_of_count(self.samples) / seconds } else { 0.0 }
-    }
-
     /// How often any `narrow` overflowed.
     #[must_use]
     pub fn overflowed(&self) -> u64 {
@@ -381,7 +379,7 @@ impl Rendered {
             figures,
             overflows: shot.overflows.clone(),
             speed: Speed {
-                engine_samples_per_second_per_thread: shot.samples_per_second(),
+                engine_samples_per_second_per_thread: shot.samples_per_second,
                 samples_per_second: cast::f64_of_count(samples)
                     / self.elapsed.as_secs_f64().max(f64::MIN_POSITIVE),
                 threads: rayon::current_num_threads(),
@@ -458,6 +456,12 @@ pub fn render(
     shoot(scene, &shaders.iter().collect::<Vec<_>>(), progress)
 }
 
+/// How many pictures of a scene are best rendered together: all are in memory.
+#[must_use]
+pub fn shots_together(scene: &Scene) -> usize {
+    usize::try_from(TOGETHER_PIXELS / scene.image.pixels()).unwrap_or(1).max(1)
+}
+
 /// Renders a scene by shaders made for it, all at once: the golden is computed for all of them.
 /// `progress` gets the rows done.
 ///
@@ -500,6 +504,7 @@ pub fn shoot(
     let mut covered = 0;
     let mut pictures = vec![blank; shaders.len()];
     let mut totals: Vec<BlockShot> = shaders.iter().map(|shader| BlockShot::new(shader)).collect();
+    let mut rates: Vec<Vec<(Duration, u64)>> = vec![Vec::new(); shaders.len()];
     for block in results {
         let block = block?;
         covered += cast::count_of(block.pixels.len());
@@ -510,9 +515,12 @@ pub fn shoot(
             }
         };
         write(&mut golden, &block.golden);
-        for ((picture, total), shot) in pictures.iter_mut().zip(&mut totals).zip(&block.shots) {
+        for (((picture, total), rates), shot) in
+            pictures.iter_mut().zip(&mut totals).zip(&mut rates).zip(&block.shots)
+        {
             write(picture, &shot.colours);
             total.merge(shot);
+            rates.push((shot.engine, shot.samples));
         }
     }
     let mut shots = Vec::new();
@@ -523,6 +531,7 @@ pub fn shoot(
             picture: Picture::new(width, height, pixels)?,
             design: Arc::clone(shader.design()),
             engine: total.engine,
+            samples_per_second: median_rate(&mut rates[index]),
             samples: total.samples,
             vectors: vectors.then(|| VectorError::of(&total.angles, &histograms.of(index))),
             overflows: overflows(shader, &total.overflows)?,
@@ -535,6 +544,21 @@ pub fn shoot(
         shots,
         elapsed: start.elapsed(),
     })
+}
+
+/// The rate, in samples per second, that half of all samples were not above; 0 if there are none.
+fn median_rate(blocks: &mut [(Duration, u64)]) -> f64 {
+    let rate = |(time, samples): &(Duration, u64)| {
+        cast::f64_of_count(*samples) / time.as_secs_f64().max(1e-9)
+    };
+    blocks.sort_by(|a, b| rate(a).total_cmp(&rate(b)));
+    let all: u64 = blocks.iter().map(|(_, samples)| samples).sum();
+    let mut seen = 0;
+    let middle = blocks.iter().find(|(_, samples)| {
+        seen += samples;
+        2 * seen >= all
+    });
+    middle.map_or(0.0, rate)
 }
 
 /// What overflowed in any of the designs.

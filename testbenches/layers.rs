@@ -17,7 +17,8 @@ const LAYERS: &[&[&str]] = &[
     &["units"],
     &["sim", "hdl"],
     &["measure", "wave"],
-    &["report", "eval", "emit", "render"],
+    &["render"],
+    &["report", "eval", "emit"],
     &["sweep", "verify", "cost"],
     &["cli"],
 ];

@@ -7,7 +7,9 @@ use crate::picture::{
     Amplify, Difference, PIXELS_PER_DEGREE, Panel, absolute_map, sheet, signed_map,
 };
 use crate::render::{Pipeline, Rendered, render};
+use crate::report::record::ImageError;
 use crate::scene::{BUILTIN, Scene};
+use crate::sweep::View;
 use clap::Args;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -20,13 +22,8 @@ pub(super) struct RenderArgs {
     /// Folder to write.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
-    /// Pipelines to compare.
-    #[arg(
-        long,
-        value_name = "NAME,…",
-        value_delimiter = ',',
-        default_value = "printed,corrected,exact-polar,exact-cartesian"
-    )]
+    /// Pipelines to compare; if not given printed,corrected,exact-polar,exact-cartesian.
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     pipelines: Vec<String>,
     /// Set a parameter of every pipeline that has it; those of the material come from the scene.
     #[arg(short = 'p', long = "param", value_name = "KEY=VALUE")]
@@ -39,6 +36,9 @@ pub(super) struct RenderArgs {
     json: bool,
 }
 
+/// The pipelines of a picture, if none are named.
+const PIPELINES: [&str; 4] = ["printed", "corrected", "exact-polar", "exact-cartesian"];
+
 /// The scene of a name or a file.
 pub(super) fn scene_of(path: &Path) -> Result<Scene> {
     let name = path.to_str().filter(|name| BUILTIN.iter().any(|(known, _)| known == name));
@@ -48,11 +48,25 @@ pub(super) fn scene_of(path: &Path) -> Result<Scene> {
     }
 }
 
+/// The scene of a name or a file, to sweep over.
+pub(super) fn view_of(path: &Path, error: ImageError) -> Result<View> {
+    Ok(View { scene: scene_of(path)?, name: name_of(path), error })
+}
+
+/// The name of a scene in reports.
+fn name_of(path: &Path) -> String {
+    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
+}
+
 /// Renders and writes; returns what to tell.
 pub(super) fn run(args: &RenderArgs) -> Result<String> {
     let mut pipelines = Vec::new();
-    for name in &args.pipelines {
-        if pipelines.iter().any(|known: &Pipeline| known.name == *name) {
+    let names: Vec<&str> = match &args.pipelines[..] {
+        [] => PIPELINES.to_vec(),
+        names => names.iter().map(String::as_str).collect(),
+    };
+    for name in names {
+        if pipelines.iter().any(|known: &Pipeline| known.name == name) {
             return Err(Error::usage(format!("pipeline `{name}` is named twice")));
         }
         pipelines.push(Pipeline::named(name)?);
@@ -137,7 +151,7 @@ fn table(rendered: &Rendered, differences: &[Difference]) -> String {
                 d.srgb8_max_codes.to_string(),
                 shot.vectors.map(|v| angle(v.max_rad)).unwrap_or_default(),
                 shot.vectors.map(|v| angle(v.mean_rad)).unwrap_or_default(),
-                format!("{:.1}", shot.samples_per_second() / 1e6),
+                format!("{:.1}", shot.samples_per_second / 1e6),
             ]
         })
         .collect();
