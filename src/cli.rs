@@ -3,6 +3,7 @@
 mod cost;
 mod demo;
 mod hardware;
+mod ladder;
 mod render;
 mod text;
 mod verify;
@@ -187,7 +188,7 @@ enum Command {
     Cost(cost::CostArgs),
     /// Render a scene by pipelines: fixed, golden and difference pictures, and figures.
     #[command(
-        after_help = "Examples:\n  fixpath render sphere --out sphere\n  fixpath render scene.toml --pipelines exact-polar -p angle_bits=12 -p scheme=linear --out pictures"
+        after_help = "Examples:\n  fixpath render sphere --out sphere\n  fixpath render scene.toml --pipelines exact-polar -p angle_bits=12 -p scheme=linear --out pictures\n  fixpath render plane --ladder --out ladder\n  fixpath render sphere --ladder=8,12,16 --pipelines exact-polar,exact-cartesian -p scheme=linear --exponents 8,64 --out ladder"
     )]
     Render(render::RenderArgs),
     /// Measure, waves, hardware and a sweep of built-in settings, in under half a minute.

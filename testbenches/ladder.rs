@@ -223,3 +223,141 @@ fn what_is_given_of_the_material_takes_the_place_of_the_scenes() {
         same(point, &rendered(&other, "exact-polar", &[], &folder.path().join("render")));
     }
 }
+
+#[test]
+fn a_ladder_has_the_figures_of_its_pictures() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = scene(folder.path(), "a.toml", [32, 8]);
+    let out = folder.path().join("ladder");
+    let out_text = out.to_str().unwrap();
+    let told = done(&[
+        "render",
+        &path,
+        "--ladder=6,9,12",
+        "--pipelines",
+        "corrected,exact-polar,exact-cartesian",
+        "--exponents",
+        "1,120",
+        "-p",
+        "light_bits=14",
+        "--out",
+        out_text,
+    ]);
+    let record = json(&out.join("ladder.json"));
+    let rungs = record["rungs"].as_array().unwrap();
+    assert_eq!(rungs.len(), 9);
+    let max = |point: &Value| figure(point, "picture")["max"].as_f64().unwrap();
+    for rung in rungs {
+        let width = rung["width_bits"].as_u64().unwrap();
+        let pipeline = rung["pipeline"].as_str().unwrap();
+        let mut params = vec!["light_bits=14".to_owned()];
+        params.extend(["angle_bits", "frac_bits"].map(|key| format!("{key}={width}")));
+        let tables = ["table_addr_bits", "diffuse_addr_bits", "specular_addr_bits"];
+        params.extend(tables.map(|key| format!("{key}={}", width - 2)));
+        same(rung, &rendered(&path, pipeline, &params, &folder.path().join("render")));
+        for count in ["rom_bits", "rom_bits_dual_port", "latency_cycles", "datapath_multipliers"] {
+            assert!(rung["measured"]["counts"][count].as_u64().unwrap() > 0, "{count}");
+        }
+        assert!(
+            rung["measured"]["speed"]["engine_samples_per_second_per_thread"].as_f64() > Some(0.0)
+        );
+        assert!(told.lines().any(|line| line.trim_start().starts_with(pipeline)));
+    }
+    // Wider is better, where the method is exact.
+    for pipeline in rungs.chunks(3).skip(1) {
+        assert!(max(&pipeline[0]) > 2.0 * max(&pipeline[1]));
+        assert!(max(&pipeline[1]) > 2.0 * max(&pipeline[2]));
+    }
+
+    let lights = record["exponents"].as_array().unwrap();
+    assert_eq!(lights.len(), 2 * 9);
+    assert_eq!(record["header"]["light_pipeline"], "exact-cartesian");
+    let at = |scheme: &str, exponent: u64, addr_bits: u64| {
+        let found = lights.iter().find(|light| {
+            light["scheme"] == scheme
+                && light["exponent"] == exponent
+                && light["addr_bits"] == addr_bits
+        });
+        max(found.unwrap())
+    };
+    // A direct table's error grows with the exponent; interpolation is the remedy.
+    assert!(at("direct", 120, 8) > 10.0 * at("direct", 1, 8));
+    assert!(at("direct", 120, 8) > 4.0 * at("linear", 120, 8));
+    assert!(at("direct", 120, 12) < at("direct", 120, 8) / 4.0);
+    // Such a point is a picture of the scene with that exponent.
+    let light = lights
+        .iter()
+        .find(|l| l["scheme"] == "bipartite" && l["exponent"] == 120 && l["addr_bits"] == 10);
+    let other = scene(folder.path(), "other.toml", [120; 2]);
+    let params = [
+        "angle_bits=18",
+        "frac_bits=18",
+        "scheme=linear",
+        "table_addr_bits=12",
+        "light_bits=14",
+        "light_scheme=bipartite",
+        "diffuse_addr_bits=10",
+        "specular_addr_bits=10",
+    ];
+    let params = params.map(str::to_owned);
+    same(
+        light.unwrap(),
+        &rendered(&other, "exact-cartesian", &params, &folder.path().join("render")),
+    );
+
+    let csv = fs::read_to_string(out.join("ladder.csv")).unwrap();
+    assert_eq!(csv.lines().count(), 1 + rungs.len());
+    assert!(csv.starts_with("pipeline,unit,width_bits,angle_bits,"), "{csv}");
+    assert!(csv.lines().nth(1).unwrap().starts_with("corrected,bump,6,6,6,14,4,4,4,"), "{csv}");
+    let csv = fs::read_to_string(out.join("exponents.csv")).unwrap();
+    assert_eq!(csv.lines().count(), 1 + lights.len());
+    let report = fs::read_to_string(out.join("ladder.md")).unwrap();
+    for plot in ["ladder_error_vs_rom.svg", "ladder_error_vs_speed.svg", "exponents.svg"] {
+        assert!(report.contains(&format!("]({plot})")), "{report}");
+        let svg = fs::read_to_string(out.join(plot)).unwrap();
+        assert!(svg.starts_with("<svg") && svg.contains("largest difference (1/255)"));
+    }
+    assert!(report.contains("At exponent 120 the picture by direct tables"), "{report}");
+}
+
+#[test]
+fn ladders_of_unfit_rungs_and_dull_scenes() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    let out_text = out.to_str().unwrap();
+    let cases: [(&[&str], &str); 7] = [
+        (&["--ladder=3"], "width `3`: legal are whole numbers from 4 to 22"),
+        (&["--ladder=8,x"], "width `x`: legal are"),
+        (&["--ladder=8,8"], "width 8 is given twice"),
+        (
+            &["--ladder", "--exponents", "256"],
+            "exponent `256`: legal are whole numbers from 0 to 255",
+        ),
+        (&["--exponents", "8"], "--ladder"),
+        (&["--ladder", "-p", "exponent=8"], "comes from the scene's [material]"),
+        (&["--ladder", "--pipelines", "exact"], "no pipeline `exact`"),
+    ];
+    for (args, message) in cases {
+        refused(&[&["render", "plane", "--out", out_text], args].concat(), message);
+    }
+    assert!(!out.exists());
+    // Nothing shines: there are no light tables to judge.
+    let dull = folder.path().join("dull.toml");
+    let text = "[image]\nwidth = 16\nheight = 16\n[material]\nspecular = 0.0\n[[object]]\nshape = \"cube\"\n";
+    fs::write(&dull, text).unwrap();
+    let dull = dull.to_str().unwrap();
+    // A width of 22 is more than a product of that unit has room for, with all these guard bits.
+    let args = ["render", dull, "--pipelines", "printed", "--ladder=5,22", "--json"];
+    let told = done(
+        &[&args[..], &["-p", "guard_bits=8", "-p", "table_addr_bits=4", "--out", out_text]]
+            .concat(),
+    );
+    let record: Value = serde_json::from_str(&told).unwrap();
+    assert_eq!(record["exponents"].as_array().unwrap().len(), 0);
+    assert_eq!(record["header"]["light_pipeline"], Value::Null);
+    assert!(record["rungs"][0]["measured"].is_object(), "{record}");
+    let why = record["rungs"][1]["error"].as_str().unwrap();
+    assert!(why.contains("words have at most 63"), "{why}");
+    assert_eq!(record["rungs"][1]["measured"], Value::Null);
+    assert_eq!(record, json(&out.join("ladder.json")));
+}

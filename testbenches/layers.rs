@@ -19,7 +19,7 @@ const LAYERS: &[&[&str]] = &[
     &["measure", "wave"],
     &["render"],
     &["report", "eval", "emit"],
-    &["sweep", "verify", "cost"],
+    &["sweep", "ladder", "verify", "cost"],
     &["cli"],
 ];
 

@@ -1,6 +1,6 @@
 //! `fixpath render`: a scene by pipelines, its golden, differences and figures.
 
-use super::{pretty, progress_bar, text};
+use super::{ladder, pretty, progress_bar, text};
 use crate::error::{Error, Result};
 use crate::output;
 use crate::picture::{
@@ -22,7 +22,8 @@ pub(super) struct RenderArgs {
     /// Folder to write.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
-    /// Pipelines to compare; if not given printed,corrected,exact-polar,exact-cartesian.
+    /// Pipelines to compare; if not given printed,corrected,exact-polar,exact-cartesian, and for a ladder all
+    /// that there are.
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     pipelines: Vec<String>,
     /// Set a parameter of every pipeline that has it; those of the material come from the scene.
@@ -31,6 +32,14 @@ pub(super) struct RenderArgs {
     /// Pixels per degree of sight, for FLIP.
     #[arg(long, default_value_t = PIXELS_PER_DEGREE)]
     pixels_per_degree: f64,
+    /// In place of pictures, a report of error against cost and speed: every pipeline over a ladder of
+    /// widths (8,10,12,14,16 bits if none are given), and the light tables over exponents.
+    #[arg(long, value_name = "BITS,…", num_args = 0..=1, require_equals = true, default_missing_value = "")]
+    ladder: Option<String>,
+    /// Exponents of the highlight that the ladder's light tables are judged at; 1,8,32,128,255 if none
+    /// are given.
+    #[arg(long, value_name = "N,…", requires = "ladder")]
+    exponents: Option<String>,
     /// As JSON.
     #[arg(long)]
     json: bool,
@@ -61,9 +70,10 @@ fn name_of(path: &Path) -> String {
 /// Renders and writes; returns what to tell.
 pub(super) fn run(args: &RenderArgs) -> Result<String> {
     let mut pipelines = Vec::new();
-    let names: Vec<&str> = match &args.pipelines[..] {
-        [] => PIPELINES.to_vec(),
-        names => names.iter().map(String::as_str).collect(),
+    let names: Vec<&str> = match (&args.pipelines[..], &args.ladder) {
+        ([], None) => PIPELINES.to_vec(),
+        ([], Some(_)) => Pipeline::names(),
+        (names, _) => names.iter().map(String::as_str).collect(),
     };
     for name in names {
         if pipelines.iter().any(|known: &Pipeline| known.name == name) {
@@ -72,6 +82,12 @@ pub(super) fn run(args: &RenderArgs) -> Result<String> {
         pipelines.push(Pipeline::named(name)?);
     }
     Pipeline::set(&mut pipelines, &args.params)?;
+    if let Some(widths) = &args.ladder {
+        let exponents = args.exponents.as_deref();
+        let ladder = ladder::ladder(pipelines, widths, exponents, args.pixels_per_degree)?;
+        let scene = scene_of(&args.scene)?;
+        return ladder::run(&ladder, &scene, &name_of(&args.scene), &args.out, args.json);
+    }
     let scene = scene_of(&args.scene)?;
     let bar = progress_bar(u64::from(scene.image.height), "rows");
     let rendered = render(&scene, &pipelines, true, &|done| bar.set_position(done))?;

@@ -1,9 +1,10 @@
-//! Reports: a sweep's result as Markdown and plots.
+//! Reports: the result of a sweep or a ladder as Markdown and plots.
 //!
 //! A sweep's is made from a [`record::Record`] alone, so a sweep that was stopped and went
 //! on gives the same report as one that ran through.
 
 mod chart;
+pub mod ladder;
 mod markdown;
 mod plot;
 pub mod record;
