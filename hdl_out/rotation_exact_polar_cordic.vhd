@@ -6,8 +6,8 @@
 --   prop_addr_bits=auto recip_int_bits=8 atan_int_bits=auto quadrants=full cordic_iterations=auto
 --   period_ps=5000 stages=auto rom=block
 -- latency 27 cycles, interval 1 cycle; tables read on the clock
--- absolute errors against the golden of the quantised inputs, over 65536 vectors uniform on
--- the sphere (seed 1), and the input words of the worst:
+-- absolute errors against the golden of the quantised inputs, over 65536 random inputs
+-- (sampler sphere, seed 1), and the input words of the worst:
 --   angle: mean 1.41e-3 rad, at most 4.89e-3 rad at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058
 --   dot: mean 1.41e-3, at most 4.89e-3 at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058
 --   x: mean 7.66e-4, at most 4.11e-3 at phi_a=29150 theta_a=16832 phi_n=13217 theta_n=8896
@@ -1649,11 +1649,11 @@ begin
     azimuth_n70_under <= "1" when azimuth_n68(27) = '1' and (and azimuth_n68(26 downto 26)) = '0' else "0";
     azimuth_n70 <= 27x"3ffffff" when azimuth_n70_over(0) = '1' else 27x"4000000" when azimuth_n70_under(0) = '1' else azimuth_n68(26 downto 0);
     azimuth_n75 <= azimuth_n74_s3 xor azimuth_n72;
-    azimuth_n76_term <= unsigned(resize(azimuth_n71_s3, 28)) xor azimuth_n74_s3(0);
+    azimuth_n76_term <= unsigned(resize(azimuth_n71_s3, 28)) xor (27 downto 0 => azimuth_n74_s3(0));
     azimuth_n76 <= resize(azimuth_n70, 28) + signed(azimuth_n76_term) + azimuth_n74_s3(0);
-    azimuth_n77_term <= unsigned(resize(azimuth_n70, 28)) xor azimuth_n75(0);
+    azimuth_n77_term <= unsigned(resize(azimuth_n70, 28)) xor (27 downto 0 => azimuth_n75(0));
     azimuth_n77 <= resize(azimuth_n71_s3, 28) + signed(azimuth_n77_term) + azimuth_n75(0);
-    azimuth_n79_term <= unsigned(resize(azimuth_n78, 25)) xor azimuth_n74_s3(0);
+    azimuth_n79_term <= unsigned(resize(azimuth_n78, 25)) xor (24 downto 0 => azimuth_n74_s3(0));
     azimuth_n79 <= resize(azimuth_n73, 25) + signed(azimuth_n79_term) + azimuth_n74_s3(0);
     azimuth_n80_over <= "1" when azimuth_n79(24) = '0' and (or azimuth_n79(23 downto 23)) = '1' else "0";
     azimuth_n80_under <= "1" when azimuth_n79(24) = '1' and (and azimuth_n79(23 downto 23)) = '0' else "0";
@@ -1668,9 +1668,9 @@ begin
     azimuth_n84 <= azimuth_n83 xor azimuth_n72;
     azimuth_n85 <= azimuth_n82;
     azimuth_n86 <= azimuth_n81;
-    azimuth_n87_term <= unsigned(resize(azimuth_n85, 29)) xor azimuth_n83(0);
+    azimuth_n87_term <= unsigned(resize(azimuth_n85, 29)) xor (28 downto 0 => azimuth_n83(0));
     azimuth_n87 <= shift_left(resize(azimuth_n81, 29), 1) + signed(azimuth_n87_term) + azimuth_n83(0);
-    azimuth_n90_term <= unsigned(resize(azimuth_n89, 25)) xor azimuth_n83(0);
+    azimuth_n90_term <= unsigned(resize(azimuth_n89, 25)) xor (24 downto 0 => azimuth_n83(0));
     azimuth_n90 <= resize(azimuth_n80, 25) + signed(azimuth_n90_term) + azimuth_n83(0);
     -- polar_angle
     polar_angle_n274 <= resize(polar_angle_n272_s3, 25) + shift_left(resize(polar_angle_n273_s3, 25), 4);
@@ -1705,7 +1705,7 @@ begin
 
     -- ---- stage 4 ----
     -- azimuth
-    azimuth_n88_term <= unsigned(resize(azimuth_n86_s4, 29)) xor azimuth_n84_s4(0);
+    azimuth_n88_term <= unsigned(resize(azimuth_n86_s4, 29)) xor (28 downto 0 => azimuth_n84_s4(0));
     azimuth_n88 <= shift_left(resize(azimuth_n82_s4, 29), 1) + signed(azimuth_n88_term) + azimuth_n84_s4(0);
     azimuth_n91_over <= "1" when azimuth_n90_s4(24) = '0' and (or azimuth_n90_s4(23 downto 23)) = '1' else "0";
     azimuth_n91_under <= "1" when azimuth_n90_s4(24) = '1' and (and azimuth_n90_s4(23 downto 23)) = '0' else "0";
@@ -1722,11 +1722,11 @@ begin
     azimuth_n95 <= azimuth_n94 xor azimuth_n72;
     azimuth_n96 <= azimuth_n93;
     azimuth_n97 <= azimuth_n92;
-    azimuth_n98_term <= unsigned(resize(azimuth_n96, 30)) xor azimuth_n94(0);
+    azimuth_n98_term <= unsigned(resize(azimuth_n96, 30)) xor (29 downto 0 => azimuth_n94(0));
     azimuth_n98 <= shift_left(resize(azimuth_n92, 30), 2) + signed(azimuth_n98_term) + azimuth_n94(0);
-    azimuth_n99_term <= unsigned(resize(azimuth_n97, 30)) xor azimuth_n95(0);
+    azimuth_n99_term <= unsigned(resize(azimuth_n97, 30)) xor (29 downto 0 => azimuth_n95(0));
     azimuth_n99 <= shift_left(resize(azimuth_n93, 30), 2) + signed(azimuth_n99_term) + azimuth_n95(0);
-    azimuth_n101_term <= unsigned(resize(azimuth_n100, 25)) xor azimuth_n94(0);
+    azimuth_n101_term <= unsigned(resize(azimuth_n100, 25)) xor (24 downto 0 => azimuth_n94(0));
     azimuth_n101 <= resize(azimuth_n91, 25) + signed(azimuth_n101_term) + azimuth_n94(0);
     azimuth_n102_over <= "1" when azimuth_n101(24) = '0' and (or azimuth_n101(23 downto 23)) = '1' else "0";
     azimuth_n102_under <= "1" when azimuth_n101(24) = '1' and (and azimuth_n101(23 downto 23)) = '0' else "0";
@@ -1774,11 +1774,11 @@ begin
     -- ---- stage 5 ----
     -- azimuth
     azimuth_n106 <= azimuth_n105_s5 xor azimuth_n72;
-    azimuth_n109_term <= unsigned(resize(azimuth_n107_s5, 31)) xor azimuth_n105_s5(0);
+    azimuth_n109_term <= unsigned(resize(azimuth_n107_s5, 31)) xor (30 downto 0 => azimuth_n105_s5(0));
     azimuth_n109 <= shift_left(resize(azimuth_n103_s5, 31), 3) + signed(azimuth_n109_term) + azimuth_n105_s5(0);
-    azimuth_n110_term <= unsigned(resize(azimuth_n108_s5, 31)) xor azimuth_n106(0);
+    azimuth_n110_term <= unsigned(resize(azimuth_n108_s5, 31)) xor (30 downto 0 => azimuth_n106(0));
     azimuth_n110 <= shift_left(resize(azimuth_n104_s5, 31), 3) + signed(azimuth_n110_term) + azimuth_n106(0);
-    azimuth_n112_term <= unsigned(resize(azimuth_n111, 25)) xor azimuth_n105_s5(0);
+    azimuth_n112_term <= unsigned(resize(azimuth_n111, 25)) xor (24 downto 0 => azimuth_n105_s5(0));
     azimuth_n112 <= resize(azimuth_n102_s5, 25) + signed(azimuth_n112_term) + azimuth_n105_s5(0);
     azimuth_n113_over <= "1" when azimuth_n112(24) = '0' and (or azimuth_n112(23 downto 23)) = '1' else "0";
     azimuth_n113_under <= "1" when azimuth_n112(24) = '1' and (and azimuth_n112(23 downto 23)) = '0' else "0";
@@ -1795,11 +1795,11 @@ begin
     azimuth_n117 <= azimuth_n116 xor azimuth_n72;
     azimuth_n118 <= azimuth_n115;
     azimuth_n119 <= azimuth_n114;
-    azimuth_n120_term <= unsigned(resize(azimuth_n118, 32)) xor azimuth_n116(0);
+    azimuth_n120_term <= unsigned(resize(azimuth_n118, 32)) xor (31 downto 0 => azimuth_n116(0));
     azimuth_n120 <= shift_left(resize(azimuth_n114, 32), 4) + signed(azimuth_n120_term) + azimuth_n116(0);
-    azimuth_n121_term <= unsigned(resize(azimuth_n119, 32)) xor azimuth_n117(0);
+    azimuth_n121_term <= unsigned(resize(azimuth_n119, 32)) xor (31 downto 0 => azimuth_n117(0));
     azimuth_n121 <= shift_left(resize(azimuth_n115, 32), 4) + signed(azimuth_n121_term) + azimuth_n117(0);
-    azimuth_n123_term <= unsigned(resize(azimuth_n122, 25)) xor azimuth_n116(0);
+    azimuth_n123_term <= unsigned(resize(azimuth_n122, 25)) xor (24 downto 0 => azimuth_n116(0));
     azimuth_n123 <= resize(azimuth_n113, 25) + signed(azimuth_n123_term) + azimuth_n116(0);
     azimuth_n124_over <= "1" when azimuth_n123(24) = '0' and (or azimuth_n123(23 downto 23)) = '1' else "0";
     azimuth_n124_under <= "1" when azimuth_n123(24) = '1' and (and azimuth_n123(23 downto 23)) = '0' else "0";
@@ -1843,11 +1843,11 @@ begin
     azimuth_n127 <= unsigned(azimuth_n126(26 downto 26));
     azimuth_n128 <= azimuth_n127 xor azimuth_n72;
     azimuth_n129 <= azimuth_n126;
-    azimuth_n131_term <= unsigned(resize(azimuth_n129, 33)) xor azimuth_n127(0);
+    azimuth_n131_term <= unsigned(resize(azimuth_n129, 33)) xor (32 downto 0 => azimuth_n127(0));
     azimuth_n131 <= shift_left(resize(azimuth_n125_s6, 33), 5) + signed(azimuth_n131_term) + azimuth_n127(0);
-    azimuth_n132_term <= unsigned(resize(azimuth_n130_s6, 33)) xor azimuth_n128(0);
+    azimuth_n132_term <= unsigned(resize(azimuth_n130_s6, 33)) xor (32 downto 0 => azimuth_n128(0));
     azimuth_n132 <= shift_left(resize(azimuth_n126, 33), 5) + signed(azimuth_n132_term) + azimuth_n128(0);
-    azimuth_n134_term <= unsigned(resize(azimuth_n133, 25)) xor azimuth_n127(0);
+    azimuth_n134_term <= unsigned(resize(azimuth_n133, 25)) xor (24 downto 0 => azimuth_n127(0));
     azimuth_n134 <= resize(azimuth_n124_s6, 25) + signed(azimuth_n134_term) + azimuth_n127(0);
     azimuth_n135_over <= "1" when azimuth_n134(24) = '0' and (or azimuth_n134(23 downto 23)) = '1' else "0";
     azimuth_n135_under <= "1" when azimuth_n134(24) = '1' and (and azimuth_n134(23 downto 23)) = '0' else "0";
@@ -1864,7 +1864,7 @@ begin
     azimuth_n139 <= azimuth_n138 xor azimuth_n72;
     azimuth_n140 <= azimuth_n137;
     azimuth_n141 <= azimuth_n136;
-    azimuth_n145_term <= unsigned(resize(azimuth_n144, 25)) xor azimuth_n138(0);
+    azimuth_n145_term <= unsigned(resize(azimuth_n144, 25)) xor (24 downto 0 => azimuth_n138(0));
     azimuth_n145 <= resize(azimuth_n135, 25) + signed(azimuth_n145_term) + azimuth_n138(0);
     -- polar_angle
     polar_angle_n288 <= resize(polar_angle_n286_s6, 44) - shift_left(resize(polar_angle_n287_s6, 44), 23);
@@ -1900,9 +1900,9 @@ begin
 
     -- ---- stage 7 ----
     -- azimuth
-    azimuth_n142_term <= unsigned(resize(azimuth_n140_s7, 34)) xor azimuth_n138_s7(0);
+    azimuth_n142_term <= unsigned(resize(azimuth_n140_s7, 34)) xor (33 downto 0 => azimuth_n138_s7(0));
     azimuth_n142 <= shift_left(resize(azimuth_n136_s7, 34), 6) + signed(azimuth_n142_term) + azimuth_n138_s7(0);
-    azimuth_n143_term <= unsigned(resize(azimuth_n141_s7, 34)) xor azimuth_n139_s7(0);
+    azimuth_n143_term <= unsigned(resize(azimuth_n141_s7, 34)) xor (33 downto 0 => azimuth_n139_s7(0));
     azimuth_n143 <= shift_left(resize(azimuth_n137_s7, 34), 6) + signed(azimuth_n143_term) + azimuth_n139_s7(0);
     azimuth_n146_over <= "1" when azimuth_n145_s7(24) = '0' and (or azimuth_n145_s7(23 downto 23)) = '1' else "0";
     azimuth_n146_under <= "1" when azimuth_n145_s7(24) = '1' and (and azimuth_n145_s7(23 downto 23)) = '0' else "0";
@@ -1919,11 +1919,11 @@ begin
     azimuth_n150 <= azimuth_n149 xor azimuth_n72;
     azimuth_n151 <= azimuth_n148;
     azimuth_n152 <= azimuth_n147;
-    azimuth_n153_term <= unsigned(resize(azimuth_n151, 35)) xor azimuth_n149(0);
+    azimuth_n153_term <= unsigned(resize(azimuth_n151, 35)) xor (34 downto 0 => azimuth_n149(0));
     azimuth_n153 <= shift_left(resize(azimuth_n147, 35), 7) + signed(azimuth_n153_term) + azimuth_n149(0);
-    azimuth_n154_term <= unsigned(resize(azimuth_n152, 35)) xor azimuth_n150(0);
+    azimuth_n154_term <= unsigned(resize(azimuth_n152, 35)) xor (34 downto 0 => azimuth_n150(0));
     azimuth_n154 <= shift_left(resize(azimuth_n148, 35), 7) + signed(azimuth_n154_term) + azimuth_n150(0);
-    azimuth_n156_term <= unsigned(resize(azimuth_n155, 25)) xor azimuth_n149(0);
+    azimuth_n156_term <= unsigned(resize(azimuth_n155, 25)) xor (24 downto 0 => azimuth_n149(0));
     azimuth_n156 <= resize(azimuth_n146, 25) + signed(azimuth_n156_term) + azimuth_n149(0);
     azimuth_n157_over <= "1" when azimuth_n156(24) = '0' and (or azimuth_n156(23 downto 23)) = '1' else "0";
     azimuth_n157_under <= "1" when azimuth_n156(24) = '1' and (and azimuth_n156(23 downto 23)) = '0' else "0";
@@ -1969,11 +1969,11 @@ begin
     azimuth_n160 <= unsigned(azimuth_n159(26 downto 26));
     azimuth_n161 <= azimuth_n160 xor azimuth_n72;
     azimuth_n162 <= azimuth_n159;
-    azimuth_n164_term <= unsigned(resize(azimuth_n162, 36)) xor azimuth_n160(0);
+    azimuth_n164_term <= unsigned(resize(azimuth_n162, 36)) xor (35 downto 0 => azimuth_n160(0));
     azimuth_n164 <= shift_left(resize(azimuth_n158_s8, 36), 8) + signed(azimuth_n164_term) + azimuth_n160(0);
-    azimuth_n165_term <= unsigned(resize(azimuth_n163_s8, 36)) xor azimuth_n161(0);
+    azimuth_n165_term <= unsigned(resize(azimuth_n163_s8, 36)) xor (35 downto 0 => azimuth_n161(0));
     azimuth_n165 <= shift_left(resize(azimuth_n159, 36), 8) + signed(azimuth_n165_term) + azimuth_n161(0);
-    azimuth_n167_term <= unsigned(resize(azimuth_n166, 25)) xor azimuth_n160(0);
+    azimuth_n167_term <= unsigned(resize(azimuth_n166, 25)) xor (24 downto 0 => azimuth_n160(0));
     azimuth_n167 <= resize(azimuth_n157_s8, 25) + signed(azimuth_n167_term) + azimuth_n160(0);
     azimuth_n168_over <= "1" when azimuth_n167(24) = '0' and (or azimuth_n167(23 downto 23)) = '1' else "0";
     azimuth_n168_under <= "1" when azimuth_n167(24) = '1' and (and azimuth_n167(23 downto 23)) = '0' else "0";
@@ -1990,7 +1990,7 @@ begin
     azimuth_n172 <= azimuth_n171 xor azimuth_n72;
     azimuth_n173 <= azimuth_n170;
     azimuth_n174 <= azimuth_n169;
-    azimuth_n178_term <= unsigned(resize(azimuth_n177, 25)) xor azimuth_n171(0);
+    azimuth_n178_term <= unsigned(resize(azimuth_n177, 25)) xor (24 downto 0 => azimuth_n171(0));
     azimuth_n178 <= resize(azimuth_n168, 25) + signed(azimuth_n178_term) + azimuth_n171(0);
 
     process (clk)
@@ -2018,9 +2018,9 @@ begin
 
     -- ---- stage 9 ----
     -- azimuth
-    azimuth_n175_term <= unsigned(resize(azimuth_n173_s9, 37)) xor azimuth_n171_s9(0);
+    azimuth_n175_term <= unsigned(resize(azimuth_n173_s9, 37)) xor (36 downto 0 => azimuth_n171_s9(0));
     azimuth_n175 <= shift_left(resize(azimuth_n169_s9, 37), 9) + signed(azimuth_n175_term) + azimuth_n171_s9(0);
-    azimuth_n176_term <= unsigned(resize(azimuth_n174_s9, 37)) xor azimuth_n172_s9(0);
+    azimuth_n176_term <= unsigned(resize(azimuth_n174_s9, 37)) xor (36 downto 0 => azimuth_n172_s9(0));
     azimuth_n176 <= shift_left(resize(azimuth_n170_s9, 37), 9) + signed(azimuth_n176_term) + azimuth_n172_s9(0);
     azimuth_n179_over <= "1" when azimuth_n178_s9(24) = '0' and (or azimuth_n178_s9(23 downto 23)) = '1' else "0";
     azimuth_n179_under <= "1" when azimuth_n178_s9(24) = '1' and (and azimuth_n178_s9(23 downto 23)) = '0' else "0";
@@ -2037,11 +2037,11 @@ begin
     azimuth_n183 <= azimuth_n182 xor azimuth_n72;
     azimuth_n184 <= azimuth_n181;
     azimuth_n185 <= azimuth_n180;
-    azimuth_n186_term <= unsigned(resize(azimuth_n184, 38)) xor azimuth_n182(0);
+    azimuth_n186_term <= unsigned(resize(azimuth_n184, 38)) xor (37 downto 0 => azimuth_n182(0));
     azimuth_n186 <= shift_left(resize(azimuth_n180, 38), 10) + signed(azimuth_n186_term) + azimuth_n182(0);
-    azimuth_n187_term <= unsigned(resize(azimuth_n185, 38)) xor azimuth_n183(0);
+    azimuth_n187_term <= unsigned(resize(azimuth_n185, 38)) xor (37 downto 0 => azimuth_n183(0));
     azimuth_n187 <= shift_left(resize(azimuth_n181, 38), 10) + signed(azimuth_n187_term) + azimuth_n183(0);
-    azimuth_n189_term <= unsigned(resize(azimuth_n188, 25)) xor azimuth_n182(0);
+    azimuth_n189_term <= unsigned(resize(azimuth_n188, 25)) xor (24 downto 0 => azimuth_n182(0));
     azimuth_n189 <= resize(azimuth_n179, 25) + signed(azimuth_n189_term) + azimuth_n182(0);
     azimuth_n190_over <= "1" when azimuth_n189(24) = '0' and (or azimuth_n189(23 downto 23)) = '1' else "0";
     azimuth_n190_under <= "1" when azimuth_n189(24) = '1' and (and azimuth_n189(23 downto 23)) = '0' else "0";
@@ -2081,11 +2081,11 @@ begin
     azimuth_n193 <= unsigned(azimuth_n192(26 downto 26));
     azimuth_n194 <= azimuth_n193 xor azimuth_n72;
     azimuth_n195 <= azimuth_n192;
-    azimuth_n197_term <= unsigned(resize(azimuth_n195, 39)) xor azimuth_n193(0);
+    azimuth_n197_term <= unsigned(resize(azimuth_n195, 39)) xor (38 downto 0 => azimuth_n193(0));
     azimuth_n197 <= shift_left(resize(azimuth_n191_s10, 39), 11) + signed(azimuth_n197_term) + azimuth_n193(0);
-    azimuth_n198_term <= unsigned(resize(azimuth_n196_s10, 39)) xor azimuth_n194(0);
+    azimuth_n198_term <= unsigned(resize(azimuth_n196_s10, 39)) xor (38 downto 0 => azimuth_n194(0));
     azimuth_n198 <= shift_left(resize(azimuth_n192, 39), 11) + signed(azimuth_n198_term) + azimuth_n194(0);
-    azimuth_n200_term <= unsigned(resize(azimuth_n199, 25)) xor azimuth_n193(0);
+    azimuth_n200_term <= unsigned(resize(azimuth_n199, 25)) xor (24 downto 0 => azimuth_n193(0));
     azimuth_n200 <= resize(azimuth_n190_s10, 25) + signed(azimuth_n200_term) + azimuth_n193(0);
     azimuth_n201_over <= "1" when azimuth_n200(24) = '0' and (or azimuth_n200(23 downto 23)) = '1' else "0";
     azimuth_n201_under <= "1" when azimuth_n200(24) = '1' and (and azimuth_n200(23 downto 23)) = '0' else "0";
@@ -2102,7 +2102,7 @@ begin
     azimuth_n205 <= azimuth_n204 xor azimuth_n72;
     azimuth_n206 <= azimuth_n203;
     azimuth_n207 <= azimuth_n202;
-    azimuth_n211_term <= unsigned(resize(azimuth_n210, 25)) xor azimuth_n204(0);
+    azimuth_n211_term <= unsigned(resize(azimuth_n210, 25)) xor (24 downto 0 => azimuth_n204(0));
     azimuth_n211 <= resize(azimuth_n201, 25) + signed(azimuth_n211_term) + azimuth_n204(0);
 
     process (clk)
@@ -2130,9 +2130,9 @@ begin
 
     -- ---- stage 11 ----
     -- azimuth
-    azimuth_n208_term <= unsigned(resize(azimuth_n206_s11, 40)) xor azimuth_n204_s11(0);
+    azimuth_n208_term <= unsigned(resize(azimuth_n206_s11, 40)) xor (39 downto 0 => azimuth_n204_s11(0));
     azimuth_n208 <= shift_left(resize(azimuth_n202_s11, 40), 12) + signed(azimuth_n208_term) + azimuth_n204_s11(0);
-    azimuth_n209_term <= unsigned(resize(azimuth_n207_s11, 40)) xor azimuth_n205_s11(0);
+    azimuth_n209_term <= unsigned(resize(azimuth_n207_s11, 40)) xor (39 downto 0 => azimuth_n205_s11(0));
     azimuth_n209 <= shift_left(resize(azimuth_n203_s11, 40), 12) + signed(azimuth_n209_term) + azimuth_n205_s11(0);
     azimuth_n212_over <= "1" when azimuth_n211_s11(24) = '0' and (or azimuth_n211_s11(23 downto 23)) = '1' else "0";
     azimuth_n212_under <= "1" when azimuth_n211_s11(24) = '1' and (and azimuth_n211_s11(23 downto 23)) = '0' else "0";
@@ -2149,11 +2149,11 @@ begin
     azimuth_n216 <= azimuth_n215 xor azimuth_n72;
     azimuth_n217 <= azimuth_n214;
     azimuth_n218 <= azimuth_n213;
-    azimuth_n219_term <= unsigned(resize(azimuth_n217, 41)) xor azimuth_n215(0);
+    azimuth_n219_term <= unsigned(resize(azimuth_n217, 41)) xor (40 downto 0 => azimuth_n215(0));
     azimuth_n219 <= shift_left(resize(azimuth_n213, 41), 13) + signed(azimuth_n219_term) + azimuth_n215(0);
-    azimuth_n220_term <= unsigned(resize(azimuth_n218, 41)) xor azimuth_n216(0);
+    azimuth_n220_term <= unsigned(resize(azimuth_n218, 41)) xor (40 downto 0 => azimuth_n216(0));
     azimuth_n220 <= shift_left(resize(azimuth_n214, 41), 13) + signed(azimuth_n220_term) + azimuth_n216(0);
-    azimuth_n222_term <= unsigned(resize(azimuth_n221, 25)) xor azimuth_n215(0);
+    azimuth_n222_term <= unsigned(resize(azimuth_n221, 25)) xor (24 downto 0 => azimuth_n215(0));
     azimuth_n222 <= resize(azimuth_n212, 25) + signed(azimuth_n222_term) + azimuth_n215(0);
     azimuth_n223_over <= "1" when azimuth_n222(24) = '0' and (or azimuth_n222(23 downto 23)) = '1' else "0";
     azimuth_n223_under <= "1" when azimuth_n222(24) = '1' and (and azimuth_n222(23 downto 23)) = '0' else "0";
@@ -2193,11 +2193,11 @@ begin
     azimuth_n226 <= unsigned(azimuth_n225(26 downto 26));
     azimuth_n227 <= azimuth_n226 xor azimuth_n72;
     azimuth_n228 <= azimuth_n225;
-    azimuth_n230_term <= unsigned(resize(azimuth_n228, 42)) xor azimuth_n226(0);
+    azimuth_n230_term <= unsigned(resize(azimuth_n228, 42)) xor (41 downto 0 => azimuth_n226(0));
     azimuth_n230 <= shift_left(resize(azimuth_n224_s12, 42), 14) + signed(azimuth_n230_term) + azimuth_n226(0);
-    azimuth_n231_term <= unsigned(resize(azimuth_n229_s12, 42)) xor azimuth_n227(0);
+    azimuth_n231_term <= unsigned(resize(azimuth_n229_s12, 42)) xor (41 downto 0 => azimuth_n227(0));
     azimuth_n231 <= shift_left(resize(azimuth_n225, 42), 14) + signed(azimuth_n231_term) + azimuth_n227(0);
-    azimuth_n233_term <= unsigned(resize(azimuth_n232, 25)) xor azimuth_n226(0);
+    azimuth_n233_term <= unsigned(resize(azimuth_n232, 25)) xor (24 downto 0 => azimuth_n226(0));
     azimuth_n233 <= resize(azimuth_n223_s12, 25) + signed(azimuth_n233_term) + azimuth_n226(0);
     azimuth_n234_over <= "1" when azimuth_n233(24) = '0' and (or azimuth_n233(23 downto 23)) = '1' else "0";
     azimuth_n234_under <= "1" when azimuth_n233(24) = '1' and (and azimuth_n233(23 downto 23)) = '0' else "0";
@@ -2240,11 +2240,11 @@ begin
 
     -- ---- stage 13 ----
     -- azimuth
-    azimuth_n241_term <= unsigned(resize(azimuth_n239_s13, 43)) xor azimuth_n237_s13(0);
+    azimuth_n241_term <= unsigned(resize(azimuth_n239_s13, 43)) xor (42 downto 0 => azimuth_n237_s13(0));
     azimuth_n241 <= shift_left(resize(azimuth_n235_s13, 43), 15) + signed(azimuth_n241_term) + azimuth_n237_s13(0);
-    azimuth_n242_term <= unsigned(resize(azimuth_n240_s13, 43)) xor azimuth_n238_s13(0);
+    azimuth_n242_term <= unsigned(resize(azimuth_n240_s13, 43)) xor (42 downto 0 => azimuth_n238_s13(0));
     azimuth_n242 <= shift_left(resize(azimuth_n236_s13, 43), 15) + signed(azimuth_n242_term) + azimuth_n238_s13(0);
-    azimuth_n244_term <= unsigned(resize(azimuth_n243, 25)) xor azimuth_n237_s13(0);
+    azimuth_n244_term <= unsigned(resize(azimuth_n243, 25)) xor (24 downto 0 => azimuth_n237_s13(0));
     azimuth_n244 <= resize(azimuth_n234_s13, 25) + signed(azimuth_n244_term) + azimuth_n237_s13(0);
     azimuth_n245_over <= "1" when azimuth_n244(24) = '0' and (or azimuth_n244(23 downto 23)) = '1' else "0";
     azimuth_n245_under <= "1" when azimuth_n244(24) = '1' and (and azimuth_n244(23 downto 23)) = '0' else "0";
@@ -2261,11 +2261,11 @@ begin
     azimuth_n249 <= azimuth_n248 xor azimuth_n72;
     azimuth_n250 <= azimuth_n247;
     azimuth_n251 <= azimuth_n246;
-    azimuth_n252_term <= unsigned(resize(azimuth_n250, 44)) xor azimuth_n248(0);
+    azimuth_n252_term <= unsigned(resize(azimuth_n250, 44)) xor (43 downto 0 => azimuth_n248(0));
     azimuth_n252 <= shift_left(resize(azimuth_n246, 44), 16) + signed(azimuth_n252_term) + azimuth_n248(0);
-    azimuth_n253_term <= unsigned(resize(azimuth_n251, 44)) xor azimuth_n249(0);
+    azimuth_n253_term <= unsigned(resize(azimuth_n251, 44)) xor (43 downto 0 => azimuth_n249(0));
     azimuth_n253 <= shift_left(resize(azimuth_n247, 44), 16) + signed(azimuth_n253_term) + azimuth_n249(0);
-    azimuth_n255_term <= unsigned(resize(azimuth_n254, 25)) xor azimuth_n248(0);
+    azimuth_n255_term <= unsigned(resize(azimuth_n254, 25)) xor (24 downto 0 => azimuth_n248(0));
     azimuth_n255 <= resize(azimuth_n245, 25) + signed(azimuth_n255_term) + azimuth_n248(0);
     azimuth_n256_over <= "1" when azimuth_n255(24) = '0' and (or azimuth_n255(23 downto 23)) = '1' else "0";
     azimuth_n256_under <= "1" when azimuth_n255(24) = '1' and (and azimuth_n255(23 downto 23)) = '0' else "0";
@@ -2302,9 +2302,9 @@ begin
     azimuth_n258 <= 27x"3ffffff" when azimuth_n258_over(0) = '1' else 27x"4000000" when azimuth_n258_under(0) = '1' else azimuth_n258_cut(26 downto 0);
     azimuth_n259 <= unsigned(azimuth_n258(26 downto 26));
     azimuth_n260 <= azimuth_n258;
-    azimuth_n261_term <= unsigned(resize(azimuth_n260, 45)) xor azimuth_n259(0);
+    azimuth_n261_term <= unsigned(resize(azimuth_n260, 45)) xor (44 downto 0 => azimuth_n259(0));
     azimuth_n261 <= shift_left(resize(azimuth_n257, 45), 17) + signed(azimuth_n261_term) + azimuth_n259(0);
-    azimuth_n263_term <= unsigned(resize(azimuth_n262, 25)) xor azimuth_n259(0);
+    azimuth_n263_term <= unsigned(resize(azimuth_n262, 25)) xor (24 downto 0 => azimuth_n259(0));
     azimuth_n263 <= resize(azimuth_n256_s14, 25) + signed(azimuth_n263_term) + azimuth_n259(0);
     azimuth_n264_over <= "1" when azimuth_n263(24) = '0' and (or azimuth_n263(23 downto 23)) = '1' else "0";
     azimuth_n264_under <= "1" when azimuth_n263(24) = '1' and (and azimuth_n263(23 downto 23)) = '0' else "0";
@@ -2350,11 +2350,11 @@ begin
     polar_angle_n298 <= 27x"3ffffff" when polar_angle_n298_over(0) = '1' else 27x"4000000" when polar_angle_n298_under(0) = '1' else polar_angle_n296(26 downto 0);
     polar_angle_n299 <= unsigned(polar_angle_n298(26 downto 26));
     polar_angle_n300 <= polar_angle_n299 xor azimuth_n72;
-    polar_angle_n301_term <= unsigned(resize(polar_angle_n298, 28)) xor polar_angle_n299(0);
+    polar_angle_n301_term <= unsigned(resize(polar_angle_n298, 28)) xor (27 downto 0 => polar_angle_n299(0));
     polar_angle_n301 <= resize(polar_angle_n297_s15, 28) + signed(polar_angle_n301_term) + polar_angle_n299(0);
-    polar_angle_n302_term <= unsigned(resize(polar_angle_n297_s15, 28)) xor polar_angle_n300(0);
+    polar_angle_n302_term <= unsigned(resize(polar_angle_n297_s15, 28)) xor (27 downto 0 => polar_angle_n300(0));
     polar_angle_n302 <= resize(polar_angle_n298, 28) + signed(polar_angle_n302_term) + polar_angle_n300(0);
-    polar_angle_n303_term <= unsigned(resize(azimuth_n78, 25)) xor polar_angle_n299(0);
+    polar_angle_n303_term <= unsigned(resize(azimuth_n78, 25)) xor (24 downto 0 => polar_angle_n299(0));
     polar_angle_n303 <= resize(azimuth_n73, 25) + signed(polar_angle_n303_term) + polar_angle_n299(0);
     polar_angle_n304_over <= "1" when polar_angle_n303(24) = '0' and (or polar_angle_n303(23 downto 23)) = '1' else "0";
     polar_angle_n304_under <= "1" when polar_angle_n303(24) = '1' and (and polar_angle_n303(23 downto 23)) = '0' else "0";
@@ -2394,11 +2394,11 @@ begin
 
     -- ---- stage 16 ----
     -- polar_angle
-    polar_angle_n311_term <= unsigned(resize(polar_angle_n309_s16, 29)) xor polar_angle_n307_s16(0);
+    polar_angle_n311_term <= unsigned(resize(polar_angle_n309_s16, 29)) xor (28 downto 0 => polar_angle_n307_s16(0));
     polar_angle_n311 <= shift_left(resize(polar_angle_n305_s16, 29), 1) + signed(polar_angle_n311_term) + polar_angle_n307_s16(0);
-    polar_angle_n312_term <= unsigned(resize(polar_angle_n310_s16, 29)) xor polar_angle_n308_s16(0);
+    polar_angle_n312_term <= unsigned(resize(polar_angle_n310_s16, 29)) xor (28 downto 0 => polar_angle_n308_s16(0));
     polar_angle_n312 <= shift_left(resize(polar_angle_n306_s16, 29), 1) + signed(polar_angle_n312_term) + polar_angle_n308_s16(0);
-    polar_angle_n313_term <= unsigned(resize(azimuth_n89, 25)) xor polar_angle_n307_s16(0);
+    polar_angle_n313_term <= unsigned(resize(azimuth_n89, 25)) xor (24 downto 0 => polar_angle_n307_s16(0));
     polar_angle_n313 <= resize(polar_angle_n304_s16, 25) + signed(polar_angle_n313_term) + polar_angle_n307_s16(0);
     polar_angle_n314_over <= "1" when polar_angle_n313(24) = '0' and (or polar_angle_n313(23 downto 23)) = '1' else "0";
     polar_angle_n314_under <= "1" when polar_angle_n313(24) = '1' and (and polar_angle_n313(23 downto 23)) = '0' else "0";
@@ -2415,11 +2415,11 @@ begin
     polar_angle_n318 <= polar_angle_n317 xor azimuth_n72;
     polar_angle_n319 <= polar_angle_n316;
     polar_angle_n320 <= polar_angle_n315;
-    polar_angle_n321_term <= unsigned(resize(polar_angle_n319, 30)) xor polar_angle_n317(0);
+    polar_angle_n321_term <= unsigned(resize(polar_angle_n319, 30)) xor (29 downto 0 => polar_angle_n317(0));
     polar_angle_n321 <= shift_left(resize(polar_angle_n315, 30), 2) + signed(polar_angle_n321_term) + polar_angle_n317(0);
-    polar_angle_n322_term <= unsigned(resize(polar_angle_n320, 30)) xor polar_angle_n318(0);
+    polar_angle_n322_term <= unsigned(resize(polar_angle_n320, 30)) xor (29 downto 0 => polar_angle_n318(0));
     polar_angle_n322 <= shift_left(resize(polar_angle_n316, 30), 2) + signed(polar_angle_n322_term) + polar_angle_n318(0);
-    polar_angle_n323_term <= unsigned(resize(azimuth_n100, 25)) xor polar_angle_n317(0);
+    polar_angle_n323_term <= unsigned(resize(azimuth_n100, 25)) xor (24 downto 0 => polar_angle_n317(0));
     polar_angle_n323 <= resize(polar_angle_n314, 25) + signed(polar_angle_n323_term) + polar_angle_n317(0);
     polar_angle_n324_over <= "1" when polar_angle_n323(24) = '0' and (or polar_angle_n323(23 downto 23)) = '1' else "0";
     polar_angle_n324_under <= "1" when polar_angle_n323(24) = '1' and (and polar_angle_n323(23 downto 23)) = '0' else "0";
@@ -2460,11 +2460,11 @@ begin
     -- ---- stage 17 ----
     -- polar_angle
     polar_angle_n328 <= polar_angle_n327_s17 xor azimuth_n72;
-    polar_angle_n331_term <= unsigned(resize(polar_angle_n329_s17, 31)) xor polar_angle_n327_s17(0);
+    polar_angle_n331_term <= unsigned(resize(polar_angle_n329_s17, 31)) xor (30 downto 0 => polar_angle_n327_s17(0));
     polar_angle_n331 <= shift_left(resize(polar_angle_n325_s17, 31), 3) + signed(polar_angle_n331_term) + polar_angle_n327_s17(0);
-    polar_angle_n332_term <= unsigned(resize(polar_angle_n330_s17, 31)) xor polar_angle_n328(0);
+    polar_angle_n332_term <= unsigned(resize(polar_angle_n330_s17, 31)) xor (30 downto 0 => polar_angle_n328(0));
     polar_angle_n332 <= shift_left(resize(polar_angle_n326_s17, 31), 3) + signed(polar_angle_n332_term) + polar_angle_n328(0);
-    polar_angle_n333_term <= unsigned(resize(azimuth_n111, 25)) xor polar_angle_n327_s17(0);
+    polar_angle_n333_term <= unsigned(resize(azimuth_n111, 25)) xor (24 downto 0 => polar_angle_n327_s17(0));
     polar_angle_n333 <= resize(polar_angle_n324_s17, 25) + signed(polar_angle_n333_term) + polar_angle_n327_s17(0);
     polar_angle_n334_over <= "1" when polar_angle_n333(24) = '0' and (or polar_angle_n333(23 downto 23)) = '1' else "0";
     polar_angle_n334_under <= "1" when polar_angle_n333(24) = '1' and (and polar_angle_n333(23 downto 23)) = '0' else "0";
@@ -2481,11 +2481,11 @@ begin
     polar_angle_n338 <= polar_angle_n337 xor azimuth_n72;
     polar_angle_n339 <= polar_angle_n336;
     polar_angle_n340 <= polar_angle_n335;
-    polar_angle_n341_term <= unsigned(resize(polar_angle_n339, 32)) xor polar_angle_n337(0);
+    polar_angle_n341_term <= unsigned(resize(polar_angle_n339, 32)) xor (31 downto 0 => polar_angle_n337(0));
     polar_angle_n341 <= shift_left(resize(polar_angle_n335, 32), 4) + signed(polar_angle_n341_term) + polar_angle_n337(0);
-    polar_angle_n342_term <= unsigned(resize(polar_angle_n340, 32)) xor polar_angle_n338(0);
+    polar_angle_n342_term <= unsigned(resize(polar_angle_n340, 32)) xor (31 downto 0 => polar_angle_n338(0));
     polar_angle_n342 <= shift_left(resize(polar_angle_n336, 32), 4) + signed(polar_angle_n342_term) + polar_angle_n338(0);
-    polar_angle_n343_term <= unsigned(resize(azimuth_n122, 25)) xor polar_angle_n337(0);
+    polar_angle_n343_term <= unsigned(resize(azimuth_n122, 25)) xor (24 downto 0 => polar_angle_n337(0));
     polar_angle_n343 <= resize(polar_angle_n334, 25) + signed(polar_angle_n343_term) + polar_angle_n337(0);
     polar_angle_n344_over <= "1" when polar_angle_n343(24) = '0' and (or polar_angle_n343(23 downto 23)) = '1' else "0";
     polar_angle_n344_under <= "1" when polar_angle_n343(24) = '1' and (and polar_angle_n343(23 downto 23)) = '0' else "0";
@@ -2524,11 +2524,11 @@ begin
     polar_angle_n347 <= unsigned(polar_angle_n346(26 downto 26));
     polar_angle_n348 <= polar_angle_n347 xor azimuth_n72;
     polar_angle_n349 <= polar_angle_n346;
-    polar_angle_n351_term <= unsigned(resize(polar_angle_n349, 33)) xor polar_angle_n347(0);
+    polar_angle_n351_term <= unsigned(resize(polar_angle_n349, 33)) xor (32 downto 0 => polar_angle_n347(0));
     polar_angle_n351 <= shift_left(resize(polar_angle_n345_s18, 33), 5) + signed(polar_angle_n351_term) + polar_angle_n347(0);
-    polar_angle_n352_term <= unsigned(resize(polar_angle_n350_s18, 33)) xor polar_angle_n348(0);
+    polar_angle_n352_term <= unsigned(resize(polar_angle_n350_s18, 33)) xor (32 downto 0 => polar_angle_n348(0));
     polar_angle_n352 <= shift_left(resize(polar_angle_n346, 33), 5) + signed(polar_angle_n352_term) + polar_angle_n348(0);
-    polar_angle_n353_term <= unsigned(resize(azimuth_n133, 25)) xor polar_angle_n347(0);
+    polar_angle_n353_term <= unsigned(resize(azimuth_n133, 25)) xor (24 downto 0 => polar_angle_n347(0));
     polar_angle_n353 <= resize(polar_angle_n344_s18, 25) + signed(polar_angle_n353_term) + polar_angle_n347(0);
     polar_angle_n354_over <= "1" when polar_angle_n353(24) = '0' and (or polar_angle_n353(23 downto 23)) = '1' else "0";
     polar_angle_n354_under <= "1" when polar_angle_n353(24) = '1' and (and polar_angle_n353(23 downto 23)) = '0' else "0";
@@ -2545,7 +2545,7 @@ begin
     polar_angle_n358 <= polar_angle_n357 xor azimuth_n72;
     polar_angle_n359 <= polar_angle_n356;
     polar_angle_n360 <= polar_angle_n355;
-    polar_angle_n363_term <= unsigned(resize(azimuth_n144, 25)) xor polar_angle_n357(0);
+    polar_angle_n363_term <= unsigned(resize(azimuth_n144, 25)) xor (24 downto 0 => polar_angle_n357(0));
     polar_angle_n363 <= resize(polar_angle_n354, 25) + signed(polar_angle_n363_term) + polar_angle_n357(0);
 
     process (clk)
@@ -2572,9 +2572,9 @@ begin
 
     -- ---- stage 19 ----
     -- polar_angle
-    polar_angle_n361_term <= unsigned(resize(polar_angle_n359_s19, 34)) xor polar_angle_n357_s19(0);
+    polar_angle_n361_term <= unsigned(resize(polar_angle_n359_s19, 34)) xor (33 downto 0 => polar_angle_n357_s19(0));
     polar_angle_n361 <= shift_left(resize(polar_angle_n355_s19, 34), 6) + signed(polar_angle_n361_term) + polar_angle_n357_s19(0);
-    polar_angle_n362_term <= unsigned(resize(polar_angle_n360_s19, 34)) xor polar_angle_n358_s19(0);
+    polar_angle_n362_term <= unsigned(resize(polar_angle_n360_s19, 34)) xor (33 downto 0 => polar_angle_n358_s19(0));
     polar_angle_n362 <= shift_left(resize(polar_angle_n356_s19, 34), 6) + signed(polar_angle_n362_term) + polar_angle_n358_s19(0);
     polar_angle_n364_over <= "1" when polar_angle_n363_s19(24) = '0' and (or polar_angle_n363_s19(23 downto 23)) = '1' else "0";
     polar_angle_n364_under <= "1" when polar_angle_n363_s19(24) = '1' and (and polar_angle_n363_s19(23 downto 23)) = '0' else "0";
@@ -2591,11 +2591,11 @@ begin
     polar_angle_n368 <= polar_angle_n367 xor azimuth_n72;
     polar_angle_n369 <= polar_angle_n366;
     polar_angle_n370 <= polar_angle_n365;
-    polar_angle_n371_term <= unsigned(resize(polar_angle_n369, 35)) xor polar_angle_n367(0);
+    polar_angle_n371_term <= unsigned(resize(polar_angle_n369, 35)) xor (34 downto 0 => polar_angle_n367(0));
     polar_angle_n371 <= shift_left(resize(polar_angle_n365, 35), 7) + signed(polar_angle_n371_term) + polar_angle_n367(0);
-    polar_angle_n372_term <= unsigned(resize(polar_angle_n370, 35)) xor polar_angle_n368(0);
+    polar_angle_n372_term <= unsigned(resize(polar_angle_n370, 35)) xor (34 downto 0 => polar_angle_n368(0));
     polar_angle_n372 <= shift_left(resize(polar_angle_n366, 35), 7) + signed(polar_angle_n372_term) + polar_angle_n368(0);
-    polar_angle_n373_term <= unsigned(resize(azimuth_n155, 25)) xor polar_angle_n367(0);
+    polar_angle_n373_term <= unsigned(resize(azimuth_n155, 25)) xor (24 downto 0 => polar_angle_n367(0));
     polar_angle_n373 <= resize(polar_angle_n364, 25) + signed(polar_angle_n373_term) + polar_angle_n367(0);
     polar_angle_n374_over <= "1" when polar_angle_n373(24) = '0' and (or polar_angle_n373(23 downto 23)) = '1' else "0";
     polar_angle_n374_under <= "1" when polar_angle_n373(24) = '1' and (and polar_angle_n373(23 downto 23)) = '0' else "0";
@@ -2634,11 +2634,11 @@ begin
     polar_angle_n377 <= unsigned(polar_angle_n376(26 downto 26));
     polar_angle_n378 <= polar_angle_n377 xor azimuth_n72;
     polar_angle_n379 <= polar_angle_n376;
-    polar_angle_n381_term <= unsigned(resize(polar_angle_n379, 36)) xor polar_angle_n377(0);
+    polar_angle_n381_term <= unsigned(resize(polar_angle_n379, 36)) xor (35 downto 0 => polar_angle_n377(0));
     polar_angle_n381 <= shift_left(resize(polar_angle_n375_s20, 36), 8) + signed(polar_angle_n381_term) + polar_angle_n377(0);
-    polar_angle_n382_term <= unsigned(resize(polar_angle_n380_s20, 36)) xor polar_angle_n378(0);
+    polar_angle_n382_term <= unsigned(resize(polar_angle_n380_s20, 36)) xor (35 downto 0 => polar_angle_n378(0));
     polar_angle_n382 <= shift_left(resize(polar_angle_n376, 36), 8) + signed(polar_angle_n382_term) + polar_angle_n378(0);
-    polar_angle_n383_term <= unsigned(resize(azimuth_n166, 25)) xor polar_angle_n377(0);
+    polar_angle_n383_term <= unsigned(resize(azimuth_n166, 25)) xor (24 downto 0 => polar_angle_n377(0));
     polar_angle_n383 <= resize(polar_angle_n374_s20, 25) + signed(polar_angle_n383_term) + polar_angle_n377(0);
     polar_angle_n384_over <= "1" when polar_angle_n383(24) = '0' and (or polar_angle_n383(23 downto 23)) = '1' else "0";
     polar_angle_n384_under <= "1" when polar_angle_n383(24) = '1' and (and polar_angle_n383(23 downto 23)) = '0' else "0";
@@ -2655,7 +2655,7 @@ begin
     polar_angle_n388 <= polar_angle_n387 xor azimuth_n72;
     polar_angle_n389 <= polar_angle_n386;
     polar_angle_n390 <= polar_angle_n385;
-    polar_angle_n393_term <= unsigned(resize(azimuth_n177, 25)) xor polar_angle_n387(0);
+    polar_angle_n393_term <= unsigned(resize(azimuth_n177, 25)) xor (24 downto 0 => polar_angle_n387(0));
     polar_angle_n393 <= resize(polar_angle_n384, 25) + signed(polar_angle_n393_term) + polar_angle_n387(0);
 
     process (clk)
@@ -2682,9 +2682,9 @@ begin
 
     -- ---- stage 21 ----
     -- polar_angle
-    polar_angle_n391_term <= unsigned(resize(polar_angle_n389_s21, 37)) xor polar_angle_n387_s21(0);
+    polar_angle_n391_term <= unsigned(resize(polar_angle_n389_s21, 37)) xor (36 downto 0 => polar_angle_n387_s21(0));
     polar_angle_n391 <= shift_left(resize(polar_angle_n385_s21, 37), 9) + signed(polar_angle_n391_term) + polar_angle_n387_s21(0);
-    polar_angle_n392_term <= unsigned(resize(polar_angle_n390_s21, 37)) xor polar_angle_n388_s21(0);
+    polar_angle_n392_term <= unsigned(resize(polar_angle_n390_s21, 37)) xor (36 downto 0 => polar_angle_n388_s21(0));
     polar_angle_n392 <= shift_left(resize(polar_angle_n386_s21, 37), 9) + signed(polar_angle_n392_term) + polar_angle_n388_s21(0);
     polar_angle_n394_over <= "1" when polar_angle_n393_s21(24) = '0' and (or polar_angle_n393_s21(23 downto 23)) = '1' else "0";
     polar_angle_n394_under <= "1" when polar_angle_n393_s21(24) = '1' and (and polar_angle_n393_s21(23 downto 23)) = '0' else "0";
@@ -2701,11 +2701,11 @@ begin
     polar_angle_n398 <= polar_angle_n397 xor azimuth_n72;
     polar_angle_n399 <= polar_angle_n396;
     polar_angle_n400 <= polar_angle_n395;
-    polar_angle_n401_term <= unsigned(resize(polar_angle_n399, 38)) xor polar_angle_n397(0);
+    polar_angle_n401_term <= unsigned(resize(polar_angle_n399, 38)) xor (37 downto 0 => polar_angle_n397(0));
     polar_angle_n401 <= shift_left(resize(polar_angle_n395, 38), 10) + signed(polar_angle_n401_term) + polar_angle_n397(0);
-    polar_angle_n402_term <= unsigned(resize(polar_angle_n400, 38)) xor polar_angle_n398(0);
+    polar_angle_n402_term <= unsigned(resize(polar_angle_n400, 38)) xor (37 downto 0 => polar_angle_n398(0));
     polar_angle_n402 <= shift_left(resize(polar_angle_n396, 38), 10) + signed(polar_angle_n402_term) + polar_angle_n398(0);
-    polar_angle_n403_term <= unsigned(resize(azimuth_n188, 25)) xor polar_angle_n397(0);
+    polar_angle_n403_term <= unsigned(resize(azimuth_n188, 25)) xor (24 downto 0 => polar_angle_n397(0));
     polar_angle_n403 <= resize(polar_angle_n394, 25) + signed(polar_angle_n403_term) + polar_angle_n397(0);
     polar_angle_n404_over <= "1" when polar_angle_n403(24) = '0' and (or polar_angle_n403(23 downto 23)) = '1' else "0";
     polar_angle_n404_under <= "1" when polar_angle_n403(24) = '1' and (and polar_angle_n403(23 downto 23)) = '0' else "0";
@@ -2744,11 +2744,11 @@ begin
     polar_angle_n407 <= unsigned(polar_angle_n406(26 downto 26));
     polar_angle_n408 <= polar_angle_n407 xor azimuth_n72;
     polar_angle_n409 <= polar_angle_n406;
-    polar_angle_n411_term <= unsigned(resize(polar_angle_n409, 39)) xor polar_angle_n407(0);
+    polar_angle_n411_term <= unsigned(resize(polar_angle_n409, 39)) xor (38 downto 0 => polar_angle_n407(0));
     polar_angle_n411 <= shift_left(resize(polar_angle_n405_s22, 39), 11) + signed(polar_angle_n411_term) + polar_angle_n407(0);
-    polar_angle_n412_term <= unsigned(resize(polar_angle_n410_s22, 39)) xor polar_angle_n408(0);
+    polar_angle_n412_term <= unsigned(resize(polar_angle_n410_s22, 39)) xor (38 downto 0 => polar_angle_n408(0));
     polar_angle_n412 <= shift_left(resize(polar_angle_n406, 39), 11) + signed(polar_angle_n412_term) + polar_angle_n408(0);
-    polar_angle_n413_term <= unsigned(resize(azimuth_n199, 25)) xor polar_angle_n407(0);
+    polar_angle_n413_term <= unsigned(resize(azimuth_n199, 25)) xor (24 downto 0 => polar_angle_n407(0));
     polar_angle_n413 <= resize(polar_angle_n404_s22, 25) + signed(polar_angle_n413_term) + polar_angle_n407(0);
     polar_angle_n414_over <= "1" when polar_angle_n413(24) = '0' and (or polar_angle_n413(23 downto 23)) = '1' else "0";
     polar_angle_n414_under <= "1" when polar_angle_n413(24) = '1' and (and polar_angle_n413(23 downto 23)) = '0' else "0";
@@ -2765,7 +2765,7 @@ begin
     polar_angle_n418 <= polar_angle_n417 xor azimuth_n72;
     polar_angle_n419 <= polar_angle_n416;
     polar_angle_n420 <= polar_angle_n415;
-    polar_angle_n423_term <= unsigned(resize(azimuth_n210, 25)) xor polar_angle_n417(0);
+    polar_angle_n423_term <= unsigned(resize(azimuth_n210, 25)) xor (24 downto 0 => polar_angle_n417(0));
     polar_angle_n423 <= resize(polar_angle_n414, 25) + signed(polar_angle_n423_term) + polar_angle_n417(0);
 
     process (clk)
@@ -2792,9 +2792,9 @@ begin
 
     -- ---- stage 23 ----
     -- polar_angle
-    polar_angle_n421_term <= unsigned(resize(polar_angle_n419_s23, 40)) xor polar_angle_n417_s23(0);
+    polar_angle_n421_term <= unsigned(resize(polar_angle_n419_s23, 40)) xor (39 downto 0 => polar_angle_n417_s23(0));
     polar_angle_n421 <= shift_left(resize(polar_angle_n415_s23, 40), 12) + signed(polar_angle_n421_term) + polar_angle_n417_s23(0);
-    polar_angle_n422_term <= unsigned(resize(polar_angle_n420_s23, 40)) xor polar_angle_n418_s23(0);
+    polar_angle_n422_term <= unsigned(resize(polar_angle_n420_s23, 40)) xor (39 downto 0 => polar_angle_n418_s23(0));
     polar_angle_n422 <= shift_left(resize(polar_angle_n416_s23, 40), 12) + signed(polar_angle_n422_term) + polar_angle_n418_s23(0);
     polar_angle_n424_over <= "1" when polar_angle_n423_s23(24) = '0' and (or polar_angle_n423_s23(23 downto 23)) = '1' else "0";
     polar_angle_n424_under <= "1" when polar_angle_n423_s23(24) = '1' and (and polar_angle_n423_s23(23 downto 23)) = '0' else "0";
@@ -2811,11 +2811,11 @@ begin
     polar_angle_n428 <= polar_angle_n427 xor azimuth_n72;
     polar_angle_n429 <= polar_angle_n426;
     polar_angle_n430 <= polar_angle_n425;
-    polar_angle_n431_term <= unsigned(resize(polar_angle_n429, 41)) xor polar_angle_n427(0);
+    polar_angle_n431_term <= unsigned(resize(polar_angle_n429, 41)) xor (40 downto 0 => polar_angle_n427(0));
     polar_angle_n431 <= shift_left(resize(polar_angle_n425, 41), 13) + signed(polar_angle_n431_term) + polar_angle_n427(0);
-    polar_angle_n432_term <= unsigned(resize(polar_angle_n430, 41)) xor polar_angle_n428(0);
+    polar_angle_n432_term <= unsigned(resize(polar_angle_n430, 41)) xor (40 downto 0 => polar_angle_n428(0));
     polar_angle_n432 <= shift_left(resize(polar_angle_n426, 41), 13) + signed(polar_angle_n432_term) + polar_angle_n428(0);
-    polar_angle_n433_term <= unsigned(resize(azimuth_n221, 25)) xor polar_angle_n427(0);
+    polar_angle_n433_term <= unsigned(resize(azimuth_n221, 25)) xor (24 downto 0 => polar_angle_n427(0));
     polar_angle_n433 <= resize(polar_angle_n424, 25) + signed(polar_angle_n433_term) + polar_angle_n427(0);
     polar_angle_n434_over <= "1" when polar_angle_n433(24) = '0' and (or polar_angle_n433(23 downto 23)) = '1' else "0";
     polar_angle_n434_under <= "1" when polar_angle_n433(24) = '1' and (and polar_angle_n433(23 downto 23)) = '0' else "0";
@@ -2854,11 +2854,11 @@ begin
     polar_angle_n437 <= unsigned(polar_angle_n436(26 downto 26));
     polar_angle_n438 <= polar_angle_n437 xor azimuth_n72;
     polar_angle_n439 <= polar_angle_n436;
-    polar_angle_n441_term <= unsigned(resize(polar_angle_n439, 42)) xor polar_angle_n437(0);
+    polar_angle_n441_term <= unsigned(resize(polar_angle_n439, 42)) xor (41 downto 0 => polar_angle_n437(0));
     polar_angle_n441 <= shift_left(resize(polar_angle_n435_s24, 42), 14) + signed(polar_angle_n441_term) + polar_angle_n437(0);
-    polar_angle_n442_term <= unsigned(resize(polar_angle_n440_s24, 42)) xor polar_angle_n438(0);
+    polar_angle_n442_term <= unsigned(resize(polar_angle_n440_s24, 42)) xor (41 downto 0 => polar_angle_n438(0));
     polar_angle_n442 <= shift_left(resize(polar_angle_n436, 42), 14) + signed(polar_angle_n442_term) + polar_angle_n438(0);
-    polar_angle_n443_term <= unsigned(resize(azimuth_n232, 25)) xor polar_angle_n437(0);
+    polar_angle_n443_term <= unsigned(resize(azimuth_n232, 25)) xor (24 downto 0 => polar_angle_n437(0));
     polar_angle_n443 <= resize(polar_angle_n434_s24, 25) + signed(polar_angle_n443_term) + polar_angle_n437(0);
     polar_angle_n444_over <= "1" when polar_angle_n443(24) = '0' and (or polar_angle_n443(23 downto 23)) = '1' else "0";
     polar_angle_n444_under <= "1" when polar_angle_n443(24) = '1' and (and polar_angle_n443(23 downto 23)) = '0' else "0";
@@ -2900,11 +2900,11 @@ begin
 
     -- ---- stage 25 ----
     -- polar_angle
-    polar_angle_n451_term <= unsigned(resize(polar_angle_n449_s25, 43)) xor polar_angle_n447_s25(0);
+    polar_angle_n451_term <= unsigned(resize(polar_angle_n449_s25, 43)) xor (42 downto 0 => polar_angle_n447_s25(0));
     polar_angle_n451 <= shift_left(resize(polar_angle_n445_s25, 43), 15) + signed(polar_angle_n451_term) + polar_angle_n447_s25(0);
-    polar_angle_n452_term <= unsigned(resize(polar_angle_n450_s25, 43)) xor polar_angle_n448_s25(0);
+    polar_angle_n452_term <= unsigned(resize(polar_angle_n450_s25, 43)) xor (42 downto 0 => polar_angle_n448_s25(0));
     polar_angle_n452 <= shift_left(resize(polar_angle_n446_s25, 43), 15) + signed(polar_angle_n452_term) + polar_angle_n448_s25(0);
-    polar_angle_n453_term <= unsigned(resize(azimuth_n243, 25)) xor polar_angle_n447_s25(0);
+    polar_angle_n453_term <= unsigned(resize(azimuth_n243, 25)) xor (24 downto 0 => polar_angle_n447_s25(0));
     polar_angle_n453 <= resize(polar_angle_n444_s25, 25) + signed(polar_angle_n453_term) + polar_angle_n447_s25(0);
     polar_angle_n454_over <= "1" when polar_angle_n453(24) = '0' and (or polar_angle_n453(23 downto 23)) = '1' else "0";
     polar_angle_n454_under <= "1" when polar_angle_n453(24) = '1' and (and polar_angle_n453(23 downto 23)) = '0' else "0";
@@ -2920,9 +2920,9 @@ begin
     polar_angle_n457 <= unsigned(polar_angle_n456(26 downto 26));
     polar_angle_n458 <= polar_angle_n457 xor azimuth_n72;
     polar_angle_n459 <= polar_angle_n455;
-    polar_angle_n460_term <= unsigned(resize(polar_angle_n459, 44)) xor polar_angle_n458(0);
+    polar_angle_n460_term <= unsigned(resize(polar_angle_n459, 44)) xor (43 downto 0 => polar_angle_n458(0));
     polar_angle_n460 <= shift_left(resize(polar_angle_n456, 44), 16) + signed(polar_angle_n460_term) + polar_angle_n458(0);
-    polar_angle_n461_term <= unsigned(resize(azimuth_n254, 25)) xor polar_angle_n457(0);
+    polar_angle_n461_term <= unsigned(resize(azimuth_n254, 25)) xor (24 downto 0 => polar_angle_n457(0));
     polar_angle_n461 <= resize(polar_angle_n454, 25) + signed(polar_angle_n461_term) + polar_angle_n457(0);
     polar_angle_n462_over <= "1" when polar_angle_n461(24) = '0' and (or polar_angle_n461(23 downto 23)) = '1' else "0";
     polar_angle_n462_under <= "1" when polar_angle_n461(24) = '1' and (and polar_angle_n461(23 downto 23)) = '0' else "0";
@@ -2952,7 +2952,7 @@ begin
     polar_angle_n463_under <= "1" when polar_angle_n463_cut(27) = '1' and (and polar_angle_n463_cut(26 downto 26)) = '0' else "0";
     polar_angle_n463 <= 27x"3ffffff" when polar_angle_n463_over(0) = '1' else 27x"4000000" when polar_angle_n463_under(0) = '1' else polar_angle_n463_cut(26 downto 0);
     polar_angle_n464 <= unsigned(polar_angle_n463(26 downto 26));
-    polar_angle_n465_term <= unsigned(resize(azimuth_n262, 25)) xor polar_angle_n464(0);
+    polar_angle_n465_term <= unsigned(resize(azimuth_n262, 25)) xor (24 downto 0 => polar_angle_n464(0));
     polar_angle_n465 <= resize(polar_angle_n462_s26, 25) + signed(polar_angle_n465_term) + polar_angle_n464(0);
     polar_angle_n466_over <= "1" when polar_angle_n465(24) = '0' and (or polar_angle_n465(23 downto 23)) = '1' else "0";
     polar_angle_n466_under <= "1" when polar_angle_n465(24) = '1' and (and polar_angle_n465(23 downto 23)) = '0' else "0";

@@ -1,5 +1,6 @@
 //! The command line. Exit codes: 0 done, 1 a check failed, 2 wrong use or unreadable input.
 
+mod compare;
 mod cost;
 mod demo;
 mod hardware;
@@ -186,6 +187,11 @@ enum Command {
         after_help = "Yosys counts; nextpnr, where it is installed, places and routes the unit between registers.\nWhat counts as what: a CCU2C of ECP5 is two LUTs, an SRL16E of Xilinx one; a RAMB36E1 is two\nblock RAMs (RAMB18E1). The estimate is the one of `fixpath show`.\n\nExamples:\n  fixpath cost rotation\n  fixpath cost rotation -p table_addr_bits=8 --target ice40\n  fixpath cost rotation -p variant=corrected --target ecp5,xilinx --json"
     )]
     Cost(cost::CostArgs),
+    /// Rebuild Table 1 of seed 001: operators beside the paper's, and the error that it lacks.
+    #[command(
+        after_help = "Counts come from the netlists of peercy, kugler, kim, ernst and of every pipeline of bump.\n\nExamples:\n  fixpath compare\n  fixpath compare -p scheme=linear --samples 1000000\n  fixpath compare -p map_addr_bits=20 -p exponent=64 --out table1.md"
+    )]
+    Compare(compare::CompareArgs),
     /// Render a scene by pipelines: fixed, golden and difference pictures, and figures.
     #[command(
         after_help = "Examples:\n  fixpath render sphere --out sphere\n  fixpath render scene.toml --pipelines exact-polar -p angle_bits=12 -p scheme=linear --out pictures\n  fixpath render plane --ladder --out ladder\n  fixpath render sphere --ladder=8,12,16 --pipelines exact-polar,exact-cartesian -p scheme=linear --exponents 8,64 --out ladder"
@@ -441,7 +447,12 @@ fn run(command: &Command) -> Result<bool> {
             return Ok(agree);
         }
         Command::Cost(args) => print(&cost::run(args)?)?,
-        Command::Render(args) => print(&render::run(args)?)?,
+        Command::Compare(args) => print(&compare::run(args)?)?,
+        Command::Render(args) => {
+            let (told, same) = render::run(args)?;
+            print(&told)?;
+            return Ok(same);
+        }
         Command::Demo { out } => return demo::run(out),
     }
     Ok(true)

@@ -80,6 +80,10 @@ pub enum Function {
     Recip,
     /// sqrt(1 + x²), the secant of atan x.
     Secant,
+    /// Square root; 0 below 0.
+    Sqrt,
+    /// 1 / sqrt(x); +infinity at 0 and below.
+    RecipSqrt,
     /// `offset + factor * max(0, x)^exponent`, a light table of seed 001; 0^0 is 1.
     Light {
         /// Light at 0.
@@ -93,7 +97,7 @@ pub enum Function {
 
 impl Function {
     /// Every function; of those with parameters, one.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 12] = [
         Self::Sin,
         Self::Cos,
         Self::HalfRecipSin,
@@ -103,6 +107,8 @@ impl Function {
         Self::Prop,
         Self::Recip,
         Self::Secant,
+        Self::Sqrt,
+        Self::RecipSqrt,
         Self::Light { offset: Number(0.1), factor: Number(0.8), exponent: 33 },
     ];
 
@@ -119,6 +125,8 @@ impl Function {
             Self::Prop => "prop",
             Self::Recip => "recip",
             Self::Secant => "secant",
+            Self::Sqrt => "sqrt",
+            Self::RecipSqrt => "recip_sqrt",
             Self::Light { .. } => "light",
         }
     }
@@ -136,6 +144,8 @@ impl Function {
             Self::Prop => x.clamp(-1.0, 1.0).asin() * (4.0 / TAU),
             Self::Recip => 1.0 / x,
             Self::Secant => x.mul_add(x, 1.0).sqrt(),
+            Self::Sqrt => x.max(0.0).sqrt(),
+            Self::RecipSqrt => 1.0 / x.max(0.0).sqrt(),
             Self::Light { offset, factor, exponent } => {
                 offset.0 + factor.0 * x.max(0.0).powf(f64::from(exponent))
             }
@@ -151,6 +161,7 @@ impl Function {
             Big::try_from(x).expect("bug: argument is finite").with_precision(BIG_BITS).value()
         };
         let one = || exact(1.0);
+        let root = |big: &Big| dashu_float::ops::SquareRoot::sqrt(big);
         let recip = |big: Big| (big != Big::ZERO).then(|| one() / big);
         match self {
             Self::Sin => Some(exact(x).sin_unit(1)),
@@ -163,8 +174,10 @@ impl Function {
             Self::Recip => recip(exact(x)),
             Self::Secant => {
                 let x = exact(x);
-                Some(dashu_float::ops::SquareRoot::sqrt(&(one() + &x * &x)))
+                Some(root(&(one() + &x * &x)))
             }
+            Self::Sqrt => Some(root(&exact(x.max(0.0)))),
+            Self::RecipSqrt => (x > 0.0).then(|| one() / root(&exact(x))),
             Self::Light { offset, factor, exponent } => {
                 let power = exact(x.max(0.0)).powi(exponent.into());
                 Some(exact(offset.0) + exact(factor.0) * power)

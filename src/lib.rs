@@ -44,6 +44,7 @@
 
 mod cast;
 pub mod cli;
+pub mod compare;
 pub mod cost;
 pub mod emit;
 pub mod error;

@@ -125,6 +125,8 @@ fn quarter_wave_of(function: Function) -> Option<(Function, bool)> {
         | Function::Prop
         | Function::Recip
         | Function::Secant
+        | Function::Sqrt
+        | Function::RecipSqrt
         | Function::Light { .. } => None,
     }
 }

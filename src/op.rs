@@ -122,6 +122,30 @@ pub enum Meaning {
     CosNegative(NodeId),
     /// The angle half a turn on.
     Opposite(NodeId),
+    /// `a / b`; 0/0 is 0, and what is over 0 else is the largest `f64`, as words saturate.
+    Quotient {
+        /// Dividend.
+        a: NodeId,
+        /// Divisor.
+        b: NodeId,
+    },
+    /// Square root; 0 below 0.
+    Root(NodeId),
+    /// 1 / square root; the largest `f64` at 0 and below, as words saturate.
+    RecipRoot(NodeId),
+    /// A function of the cosine of an angle in turns.
+    OfCos(Function, NodeId),
+    /// An angle of a direction that is turned about y.
+    Tilted {
+        /// Its azimuth in turns.
+        phi: NodeId,
+        /// Its polar angle in turns.
+        theta: NodeId,
+        /// By this angle in turns, from z to x.
+        by: NodeId,
+        /// The polar angle of the result, or else its azimuth.
+        polar: bool,
+    },
 }
 
 impl Meaning {
@@ -129,13 +153,18 @@ impl Meaning {
     #[must_use]
     pub fn arguments(self) -> [Option<NodeId>; 3] {
         match self {
-            Self::Apply(_, a) | Self::Negative(a) | Self::CosNegative(a) | Self::Opposite(a) => {
-                [Some(a), None, None]
-            }
-            Self::Atan2 { y: a, x: b } | Self::OverTwice { y: a, angle: b, .. } => {
-                [Some(a), Some(b), None]
-            }
-            Self::Inclination { x, y, z } => [Some(x), Some(y), Some(z)],
+            Self::Apply(_, a)
+            | Self::Negative(a)
+            | Self::CosNegative(a)
+            | Self::Opposite(a)
+            | Self::Root(a)
+            | Self::RecipRoot(a)
+            | Self::OfCos(_, a) => [Some(a), None, None],
+            Self::Atan2 { y: a, x: b }
+            | Self::OverTwice { y: a, angle: b, .. }
+            | Self::Quotient { a, b } => [Some(a), Some(b), None],
+            Self::Inclination { x: a, y: b, z: c }
+            | Self::Tilted { phi: a, theta: b, by: c, .. } => [Some(a), Some(b), Some(c)],
         }
     }
 
@@ -152,6 +181,13 @@ impl Meaning {
             Self::Negative(a) => Self::Negative(new(a)),
             Self::CosNegative(a) => Self::CosNegative(new(a)),
             Self::Opposite(a) => Self::Opposite(new(a)),
+            Self::Quotient { a, b } => Self::Quotient { a: new(a), b: new(b) },
+            Self::Root(a) => Self::Root(new(a)),
+            Self::RecipRoot(a) => Self::RecipRoot(new(a)),
+            Self::OfCos(f, a) => Self::OfCos(f, new(a)),
+            Self::Tilted { phi, theta, by, polar } => {
+                Self::Tilted { phi: new(phi), theta: new(theta), by: new(by), polar }
+            }
         }
     }
 
@@ -176,8 +212,32 @@ impl Meaning {
             Self::Negative(_) => f64::from(u8::from(a < 0.0)),
             Self::CosNegative(_) => f64::from(u8::from(crate::function::cos_turns(a) < 0.0)),
             Self::Opposite(_) => a + 0.5,
+            Self::Quotient { .. } => {
+                if a == 0.0 {
+                    0.0
+                } else {
+                    (a / b).clamp(-f64::MAX, f64::MAX)
+                }
+            }
+            Self::Root(_) => a.max(0.0).sqrt(),
+            Self::RecipRoot(_) => (1.0 / a.max(0.0).sqrt()).min(f64::MAX),
+            Self::OfCos(function, _) => function.eval(sin_cos_turns(a).1),
+            Self::Tilted { polar, .. } => {
+                let (phi, theta) = tilted(a, b, c);
+                if polar { theta } else { phi }
+            }
         }
     }
+}
+
+/// Azimuth and polar angle of a direction that is turned about y from z to x; all in turns.
+#[must_use]
+pub fn tilted(phi: f64, theta: f64, by: f64) -> (f64, f64) {
+    let ((sin_phi, cos_phi), (sin_theta, cos_theta), (sin_by, cos_by)) =
+        (sin_cos_turns(phi), sin_cos_turns(theta), sin_cos_turns(by));
+    let (x, y) = (sin_theta * cos_phi, sin_theta * sin_phi);
+    let (x, z) = (x * cos_by + cos_theta * sin_by, cos_theta * cos_by - x * sin_by);
+    (y.atan2(x) / std::f64::consts::TAU, x.hypot(y).atan2(z) / std::f64::consts::TAU)
 }
 
 /// Why an operation has no result format.

@@ -11,6 +11,10 @@
 //! equation, N' = N + B_u (N × P_v) - B_v (N × P_u) normalised, is evaluated beside it: with an
 //! orthonormal frame (scales are in texels) both are one.
 
+mod specialised;
+
+pub use specialised::{SeenPort, SpecialisedStage, specialise_to};
+
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::format::Format;
@@ -208,6 +212,11 @@ impl Stage {
         let (design, has_specular) = (Arc::new(design), specular.is_some());
         Ok(Self { program, ports, vector, has_specular, light_format, design })
     }
+
+    /// True unless its specular light is 0 everywhere.
+    fn needs_specular(&self) -> bool {
+        self.has_specular && self.design.values.real("specular") > 0.0
+    }
 }
 
 /// A pipeline ready to shade the pixels of a scene: all its designs.
@@ -253,6 +262,15 @@ impl Shader {
     #[must_use]
     pub fn design(&self) -> &Arc<Design> {
         &self.stages[0].design
+    }
+
+    /// The first material and light that a stage serves.
+    fn first_use(&self, stage: usize) -> (usize, usize) {
+        let uses = self.of.iter().enumerate().flat_map(|(material, row)| {
+            row.iter().enumerate().map(move |(light, index)| (material, light, *index))
+        });
+        let first = uses.into_iter().find(|(_, _, index)| *index == stage);
+        first.map(|(material, light, _)| (material, light)).expect("bug: every stage is used")
     }
 }
 
@@ -473,9 +491,7 @@ pub fn shoot(
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<Rendered> {
     let start = Instant::now();
-    let height = scene.image.height;
-    let blocks: Vec<Range<u32>> =
-        (0..height.div_ceil(ROWS)).map(|b| b * ROWS..(b * ROWS + ROWS).min(height)).collect();
+    let blocks = blocks(scene.image.height);
     let done = AtomicU64::new(0);
     let lanes = || Lanes {
         fragments: Fragments::default(),
@@ -577,6 +593,20 @@ fn overflows(shader: &Shader, counts: &[Vec<u64>]) -> Result<Vec<OverflowCount>>
     Ok(all)
 }
 
+/// Rows of an image as threads take them.
+fn blocks(height: u32) -> Vec<Range<u32>> {
+    (0..height.div_ceil(ROWS)).map(|b| b * ROWS..(b * ROWS + ROWS).min(height)).collect()
+}
+
+/// Fragments by material, so that each design gets columns of its own.
+fn by_material(fragments: &Fragments) -> BTreeMap<usize, Vec<usize>> {
+    let mut groups: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for i in 0..fragments.len() {
+        groups.entry(cast::index_of_u32(fragments.object[i])).or_default().push(i);
+    }
+    groups
+}
+
 /// The shading point of a fragment under a light.
 fn shading_point(scene: &Scene, fragments: &Fragments, i: usize, light: &Light) -> Fragment {
     let vector = |columns| Fragments::vector(columns, i);
@@ -614,11 +644,7 @@ fn block(scene: &Scene, shaders: &[&Shader], rows: Range<u32>, lanes: &mut Lanes
     let len = fragments.len();
     let material_of = |i: usize| cast::index_of_u32(fragments.object[i]);
     let texel_of = |i: usize| scene.texture.texels()[cast::index_of_u32(fragments.texel[i])];
-    // Fragments by material, so that each design gets columns of its own.
-    let mut by_material: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-    for i in 0..len {
-        by_material.entry(material_of(i)).or_default().push(i);
-    }
+    let by_material = by_material(fragments);
     let mut golden = vec![(0.0, 0.0); len];
     let mut blinn = vec![(0.0, 0.0); len];
     for i in 0..len {

@@ -16,6 +16,10 @@ pub(crate) const COMMITTED: &[(&str, &str, &[&str])] = &[
     ("rotation_printed", "rotation", &["variant=printed"]),
     ("illumination", "illumination", &[]),
     ("bump", "bump", &[]),
+    ("peercy", "peercy", &[]),
+    ("ernst", "ernst", &[]),
+    ("kim", "kim", &[]),
+    ("kugler", "kugler", &[]),
 ];
 
 /// Netlist, module in both languages and tables go to `hdl_out`, what tests them to a folder of

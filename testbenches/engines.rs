@@ -288,7 +288,7 @@ impl Grower {
             }
             17 => {
                 let (node, count) = (self.any(), self.integer(7));
-                let room = self.max_bits - self.b.format(node).bits();
+                let room = self.max_bits.saturating_sub(self.b.format(node).bits());
                 let max = self.random.below(room as usize + 1) as u32;
                 self.b.shift_left(node, count, max)
             }
@@ -332,13 +332,18 @@ impl Grower {
             return;
         }
         let port = self.random.pick(&self.ports);
-        let meaning = match self.random.below(7) {
+        let meaning = match self.random.below(12) {
             0 => Meaning::Negative(of),
             1 => Meaning::CosNegative(of),
             2 => Meaning::Opposite(of),
             3 => Meaning::Atan2 { y: of, x: port },
             4 => Meaning::Inclination { x: port, y: of, z: port },
             5 => Meaning::OverTwice { y: port, function: Function::Cos, angle: of },
+            6 => Meaning::Quotient { a: port, b: of },
+            7 => Meaning::Root(of),
+            8 => Meaning::RecipRoot(of),
+            9 => Meaning::OfCos(Function::Secant, of),
+            10 => Meaning::Tilted { phi: of, theta: port, by: port, polar: self.random.chance(50) },
             _ => Meaning::Apply(self.random.pick(&Function::ALL), of),
         };
         self.b.means(stand_in, meaning);

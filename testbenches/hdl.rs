@@ -527,6 +527,24 @@ fn the_harness_can_fail() {
     let row = module.table_files().remove(0);
     fs::write(folder.path().join(&row.name), row.text.replacen("0df\n", "0de\n", 1)).unwrap();
     fails(&run(), 1, "a wrong row", "sum expected");
+    // What only shows beside a stall, a reset or the latency.
+    let still = "always @(posedge clk)\n        if (ce) begin";
+    let faults = [
+        ("little_harness.cpp", "kLatency = 4", "kLatency = 5", "valid_out expected"),
+        ("little_harness.cpp", "kLatency = 4", "kLatency = 3", "valid_out expected"),
+        ("little.v", still, "always @(posedge clk)\n        begin", " expected"),
+        ("little.v", "if (rst) valid_s", "if (rst && ce) valid_s", "valid_out expected"),
+    ];
+    faults.into_par_iter().for_each(|(file, right, wrong, says)| {
+        let folder = tempfile::tempdir().unwrap();
+        emit(&little(), Some(Tables::Files), 200, folder.path());
+        let path = folder.path().join(file);
+        let text = fs::read_to_string(&path).unwrap();
+        fs::write(&path, replaced(&text, right, wrong)).unwrap();
+        let ended = tool(folder.path(), "make", &["-s", "-f", "little_verilator.mk"]);
+        // What make makes of the status is 2, whatever it was.
+        fails(&ended, 2, wrong, says);
+    });
 }
 
 fn passes_build(folder: TempDir) -> TempDir {
@@ -584,7 +602,7 @@ fn ports_may_be_called_as_testbenches_call_things() {
 }
 
 /// Every operation on every pair of some words, each an output.
-fn every_operation() -> Netlist {
+pub(crate) fn every_operation() -> Netlist {
     let mut b = Builder::new("operations");
     let formats = [(true, 4, 1), (false, 5, 2), (true, 3, 0), (false, 4, -1), (true, 1, 0)];
     let inputs: Vec<_> = formats

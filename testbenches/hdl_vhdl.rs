@@ -1,8 +1,10 @@
 //! Emitted VHDL in GHDL.
 
+use crate::committed::COMMITTED;
 use crate::engines::random_netlist;
 use crate::hdl::{
-    Ended, emit, emit_with, fails, faulty_vectors, little, put, replaced, some_rtl, tool,
+    Ended, emit, emit_with, every_operation, fails, faulty_vectors, little, put, replaced,
+    some_rtl, tool,
 };
 use fixpath::format::{Format, Overflow, Round};
 use fixpath::hdl::Tables;
@@ -34,7 +36,7 @@ fn check(folder: tempfile::TempDir, name: &str, vectors: u64, what: &str) {
 #[test]
 #[ignore = "needs ghdl: testbenches/run installs it"]
 fn random_netlists_in_ghdl() {
-    for seed in 0..std::env::var("N").map_or(40, |n| n.parse().unwrap()) {
+    for seed in 0..40 {
         let netlist = Arc::new(random_netlist(seed));
         let folder = tempfile::tempdir().unwrap();
         let tables =
@@ -60,6 +62,35 @@ fn rotations_in_ghdl() {
         let folder = tempfile::tempdir().unwrap();
         let module = emit(&rtl, None, 1000, folder.path());
         check(folder, &module.name, 1000, &values.join(" "));
+    }
+}
+
+/// GHDL makes gates of all that is emitted: every operation, and every committed unit where its
+/// tables are.
+#[test]
+#[ignore = "needs ghdl: testbenches/run installs it"]
+fn ghdl_synthesises_every_operation_and_unit() {
+    let synthesises = |source: &Path, name: &str, tables: &Path| {
+        let work = tempfile::tempdir().unwrap();
+        let library = format!("--workdir={}", work.path().display());
+        for arguments in [
+            &["-a", "--std=08", &library, source.to_str().unwrap()] as &[&str],
+            &["--synth", "--std=08", &library, name],
+        ] {
+            let ended = tool(tables, "ghdl", arguments);
+            assert!(ended.well, "{name}: {arguments:?}\n{}", ended.stderr);
+        }
+    };
+    let schedule = |netlist| Schedule::pipeline(netlist, Rom::Block, Depth::Stages(1)).unwrap();
+    let netlist = Arc::new(every_operation());
+    let folder = tempfile::tempdir().unwrap();
+    let rtl = Rtl::new(Arc::clone(&netlist), schedule(&netlist));
+    let module = emit(&Arc::new(rtl), None, 1, folder.path());
+    let source = folder.path().join(format!("{}.vhd", module.name));
+    synthesises(&source, &module.name, folder.path());
+    let committed = Path::new(env!("CARGO_MANIFEST_DIR")).join("hdl_out");
+    for (name, _, _) in COMMITTED {
+        synthesises(&committed.join(format!("{name}.vhd")), name, &committed);
     }
 }
 

@@ -19,7 +19,7 @@ const LAYERS: &[&[&str]] = &[
     &["measure", "wave"],
     &["render"],
     &["report", "eval", "emit"],
-    &["sweep", "ladder", "verify", "cost"],
+    &["sweep", "ladder", "verify", "cost", "compare"],
     &["cli"],
 ];
 

@@ -34,6 +34,8 @@ fn real(function: Function, x: f64) -> f64 {
         Function::Prop => 1.0 - x.clamp(-1.0, 1.0).acos() / (PI / 2.0),
         Function::Recip => 1.0 / x,
         Function::Secant => 1.0 / x.atan().cos(),
+        Function::Sqrt => x.max(0.0).powf(0.5),
+        Function::RecipSqrt => x.max(0.0).powf(-0.5),
         Function::Light { offset, factor, exponent } => {
             let mut power = 1.0;
             for _ in 0..exponent {
@@ -58,6 +60,8 @@ fn tabulated(function: Function, scheme: Scheme, addr_bits: u32, quarter_wave: b
         Function::Prop => ("s11f10", "s13f11", 0.0),
         Function::Recip => ("u10f11", "u14f12", 0.5),
         Function::Secant => ("u10f10", "u13f12", 0.0),
+        Function::Sqrt => ("u10f10", "u13f12", 0.25),
+        Function::RecipSqrt => ("u10f10", "u14f12", 0.25),
         Function::Light { .. } => ("u10f10", "u13f13", 0.0),
     };
     Tabulated {

@@ -1,11 +1,13 @@
 //! `fixpath demo`: what takes no outside tool, on built-in settings, into one folder.
 
+use super::render::{self, RenderArgs};
 use super::{Sim, pretty, print, run_sweep, stimulus, text, write_wave};
 use crate::emit::{Package, Settings};
 use crate::error::Result;
 use crate::eval::{self, AngleUnit};
 use crate::measure::{Basis, Inputs};
 use crate::output;
+use crate::scene::BUILTIN;
 use crate::sweep::{Axis, Sweep};
 use crate::units::{Sampler, Unit};
 use crate::wave::Options;
@@ -101,12 +103,25 @@ pub(super) fn run(out: &Path) -> Result<bool> {
     run_sweep(&sweep, &out.join("sweep"), true)?;
 
     story.push_str(
+        "\n# Scenes\n\nThe seed's three pictures by whole bump mapping pipelines, against the float golden: the largest and the mean\n\
+         difference in linear light, in 1/255, and the part of pixels that differ in 8 bits.\n\n\
+         | scene | pipeline | max | mean | differing |\n|---|---|---|---|---|\n",
+    );
+    for (name, _) in BUILTIN {
+        let args = RenderArgs::of_builtin(name, &out.join("scenes").join(name));
+        for row in render::demo_rows(&args)? {
+            let _ = writeln!(story, "| {name} | {row} |");
+        }
+    }
+
+    story.push_str(
         "\n- `sim/`: all figures with the inputs that give the worst, as text and JSON\n\
          - `hard_cases.txt`: the hard-case list with f32 and f64 results and a verdict\n\
          - `waves/`: open with `gtkwave waves/exact_linear.vcd waves/exact_linear.gtkw`\n\
          - `hdl/`: Verilog, VHDL, testbenches; `make -C hdl/exact_linear -f rotation_exact_linear_icarus.mk`\n\
          - `netlists/`: formats, tables, operators, stages; `.dot` for Graphviz\n\
          - `vectors.csv`, `results.csv`: `eval` on four vectors in degrees\n\
+         - `scenes/`: `sheet.png` of each scene has the golden, each pipeline and its difference side by side\n\
          - `sweep/`: table sizes, variants and schemes as CSV, JSON, `report.md` and plots\n",
     );
     write(&out.join("README.md"), &story)?;

@@ -1,18 +1,24 @@
 //! `fixpath render`: a scene by pipelines, its golden, differences and figures.
 
 use super::{ladder, pretty, progress_bar, text};
+use crate::cast;
 use crate::error::{Error, Result};
+use crate::netlist::Counts;
 use crate::output;
 use crate::picture::{
     Amplify, Difference, PIXELS_PER_DEGREE, Panel, absolute_map, sheet, signed_map,
 };
-use crate::render::{Pipeline, Rendered, render};
+use crate::render::{Pipeline, Rendered, Shot, SpecialisedStage, render, specialise_to};
 use crate::report::record::ImageError;
 use crate::scene::{BUILTIN, Scene};
 use crate::sweep::View;
 use clap::Args;
 use serde_json::{Value, json};
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
+
+/// The pipelines of a picture, if none are named.
+const PIPELINES: [&str; 4] = ["printed", "corrected", "exact-polar", "exact-cartesian"];
 
 /// Arguments of `fixpath render`.
 #[derive(Args)]
@@ -32,9 +38,13 @@ pub(super) struct RenderArgs {
     /// Pixels per degree of sight, for FLIP.
     #[arg(long, default_value_t = PIXELS_PER_DEGREE)]
     pixels_per_degree: f64,
+    /// Cut each pipeline down to what the scene needs, hold it to the general one on every pixel, and
+    /// tell what that saves.
+    #[arg(long)]
+    specialise: bool,
     /// In place of pictures, a report of error against cost and speed: every pipeline over a ladder of
     /// widths (8,10,12,14,16 bits if none are given), and the light tables over exponents.
-    #[arg(long, value_name = "BITS,…", num_args = 0..=1, require_equals = true, default_missing_value = "")]
+    #[arg(long, value_name = "BITS,…", conflicts_with = "specialise", num_args = 0..=1, require_equals = true, default_missing_value = "")]
     ladder: Option<String>,
     /// Exponents of the highlight that the ladder's light tables are judged at; 1,8,32,128,255 if none
     /// are given.
@@ -45,8 +55,39 @@ pub(super) struct RenderArgs {
     json: bool,
 }
 
-/// The pipelines of a picture, if none are named.
-const PIPELINES: [&str; 4] = ["printed", "corrected", "exact-polar", "exact-cartesian"];
+impl RenderArgs {
+    /// A built-in scene with the defaults.
+    pub(super) fn of_builtin(name: &str, out: &Path) -> Self {
+        Self {
+            scene: name.into(),
+            out: out.to_owned(),
+            pipelines: Vec::new(),
+            params: Vec::new(),
+            pixels_per_degree: PIXELS_PER_DEGREE,
+            specialise: false,
+            ladder: None,
+            exponents: None,
+            json: false,
+        }
+    }
+}
+
+/// Renders and writes; returns a row of the demo's table for each pipeline.
+pub(super) fn demo_rows(args: &RenderArgs) -> Result<Vec<String>> {
+    let made = render_and_write(args)?;
+    let value = figures(&made.rendered, &made.differences);
+    output::write_text(&args.out.join("figures.json"), &pretty(&value))?;
+    let row = |(shot, d): (&Shot, &Difference)| {
+        format!(
+            "{} | {} | {} | {:.1} %",
+            shot.pipeline.name,
+            text::number(d.max.difference * 255.0),
+            text::number(d.mean * 255.0),
+            d.srgb8_differing * 100.0
+        )
+    };
+    Ok(made.rendered.shots.iter().zip(&made.differences).map(row).collect())
+}
 
 /// The scene of a name or a file.
 pub(super) fn scene_of(path: &Path) -> Result<Scene> {
@@ -67,8 +108,16 @@ fn name_of(path: &Path) -> String {
     path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }
 
-/// Renders and writes; returns what to tell.
-pub(super) fn run(args: &RenderArgs) -> Result<String> {
+/// A scene, how it was rendered, and how far each pipeline is from the golden.
+struct Made {
+    scene: Scene,
+    pipelines: Vec<Pipeline>,
+    rendered: Rendered,
+    differences: Vec<Difference>,
+}
+
+/// The pipelines asked for, with their parameters.
+fn pipelines_of(args: &RenderArgs) -> Result<Vec<Pipeline>> {
     let mut pipelines = Vec::new();
     let names: Vec<&str> = match (&args.pipelines[..], &args.ladder) {
         ([], None) => PIPELINES.to_vec(),
@@ -82,12 +131,12 @@ pub(super) fn run(args: &RenderArgs) -> Result<String> {
         pipelines.push(Pipeline::named(name)?);
     }
     Pipeline::set(&mut pipelines, &args.params)?;
-    if let Some(widths) = &args.ladder {
-        let exponents = args.exponents.as_deref();
-        let ladder = ladder::ladder(pipelines, widths, exponents, args.pixels_per_degree)?;
-        let scene = scene_of(&args.scene)?;
-        return ladder::run(&ladder, &scene, &name_of(&args.scene), &args.out, args.json);
-    }
+    Ok(pipelines)
+}
+
+/// Renders, and writes pictures and figures.
+fn render_and_write(args: &RenderArgs) -> Result<Made> {
+    let pipelines = pipelines_of(args)?;
     let scene = scene_of(&args.scene)?;
     let bar = progress_bar(u64::from(scene.image.height), "rows");
     let rendered = render(&scene, &pipelines, true, &|done| bar.set_position(done))?;
@@ -98,11 +147,100 @@ pub(super) fn run(args: &RenderArgs) -> Result<String> {
         .map(|shot| Difference::between(&shot.picture, &rendered.golden, args.pixels_per_degree))
         .collect::<Result<Vec<_>>>()?;
     write_pictures(&args.out, &rendered)?;
-    let value = figures(&rendered, &differences);
+    Ok(Made { scene, pipelines, rendered, differences })
+}
+
+/// Renders and writes; returns what to tell, and false if a specialised pipeline differs.
+pub(super) fn run(args: &RenderArgs) -> Result<(String, bool)> {
+    if let Some(widths) = &args.ladder {
+        let exponents = args.exponents.as_deref();
+        let pipelines = pipelines_of(args)?;
+        let ladder = ladder::ladder(pipelines, widths, exponents, args.pixels_per_degree)?;
+        let scene = scene_of(&args.scene)?;
+        let told = ladder::run(&ladder, &scene, &name_of(&args.scene), &args.out, args.json)?;
+        return Ok((told, true));
+    }
+    let Made { scene, pipelines, rendered, differences } = render_and_write(args)?;
+    let mut value = figures(&rendered, &differences);
+    let mut told = table(&rendered, &differences);
+    let mut same = true;
+    if args.specialise {
+        let reduced = pipelines
+            .iter()
+            .map(|pipeline| Ok((pipeline.name.as_str(), specialise_to(&scene, pipeline)?)))
+            .collect::<Result<Vec<_>>>()?;
+        same = reduced.iter().flat_map(|(_, stages)| stages).all(|stage| stage.mismatches == 0);
+        let fields = value.as_object_mut().expect("bug: an object");
+        let stages = |(name, stages): &(&str, Vec<SpecialisedStage>)| json!({ "pipeline": name, "designs": stages });
+        fields.insert("specialised".to_owned(), reduced.iter().map(stages).collect());
+        told.push('\n');
+        told.push_str(&savings(&reduced));
+    }
     output::write_text(&args.out.join("figures.json"), &pretty(&value))?;
-    let told = table(&rendered, &differences);
     output::write_text(&args.out.join("figures.txt"), &told)?;
-    Ok(if args.json { pretty(&value) } else { told })
+    Ok((if args.json { pretty(&value) } else { told }, same))
+}
+
+/// What specialised pipelines save, a row for each design.
+fn savings(reduced: &[(&str, Vec<SpecialisedStage>)]) -> String {
+    let mut rows = Vec::new();
+    for (name, stages) in reduced {
+        for stage in stages {
+            let report = &stage.report;
+            let (before, after) = (&report.before, &report.pixel.counts);
+            let multipliers = |counts: &Counts| {
+                counts.datapath.multipliers + counts.schemes.multipliers + counts.parts.multipliers
+            };
+            let adders = |c: &Counts| c.datapath.adders + c.schemes.adders + c.parts.adders;
+            let change = |from: u64, to: u64| format!("{from} to {to}");
+            let per = |seconds: f64| seconds / cast::f64_of_count(stage.samples.max(1)) * 1e9;
+            let inputs = |rate: &str| stage.inputs.iter().filter(|port| port.rate == rate).count();
+            rows.push(vec![
+                (*name).to_owned(),
+                format!("{}, {}", stage.material, stage.light),
+                format!("{} {} {}", inputs("scene"), inputs("face"), inputs("pixel")),
+                change(before.tables, after.tables),
+                change(before.rom_bits, after.rom_bits),
+                change(before.rom_bits_dual_port, after.rom_bits_dual_port),
+                change(multipliers(before), multipliers(after)),
+                change(adders(before), adders(after)),
+                report.face.as_ref().map_or_else(
+                    || "-".to_owned(),
+                    |face| format!("{} adders, {}", adders(&face.counts), stage.faces),
+                ),
+                format!(
+                    "{:.1} to {:.1}",
+                    per(stage.general_seconds),
+                    per(stage.specialised_seconds)
+                ),
+                if stage.mismatches == 0 {
+                    format!("all {} words", stage.samples)
+                } else {
+                    format!("{} DIFFER", stage.mismatches)
+                },
+            ]);
+        }
+    }
+    let mut told = String::from(
+        "only what the scene needs, per pixel; each design is held to the general one on every pixel\n",
+    );
+    told.push_str(&text::table(
+        &[
+            "pipeline",
+            "material, light",
+            "ports constant on scene, face; changing",
+            "tables",
+            "ROM bits",
+            "with copies",
+            "multipliers",
+            "adders",
+            "once per face, faces",
+            "ns a sample",
+            "equal",
+        ],
+        &rows,
+    ));
+    told
 }
 
 fn write_pictures(out: &Path, rendered: &Rendered) -> Result<()> {
@@ -127,7 +265,7 @@ fn write_pictures(out: &Path, rendered: &Rendered) -> Result<()> {
 }
 
 fn figures(rendered: &Rendered, differences: &[Difference]) -> Value {
-    let shot = |(shot, difference): (&crate::render::Shot, &Difference)| {
+    let shot = |(shot, difference): (&Shot, &Difference)| {
         json!({
             "pipeline": shot.pipeline.name,
             "unit": shot.pipeline.unit.name,
@@ -136,6 +274,7 @@ fn figures(rendered: &Rendered, differences: &[Difference]) -> Value {
             "vectors": shot.vectors,
             "overflows": shot.overflowed(),
             "samples": shot.samples,
+            "engine_samples_per_second_per_thread": shot.samples_per_second,
         })
     };
     json!({
@@ -145,6 +284,8 @@ fn figures(rendered: &Rendered, differences: &[Difference]) -> Value {
         "height_px": rendered.golden.height_px(),
         "covered_px": rendered.covered,
         "blinn_max": rendered.blinn,
+        "pixels_per_second":
+            cast::f64_of_len(rendered.golden.pixels().len()) / rendered.elapsed.as_secs_f64(),
         "pipelines": rendered.shots.iter().zip(differences).map(shot).collect::<Vec<_>>(),
     })
 }
@@ -193,5 +334,12 @@ fn table(rendered: &Rendered, differences: &[Difference]) -> String {
         ],
         &rows,
     ));
+    let pixels = cast::f64_of_len(rendered.golden.pixels().len());
+    let _ = writeln!(
+        told,
+        "  {:.2} M pixels/s for rays, golden and all pipelines together; Blinn's equation differs from the golden by {} at most",
+        pixels / rendered.elapsed.as_secs_f64() / 1e6,
+        text::number(rendered.blinn)
+    );
     told
 }

@@ -175,9 +175,9 @@ fn error_figures(design: &Design) -> Result<Vec<String>> {
     };
     let mut lines = vec![
         format!(
-            "absolute errors against the golden of the quantised inputs, over {HEADER_SAMPLES} vectors uniform on"
+            "absolute errors against the golden of the quantised inputs, over {HEADER_SAMPLES} random inputs"
         ),
-        "the sphere (seed 1), and the input words of the worst:".to_owned(),
+        "(sampler sphere, seed 1), and the input words of the worst:".to_owned(),
     ];
     for f in report.figures.iter().filter(|f| f.basis == Basis::Total) {
         let unit = if f.unit == "1" { String::new() } else { format!(" {}", f.unit) };

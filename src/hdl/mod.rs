@@ -480,7 +480,7 @@ fn check_name(name: &str) -> Result<()> {
     }
     if names::is_reserved(name) {
         return Err(Error::usage(format!(
-            "`{name}` is a word of Verilog or VHDL, or a port of every module: choose another name"
+            "`{name}` is a word of Verilog, VHDL or their tools, or a port of every module: choose another name"
         )));
     }
     Ok(())

@@ -346,7 +346,10 @@ impl Printer<'_> {
             Expr::AddCarry(a, b, bit) => {
                 format!("{} + {} + {}", operand(a), operand(b), self.bit(*bit))
             }
-            Expr::InvertIf(bit, a) => format!("{} xor {}", operand(a), self.bit(*bit)),
+            // Of a word and a single bit, VHDL-2008 has an operator that GHDL doesn't synthesise.
+            Expr::InvertIf(bit, a) => {
+                format!("{} xor ({} downto 0 => {})", operand(a), to.bits - 1, self.bit(*bit))
+            }
             Expr::Negate(a) if to.signed => format!("-{}", operand(a)),
             // Only signed numbers have a minus.
             Expr::Negate(a) => format!("unsigned(-{})", self.operand(*a, true)),

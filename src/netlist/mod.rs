@@ -376,7 +376,8 @@ impl Netlist {
     }
 
     /// The outermost part that a scope is or stands in.
-    fn part_of(&self, scope: ScopeId) -> Option<(Part, ScopeId)> {
+    #[must_use]
+    pub fn part_of(&self, scope: ScopeId) -> Option<(Part, ScopeId)> {
         let mut found = None;
         let mut at = Some(scope);
         while let Some(id) = at {
@@ -390,6 +391,12 @@ impl Netlist {
     /// Counts operators, tables, ports and stored bits.
     #[must_use]
     pub fn counts(&self) -> Counts {
+        self.counts_of(|_| true)
+    }
+
+    /// As [`Netlist::counts`], of the nodes in some scopes; a table counts where it is read.
+    #[must_use]
+    pub fn counts_of(&self, counted: impl Fn(ScopeId) -> bool) -> Counts {
         let mut counts = Counts {
             datapath: Operators::default(),
             schemes: Operators::default(),
@@ -397,15 +404,15 @@ impl Netlist {
             dividers: 0,
             square_roots: 0,
             reciprocal_roots: 0,
-            tables: cast::count_of(self.tables.len()),
+            tables: 0,
             reads: 0,
             ports: 0,
-            rom_bits: self.tables.iter().map(Table::rom_bits).sum(),
+            rom_bits: 0,
             rom_bits_dual_port: 0,
         };
         let mut addresses: BTreeMap<TableId, BTreeSet<NodeId>> = BTreeMap::new();
         let mut parts: BTreeSet<ScopeId> = BTreeSet::new();
-        for node in &self.nodes {
+        for node in self.nodes.iter().filter(|node| counted(node.scope)) {
             let operators = match self.part_of(node.scope) {
                 None => &mut counts.datapath,
                 Some((Part::Scheme, _)) => &mut counts.schemes,
@@ -451,6 +458,8 @@ impl Netlist {
         }
         for (table, at) in addresses {
             let ports = cast::count_of(at.len());
+            counts.tables += 1;
+            counts.rom_bits += self.tables[table.index()].rom_bits();
             counts.ports += ports;
             counts.rom_bits_dual_port += self.tables[table.index()].rom_bits() * ports.div_ceil(2);
         }

@@ -70,13 +70,19 @@ impl Group {
         u64::from(row) << self.addr_bits(table)
     }
 
-    /// Bits saved by one table in place of two; none if the two are no larger, unless one has all
-    /// rows of the other.
+    /// Stored bits with a copy for every two ports, which is what a word from each port in every
+    /// cycle takes.
+    fn cost(&self, table: &Table) -> u64 {
+        self.rom_bits(table) * cast::count_of(self.addresses.len()).div_ceil(2)
+    }
+
+    /// Bits saved by one table in place of two, copies included; none if the two are no larger,
+    /// unless one has all rows of the other.
     fn saved(&self, other: &Self, table: &Table) -> Option<u64> {
         let joined = self.joined(other);
         let rows = |group: &Self| group.addr_bits(table);
-        let apart = self.rom_bits(table) + other.rom_bits(table);
-        let saved = apart.checked_sub(joined.rom_bits(table))?;
+        let apart = self.cost(table) + other.cost(table);
+        let saved = apart.checked_sub(joined.cost(table))?;
         (saved > 0 || rows(&joined) == rows(self).max(rows(other))).then_some(saved)
     }
 
@@ -112,7 +118,8 @@ fn of_table(table: &Table, column: u32) -> &Column {
 }
 
 /// The ports of a table in groups, each with a table of its own. One table serves two groups where
-/// it has fewer bits than theirs together, the best pair first, or no more bits and no more rows.
+/// it has fewer bits than theirs together, the best pair first, or no more bits and no more rows;
+/// bits count with a copy for every two ports.
 fn groups(netlist: &Netlist, words: &[Words]) -> BTreeMap<TableId, Vec<Group>> {
     let mut ports: BTreeMap<TableId, BTreeMap<NodeId, BTreeSet<u32>>> = BTreeMap::new();
     for node in netlist.nodes() {

@@ -11,7 +11,9 @@
 //!
 //! Angles are in turns; at a pole phi is 0, and psi suits that.
 
-use super::{Design, Sampler};
+use super::{Design, HardCase, Sampler};
+use crate::format::{Overflow, Round, quantize};
+use crate::netlist::{Netlist, NodeId, Quantity};
 use glam::DVec3;
 use std::f64::consts::TAU;
 
@@ -176,6 +178,77 @@ pub(super) fn draw(
             column.push(fragment.value(*port));
         }
     }
+}
+
+/// The named hard cases of a unit with the ports of fragments.
+///
+/// # Panics
+/// If a port's name means nothing here: that is wrong code.
+pub(super) fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
+    let words = |fragment: &Fragment| -> Vec<i64> {
+        let word = |(port, id): (usize, &NodeId)| {
+            let node = netlist.node(*id);
+            let port = Port::of(netlist.input_name(port)).expect("bug: a fragment's port");
+            let value = fragment.value(port);
+            let overflow = match node.quantity {
+                Quantity::Turns => Overflow::Wrap,
+                Quantity::Number => Overflow::Saturate,
+            };
+            let word = quantize(value, node.format, Round::HalfEven, overflow);
+            word.expect("bug: fragments are finite").0
+        };
+        netlist.inputs().iter().enumerate().map(word).collect()
+    };
+    let cases =
+        |name, list: Vec<Fragment>| HardCase { name, words: list.iter().map(words).collect() };
+    let unit = |x: f64, y: f64, z: f64| DVec3::new(x, y, z).normalize();
+    let tiny = 2f64.powi(-10);
+    let poles = [DVec3::Z, DVec3::NEG_Z, unit(tiny, 0.0, 1.0), unit(tiny, -tiny, -1.0)];
+    let normals = [DVec3::X, DVec3::NEG_Y, unit(1.0, 2.0, 2.0), unit(-1.0, 1e-3, -1.0)];
+    let bumps = [DVec3::Z, unit(0.3, -0.2, 1.0), unit(-1.0, 1.0, 1.0), unit(1.0, tiny, tiny)];
+    let (mut at_poles, mut seam, mut facing, mut opposite, mut grazing, mut edge, mut short) =
+        (vec![], vec![], vec![], vec![], vec![], vec![], vec![]);
+    for normal in poles.into_iter().chain(normals) {
+        for around in [DVec3::new(0.6, 0.8, 0.1), DVec3::new(-0.8, 0.1, 0.6)] {
+            let tangent = normal.cross(around).normalize();
+            let binormal = normal.cross(tangent);
+            for perturbed in bumps {
+                let lit = |light: DVec3, half: DVec3| Fragment {
+                    normal,
+                    tangent,
+                    light: light.normalize(),
+                    half: half.normalize(),
+                    perturbed,
+                };
+                let bump = tangent * perturbed.x + binormal * perturbed.y + normal * perturbed.z;
+                let across = bump.any_orthonormal_vector();
+                let off = |v: DVec3, by: DVec3| [v, v + by * tiny, v - by * tiny];
+                at_poles.extend(poles.map(|pole| lit(pole, normal)));
+                seam.push(lit(unit(1.0, tiny / 64.0, 1.0), unit(1.0, -tiny / 64.0, 1.0)));
+                seam.push(lit(unit(-1.0, -tiny / 64.0, 0.5), unit(-1.0, tiny / 64.0, 0.5)));
+                facing.extend(off(bump, across).map(|v| lit(v, v)));
+                facing.extend(off(normal, tangent).map(|v| lit(v, v)));
+                opposite.extend(off(-bump, across).map(|v| lit(v, v)));
+                opposite.extend(off(-normal, binormal).map(|v| lit(v, v)));
+                grazing.extend(off(tangent, normal).map(|v| lit(v, v)));
+                grazing.extend(off(binormal, normal).map(|v| lit(v, v)));
+                edge.extend(off(across, bump).map(|v| lit(v, v)));
+                // As interpolation between vertices leaves them.
+                let full = lit(bump + across, bump);
+                short.push(Fragment { light: full.light * 0.75, half: full.half * 0.6, ..full });
+                short.push(Fragment { perturbed: perturbed * 0.6, ..full });
+            }
+        }
+    }
+    vec![
+        cases("poles: N or L along z, and just beside", at_poles),
+        cases("phi wrap: L and H on both sides of the seam", seam),
+        cases("A parallel to N' or N: dot product at 1, and just beside", facing),
+        cases("A opposite to N' or N: dot product at -1, and just beside", opposite),
+        cases("grazing light: N·A at 0, just below and just above", grazing),
+        cases("dot product N'·A at 0, just below and just above", edge),
+        cases("vectors shorter than 1, as interpolation leaves them", short),
+    ]
 }
 
 #[cfg(test)]

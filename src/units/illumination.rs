@@ -264,7 +264,7 @@ pub(super) fn light(
 }
 
 /// The light table at a dot product, and its offset alone where that is negative.
-fn table(
+pub(super) fn table(
     b: &mut Builder,
     plan: &mut Plan<'_>,
     name: &'static str,
@@ -423,16 +423,18 @@ fn dot_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
     let last = rounding_ulp(values) * ulp(values.bits("frac_bits"));
     let inner = match values.choice("variant") {
         "cartesian" => 0.0,
-        // cos cos: 2e + e². sin sin: as much, and one rounding; times cos: (1 + e) of it, and e.
-        "kim" => {
-            let e = worst("sincos");
-            let work = values.bits("frac_bits") + values.bits("guard_bits");
-            let pair = 2.0 * e + e * e;
-            pair + (1.0 + e) * (pair + rounding_ulp(values) * ulp(work)) + e
-        }
+        "kim" => kim_dot_bound(values, worst),
         _ => corrected_dot_bound(worst),
     };
     inner + last
+}
+
+/// Of (3), (4). cos cos: 2e + e². sin sin: as much, and one rounding; times cos: (1 + e) of it, and e.
+pub(super) fn kim_dot_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
+    let e = worst("sincos");
+    let work = values.bits("frac_bits") + values.bits("guard_bits");
+    let pair = 2.0 * e + e * e;
+    pair + (1.0 + e) * (pair + rounding_ulp(values) * ulp(work)) + e
 }
 
 /// Of (24) mended: e for the half sum; for the product e of its half difference, which is at most 1,

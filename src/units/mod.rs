@@ -7,11 +7,18 @@
 //! the reports know units only through this table.
 
 pub mod bump;
+mod divide;
+pub mod ernst;
 pub mod fragment;
 pub mod illumination;
+pub mod kim;
+pub mod kugler;
+pub mod peercy;
 mod plan;
 mod polar;
+mod root;
 pub mod rotation;
+mod tangent;
 
 use crate::error::{Error, Result};
 use crate::format::{Format, Round};
@@ -26,7 +33,15 @@ use std::fmt;
 use std::sync::Arc;
 
 /// Every unit.
-pub static UNITS: &[&Unit] = &[&rotation::ROTATION, &illumination::ILLUMINATION, &bump::BUMP];
+pub static UNITS: &[&Unit] = &[
+    &rotation::ROTATION,
+    &illumination::ILLUMINATION,
+    &bump::BUMP,
+    &peercy::PEERCY,
+    &ernst::ERNST,
+    &kim::KIM,
+    &kugler::KUGLER,
+];
 
 /// A parameterised datapath.
 #[derive(Debug)]
@@ -51,7 +66,7 @@ pub struct Unit {
 }
 
 /// A parameter of a unit.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Param {
     /// Name on the command line.
     pub name: &'static str,

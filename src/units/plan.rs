@@ -155,18 +155,20 @@ pub(super) fn number(int_bits: u32, frac_bits: u32) -> Result<Format> {
 }
 
 impl<'a> Plan<'a> {
-    /// The plan of parameters that have all of this file's but the tables' sizes.
+    /// The plan of parameters that have all of this file's but the tables' sizes; a unit without
+    /// angles has none of theirs.
     pub(super) fn new(values: &'a Values) -> Result<Self> {
-        let scheme = values.choice("scheme");
+        let angles = values.iter().any(|(name, _)| name == "angle_bits");
+        let angle_bits = if angles { values.bits("angle_bits") } else { 0 };
         let guard_bits = values.bits("guard_bits");
         Ok(Self {
             values,
-            angle_bits: values.bits("angle_bits"),
+            angle_bits,
             work_bits: values.bits("frac_bits") + guard_bits,
-            work_angle_bits: values.bits("angle_bits") + guard_bits,
+            work_angle_bits: angle_bits + guard_bits,
             frac_bits: values.bits("frac_bits"),
-            scheme: scheme_of(scheme),
-            quarter_wave: values.choice("quarter_wave") == "on",
+            scheme: scheme_of(values.choice("scheme")),
+            quarter_wave: angles && values.choice("quarter_wave") == "on",
             round: values.choice("rounding").parse()?,
             tabulated: Vec::new(),
         })

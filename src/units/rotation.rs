@@ -252,7 +252,20 @@ fn exact(
         let word = b.narrow(node, component, plan.round, Overflow::Saturate);
         b.name(word, name)
     });
-    let (phi, theta) = if matches!(form, Form::PolarCordic) {
+    let angles = to_polar(b, plan, [x, y, z], matches!(form, Form::PolarCordic))?;
+    Ok(angles.to_vec())
+}
+
+/// phi, theta in the words of ports of a direction in three words of one format, `1 + work_bits`
+/// bits and a sign; (0, 0, 0) gives 0, 0.
+pub(super) fn to_polar(
+    b: &mut Builder,
+    plan: &mut Plan<'_>,
+    [x, y, z]: [NodeId; 3],
+    cordic: bool,
+) -> Result<[NodeId; 2]> {
+    let component = b.format(x);
+    let (phi, theta) = if cordic {
         let iterations = cordic_iterations(plan.values);
         let work_bits = polar::cordic_frac_bits(plan.work_bits, iterations);
         let angle_bits = polar::cordic_frac_bits(plan.work_angle_bits, iterations);
@@ -297,7 +310,7 @@ fn exact(
     };
     b.means(phi, Meaning::Atan2 { y, x });
     b.means(theta, Meaning::Inclination { x, y, z });
-    Ok(vec![plan.angle_word(b, "phi", phi)?, plan.angle_word(b, "theta", theta)?])
+    Ok([plan.angle_word(b, "phi", phi)?, plan.angle_word(b, "theta", theta)?])
 }
 
 /// Integer bits of the atan table's index. Past 2^k it is off by 2^-k rad; with 2^a cells over
@@ -474,6 +487,20 @@ fn has_int_bit(values: &Values) -> bool {
 /// Angle between vectors in rad of variant `exact` in a polar form: the components' error, then
 /// the conversion's.
 pub(super) fn polar_bound(values: &Values, worst: &dyn Fn(&str) -> f64, cordic: bool) -> f64 {
+    let work_bits = values.bits("frac_bits") + values.bits("guard_bits");
+    let work_ulp = 2f64.powi(-cast::signed_count(work_bits));
+    let component = 2.0 * worst("sincos") + rounding_ulp(values) * work_ulp;
+    converted_bound(values, worst, component, cordic)
+}
+
+/// Angle between vectors in rad after [`to_polar`] of a unit vector whose components are off by
+/// `component` at most.
+pub(super) fn converted_bound(
+    values: &Values,
+    worst: &dyn Fn(&str) -> f64,
+    component: f64,
+    cordic: bool,
+) -> f64 {
     let ulp = |bits: u32| 2f64.powi(-cast::signed_count(bits));
     let guard_bits = values.bits("guard_bits");
     let work_ulp = ulp(values.bits("frac_bits") + guard_bits);
@@ -481,7 +508,6 @@ pub(super) fn polar_bound(values: &Values, worst: &dyn Fn(&str) -> f64, cordic: 
     let rounding = rounding_ulp(values);
     // The vector before conversion is off by `vector` in length, so its angle by asin of that,
     // and its length is 1 - vector at least. A vector off by 1 may point anywhere.
-    let component = 2.0 * worst("sincos") + rounding * work_ulp;
     let vector = 3f64.sqrt() * component;
     if vector >= 1.0 {
         return std::f64::consts::PI;

@@ -5,8 +5,8 @@
 --   diffuse_addr_bits=10 specular_addr_bits=10 light_scheme=direct light_bits=16 ambient=0.1
 --   diffuse=0.6 specular=0.3 exponent=32 period_ps=5000 stages=auto rom=block
 -- latency 6 cycles, interval 1 cycle; tables read on the clock
--- absolute errors against the golden of the quantised inputs, over 65536 vectors uniform on
--- the sphere (seed 1), and the input words of the worst:
+-- absolute errors against the golden of the quantised inputs, over 65536 random inputs
+-- (sampler sphere, seed 1), and the input words of the worst:
 --   intensity: mean 3.82e-4, at most 6.81e-3 (446.6 ulp) at phi_lt=37053 theta_lt=4180 phi_ht=35367 theta_ht=8197 phi_p=34886 theta_p=6598
 --   diffuse: mean 3.22e-4, at most 2.59e-3 (169.6 ulp) at phi_lt=54705 theta_lt=16284 phi_ht=62205 theta_ht=13786 phi_p=39476 theta_p=7521
 --   specular: mean 9.58e-5, at most 6.87e-3 (450.0 ulp) at phi_lt=9407 theta_lt=14751 phi_ht=20560 theta_ht=8847 phi_p=19346 theta_p=7827

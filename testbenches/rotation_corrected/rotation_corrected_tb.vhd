@@ -6,8 +6,8 @@
 --   recip_int_bits=8 atan_int_bits=auto quadrants=full cordic_iterations=auto period_ps=5000
 --   stages=auto rom=block
 -- latency 11 cycles, interval 1 cycle; tables read on the clock
--- absolute errors against the golden of the quantised inputs, over 65536 vectors uniform on
--- the sphere (seed 1), and the input words of the worst:
+-- absolute errors against the golden of the quantised inputs, over 65536 random inputs
+-- (sampler sphere, seed 1), and the input words of the worst:
 --   angle: mean 2.96e-1 rad, at most 1.03e0 rad at phi_a=63191 theta_a=16419 phi_n=6223 theta_n=16703
 --   dot: mean 2.93e-1, at most 9.83e-1 at phi_a=63191 theta_a=16419 phi_n=6223 theta_n=16703
 --   x: mean 1.90e-1, at most 7.70e-1 at phi_a=34757 theta_a=16352 phi_n=57388 theta_n=19960

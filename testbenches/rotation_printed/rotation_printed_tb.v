@@ -6,8 +6,8 @@
 //   recip_int_bits=8 atan_int_bits=auto quadrants=full cordic_iterations=auto period_ps=5000
 //   stages=auto rom=block
 // latency 10 cycles, interval 1 cycle; tables read on the clock
-// absolute errors against the golden of the quantised inputs, over 65536 vectors uniform on
-// the sphere (seed 1), and the input words of the worst:
+// absolute errors against the golden of the quantised inputs, over 65536 random inputs
+// (sampler sphere, seed 1), and the input words of the worst:
 //   angle: mean 1.49e0 rad, at most 3.14e0 rad at phi_a=15344 theta_a=12973 phi_n=15490 theta_n=26226
 //   dot: mean 1.28e0, at most 2.00e0 at phi_a=15344 theta_a=12973 phi_n=15490 theta_n=26226
 //   x: mean 7.73e-1, at most 2.00e0 at phi_a=37985 theta_a=3793 phi_n=38551 theta_n=19699

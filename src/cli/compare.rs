@@ -1,0 +1,284 @@
+//! `fixpath compare`: Table 1 of seed 001, rebuilt.
+
+use super::text;
+use crate::cast;
+use crate::compare::{self, COUNTS, Comparison, Hardware, Row, Spread, Stage, saved_percent};
+use crate::error::{Error, Result};
+use crate::measure::Inputs;
+use crate::output;
+use crate::units::Sampler;
+use clap::Args;
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+#[derive(Args)]
+pub(super) struct CompareArgs {
+    /// Set a parameter of every architecture that has it.
+    #[arg(short = 'p', long = "param", value_name = "KEY=VALUE")]
+    params: Vec<String>,
+    /// Number of random fragments.
+    #[arg(long, default_value_t = 100_000, value_parser = clap::value_parser!(u64).range(1..))]
+    samples: u64,
+    /// Seed of the random fragments.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// As JSON.
+    #[arg(long)]
+    json: bool,
+    /// Write it into a file as well: Markdown or CSV, by its ending.
+    #[arg(long, value_name = "FILE.md|FILE.csv")]
+    out: Option<PathBuf>,
+}
+
+/// Counts and measures; returns what to tell.
+pub(super) fn run(args: &CompareArgs) -> Result<String> {
+    let ending = args.out.as_ref().map(|path| path.extension().and_then(|e| e.to_str()));
+    if let (Some(path), Some(ending)) = (&args.out, ending)
+        && !matches!(ending, Some("md" | "csv"))
+    {
+        let problem = "give a file that ends in .md or .csv".to_owned();
+        return Err(Error::file(path, problem));
+    }
+    let inputs = Inputs { sampler: Sampler::Lit, samples: args.samples, seed: args.seed };
+    let bar = super::progress_bar(inputs.samples, "fragments");
+    let progress = |name: &str, done| {
+        bar.set_prefix(name.to_owned());
+        bar.set_position(done);
+    };
+    let comparison = compare::compare(&args.params, &inputs, &progress)?;
+    bar.finish_and_clear();
+    if let Some(path) = &args.out {
+        let markdown = ending.flatten() == Some("md");
+        let text = if markdown { markdown_of(&comparison) } else { csv_of(&comparison) };
+        output::write_text(path, &text)?;
+    }
+    if args.json {
+        let value = serde_json::to_value(&comparison).expect("bug: it can be written");
+        return Ok(super::pretty(&value));
+    }
+    let mut told = String::new();
+    for section in sections(&comparison) {
+        let _ = writeln!(told, "{}", section.title);
+        let headings: Vec<&str> = section.headings.iter().map(String::as_str).collect();
+        told.push_str(&text::table(&headings, &section.rows));
+        for note in section.notes {
+            let _ = writeln!(told, "  {note}");
+        }
+        told.push('\n');
+    }
+    Ok(told)
+}
+
+/// A table with a title.
+struct Section {
+    title: String,
+    /// Those of numbers start with `>`.
+    headings: Vec<String>,
+    rows: Vec<Vec<String>>,
+    notes: Vec<String>,
+}
+
+/// `ours / paper`, or one of them alone.
+fn beside(ours: Option<u64>, paper: Option<u64>) -> String {
+    let text = |count: Option<u64>| count.map_or("-".to_owned(), |count| count.to_string());
+    match (ours, paper) {
+        (None | Some(0), None | Some(0)) => "-".to_owned(),
+        _ => format!("{} / {}", text(ours), text(paper)),
+    }
+}
+
+fn counts_row(
+    name: &str,
+    stage: &str,
+    ours: Option<Hardware>,
+    paper: Option<Hardware>,
+) -> Vec<String> {
+    let mut row = vec![name.to_owned(), stage.to_owned()];
+    row.extend(
+        (0..COUNTS.len()).map(|i| {
+            beside(ours.map(|ours| ours.counts()[i]), paper.map(|paper| paper.counts()[i]))
+        }),
+    );
+    row
+}
+
+fn sections(comparison: &Comparison) -> Vec<Section> {
+    let strings = |texts: &[&str]| -> Vec<String> { texts.iter().map(|&t| t.to_owned()).collect() };
+    let mut headings = strings(&["architecture", "stage"]);
+    headings.extend(COUNTS.iter().map(|count| format!(">{count}")));
+    let mut counts = Vec::new();
+    for row in &comparison.rows {
+        for (name, stage) in [(row.name, Stage::SetUp), ("", Stage::Illumination)] {
+            let (ours, paper) = row.stage(stage);
+            counts.push(counts_row(name, stage.name(), ours, paper));
+        }
+        counts.push(counts_row("", "whole", Some(row.whole), compare::whole(row.paper)));
+    }
+    let cost = |row: &Row| {
+        let cells = [row.tables, row.rom_bits, row.latency_cycles.into()];
+        let mut row = vec![row.name.to_owned()];
+        row.extend(cells.map(|count| count.to_string()));
+        row
+    };
+    let claims = comparison.claims.iter().map(|claim| {
+        let share =
+            |pair: [u64; 2]| format!("1 - {}/{} = {:.1} %", pair[0], pair[1], saved_percent(pair));
+        vec![
+            claim.name.to_owned(),
+            claim.against.to_owned(),
+            share(claim.multipliers),
+            share(claim.paper),
+        ]
+    });
+    let spread = |spread: Option<Spread>, scale: f64, unit: &str| -> [String; 3] {
+        spread.map_or_else(
+            || std::array::from_fn(|_| "-".to_owned()),
+            |s| [s.mean, s.p99, s.max].map(|x| format!("{}{unit}", text::number(x * scale))),
+        )
+    };
+    let error = |row: &Row| {
+        let mut cells = vec![row.name.to_owned()];
+        cells.extend(spread(row.angle, 1f64.to_degrees(), "°"));
+        cells.extend(spread(row.dot, 1.0, ""));
+        cells.extend(spread(row.intensity, 1.0, ""));
+        cells
+    };
+    let differences = comparison.rows.iter().flat_map(|row| {
+        row.differences.iter().map(|d| {
+            let pair = format!("{} / {}", d.ours, d.paper);
+            vec![
+                row.name.to_owned(),
+                d.stage.name().to_owned(),
+                d.count.to_owned(),
+                pair,
+                d.why.to_owned(),
+            ]
+        })
+    });
+    let samples = cast::f64_of_count(comparison.samples);
+    vec![
+        Section {
+            title: format!("operators, ours / the paper's: {}", comparison.source),
+            headings,
+            rows: counts,
+            notes: strings(&[
+                "counted from the netlists, by scope; whole counts once what both stages share",
+                "not counted, as in the paper: operators inside dividers, roots and tables; rounding, negation, multiplexers",
+            ]),
+        },
+        Section {
+            title: "storage and latency".to_owned(),
+            headings: strings(&[
+                "architecture",
+                ">distinct tables",
+                ">ROM bits",
+                ">latency in cycles",
+            ]),
+            rows: comparison.rows.iter().map(cost).collect(),
+            notes: Vec::new(),
+        },
+        Section {
+            title: "\"up to 78 % fewer multiplications\", in both readings".to_owned(),
+            headings: strings(&["pipeline", "reading", "by these netlists", "by the paper"]),
+            rows: claims.collect(),
+            notes: Vec::new(),
+        },
+        Section {
+            title: format!(
+                "error over {samples} lit fragments, seed {}, end to end",
+                comparison.seed
+            ),
+            headings: strings(&[
+                "architecture",
+                ">vector: mean",
+                ">p99",
+                ">max",
+                ">dot: mean",
+                ">p99",
+                ">max",
+                ">intensity: mean",
+                ">p99",
+                ">max",
+            ]),
+            rows: comparison.rows.iter().map(error).collect(),
+            notes: strings(&[
+                "vector: angle between L' as it comes and as it should (kugler: N' as its light sees it); dot: N'·L'",
+                "end to end: against the golden of the inputs before quantisation; `fixpath sim` splits each error",
+            ]),
+        },
+        Section {
+            title: "why counts differ from the paper's".to_owned(),
+            headings: strings(&["architecture", "stage", "count", ">ours / paper", "because"]),
+            rows: differences.collect(),
+            notes: Vec::new(),
+        },
+    ]
+}
+
+fn markdown_of(comparison: &Comparison) -> String {
+    let mut text = "# Table 1 rebuilt\n".to_owned();
+    for section in sections(comparison) {
+        let heads: Vec<&str> = section.headings.iter().map(|h| h.trim_start_matches('>')).collect();
+        let rule: Vec<&str> = section
+            .headings
+            .iter()
+            .map(|h| if h.starts_with('>') { "---:" } else { "---" })
+            .collect();
+        let _ = writeln!(
+            text,
+            "\n## {}\n\n| {} |\n|{}|",
+            section.title,
+            heads.join(" | "),
+            rule.join("|")
+        );
+        for row in &section.rows {
+            let _ = writeln!(text, "| {} |", row.join(" | "));
+        }
+        for note in &section.notes {
+            let _ = writeln!(text, "\n{note}.");
+        }
+    }
+    text
+}
+
+/// One line per architecture and stage.
+fn csv_of(comparison: &Comparison) -> String {
+    let mut text = "architecture,stage".to_owned();
+    for count in COUNTS {
+        let name = count.replace([' ', '-'], "_");
+        let _ = write!(text, ",{name},{name}_paper");
+    }
+    text.push_str(",tables,rom_bits,latency_cycles");
+    for quantity in ["angle_rad", "dot", "intensity"] {
+        for figure in ["mean", "p99", "max"] {
+            let _ = write!(text, ",{quantity}_{figure}");
+        }
+    }
+    text.push('\n');
+    for row in &comparison.rows {
+        let (set_up, illumination) = (row.stage(Stage::SetUp), row.stage(Stage::Illumination));
+        let whole = (Some(row.whole), compare::whole(row.paper));
+        for (stage, (ours, paper)) in
+            [("set-up", set_up), ("illumination", illumination), ("whole", whole)]
+        {
+            let _ = write!(text, "{},{stage}", row.name);
+            for i in 0..COUNTS.len() {
+                for hardware in [ours, paper] {
+                    let count = hardware.map(|hardware| hardware.counts()[i].to_string());
+                    let _ = write!(text, ",{}", count.unwrap_or_default());
+                }
+            }
+            if stage == "whole" {
+                let _ = write!(text, ",{},{},{}", row.tables, row.rom_bits, row.latency_cycles);
+                for spread in [row.angle, row.dot, row.intensity] {
+                    let figures = spread.map(|s| format!(",{},{},{}", s.mean, s.p99, s.max));
+                    text.push_str(&figures.unwrap_or_else(|| ",,,".to_owned()));
+                }
+            } else {
+                text.push_str(&",".repeat(12));
+            }
+            text.push('\n');
+        }
+    }
+    text
+}

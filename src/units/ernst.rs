@@ -1,0 +1,178 @@
+//! Gouraud bump mapping of Ernst et al. 1998, as seed 001 counts it in Table 1: Cartesian.
+//!
+//! The set-up of [`super::peercy`]; then two dot products, one power table, and a multiplier for
+//! the diffuse coefficient.
+
+use super::illumination::{
+    self, DOTS, Light, cartesian_dot, diffuse_bound, dot_groups, golden_dot, golden_light,
+    intensity_bound, light_ports, specular_bound,
+};
+use super::plan::{Plan, rounding_ulp};
+use super::{Bound, BoundFn, Design, Group, Param, Shape, Unit, Values, fragment, tangent};
+use crate::cast;
+use crate::error::Result;
+use crate::format::{Format, Overflow, Round, quantize};
+use crate::function::Function;
+use crate::netlist::{Builder, NodeId};
+use crate::op::Meaning;
+use crate::trig::Real;
+use std::sync::Arc;
+
+/// The unit.
+pub static ERNST: Unit = Unit {
+    name: "ernst",
+    summary: "light of a bump-mapped pixel by matrix, normalisation and Cartesian dot products",
+    source: "Ernst et al. 1998, as seed 001 (Lee et al.) counts it in Table 1 and section 4.3",
+    params: PARAMS,
+    golden_params: &["highlight", "ambient", "diffuse", "specular", "exponent"],
+    inputs: "l_x … p_z: components of L, H, N, T, B in the world and of N' in the texture frame, from ½ to 2 long after the transform",
+    outputs: "intensity, diffuse (with the ambient light), specular: 0 to 1",
+    build,
+};
+
+static PARAMS: &[Param] = &[
+    tangent::PARAMS[0],
+    tangent::PARAMS[1],
+    tangent::PARAMS[2],
+    tangent::PARAMS[3],
+    tangent::PARAMS[4],
+    tangent::PARAMS[5],
+    tangent::PARAMS[6],
+    tangent::PARAMS[7],
+    tangent::PARAMS[8],
+    tangent::PARAMS[9],
+    illumination::HIGHLIGHT,
+    illumination::SPECULAR_ADDR_BITS,
+    illumination::LIGHT_SCHEME,
+    illumination::LIGHT_BITS,
+    illumination::AMBIENT,
+    illumination::DIFFUSE,
+    illumination::SPECULAR,
+    illumination::EXPONENT,
+];
+
+fn build(values: &Values) -> Result<Design> {
+    let highlight = values.choice("highlight") == "on";
+    let mut plan = Plan::new(values)?;
+    let mut b = Builder::new("ernst");
+    let units = tangent::set_up(&mut b, &mut plan, highlight)?;
+    let (p, lights) = units.split_last().expect("bug: N' is there");
+    let dots = lights
+        .iter()
+        .zip(DOTS)
+        .map(|(v, name)| {
+            let dot = cartesian_dot(&mut b, &plan, name, *v, *p)?;
+            Ok(b.name(dot, name))
+        })
+        .collect::<Result<Vec<_>>>()?;
+    lit(&mut b, &mut plan, &dots)?.output(&mut b);
+    let tabulated = plan.tabulated;
+    let netlist = b.build()?;
+    let mut groups = Group::ports(&netlist, light_ports(values));
+    groups.extend(dot_groups(&netlist, highlight));
+    for (name, scope) in ["lt", "ht"].into_iter().zip(["light", "half"]).take(lights.len()) {
+        let labels = tangent::labels(scope);
+        let labels = [&labels[0][..], &labels[1], &labels[2]];
+        groups.push(Group::inside(&netlist, name, Shape::Cartesian, &labels));
+    }
+    let bound = |what, quantities, bound: BoundFn| Bound { what, quantities, bound };
+    let components: &[&str] = &["lt_x", "lt_y", "lt_z", "ht_x", "ht_y", "ht_z"];
+    let bounds = vec![
+        bound("dot", &DOTS, dot_bound),
+        bound("diffuse", &["diffuse"], |v, w| diffuse_bound(v, &product(v, w), dot_bound(v, w))),
+        bound("specular", &["specular"], |v, w| specular_bound(v, w, dot_bound(v, w))),
+        bound("intensity", &["intensity"], |v, w| {
+            intensity_bound(v, &product(v, w), dot_bound(v, w))
+        }),
+        tangent::bound(if highlight { components } else { &components[..3] }),
+    ];
+    Ok(Design {
+        values: values.clone(),
+        groups,
+        hard: fragment::hard_cases(&netlist),
+        netlist: Arc::new(netlist),
+        golden: golden::<f64>,
+        golden_f32: golden::<f32>,
+        bounds: illumination::restricted(values, bounds),
+        tabulated,
+        draw: fragment::draw,
+    })
+}
+
+/// The light of dot products: a multiplier for the diffuse light, a table for the specular one.
+fn lit(b: &mut Builder, plan: &mut Plan<'_>, dots: &[NodeId]) -> Result<Light> {
+    let values = plan.values;
+    let bits = values.bits("light_bits");
+    let frac = cast::signed_count(bits);
+    let output = Format::unsigned(bits, frac)?; // 0 <= light < 1
+    let function = |offset: f64, factor: f64, exponent| Function::Light {
+        offset: offset.into(),
+        factor: factor.into(),
+        exponent,
+    };
+    let diffuse = b.scope("diffuse", |b| -> Result<NodeId> {
+        let away = b.negative(dots[0]);
+        let zero = b.constant(0, Format::FLAG);
+        let towards = b.mux(away, zero, dots[0]);
+        let unit = Format::unsigned(plan.frac_bits + 1, cast::signed_count(plan.frac_bits))?;
+        let towards = b.narrow(towards, unit, Round::Floor, Overflow::Saturate); // below 2
+        let one = b.constant(1 << plan.frac_bits, unit);
+        let past = b.less(one, towards);
+        let towards = b.mux(past, one, towards);
+        // 0 to 1, which has a code.
+        let coefficient = Format::unsigned(bits + 1, frac)?;
+        let constant = |b: &mut Builder, name| -> Result<NodeId> {
+            let word =
+                quantize(values.real(name), coefficient, Round::HalfEven, Overflow::Saturate)?;
+            Ok(b.constant(word.0, coefficient))
+        };
+        let (kd, ambient) = (constant(b, "diffuse")?, constant(b, "ambient")?);
+        let product = b.mul(towards, kd);
+        let sum = b.add(product, ambient);
+        Ok(b.narrow(sum, output, plan.round, Overflow::Saturate))
+    })?;
+    b.means(
+        diffuse,
+        Meaning::Apply(function(values.real("ambient"), values.real("diffuse"), 1), dots[0]),
+    );
+    b.name(diffuse, "diffuse");
+    let mut light = Light { intensity: diffuse, diffuse, specular: None };
+    if let [_, dot_h] = dots {
+        let exponent = u8::try_from(values.bits("exponent")).expect("bug: at most 255");
+        let power = function(0.0, values.real("specular"), exponent);
+        let size = "specular_addr_bits";
+        let specular = illumination::table(b, plan, "specular", size, power, *dot_h, output)?;
+        let sum = b.add(diffuse, specular);
+        light.intensity = b.narrow(sum, output, plan.round, Overflow::Saturate);
+        b.name(light.intensity, "intensity");
+        light.specular = Some(specular);
+    }
+    Ok(light)
+}
+
+/// Of N'·A: both are unit vectors but for their components' error.
+fn dot_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
+    let vector = 3f64.sqrt() * tangent::component_bound(values, worst);
+    let last = rounding_ulp(values) * 2f64.powi(-cast::signed_count(values.bits("frac_bits")));
+    vector + vector * (1.0 + vector) + last
+}
+
+/// Worst errors with that of the diffuse product in place of a table: its coefficients are rounded
+/// to nearest, and one rounding follows.
+fn product<'a>(values: &'a Values, worst: &'a dyn Fn(&str) -> f64) -> impl Fn(&str) -> f64 + 'a {
+    let ulp = 2f64.powi(-cast::signed_count(values.bits("light_bits")));
+    move |name| if name == "diffuse" { (1.0 + rounding_ulp(values)) * ulp } else { worst(name) }
+}
+
+/// The golden model: unit vectors in the texture frame, their dot products, the reflection formula.
+fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
+    let units = tangent::golden(inputs);
+    let (p, lights) = units.split_last().expect("bug: N' is there");
+    let dots: Vec<Vec<F>> =
+        lights.iter().map(|v| golden_dot([&v[0], &v[1], &v[2]], [&p[0], &p[1], &p[2]])).collect();
+    golden_light(values, &dots, outputs);
+    let first = outputs.len() - 3 * lights.len();
+    for (column, axis) in outputs[first..].iter_mut().zip(lights.iter().flatten()) {
+        column.clone_from(axis);
+    }
+}

@@ -1,0 +1,225 @@
+//! Bump mapping by angles of Kim et al. 2001, as seed 001 counts it in Table 1: polar.
+//!
+//! The paper gives the illumination, its eqs (3) and (4), and of the set-up only its count, 31
+//! multipliers, 6 tables and 18 adders, and that it builds a matrix for each pixel. The set-up here
+//! is a reconstruction: sines and cosines of six angles give L, H and the frame of N in components,
+//! 3×3 transforms take L and H into that frame, and tables turn them into angles again. N' is
+//! turned by psi into the frame of N, which is one adder.
+
+use super::illumination::{
+    self, DOTS, components, diffuse_bound, dot_groups, golden_dot, golden_light, intensity_bound,
+    kim_dot_bound, light, light_ports, polar_dot, specular_bound,
+};
+use super::plan::{self, Plan, angle, number, rounding_ulp};
+use super::rotation::{converted_bound, to_polar};
+use super::{Bound, BoundFn, Design, Group, Kind, Param, Shape, Unit, Values, fragment};
+use crate::cast;
+use crate::error::Result;
+use crate::format::{Format, Overflow};
+use crate::netlist::{Builder, NodeId, Quantity};
+use crate::trig::Real;
+use std::sync::Arc;
+
+/// The unit.
+pub static KIM: Unit = Unit {
+    name: "kim",
+    summary: "light of a bump-mapped pixel by a matrix of sines and cosines and polar dot products",
+    source: "Kim et al. 2001: eqs (3), (4) of seed 001 (Lee et al.); the set-up is a reconstruction",
+    params: PARAMS,
+    golden_params: &["highlight", "ambient", "diffuse", "specular", "exponent"],
+    inputs: "phi_l, theta_l, phi_h, theta_h, phi_n, theta_n, psi: angles in the world; phi_p, theta_p: the bump vector in the texture frame",
+    outputs: "intensity, diffuse (with the ambient light), specular: 0 to 1",
+    build,
+};
+
+static PARAMS: &[Param] = &[
+    Param {
+        name: "conversion",
+        kind: Kind::Choice(&["table", "cordic"]),
+        default: "table",
+        help: "how components become angles",
+    },
+    plan::ANGLE_BITS,
+    plan::TABLE_ADDR_BITS,
+    plan::SCHEME,
+    plan::QUARTER_WAVE,
+    plan::FRAC_BITS,
+    plan::GUARD_BITS,
+    plan::ROUNDING,
+    plan::SINCOS_ADDR_BITS,
+    plan::RECIP_ADDR_BITS,
+    plan::ATAN_ADDR_BITS,
+    plan::CORDIC_ITERATIONS,
+    illumination::HIGHLIGHT,
+    illumination::DIFFUSE_ADDR_BITS,
+    illumination::SPECULAR_ADDR_BITS,
+    illumination::LIGHT_SCHEME,
+    illumination::LIGHT_BITS,
+    illumination::AMBIENT,
+    illumination::DIFFUSE,
+    illumination::SPECULAR,
+    illumination::EXPONENT,
+];
+
+fn build(values: &Values) -> Result<Design> {
+    let highlight = values.choice("highlight") == "on";
+    let mut plan = Plan::new(values)?;
+    let mut b = Builder::new("kim");
+    let turn = Format::turns(plan.angle_bits)?;
+    let pair = |b: &mut Builder, v: &str| {
+        ["phi", "theta"].map(|a| b.input(&format!("{a}_{v}"), turn, Quantity::Turns))
+    };
+    let mut lights = vec![pair(&mut b, "l")];
+    if highlight {
+        lights.push(pair(&mut b, "h"));
+    }
+    let normal = pair(&mut b, "n");
+    let psi = b.input("psi", turn, Quantity::Turns);
+    let perturbed = pair(&mut b, "p");
+    let (vectors, perturbed) =
+        b.scope("setup", |b| set_up(b, &mut plan, &lights, normal, psi, perturbed))?;
+    let dots = vectors
+        .iter()
+        .zip(DOTS)
+        .map(|(v, name)| {
+            let dot = polar_dot(&mut b, &mut plan, "kim", name, *v, perturbed)?;
+            Ok(b.name(dot, name))
+        })
+        .collect::<Result<Vec<_>>>()?;
+    light(&mut b, &mut plan, dots[0], dots.get(1).copied())?.output(&mut b);
+    let tabulated = plan.tabulated;
+    let netlist = b.build()?;
+    let mut groups = Group::ports(&netlist, light_ports(values));
+    groups.extend(dot_groups(&netlist, highlight));
+    let labels = [["setup.light.phi", "setup.light.theta"], ["setup.half.phi", "setup.half.theta"]];
+    for (name, labels) in ["lt", "ht"].into_iter().zip(labels).take(lights.len()) {
+        groups.push(Group::inside(&netlist, name, Shape::Polar, &labels));
+    }
+    let bound = |what, quantities, bound: BoundFn| Bound { what, quantities, bound };
+    let angles: &[&str] = if highlight { &["lt_angle", "ht_angle"] } else { &["lt_angle"] };
+    let bounds = vec![
+        bound("dot", &DOTS, dot_bound),
+        bound("diffuse", &["diffuse"], |v, w| diffuse_bound(v, w, dot_bound(v, w))),
+        bound("specular", &["specular"], |v, w| specular_bound(v, w, dot_bound(v, w))),
+        bound("intensity", &["intensity"], |v, w| intensity_bound(v, w, dot_bound(v, w))),
+        bound("angle", angles, angle_bound),
+    ];
+    Ok(Design {
+        values: values.clone(),
+        groups,
+        hard: fragment::hard_cases(&netlist),
+        netlist: Arc::new(netlist),
+        golden: golden::<f64>,
+        golden_f32: golden::<f32>,
+        bounds: illumination::restricted(values, bounds),
+        tabulated,
+        draw: fragment::draw,
+    })
+}
+
+/// L', H' in the frame of N, and N' turned into it, all as angles.
+fn set_up(
+    b: &mut Builder,
+    plan: &mut Plan<'_>,
+    lights: &[[NodeId; 2]],
+    normal: [NodeId; 2],
+    psi: NodeId,
+    [phi_p, theta_p]: [NodeId; 2],
+) -> Result<(Vec<[NodeId; 2]>, [NodeId; 2])> {
+    let cordic = plan.values.choice("conversion") == "cordic";
+    let (round, work) = (plan.round, number(1, plan.work_bits)?);
+    let product = |b: &mut Builder, u, v, name: &str| {
+        let product = b.mul(u, v);
+        let word = b.narrow(product, work, round, Overflow::Saturate);
+        b.name(word, name)
+    };
+    // The frame of N: T along growing theta, B along growing phi, which has no z.
+    let (tangent, binormal, n) = b.scope("frame", |b| -> Result<_> {
+        let ((sin_phi, cos_phi), (sin_theta, cos_theta)) =
+            (plan.sincos(b, normal[0])?, plan.sincos(b, normal[1])?);
+        let tx = product(b, cos_theta, cos_phi, "t_x");
+        let ty = product(b, cos_theta, sin_phi, "t_y");
+        let nx = product(b, sin_theta, cos_phi, "n_x");
+        let ny = product(b, sin_theta, sin_phi, "n_y");
+        Ok(([tx, ty, sin_theta], [sin_phi, cos_phi], [nx, ny, cos_theta]))
+    })?;
+    let mut rotated = Vec::new();
+    for ([phi, theta], scope) in lights.iter().zip(["light", "half"]) {
+        rotated.push(b.scope(scope, |b| -> Result<_> {
+            let ((sin_phi, cos_phi), (sin_theta, cos_theta)) =
+                (plan.sincos(b, *phi)?, plan.sincos(b, *theta)?);
+            let vx = product(b, sin_theta, cos_phi, "world_x");
+            let vy = product(b, sin_theta, sin_phi, "world_y");
+            let vz = cos_theta;
+            let terms = |b: &mut Builder, u, v| (b.mul(u, vx), b.mul(v, vy));
+            let (xx, xy) = terms(b, tangent[0], tangent[1]);
+            let xz = b.mul(tangent[2], vz); // T's z is -sin theta
+            let (yx, yy) = terms(b, binormal[0], binormal[1]); // B's x is -sin phi
+            let (zx, zy) = terms(b, n[0], n[1]);
+            let zz = b.mul(n[2], vz);
+            let x = b.add(xx, xy);
+            let x = b.sub(x, xz);
+            let y = b.sub(yy, yx);
+            let z = b.add(zx, zy);
+            let z = b.add(z, zz);
+            let components = [("x", x), ("y", y), ("z", z)].map(|(name, exact)| {
+                let word = b.narrow(exact, work, round, Overflow::Saturate);
+                b.name(word, name)
+            });
+            to_polar(b, plan, components, cordic)
+        })?);
+    }
+    let sum = b.add(phi_p, psi);
+    let phi_p = angle(b, "phi_p", sum, Format::turns(plan.angle_bits)?);
+    Ok((rotated, [phi_p, theta_p]))
+}
+
+/// Of the angle of L' and H': of the components, then of the conversion.
+fn angle_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
+    let work = values.bits("frac_bits") + values.bits("guard_bits");
+    let rounding = rounding_ulp(values) * 2f64.powi(-cast::signed_count(work));
+    let e = worst("sincos");
+    // A product of sines or cosines, then three products of such with such.
+    let entry = 2.0 * e + e * e + rounding;
+    let component = 3.0 * (2.0 * entry + entry * entry) + rounding;
+    converted_bound(values, worst, component, values.choice("conversion") == "cordic")
+}
+
+/// Of N'·A: a dot product of unit vectors changes by no more than the angle.
+fn dot_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
+    let last = rounding_ulp(values) * 2f64.powi(-cast::signed_count(values.bits("frac_bits")));
+    angle_bound(values, worst).min(2.0) + kim_dot_bound(values, worst) + last
+}
+
+/// The golden model: components of all vectors, projected onto the axes of the frame of N.
+fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
+    let (lights, rest) = inputs.split_at(inputs.len() - 5);
+    let [phi_n, theta_n, psi, phi_p, theta_p] = *rest else { panic!("bug: N, psi, N'") };
+    let turned: Vec<F> = phi_p.iter().zip(psi).map(|(phi, psi)| *phi + *psi).collect();
+    let p = components(&turned, theta_p);
+    let len = psi.len();
+    let n = components(phi_n, theta_n);
+    let (mut sin_phi, mut cos_phi) = (vec![F::default(); len], vec![F::default(); len]);
+    let (mut sin_theta, mut cos_theta) = (sin_phi.clone(), sin_phi.clone());
+    F::sin_cos_turns(phi_n, &mut sin_phi, &mut cos_phi);
+    F::sin_cos_turns(theta_n, &mut sin_theta, &mut cos_theta);
+    let t: [Vec<F>; 3] = [
+        (0..len).map(|i| cos_theta[i] * cos_phi[i]).collect(),
+        (0..len).map(|i| cos_theta[i] * sin_phi[i]).collect(),
+        sin_theta.iter().map(|sin| -*sin).collect(),
+    ];
+    let binormal: [Vec<F>; 3] =
+        [sin_phi.iter().map(|sin| -*sin).collect(), cos_phi, vec![F::zero(); len]];
+    let mut dots = Vec::new();
+    let first = outputs.len() - 3 * lights.len() / 2;
+    for (v, pair) in lights.chunks(2).enumerate() {
+        let light = components(pair[0], pair[1]);
+        let light = [&light[0][..], &light[1], &light[2]];
+        let rotated = [&t, &binormal, &n].map(|row| golden_dot([&row[0], &row[1], &row[2]], light));
+        dots.push(golden_dot([&rotated[0], &rotated[1], &rotated[2]], [&p[0], &p[1], &p[2]]));
+        for (column, axis) in outputs[first + 3 * v..].iter_mut().zip(rotated) {
+            *column = axis;
+        }
+    }
+    golden_light(values, &dots, outputs);
+}

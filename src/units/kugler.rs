@@ -1,0 +1,340 @@
+//! The intelligent memory IMEM of Kugler 1998, as seed 001 describes and counts it: polar, maps.
+//!
+//! The seed says that the normal comes in Cartesian form and is converted to angles, that it is
+//! perturbed "by using three rotations, which are executed by two additions and one look-up table
+//! access", a map of 32 KB, and that light maps of 2^20 × 16 bits, addressed by the perturbed
+//! direction, give the light. The rest is a reconstruction: the three rotations of N' are about z
+//! by psi (an addition), about y by theta_n (the map, addressed by azimuth, polar angle and
+//! theta_n) and about z by phi_n (an addition). The address of a light map is N' rotated so that
+//! its light is at the pole, which takes a subtraction and the same map.
+//!
+//! A map holds what is right in the middle of its cell. It is made only as large as is asked for:
+//! the paper's are `tilt_addr_bits=14` and `map_addr_bits=20`.
+
+use super::illumination::{self, components, golden_dot, golden_light};
+use super::plan::{self, Plan, angle, number};
+use super::polar::opposite;
+use super::rotation::to_polar;
+use super::{Bounds, Design, Group, Kind, Param, Shape, Unit, Values, fragment};
+use crate::cast;
+use crate::error::Result;
+use crate::format::{Format, Overflow, Round, quantize, word_mask};
+use crate::function::Function;
+use crate::netlist::{Builder, Column, NodeId, Quantity, Table, TableId};
+use crate::op::{Meaning, tilted};
+use crate::trig::Real;
+use std::sync::Arc;
+
+/// The unit.
+pub static KUGLER: Unit = Unit {
+    name: "kugler",
+    summary: "light of a bump-mapped pixel by rotations and light maps, without dot products",
+    source: "Kugler 1998 (IMEM), as seed 001 (Lee et al.) describes it; largely a reconstruction",
+    params: PARAMS,
+    golden_params: &["highlight", "ambient", "diffuse", "specular", "exponent"],
+    inputs: "n_x, n_y, n_z; psi, phi_p, theta_p (the bump vector in the texture frame), phi_l, theta_l, phi_h, theta_h: angles, theta up to half a turn",
+    outputs: "intensity, diffuse (with the ambient light), specular: 0 to 1",
+    build,
+};
+
+static PARAMS: &[Param] = &[
+    Param {
+        name: "conversion",
+        kind: Kind::Choice(&["table", "cordic"]),
+        default: "table",
+        help: "how the normal becomes angles",
+    },
+    Param {
+        name: "tilt_addr_bits",
+        kind: Kind::Int { min: 6, max: 20, auto: None },
+        default: "14",
+        help: "address bits of the map that turns a direction about y, shared by its three angles",
+    },
+    Param {
+        name: "map_angle_bits",
+        kind: Kind::Int { min: 2, max: 16, auto: None },
+        default: "8",
+        help: "bits of each angle in that map; a polar angle's word counts half of an azimuth's",
+    },
+    Param {
+        name: "map_addr_bits",
+        kind: Kind::Int { min: 4, max: 20, auto: None },
+        default: "12",
+        help: "address bits of each light map, shared by its two angles; the paper's have 20",
+    },
+    plan::ANGLE_BITS,
+    plan::TABLE_ADDR_BITS,
+    plan::SCHEME,
+    plan::QUARTER_WAVE,
+    plan::FRAC_BITS,
+    plan::GUARD_BITS,
+    plan::ROUNDING,
+    plan::RECIP_ADDR_BITS,
+    plan::ATAN_ADDR_BITS,
+    plan::CORDIC_ITERATIONS,
+    illumination::HIGHLIGHT,
+    illumination::LIGHT_BITS,
+    illumination::AMBIENT,
+    illumination::DIFFUSE,
+    illumination::SPECULAR,
+    illumination::EXPONENT,
+];
+
+fn build(values: &Values) -> Result<Design> {
+    let highlight = values.choice("highlight") == "on";
+    let mut plan = Plan::new(values)?;
+    let mut b = Builder::new("kugler");
+    let turn = Format::turns(plan.angle_bits)?;
+    let component = number(1, plan.frac_bits)?;
+    let normal = ["n_x", "n_y", "n_z"].map(|name| b.input(name, component, Quantity::Number));
+    let mut turns = |name: &str| b.input(name, turn, Quantity::Turns);
+    let [psi, phi_p, theta_p] = ["psi", "phi_p", "theta_p"].map(&mut turns);
+    let mut lights = vec![["phi_l", "theta_l"].map(&mut turns)];
+    if highlight {
+        lights.push(["phi_h", "theta_h"].map(&mut turns));
+    }
+    let map = tilt_map(&mut b, values)?;
+    let world = b.scope("setup", |b| -> Result<[NodeId; 2]> {
+        let work = number(1, plan.work_bits)?;
+        let wide = normal.map(|axis| b.narrow(axis, work, plan.round, Overflow::Saturate));
+        let cordic = values.choice("conversion") == "cordic";
+        let [phi_n, theta_n] = b.scope("normal", |b| to_polar(b, &mut plan, wide, cordic))?;
+        let sum = b.add(phi_p, psi);
+        let phi = angle(b, "phi_texture", sum, turn);
+        let [phi, theta] = tilt(b, values, map, [phi, theta_p], theta_n)?;
+        let sum = b.add(phi, phi_n);
+        let format = Format::turns(plan.angle_bits.max(values.bits("map_angle_bits")))?;
+        Ok([angle(b, "phi", sum, format), b.name(theta, "theta")])
+    })?;
+    let bits = values.bits("light_bits");
+    let output = Format::unsigned(bits, cast::signed_count(bits))?;
+    let names = ["diffuse", "specular"];
+    let mut parts = Vec::new();
+    for (which, [phi_a, theta_a]) in lights.iter().enumerate() {
+        parts.push(b.scope(["light", "half"][which], |b| -> Result<NodeId> {
+            // By -theta_a about y: by theta_a, with both azimuths half a turn on.
+            let difference = b.sub(world[0], *phi_a);
+            let format = b.format(world[0]);
+            let format = Format::turns(format.bits().max(plan.angle_bits))?;
+            let delta = angle(b, "delta", difference, format);
+            let behind = opposite(b, delta);
+            b.turns(behind);
+            let [phi, theta] = tilt(b, values, map, [behind, world[1]], *theta_a)?;
+            let phi = opposite(b, phi);
+            b.turns(phi);
+            b.name(phi, "phi");
+            b.name(theta, "theta");
+            light_map(b, values, names[which], [phi, theta], output)
+        })?);
+    }
+    b.name(parts[0], "diffuse");
+    let mut intensity = parts[0];
+    if let [diffuse, specular] = parts[..] {
+        b.name(specular, "specular");
+        let sum = b.add(diffuse, specular);
+        intensity = b.narrow(sum, output, plan.round, Overflow::Saturate);
+        b.name(intensity, "intensity");
+    }
+    b.output("intensity", intensity);
+    for (part, name) in parts.iter().zip(names) {
+        b.output(name, *part);
+    }
+    let tabulated = plan.tabulated;
+    let netlist = b.build()?;
+    let mut groups = Group::ports(&netlist, illumination::light_ports(values));
+    let inside = |name, scope: &str| {
+        let labels = ["phi", "theta"].map(|a| format!("{scope}.{a}"));
+        Group::inside(&netlist, name, Shape::Polar, &[&labels[0], &labels[1]])
+    };
+    groups.push(inside("pw", "setup"));
+    groups.push(inside("pl", "light"));
+    if highlight {
+        groups.push(inside("ph", "half"));
+    }
+    Ok(Design {
+        values: values.clone(),
+        groups,
+        hard: fragment::hard_cases(&netlist),
+        netlist: Arc::new(netlist),
+        golden: golden::<f64>,
+        golden_f32: golden::<f32>,
+        bounds: Bounds::Unstated(
+            "near a pole, a cell of a map has azimuths of the whole turn in it: no cell size bounds the light",
+        ),
+        tabulated,
+        draw: fragment::draw,
+    })
+}
+
+/// Address bits of a map's azimuth, polar angle, and angle of the turn.
+fn tilt_bits(values: &Values) -> [u32; 3] {
+    let bits = values.bits("tilt_addr_bits");
+    // Polar angles span half a turn: the same number of bits makes cells half as high as wide.
+    [bits.div_ceil(3), (bits + 1) / 3, bits / 3]
+}
+
+/// Bits of the azimuth and the polar angle that address a light map.
+fn map_bits(values: &Values) -> [u32; 2] {
+    let bits = values.bits("map_addr_bits");
+    [bits / 2, bits - bits / 2]
+}
+
+/// The middle of cell `i` of `2^bits` over `span` turns.
+fn middle(i: i64, bits: u32, span: f64) -> f64 {
+    (cast::f64_of(i) + 0.5) * span * 2f64.powi(-cast::signed_count(bits))
+}
+
+/// The map of directions turned about y.
+fn tilt_map(b: &mut Builder, values: &Values) -> Result<TableId> {
+    let [phi_bits, theta_bits, by_bits] = tilt_bits(values);
+    let word_bits = values.bits("map_angle_bits");
+    let azimuth = Format::turns(word_bits)?;
+    let polar = Format::unsigned(word_bits, cast::signed_count(word_bits) + 1)?; // below ½
+    let addr_bits = phi_bits + theta_bits + by_bits;
+    let (mut phis, mut thetas) = (Vec::new(), Vec::new());
+    for address in 0..1i64 << addr_bits {
+        let by = address & word_mask(by_bits);
+        let theta = address >> by_bits & word_mask(theta_bits);
+        let phi = address >> (by_bits + theta_bits);
+        let (phi, theta) = tilted(
+            middle(phi, phi_bits, 1.0),
+            middle(theta, theta_bits, 0.5),
+            middle(by, by_bits, 0.5),
+        );
+        phis.push(quantize(phi, azimuth, Round::HalfEven, Overflow::Wrap)?.0);
+        thetas.push(quantize(theta, polar, Round::HalfEven, Overflow::Saturate)?.0);
+    }
+    let column = |name: &str, format, words: Vec<i64>| Column {
+        name: name.to_owned(),
+        format,
+        words: Arc::from(words),
+    };
+    let columns = vec![column("phi", azimuth, phis), column("theta", polar, thetas)];
+    Ok(b.table(Table { name: "tilt_map".to_owned(), addr_bits, columns }))
+}
+
+/// The top bits of an azimuth.
+fn azimuth_index(b: &mut Builder, phi: NodeId, bits: u32) -> Result<NodeId> {
+    let format = b.format(phi);
+    if format.bits() >= bits {
+        return Ok(b.slice(phi, format.bits() - bits, bits));
+    }
+    let missing = bits - format.bits();
+    let zeros = b.constant(0, Format::integer(missing)?);
+    let word = b.slice(phi, 0, format.bits());
+    Ok(b.concat(word, zeros))
+}
+
+/// The top bits of a polar angle, whose words span half a turn; more saturates.
+fn polar_index(b: &mut Builder, theta: NodeId, bits: u32) -> Result<NodeId> {
+    let format = Format::unsigned(bits, cast::signed_count(bits) + 1)?;
+    let index = b.narrow(theta, format, Round::Floor, Overflow::Saturate);
+    Ok(b.slice(index, 0, bits))
+}
+
+/// A direction turned about y by an access to the map.
+fn tilt(
+    b: &mut Builder,
+    values: &Values,
+    map: TableId,
+    [phi, theta]: [NodeId; 2],
+    by: NodeId,
+) -> Result<[NodeId; 2]> {
+    let [phi_bits, theta_bits, by_bits] = tilt_bits(values);
+    let high = azimuth_index(b, phi, phi_bits)?;
+    let middle = polar_index(b, theta, theta_bits)?;
+    let low = polar_index(b, by, by_bits)?;
+    let address = b.concat(high, middle);
+    let address = b.concat(address, low);
+    Ok([false, true].map(|polar| {
+        let word = b.read(map, usize::from(polar), address);
+        b.turns(word);
+        b.means(word, Meaning::Tilted { phi, theta, by, polar })
+    }))
+}
+
+/// The light of a direction that is seen from its light's pole.
+fn light_map(
+    b: &mut Builder,
+    values: &Values,
+    name: &str,
+    [phi, theta]: [NodeId; 2],
+    output: Format,
+) -> Result<NodeId> {
+    let (offset, exponent) = match name {
+        "diffuse" => (values.real("ambient"), 1),
+        _ => (0.0, u8::try_from(values.bits("exponent")).expect("bug: at most 255")),
+    };
+    let function =
+        Function::Light { offset: offset.into(), factor: values.real(name).into(), exponent };
+    let [phi_bits, theta_bits] = map_bits(values);
+    let row = (0..1i64 << theta_bits).map(|i| {
+        let cosine = crate::function::cos_turns(middle(i, theta_bits, 0.5));
+        // With an exponent of 0 the function is not 0 at negative cosines, but the light is.
+        let light = if cosine > 0.0 { function.eval(cosine) } else { offset };
+        Ok(quantize(light, output, Round::HalfEven, Overflow::Saturate)?.0)
+    });
+    let row = row.collect::<Result<Vec<i64>>>()?;
+    // One light at the pole is the same at all azimuths; a map would hold any number of lights.
+    let words = row.repeat(1 << phi_bits);
+    let column = Column { name: "light".to_owned(), format: output, words: Arc::from(words) };
+    let table = Table {
+        name: format!("{name}_map"),
+        addr_bits: phi_bits + theta_bits,
+        columns: vec![column],
+    };
+    let map = b.table(table);
+    let high = azimuth_index(b, phi, phi_bits)?;
+    let low = polar_index(b, theta, theta_bits)?;
+    let address = b.concat(high, low);
+    let light = b.read(map, 0, address);
+    Ok(b.means(light, Meaning::OfCos(function, theta)))
+}
+
+/// The golden model: N' in the world by the axes of N's own frame, dot products with L and H; and
+/// the direction of N' in the frames of N, L and H.
+fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
+    let [nx, ny, nz, psi, phi_p, theta_p] = inputs[..6] else { panic!("bug: N, psi, N'") };
+    let lights = &inputs[6..];
+    let len = psi.len();
+    let (zero, one) = (F::zero(), F::one());
+    let turned: Vec<F> = phi_p.iter().zip(psi).map(|(phi, psi)| *phi + *psi).collect();
+    let [px, py, pz] = components(&turned, theta_p);
+    // Sines and cosines of the polar form of N; at a pole its azimuth is 0, and so is that of 0.
+    let mut world = [vec![zero; len], vec![zero; len], vec![zero; len]];
+    for i in 0..len {
+        let across = nx[i].hypot(ny[i]);
+        let length = across.hypot(nz[i]);
+        let (cos_phi, sin_phi) =
+            if across > zero { (nx[i] / across, ny[i] / across) } else { (one, zero) };
+        let (cos_theta, sin_theta) =
+            if length > zero { (nz[i] / length, across / length) } else { (one, zero) };
+        let along = px[i] * cos_theta + pz[i] * sin_theta;
+        world[0][i] = along * cos_phi - py[i] * sin_phi;
+        world[1][i] = along * sin_phi + py[i] * cos_phi;
+        world[2][i] = pz[i] * cos_theta - px[i] * sin_theta;
+    }
+    let mut dots = Vec::new();
+    let mut directions = vec![world.clone()];
+    for pair in lights.chunks(2) {
+        let a = components(pair[0], pair[1]);
+        dots.push(golden_dot([&a[0], &a[1], &a[2]], [&world[0], &world[1], &world[2]]));
+        let (mut sin_phi, mut cos_phi) = (vec![zero; len], vec![zero; len]);
+        let (mut sin_theta, mut cos_theta) = (vec![zero; len], vec![zero; len]);
+        F::sin_cos_turns(pair[0], &mut sin_phi, &mut cos_phi);
+        F::sin_cos_turns(pair[1], &mut sin_theta, &mut cos_theta);
+        let mut seen = world.clone();
+        for i in 0..len {
+            let along = world[0][i] * cos_phi[i] + world[1][i] * sin_phi[i];
+            seen[0][i] = along * cos_theta[i] - world[2][i] * sin_theta[i];
+            seen[1][i] = world[1][i] * cos_phi[i] - world[0][i] * sin_phi[i];
+            seen[2][i] = along * sin_theta[i] + world[2][i] * cos_theta[i];
+        }
+        directions.push(seen);
+    }
+    golden_light(values, &dots, outputs); // the dot products land where directions follow
+    let first = outputs.len() - 3 * directions.len();
+    for (column, axis) in outputs[first..].iter_mut().zip(directions.into_iter().flatten()) {
+        *column = axis;
+    }
+}

@@ -1,0 +1,345 @@
+//! Square roots and reciprocal square roots: by digit recurrence, and by tables.
+
+use super::divide::{bit_of, limit, normalise, sticky, word_of};
+use crate::cast;
+use crate::error::Result;
+use crate::format::{Format, Overflow, Round, bit_len};
+use crate::lut::{self, Spec};
+use crate::netlist::{Builder, NodeId, Part};
+use crate::op::Meaning;
+
+/// How a square root is found.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Method<'a> {
+    /// Digit by digit: a subtractor and a multiplexer each. Correctly rounded in every mode.
+    Digits,
+    /// A table of the root of the normalised operand.
+    Table(Table<'a>),
+}
+
+/// A table of a function of the operand shifted by an even number of places to ¼ and above.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Table<'a> {
+    /// Its specification; the argument is [`argument`], the origin ¼.
+    pub(crate) spec: Spec<'a>,
+    /// Bits that are kept of the shifted operand, at least 4; what lies below is dropped.
+    pub(crate) kept_bits: u32,
+}
+
+/// Square root of an unsigned word in format `output`; what is past it saturates.
+///
+/// By a table it is off by twice the root times the table's worst error and `2^-kept_bits`, before
+/// the one rounding.
+///
+/// # Panics
+/// If the word is signed: that is wrong code.
+pub(crate) fn root(
+    b: &mut Builder,
+    name: &str,
+    a: NodeId,
+    output: Format,
+    round: Round,
+    method: &Method<'_>,
+) -> NodeId {
+    b.part(Part::SquareRoot, name, |b| {
+        let exact = match method {
+            Method::Digits => digits(b, a, output),
+            Method::Table(table) => {
+                let Normalised { table, half_places, half_bits, frac_bits } =
+                    normalised(b, a, table);
+                // sqrt(m * 2^(bits - places)): a shift by half of that.
+                let most = b.checked(Format::integer(bit_len(u64::from(half_bits))));
+                let most = b.constant(i64::from(half_bits), most);
+                let left = b.sub(most, half_places);
+                let left = b.slice(left, 0, bit_len(u64::from(half_bits)));
+                let shifted = b.shift_left(table, left, half_bits);
+                let shifted = b.shift(shifted, -frac_bits / 2);
+                let zero = b.constant(0, Format::FLAG);
+                let of_zero = b.equal(a, zero);
+                b.mux(of_zero, zero, shifted)
+            }
+        };
+        let root = b.narrow(exact, output, round, Overflow::Saturate);
+        b.means(root, Meaning::Root(a))
+    })
+}
+
+/// 1 / square root of an unsigned word in format `output`, by a table of it for the normalised
+/// operand. What is past the output saturates, 1/sqrt(0) among it. Off by the result times the
+/// table's worst error and `4 * 2^-kept_bits`, before the one rounding.
+///
+/// # Panics
+/// If the word is signed: that is wrong code.
+pub(crate) fn reciprocal_root(
+    b: &mut Builder,
+    name: &str,
+    a: NodeId,
+    output: Format,
+    round: Round,
+    table: &Table<'_>,
+) -> NodeId {
+    b.part(Part::ReciprocalRoot, name, |b| {
+        let Normalised { table, half_places, half_bits, frac_bits } = normalised(b, a, table);
+        let shifted = b.shift_left(table, half_places, half_bits);
+        let shifted = b.shift(shifted, frac_bits / 2 - cast::signed_count(half_bits));
+        let limit = limit(b, output);
+        let zero = b.constant(0, Format::FLAG);
+        let of_zero = b.equal(a, zero);
+        let exact = b.mux(of_zero, limit, shifted);
+        let root = b.narrow(exact, output, round, Overflow::Saturate);
+        b.means(root, Meaning::RecipRoot(a))
+    })
+}
+
+/// Format of the tables' argument: the shifted operand, less ¼.
+///
+/// # Errors
+/// If that is past 63 bits.
+pub(crate) fn argument(operand: Format, kept_bits: u32) -> Result<Format> {
+    Format::turns(even_bits(operand).0.min(kept_bits))
+}
+
+/// An even number of bits, at least 4, and of fraction bits for an operand.
+fn even_bits(operand: Format) -> (u32, i32) {
+    let odd = u32::from(operand.frac_bits() % 2 != 0);
+    let bits = (operand.bits() + odd).max(4);
+    (bits + bits % 2, operand.frac_bits() + cast::signed_count(odd))
+}
+
+/// An operand `m * 2^(2 * (half_bits - half_places) - frac_bits)` with ¼ <= m < 1.
+struct Normalised {
+    /// The table's word for m.
+    table: NodeId,
+    half_places: NodeId,
+    half_bits: u32,
+    frac_bits: i32,
+}
+
+fn normalised(b: &mut Builder, a: NodeId, table: &Table<'_>) -> Normalised {
+    let format = b.format(a);
+    assert!(!format.is_signed(), "bug: roots are of unsigned words");
+    let (bits, frac_bits) = even_bits(format);
+    let mut word = b.slice(a, 0, format.bits());
+    if frac_bits != format.frac_bits() {
+        let zero = b.constant(0, Format::FLAG);
+        word = b.concat(word, zero);
+    }
+    let missing = bits - b.format(word).bits();
+    if missing > 0 {
+        let zeros = b.checked(Format::integer(missing));
+        let zeros = b.constant(0, zeros);
+        word = b.concat(zeros, word);
+    }
+    let (mantissa, half_places) = normalise(b, word, 2);
+    // Less ¼: one less in the top two bits, 01 to 11.
+    let top = b.slice(mantissa, bits - 2, 2);
+    let one = b.constant(1, Format::FLAG);
+    let top = b.sub(top, one);
+    let top = b.slice(top, 0, 2);
+    let kept = bits.min(table.kept_bits);
+    let low = b.slice(mantissa, bits - kept, kept - 2);
+    let argument = b.concat(top, low);
+    let argument = b.shift(argument, -cast::signed_count(kept));
+    let table = lut::emit(b, &table.spec, argument)[0];
+    Normalised { table, half_places, half_bits: bits / 2, frac_bits }
+}
+
+/// The root to half an ulp of `output` or better, and a bit that tells whether anything is left.
+fn digits(b: &mut Builder, a: NodeId, output: Format) -> NodeId {
+    let format = b.format(a);
+    assert!(!format.is_signed(), "bug: roots are of unsigned words");
+    // The root counts 2^-frac, its square 2^-2frac: no bit of the operand lies below that.
+    let frac = (output.frac_bits() + 1).max((format.frac_bits() + 1).div_euclid(2));
+    let appended = (2 * frac - format.frac_bits()).unsigned_abs();
+    let steps = (format.bits() + appended).div_ceil(2);
+    let one = b.constant(1, Format::FLAG);
+    let mut quotient: Option<NodeId> = None;
+    let mut rest: Option<NodeId> = None;
+    for step in 0..steps {
+        let low = 2 * (steps - 1 - step);
+        let pair = [low + 1, low].map(|i| bit_of(b, a, appended, i));
+        let mut four = word_of(b, &pair);
+        if let Some(rest) = rest {
+            four = b.concat(rest, four); // 0 <= four < 2^(step + 4)
+        }
+        // (2q + 1)² - (2q)² = 4q + 1
+        let zero = b.constant(0, Format::FLAG);
+        let trial = match quotient {
+            None => one,
+            Some(quotient) => word_of(b, &[quotient, zero, one]),
+        };
+        let difference = b.sub(four, trial);
+        let below = b.negative(difference);
+        let next = b.mux(below, four, difference);
+        rest = Some(b.slice(next, 0, step + 2)); // 0 <= rest <= 2 * quotient < 2^(step + 2)
+        let digit = b.xor(below, one);
+        quotient = Some(match quotient {
+            None => digit,
+            Some(quotient) => b.concat(quotient, digit),
+        });
+    }
+    let (quotient, rest) = quotient.zip(rest).expect("bug: a word has bits");
+    let left = sticky(b, rest);
+    let word = b.concat(quotient, left);
+    b.shift(word, -(frac + 1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::function::Function;
+    use crate::lut::Scheme;
+    use crate::netlist::{Netlist, Quantity};
+
+    fn format(text: &str) -> Format {
+        text.parse().unwrap()
+    }
+
+    fn netlist(a: Format, body: impl FnOnce(&mut Builder, NodeId) -> NodeId) -> Netlist {
+        let mut b = Builder::new("roots");
+        let a = b.input("a", a, Quantity::Number);
+        let root = body(&mut b, a);
+        b.output("r", root);
+        b.build().unwrap()
+    }
+
+    fn result(netlist: &Netlist, word: i64) -> i64 {
+        netlist.eval(&[word]).0[netlist.outputs()[0].node.index()]
+    }
+
+    /// Half the root of `n`, rounded to a whole number, by whole numbers only.
+    fn rounded(n: i128, round: Round) -> i128 {
+        let halves = n.isqrt();
+        let (floor, exact) = (halves / 2, halves * halves == n);
+        let up = match (halves % 2, exact, round) {
+            (_, _, Round::Floor | Round::TowardZero) | (0, _, _) => false,
+            (_, true, Round::HalfEven) => floor % 2 == 1,
+            _ => true,
+        };
+        floor + i128::from(up)
+    }
+
+    #[test]
+    fn digits_are_correctly_rounded_for_every_word() {
+        for (a, output) in [
+            ("u12f8", "u8f5"),
+            ("u11f7", "u9f6"),
+            ("u9f0", "u5f0"),
+            ("u10e3", "u8f1"),
+            ("u8f9", "u4f2"),
+            ("u1f0", "u3f1"),
+        ] {
+            let (a, output) = (format(a), format(output));
+            for round in Round::ALL {
+                let netlist =
+                    netlist(a, |b, a| root(b, "root", a, output, *round, &Method::Digits));
+                assert_eq!(netlist.counts().square_roots, 1);
+                for word in a.min_raw()..=a.max_raw() {
+                    // 4 * operand * 2^(2 frac_bits): its root counts half ulps.
+                    let places = 2 * output.frac_bits() + 2 - a.frac_bits();
+                    let exact = if places >= 0 {
+                        rounded(i128::from(word) << places, *round)
+                    } else {
+                        rounded_below(word, places, *round)
+                    };
+                    let is = i128::from(result(&netlist, word));
+                    assert_eq!(is, exact.min(output.max_raw().into()), "{word} {a} {round}");
+                }
+            }
+        }
+    }
+
+    /// Where the operand has bits below those of the result's square: a search.
+    fn rounded_below(word: i64, places: i32, round: Round) -> i128 {
+        // Largest h with h² <= word * 2^places, and whether it is equal.
+        let scale = 1i128 << -places;
+        let n = i128::from(word);
+        let halves = (0..).take_while(|h: &i128| h * h * scale <= n).last().unwrap();
+        let exact = halves * halves * scale == n;
+        let floor = halves / 2;
+        let up = match (halves % 2, exact, round) {
+            (_, _, Round::Floor | Round::TowardZero) | (0, _, _) => false,
+            (_, true, Round::HalfEven) => floor % 2 == 1,
+            _ => true,
+        };
+        floor + i128::from(up)
+    }
+
+    fn table(functions: &[Function], scheme: Scheme, kept_bits: u32) -> Table<'_> {
+        let spec = Spec {
+            name: "roots",
+            functions,
+            scheme,
+            addr_bits: 5,
+            quarter_wave: false,
+            origin: 0.25,
+            output: "u14f12".parse().unwrap(),
+            round: Round::HalfUp,
+        };
+        Table { spec, kept_bits }
+    }
+
+    /// Worst error of a table over the mantissas from ¼ to 1.
+    fn worst(table: &Table<'_>, operand: Format) -> f64 {
+        let (argument, spec) = (argument(operand, table.kept_bits).unwrap(), table.spec);
+        let table = netlist(argument, |b, a| lut::emit(b, &spec, a)[0]);
+        let errors = (argument.min_raw()..=argument.max_raw()).filter_map(|word| {
+            let m = 0.25 + argument.value(word);
+            let is = spec.output.value(result(&table, word));
+            (m < 1.0).then(|| (is - spec.functions[0].eval(m)).abs())
+        });
+        errors.fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn tables_are_within_the_stated_error_for_every_word() {
+        for (scheme, kept) in Scheme::ALL.iter().flat_map(|scheme| [4, 7, 63].map(|k| (scheme, k)))
+        {
+            let dropped = 2f64.powi(-cast::signed_count(kept));
+            for (a, output) in
+                [("u12f8", "u12f9"), ("u11f7", "u9f6"), ("u9f0", "u6f1"), ("u3f1", "u8f6")]
+            {
+                let (a, output) = (format(a), format(output));
+                let (max, half_ulp) = (output.value(output.max_raw()), 0.5 * output.ulp());
+                let roots = table(&[Function::Sqrt], *scheme, kept);
+                let method = Method::Table(roots);
+                let direct =
+                    netlist(a, |b, a| root(b, "root", a, output, Round::HalfEven, &method));
+                let reciprocals = table(&[Function::RecipSqrt], *scheme, kept);
+                let inverse = netlist(a, |b, a| {
+                    reciprocal_root(b, "inverse", a, output, Round::HalfEven, &reciprocals)
+                });
+                assert_eq!(inverse.counts().reciprocal_roots, 1);
+                let (error, inverse_error) = (worst(&roots, a), worst(&reciprocals, a));
+                for word in a.min_raw()..=a.max_raw() {
+                    let exact = a.value(word).sqrt();
+                    let is = output.value(result(&direct, word));
+                    let bound = 2.0 * exact * (error + dropped) + half_ulp;
+                    assert!((is - exact.min(max)).abs() <= bound, "{word} {a}: {is} for {exact}");
+                    let is = output.value(result(&inverse, word));
+                    if word == 0 {
+                        assert_eq!(is, max);
+                        continue;
+                    }
+                    let bound = (inverse_error + 4.0 * dropped) / exact + half_ulp;
+                    let exact = 1.0 / exact;
+                    assert!((is - exact.min(max)).abs() <= bound, "{word} {a}: {is} for {exact}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn on_reals_they_are_the_roots() {
+        let (a, output) = (format("u8f4"), format("u8f4"));
+        let direct = netlist(a, |b, a| root(b, "root", a, output, Round::Floor, &Method::Digits));
+        let real =
+            |netlist: &Netlist, x| netlist.eval_reals(&[x])[netlist.outputs()[0].node.index()];
+        assert_eq!(real(&direct, 2.0), 2f64.sqrt());
+        let table = table(&[Function::RecipSqrt], Scheme::Linear, 63);
+        let inverse =
+            netlist(a, |b, a| reciprocal_root(b, "inverse", a, output, Round::Floor, &table));
+        assert_eq!(real(&inverse, 4.0), 0.5);
+        assert_eq!(real(&inverse, 0.0), f64::MAX);
+    }
+}
