@@ -4,6 +4,7 @@ mod compare;
 mod cost;
 mod demo;
 mod hardware;
+mod ladder;
 mod render;
 mod text;
 mod verify;
@@ -14,6 +15,7 @@ use crate::eval::{self, AngleUnit, InputFile};
 use crate::measure::{self, BoundCheck, Inputs, Report};
 use crate::output;
 use crate::outside;
+use crate::report::record::ImageError;
 use crate::sweep::{Axis, Sweep};
 use crate::units::{Design, Sampler, UNITS, Unit, Values};
 use crate::wave::{Options, Wave};
@@ -146,7 +148,7 @@ enum Command {
     },
     /// Measure a grid of parameters: CSV, JSON, Markdown and plots.
     #[command(
-        after_help = "Results are saved as points finish; the same command continues after an interruption.\n\nExamples:\n  fixpath sweep rotation --axis table_addr_bits=6..14:2 --axis variant=printed,corrected,exact --out sweep\n  fixpath sweep rotation -p scheme=linear --axis frac_bits=8..20 --samples 100000 --out widths"
+        after_help = "Results are saved as points finish; the same command continues after an interruption.\n\nExamples:\n  fixpath sweep rotation --axis table_addr_bits=6..14:2 --axis variant=printed,corrected,exact --out sweep\n  fixpath sweep rotation -p scheme=linear --axis frac_bits=8..20 --samples 100000 --out widths\n  fixpath sweep bump --scene sphere --axis angle_bits=8..16:2 --axis scheme=direct,linear --out sphere\n  fixpath sweep bump --scene plane --error flip --axis exponent=8,32,128 --axis light_scheme=direct,linear --out light"
     )]
     Sweep {
         #[command(flatten)]
@@ -156,6 +158,13 @@ enum Command {
         axes: Vec<String>,
         #[command(flatten)]
         inputs: InputArgs,
+        /// Inputs are what the pixels of a scene see: a scene file, or plane, cube, sphere. The error is that
+        /// of the picture; what -p and axes don't say of the material comes from the scene.
+        #[arg(long, value_name = "SCENE", conflicts_with_all = ["samples", "seed", "sampler"])]
+        scene: Option<PathBuf>,
+        /// What pictures are ranked by; each point has all of them.
+        #[arg(long, value_enum, default_value = "max", requires = "scene")]
+        error: ErrorArg,
         /// Folder to write.
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
@@ -185,7 +194,7 @@ enum Command {
     Compare(compare::CompareArgs),
     /// Render a scene by pipelines: fixed, golden and difference pictures, and figures.
     #[command(
-        after_help = "Examples:\n  fixpath render sphere --out sphere\n  fixpath render scene.toml --pipelines exact-polar -p angle_bits=12 -p scheme=linear --out pictures"
+        after_help = "Examples:\n  fixpath render sphere --out sphere\n  fixpath render scene.toml --pipelines exact-polar -p angle_bits=12 -p scheme=linear --out pictures\n  fixpath render plane --ladder --out ladder\n  fixpath render sphere --ladder=8,12,16 --pipelines exact-polar,exact-cartesian -p scheme=linear --exponents 8,64 --out ladder"
     )]
     Render(render::RenderArgs),
     /// Measure, waves, hardware and a sweep of built-in settings, in under half a minute.
@@ -257,6 +266,30 @@ enum SamplerArg {
     Sphere,
     /// Every combination of input words (up to 2^32).
     Exhaustive,
+}
+
+/// [`ImageError`] on the command line.
+#[derive(Clone, Copy)]
+struct ErrorArg(ImageError);
+
+impl ValueEnum for ErrorArg {
+    fn value_variants<'a>() -> &'a [Self] {
+        const ALL: [ErrorArg; 6] = {
+            let mut all = [ErrorArg(ImageError::Max); 6];
+            let mut i = 0;
+            while i < all.len() {
+                all[i] = ErrorArg(ImageError::ALL[i].0);
+                i += 1;
+            }
+            all
+        };
+        &ALL
+    }
+
+    fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
+        let known = ImageError::ALL.iter().find(|(error, ..)| *error == self.0);
+        known.map(|(_, name, help)| clap::builder::PossibleValue::new(*name).help(*help))
+    }
 }
 
 impl InputArgs {
@@ -384,7 +417,7 @@ fn run(command: &Command) -> Result<bool> {
             };
             print(&write_wave(&design, options, &stimulus, out)?)?;
         }
-        Command::Sweep { unit, axes, inputs, out, fresh } => {
+        Command::Sweep { unit, axes, inputs, scene, error, out, fresh } => {
             let base = unit.values()?;
             let axes: Result<Vec<Axis>> =
                 axes.iter().map(|axis| Axis::parse(axis, base.unit())).collect();
@@ -398,7 +431,14 @@ fn run(command: &Command) -> Result<bool> {
                     return Err(Error::usage(text));
                 }
             }
-            let sweep = Sweep::new(base, axes, inputs.inputs())?;
+            let sweep = match scene {
+                None => Sweep::new(base, axes, inputs.inputs())?,
+                Some(path) => {
+                    let keys = unit.params.iter().filter_map(|set| set.split_once('='));
+                    let set: Vec<&str> = keys.map(|(key, _)| key).collect();
+                    Sweep::over_scene(base, &set, axes, render::view_of(path, error.0)?)?
+                }
+            };
             print(&run_sweep(&sweep, out, *fresh)?)?;
         }
         Command::Hdl(args) => print(&hardware::run(args)?)?,

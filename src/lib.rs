@@ -52,6 +52,7 @@ pub mod eval;
 pub mod format;
 pub mod function;
 pub mod hdl;
+pub mod ladder;
 pub mod lut;
 pub mod measure;
 pub mod netlist;

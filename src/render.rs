@@ -18,21 +18,27 @@ pub use specialised::{SeenPort, SpecialisedStage, specialise_to};
 use crate::cast;
 use crate::error::{Error, Result, nearest};
 use crate::format::Format;
-use crate::measure::{angle_between, as_golden, quantize_inputs, run_golden};
+use crate::measure::{
+    BINS, Basis, Figures, Histograms, OverflowCount, Report, Speed, Stream, angle_between,
+    as_golden, overflow_counts, quantize_inputs, run_golden,
+};
 use crate::netlist::NodeId;
-use crate::picture::Picture;
+use crate::picture::{Difference, Picture};
 use crate::scene::{Fragments, Light, Material, Scene};
-use crate::sim::batch::{Program, Runner};
+use crate::sim::batch::{Program, Runner, check_overflows};
 use crate::units::fragment::{Fragment, Port};
-use crate::units::{Design, Kind, UNITS, Unit, Value};
+use crate::units::{Design, Kind, UNITS, Unit, Value, Values};
 use glam::DVec3;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::ops::Range;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
+/// The most pixels of all pictures that are rendered together.
+const TOGETHER_PIXELS: u64 = 1 << 24;
 /// Rows that a thread takes at a time.
 const ROWS: u32 = 8;
 
@@ -52,7 +58,26 @@ pub struct Pipeline {
 const BUMP_PIPELINES: [&str; 4] = ["printed", "corrected", "exact-polar", "exact-cartesian"];
 
 /// Parameters that come from the scene.
-const MATERIAL: [&str; 4] = ["ambient", "diffuse", "specular", "exponent"];
+pub const MATERIAL: [&str; 4] = ["ambient", "diffuse", "specular", "exponent"];
+
+/// Sets a parameter of [`MATERIAL`] in every material of a scene, for the golden and for pipelines
+/// alike.
+///
+/// # Panics
+/// If it is none of them, or the value is none of its kind: that is wrong code.
+pub fn set_material(scene: &mut Scene, name: &str, value: Value) {
+    for material in &mut scene.materials {
+        match (name, value) {
+            ("ambient", Value::Real(number)) => material.ambient = number.get(),
+            ("diffuse", Value::Real(number)) => material.diffuse = number.get(),
+            ("specular", Value::Real(number)) => material.specular = number.get(),
+            ("exponent", Value::Int(number)) => {
+                material.exponent = u32::try_from(number).expect("bug: a legal exponent");
+            }
+            _ => panic!("bug: `{name}={value}` is nothing of a material"),
+        }
+    }
+}
 
 impl Pipeline {
     /// Names of all pipelines.
@@ -91,6 +116,17 @@ impl Pipeline {
             |set: &&String| set.split_once('=').is_some_and(|(key, _)| MATERIAL.contains(&key));
         let assignments = assignments.iter().filter(|set| !from_scene(set)).cloned().collect();
         Self { name: name.to_owned(), unit, assignments }
+    }
+
+    /// The pipeline of all parameters of a unit but those of the material.
+    #[must_use]
+    pub fn of_values(values: &Values) -> Self {
+        let given = values.iter().filter(|(key, _)| !MATERIAL.contains(key));
+        Self {
+            name: values.unit().name.to_owned(),
+            unit: values.unit(),
+            assignments: given.map(|(key, value)| format!("{key}={value}")).collect(),
+        }
     }
 
     /// Sets parameters for all pipelines that have them.
@@ -158,7 +194,7 @@ impl Pipeline {
 
 /// A design ready to shade pixels.
 struct Stage {
-    design: Design,
+    design: Arc<Design>,
     program: Program,
     ports: Vec<Port>,
     /// Number of the first judged node of the rotated light vector among the program's outputs.
@@ -190,7 +226,8 @@ impl Stage {
         nodes.extend(group.iter().flat_map(|group| group.nodes.iter().copied()));
         let program = Program::compile(netlist, &nodes);
         let light_format = netlist.node(diffuse).format;
-        Ok(Self { program, ports, vector, has_specular: specular.is_some(), light_format, design })
+        let (design, has_specular) = (Arc::new(design), specular.is_some());
+        Ok(Self { program, ports, vector, has_specular, light_format, design })
     }
 
     /// True unless its specular light is 0 everywhere.
@@ -199,15 +236,20 @@ impl Stage {
     }
 }
 
-/// All designs of a pipeline on a scene.
-struct Shader {
+/// A pipeline ready to shade the pixels of a scene: all its designs.
+pub struct Shader {
+    pipeline: Pipeline,
     stages: Vec<Stage>,
     /// Stage of each material under each light.
     of: Vec<Vec<usize>>,
 }
 
 impl Shader {
-    fn new(scene: &Scene, pipeline: &Pipeline, vectors: bool) -> Result<Self> {
+    /// The pipeline on a scene; `vectors` also judges the rotated light vectors.
+    ///
+    /// # Errors
+    /// If the pipeline can't be built with its parameters, or lacks a port.
+    pub fn new(scene: &Scene, pipeline: &Pipeline, vectors: bool) -> Result<Self> {
         let mut known: BTreeMap<Vec<Value>, usize> = BTreeMap::new();
         let mut stages = Vec::new();
         let mut of = Vec::new();
@@ -229,7 +271,14 @@ impl Shader {
             }
             of.push(row);
         }
-        Ok(Self { stages, of })
+        Ok(Self { pipeline: pipeline.clone(), stages, of })
+    }
+
+    /// One of its designs: that of the first material under the first light. The others differ in
+    /// what the light tables hold.
+    #[must_use]
+    pub fn design(&self) -> &Arc<Design> {
+        &self.stages[0].design
     }
 
     /// The first material and light that a stage serves.
@@ -250,6 +299,46 @@ pub struct VectorError {
     pub max_rad: f64,
     /// The mean, in rad.
     pub mean_rad: f64,
+    /// The root of the mean square, in rad.
+    pub rms_rad: f64,
+    /// The median, in rad, to 1.6 %; 0 means below 2^-44.
+    pub p50_rad: f64,
+    /// The 99th percentile, likewise.
+    pub p99_rad: f64,
+    /// The 99.9th percentile, likewise.
+    pub p999_rad: f64,
+}
+
+impl VectorError {
+    fn of(angles: &Stream, histogram: &[u64]) -> Self {
+        let figures = angles.figures("lt_angle", "rad", Basis::EndToEnd, histogram);
+        Self {
+            max_rad: figures.max,
+            mean_rad: figures.mean,
+            rms_rad: figures.rms,
+            p50_rad: figures.p50,
+            p99_rad: figures.p99,
+            p999_rad: figures.p999,
+        }
+    }
+
+    /// The same as figures of a quantity `lt_angle`.
+    fn figures(&self) -> Figures {
+        Figures {
+            quantity: "lt_angle".to_owned(),
+            unit: "rad",
+            basis: Basis::EndToEnd,
+            max: self.max_rad,
+            max_ulp: None,
+            witness: None,
+            mean: self.mean_rad,
+            bias: self.mean_rad, // an angle has no sign
+            rms: self.rms_rad,
+            p50: self.p50_rad,
+            p99: self.p99_rad,
+            p999: self.p999_rad,
+        }
+    }
 }
 
 /// A picture by a pipeline.
@@ -260,23 +349,25 @@ pub struct Shot {
     /// Its picture.
     pub picture: Picture,
     /// One of its designs: that of the first material under the first light.
-    pub design_values: Vec<(String, String)>,
+    pub design: Arc<Design>,
     /// Time in the bit-true engine, all threads together.
     pub engine: Duration,
+    /// Samples per second and thread of the engine alone: the median of all samples by the rate of the
+    /// rows that they were in, so that a thread that was held up hardly shows.
+    pub samples_per_second: f64,
     /// Samples that the engine took: covered pixels times lights.
     pub samples: u64,
     /// Errors of the rotated light vectors, if they were asked for and the unit has them.
     pub vectors: Option<VectorError>,
-    /// How often a `narrow` overflowed.
-    pub overflows: u64,
+    /// Every `narrow` that overflowed at least once.
+    pub overflows: Vec<OverflowCount>,
 }
 
 impl Shot {
-    /// Samples per second and thread of the engine alone.
+    /// How often any `narrow` overflowed.
     #[must_use]
-    pub fn samples_per_second(&self) -> f64 {
-        let seconds = self.engine.as_secs_f64();
-        if seconds > 0.0 { cast::f64_of_count(self.samples) / seconds } else { 0.0 }
+    pub fn overflowed(&self) -> u64 {
+        self.overflows.iter().map(|overflow| overflow.count).sum()
     }
 }
 
@@ -295,10 +386,49 @@ pub struct Rendered {
     pub elapsed: Duration,
 }
 
+impl Rendered {
+    /// A shot as a measurement, end to end: `picture`, the difference to the golden in linear light of
+    /// every channel of every pixel, and `lt_angle`, if it was judged. The difference is that of
+    /// the shot's picture.
+    #[must_use]
+    pub fn report(&self, shot: &Shot, difference: &Difference) -> Report {
+        let mut histogram = vec![0; BINS];
+        let (mut stream, histograms) = (Stream::EMPTY, Histograms::new(1));
+        let width = self.golden.width_px();
+        let rows = shot.picture.pixels().chunks(width).zip(self.golden.pixels().chunks(width));
+        for (is, should) in rows {
+            let pairs = is.iter().flatten().zip(should.iter().flatten());
+            let errors: Vec<f64> = pairs.map(|(a, b)| f64::from(*a) - f64::from(*b)).collect();
+            stream.merge(&Stream::of(&errors, 0, &mut histogram));
+            histograms.take(&mut histogram);
+        }
+        // The mean is summed up in another order there: one number, not two that differ in the last place.
+        let mut figures = vec![Figures {
+            mean: difference.mean,
+            ..stream.figures("picture", "1", Basis::EndToEnd, &histograms.of(0))
+        }];
+        figures.extend(shot.vectors.map(|vectors| vectors.figures()));
+        let samples = self.shots.iter().map(|shot| shot.samples).sum();
+        Report {
+            samples: shot.samples,
+            figures,
+            overflows: shot.overflows.clone(),
+            speed: Speed {
+                engine_samples_per_second_per_thread: shot.samples_per_second,
+                samples_per_second: cast::f64_of_count(samples)
+                    / self.elapsed.as_secs_f64().max(f64::MIN_POSITIVE),
+                threads: rayon::current_num_threads(),
+            },
+        }
+    }
+}
+
 /// What a thread keeps from block to block.
 struct Lanes {
     fragments: Fragments,
     runners: Vec<Vec<Runner>>,
+    /// Of the angle errors of each pipeline.
+    histograms: Vec<u32>,
 }
 
 /// What a block of rows gave.
@@ -309,14 +439,38 @@ struct Block {
     shots: Vec<BlockShot>,
 }
 
-#[derive(Default)]
 struct BlockShot {
     colours: Vec<[f64; 3]>,
     engine: Duration,
     samples: u64,
-    overflows: u64,
-    angle_max: f64,
-    angle_sum: f64,
+    /// Of each `narrow` of each stage.
+    overflows: Vec<Vec<u64>>,
+    angles: Stream,
+}
+
+impl BlockShot {
+    fn new(shader: &Shader) -> Self {
+        let narrows = shader.stages.iter().map(|stage| vec![0; stage.program.narrows().len()]);
+        Self {
+            colours: Vec::new(),
+            engine: Duration::ZERO,
+            samples: 0,
+            overflows: narrows.collect(),
+            angles: Stream::EMPTY,
+        }
+    }
+
+    /// Adds up all but the colours.
+    fn merge(&mut self, later: &Self) {
+        self.engine += later.engine;
+        self.samples += later.samples;
+        for (total, count) in
+            self.overflows.iter_mut().flatten().zip(later.overflows.iter().flatten())
+        {
+            *total += count;
+        }
+        self.angles.merge(&later.angles);
+    }
 }
 
 /// Renders a scene by some pipelines at once; `vectors` also judges the rotated light vectors.
@@ -330,11 +484,30 @@ pub fn render(
     vectors: bool,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<Rendered> {
-    let start = Instant::now();
     let shaders: Vec<Shader> = pipelines
         .iter()
         .map(|pipeline| Shader::new(scene, pipeline, vectors))
         .collect::<Result<_>>()?;
+    shoot(scene, &shaders.iter().collect::<Vec<_>>(), progress)
+}
+
+/// How many pictures of a scene are best rendered together: all are in memory.
+#[must_use]
+pub fn shots_together(scene: &Scene) -> usize {
+    usize::try_from(TOGETHER_PIXELS / scene.image.pixels()).unwrap_or(1).max(1)
+}
+
+/// Renders a scene by shaders made for it, all at once: the golden is computed for all of them.
+/// `progress` gets the rows done.
+///
+/// # Errors
+/// If a `narrow` under overflow mode `error` overflowed.
+pub fn shoot(
+    scene: &Scene,
+    shaders: &[&Shader],
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<Rendered> {
+    let start = Instant::now();
     let blocks = blocks(scene.image.height);
     let done = AtomicU64::new(0);
     let lanes = || Lanes {
@@ -343,11 +516,14 @@ pub fn render(
             .iter()
             .map(|shader| shader.stages.iter().map(|stage| stage.program.runner()).collect())
             .collect(),
+        histograms: vec![0; shaders.len() * BINS],
     };
+    let histograms = Histograms::new(shaders.len());
     let results: Vec<Result<Block>> = blocks
         .par_iter()
         .map_init(lanes, |lanes, rows| {
-            let block = block(scene, &shaders, rows.clone(), lanes);
+            let block = block(scene, shaders, rows.clone(), lanes);
+            histograms.take(&mut lanes.histograms);
             progress(done.fetch_add(u64::from(rows.end - rows.start), Ordering::Relaxed));
             block
         })
@@ -359,8 +535,9 @@ pub fn render(
     let mut golden = blank.clone();
     let mut blinn = 0f64;
     let mut covered = 0;
-    let mut pictures = vec![blank; pipelines.len()];
-    let mut totals: Vec<BlockShot> = pipelines.iter().map(|_| BlockShot::default()).collect();
+    let mut pictures = vec![blank; shaders.len()];
+    let mut totals: Vec<BlockShot> = shaders.iter().map(|shader| BlockShot::new(shader)).collect();
+    let mut rates: Vec<Vec<(Duration, u64)>> = vec![Vec::new(); shaders.len()];
     for block in results {
         let block = block?;
         covered += cast::count_of(block.pixels.len());
@@ -371,32 +548,26 @@ pub fn render(
             }
         };
         write(&mut golden, &block.golden);
-        for ((picture, total), shot) in pictures.iter_mut().zip(&mut totals).zip(&block.shots) {
+        for (((picture, total), rates), shot) in
+            pictures.iter_mut().zip(&mut totals).zip(&mut rates).zip(&block.shots)
+        {
             write(picture, &shot.colours);
-            total.engine += shot.engine;
-            total.samples += shot.samples;
-            total.overflows += shot.overflows;
-            total.angle_max = total.angle_max.max(shot.angle_max);
-            total.angle_sum += shot.angle_sum;
+            total.merge(shot);
+            rates.push((shot.engine, shot.samples));
         }
     }
     let mut shots = Vec::new();
-    for (((pipeline, shader), pixels), total) in
-        pipelines.iter().zip(&shaders).zip(pictures).zip(totals)
-    {
-        let stage = &shader.stages[0];
-        let values = stage.design.values.iter();
+    for (index, ((shader, pixels), total)) in shaders.iter().zip(pictures).zip(totals).enumerate() {
+        let vectors = shader.stages[0].vector.is_some();
         shots.push(Shot {
-            pipeline: pipeline.clone(),
+            pipeline: shader.pipeline.clone(),
             picture: Picture::new(width, height, pixels)?,
-            design_values: values.map(|(name, v)| (name.to_owned(), v.to_string())).collect(),
+            design: Arc::clone(shader.design()),
             engine: total.engine,
+            samples_per_second: median_rate(&mut rates[index]),
             samples: total.samples,
-            vectors: stage.vector.as_ref().map(|_| VectorError {
-                max_rad: total.angle_max,
-                mean_rad: total.angle_sum / cast::f64_of_count(total.samples.max(1)),
-            }),
-            overflows: total.overflows,
+            vectors: vectors.then(|| VectorError::of(&total.angles, &histograms.of(index))),
+            overflows: overflows(shader, &total.overflows)?,
         });
     }
     Ok(Rendered {
@@ -406,6 +577,37 @@ pub fn render(
         shots,
         elapsed: start.elapsed(),
     })
+}
+
+/// The rate, in samples per second, that half of all samples were not above; 0 if there are none.
+fn median_rate(blocks: &mut [(Duration, u64)]) -> f64 {
+    let rate = |(time, samples): &(Duration, u64)| {
+        cast::f64_of_count(*samples) / time.as_secs_f64().max(1e-9)
+    };
+    blocks.sort_by(|a, b| rate(a).total_cmp(&rate(b)));
+    let all: u64 = blocks.iter().map(|(_, samples)| samples).sum();
+    let mut seen = 0;
+    let middle = blocks.iter().find(|(_, samples)| {
+        seen += samples;
+        2 * seen >= all
+    });
+    middle.map_or(0.0, rate)
+}
+
+/// What overflowed in any of the designs.
+fn overflows(shader: &Shader, counts: &[Vec<u64>]) -> Result<Vec<OverflowCount>> {
+    let mut all: Vec<OverflowCount> = Vec::new();
+    for (stage, counts) in shader.stages.iter().zip(counts) {
+        let (netlist, narrows) = (&stage.design.netlist, stage.program.narrows());
+        check_overflows(netlist, narrows, counts)?;
+        for overflow in overflow_counts(netlist, narrows, counts) {
+            match all.iter_mut().find(|known| known.node == overflow.node) {
+                Some(known) => known.count += overflow.count,
+                None => all.push(overflow),
+            }
+        }
+    }
+    Ok(all)
 }
 
 /// Rows of an image as threads take them.
@@ -453,8 +655,8 @@ fn reflected(point: &Fragment, normal: DVec3, light: &Light, material: &Material
     (diffuse, light.intensity * material.specular * power)
 }
 
-fn block(scene: &Scene, shaders: &[Shader], rows: Range<u32>, lanes: &mut Lanes) -> Result<Block> {
-    let Lanes { fragments, runners } = lanes;
+fn block(scene: &Scene, shaders: &[&Shader], rows: Range<u32>, lanes: &mut Lanes) -> Result<Block> {
+    let Lanes { fragments, runners, histograms } = lanes;
     scene.trace(rows, fragments);
     let len = fragments.len();
     let material_of = |i: usize| cast::index_of_u32(fragments.object[i]);
@@ -467,7 +669,7 @@ fn block(scene: &Scene, shaders: &[Shader], rows: Range<u32>, lanes: &mut Lanes)
         (golden[i].0, blinn[i].0) = (ambient, ambient);
     }
     let mut sums: Vec<Vec<(f64, f64)>> = shaders.iter().map(|_| vec![(0.0, 0.0); len]).collect();
-    let mut shots: Vec<BlockShot> = shaders.iter().map(|_| BlockShot::default()).collect();
+    let mut shots: Vec<BlockShot> = shaders.iter().map(|shader| BlockShot::new(shader)).collect();
     for (number, light) in scene.lights.iter().enumerate() {
         for (material_index, members) in &by_material {
             let material = &scene.materials[*material_index];
@@ -487,8 +689,11 @@ fn block(scene: &Scene, shaders: &[Shader], rows: Range<u32>, lanes: &mut Lanes)
             }
             // Values of ports, which pipelines share.
             let mut values: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
-            for ((shader, runners), (sums, shot)) in
-                shaders.iter().zip(&mut *runners).zip(sums.iter_mut().zip(&mut shots))
+            for (((shader, runners), histogram), (sums, shot)) in shaders
+                .iter()
+                .zip(&mut *runners)
+                .zip(histograms.chunks_mut(BINS))
+                .zip(sums.iter_mut().zip(&mut shots))
             {
                 let index = shader.of[*material_index][number];
                 let stage = &shader.stages[index];
@@ -501,7 +706,13 @@ fn block(scene: &Scene, shaders: &[Shader], rows: Range<u32>, lanes: &mut Lanes)
                 let columns: Vec<Vec<f64>> = (0..stage.ports.len())
                     .map(|at| values[stage.design.netlist.input_name(at)].clone())
                     .collect();
-                shade(stage, runner, &columns, members, sums, shot)?;
+                let overflows = runner.overflows().to_vec();
+                shade(stage, runner, &columns, members, sums, shot, histogram)?;
+                for ((total, after), before) in
+                    shot.overflows[index].iter_mut().zip(runner.overflows()).zip(overflows)
+                {
+                    *total += after - before;
+                }
             }
         }
     }
@@ -540,6 +751,7 @@ fn shade(
     members: &[usize],
     sums: &mut [(f64, f64)],
     shot: &mut BlockShot,
+    histogram: &mut [u32],
 ) -> Result<()> {
     let netlist = &stage.design.netlist;
     let mut words = Vec::new();
@@ -547,12 +759,10 @@ fn shade(
     let slices: Vec<&[i64]> = words.iter().map(Vec::as_slice).collect();
     let judged = stage.vector.as_ref().map_or(0, Range::len);
     let mut out = vec![Vec::new(); 1 + usize::from(stage.has_specular) + judged];
-    let before: u64 = runner.overflows().iter().sum();
     let start = Instant::now();
     runner.run(&stage.program, &slices, &mut out);
     shot.engine += start.elapsed();
     shot.samples += cast::count_of(members.len());
-    shot.overflows += runner.overflows().iter().sum::<u64>() - before;
     let ulp = stage.light_format.ulp();
     for (at, i) in members.iter().enumerate() {
         // Words of a light are exact in f64, and so are sums of some of them.
@@ -579,12 +789,11 @@ fn shade(
         let (mut is, mut should) = (Vec::new(), Vec::new());
         as_golden(std::slice::from_ref(group), &values, &mut is);
         run_golden(&stage.design, columns, &mut should);
-        for i in 0..members.len() {
-            let at = |columns: &[Vec<f64>]| [0, 1, 2].map(|axis| columns[axis][i]);
-            let angle = angle_between(at(&is), at(&should[first..]));
-            shot.angle_max = shot.angle_max.max(angle);
-            shot.angle_sum += angle;
-        }
+        let at = |columns: &[Vec<f64>], i: usize| [0, 1, 2].map(|axis| columns[axis][i]);
+        let angles: Vec<f64> = (0..members.len())
+            .map(|i| angle_between(at(&is, i), at(&should[first..], i)))
+            .collect();
+        shot.angles.merge(&Stream::of(&angles, 0, histogram));
     }
     Ok(())
 }

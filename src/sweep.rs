@@ -4,12 +4,20 @@
 //! are dropped before the next is built, so memory grows with the grid by the points' figures only. Finished points are
 //! on disk all the time: a sweep that was stopped goes on where it was. Each point's figures are
 //! those that it would have alone.
+//!
+//! A sweep can take its inputs from a scene: a point is then a picture, and its error that to the golden
+//! picture. Parameters of the material come from the scene unless they are given, and then they
+//! take the place of the scene's in pipeline and golden alike.
 
+use crate::cast;
 use crate::error::{Error, Result};
 use crate::measure::{self, Inputs};
 use crate::output;
+use crate::picture::PIXELS_PER_DEGREE;
+use crate::render::{MATERIAL, Pipeline, Shader, set_material, shots_together};
 use crate::report;
-use crate::report::record::{self, Header, Measured, Point, Record};
+use crate::report::record::{self, Header, ImageError, Measured, Point, Record, SceneId};
+use crate::scene::Scene;
 use crate::units::{Design, Kind, Param, Sampler, Unit, Value, Values};
 use std::collections::HashMap;
 use std::fs;
@@ -143,8 +151,31 @@ pub struct Progress {
     pub points: usize,
     /// Points being measured together now.
     pub running: usize,
-    /// Samples that each of them has behind it.
+    /// Samples, or rows of the picture, that each of them has behind it.
     pub samples_done: u64,
+}
+
+/// A scene to sweep a unit over.
+#[derive(Clone, Debug)]
+pub struct View {
+    /// The scene.
+    pub scene: Scene,
+    /// Its name in reports.
+    pub name: String,
+    /// What points are ranked by.
+    pub error: ImageError,
+}
+
+/// Where inputs come from.
+#[derive(Clone, Debug)]
+enum Source {
+    Drawn(Inputs),
+    Scene {
+        view: Box<View>,
+        id: SceneId,
+        /// Parameters of the material that don't come from the scene.
+        given: Vec<&'static str>,
+    },
 }
 
 /// A unit, its parameters, and the grid to measure it over.
@@ -152,7 +183,7 @@ pub struct Progress {
 pub struct Sweep {
     base: Values,
     axes: Vec<Axis>,
-    inputs: Inputs,
+    source: Source,
 }
 
 impl Sweep {
@@ -164,6 +195,41 @@ impl Sweep {
     /// # Panics
     /// If an axis belongs to another unit.
     pub fn new(base: Values, axes: Vec<Axis>, inputs: Inputs) -> Result<Self> {
+        if inputs.samples == 0 && matches!(inputs.sampler, Sampler::Lit | Sampler::Sphere) {
+            return Err(Error::usage("a sweep takes at least 1 sample".to_owned()));
+        }
+        Self::check(&base, &axes)?;
+        Ok(Self { base, axes, source: Source::Drawn(inputs) })
+    }
+
+    /// A sweep over the pixels of a scene. `set` are the names of parameters that `base` was given:
+    /// those of the material that are neither among them nor swept come from the scene.
+    ///
+    /// # Errors
+    /// If a parameter has two axes, the grid is too large, or the unit doesn't shade.
+    ///
+    /// # Panics
+    /// If an axis belongs to another unit.
+    pub fn over_scene(base: Values, set: &[&str], axes: Vec<Axis>, view: View) -> Result<Self> {
+        Self::check(&base, &axes)?;
+        let unit = base.unit();
+        if let Some(name) =
+            MATERIAL.iter().find(|name| unit.params.iter().all(|param| param.name != **name))
+        {
+            return Err(Error::usage(format!(
+                "unit `{}` can't shade a scene: it has no parameter `{name}`",
+                unit.name
+            )));
+        }
+        let is_given =
+            |name: &&str| set.contains(name) || axes.iter().any(|axis| axis.key() == *name);
+        let given = MATERIAL.into_iter().filter(is_given).collect();
+        let id = SceneId::new(&view.name, &view.scene);
+        Ok(Self { base, axes, source: Source::Scene { view: Box::new(view), id, given } })
+    }
+
+    /// Refuses axes that don't make a grid.
+    fn check(base: &Values, axes: &[Axis]) -> Result<()> {
         let mut points = 1usize;
         for (index, axis) in axes.iter().enumerate() {
             assert!(
@@ -184,10 +250,7 @@ impl Sweep {
                 return Err(too_many(&format!("the grid has {} points", sizes.join(" × "))));
             }
         }
-        if inputs.samples == 0 && matches!(inputs.sampler, Sampler::Lit | Sampler::Sphere) {
-            return Err(Error::usage("a sweep takes at least 1 sample".to_owned()));
-        }
-        Ok(Self { base, axes, inputs })
+        Ok(())
     }
 
     /// Number of points of the grid.
@@ -208,10 +271,29 @@ impl Sweep {
         values
     }
 
+    /// Parameters of a point as they are recorded.
+    fn parameters(&self, values: &Values) -> record::Parameters {
+        let mut parameters = record::parameters_of(values);
+        if let Source::Scene { given, .. } = &self.source {
+            for (name, value) in &mut parameters {
+                if MATERIAL.contains(&name.as_str()) && !given.contains(&name.as_str()) {
+                    *value = "scene".into();
+                }
+            }
+        }
+        parameters
+    }
+
     /// What was swept, as it stands in `sweep.json`.
     #[must_use]
     pub fn header(&self) -> Header {
-        let mut base = record::parameters_of(&self.base);
+        let (sampler, samples, seed, scene, error) = match &self.source {
+            Source::Drawn(inputs) => {
+                (inputs.sampler.name(), inputs.samples, inputs.seed, None, None)
+            }
+            Source::Scene { view, id, .. } => ("scene", 0, 0, Some(id.clone()), Some(view.error)),
+        };
+        let mut base = self.parameters(&self.base);
         base.retain(|name, _| self.axes.iter().all(|axis| axis.key() != name));
         let axes = self.axes.iter().map(|axis| record::Axis {
             key: axis.key().to_owned(),
@@ -223,9 +305,11 @@ impl Sweep {
             unit: self.base.unit().name.to_owned(),
             base,
             axes: axes.collect(),
-            sampler: self.inputs.sampler.name().to_owned(),
-            samples: self.inputs.samples,
-            seed: self.inputs.seed,
+            sampler: sampler.to_owned(),
+            samples,
+            seed,
+            scene,
+            error,
         }
     }
 
@@ -251,6 +335,10 @@ impl Sweep {
             progress,
             written: None,
             header,
+            scene: match &self.source {
+                Source::Drawn(_) => None,
+                Source::Scene { view, .. } => Some(view.scene.clone()),
+            },
         };
         if fresh {
             run.remove_files()?;
@@ -273,21 +361,38 @@ impl Sweep {
         Ok(record)
     }
 
-    /// True if two designs can be measured together: random inputs are drawn as reals and
-    /// suit all, the others are lists of words.
-    fn same_inputs(&self, a: &Design, b: &Design) -> bool {
-        !self.inputs.are_words() || self.inputs.same(a, b)
+    /// Parameters of the material of a point that don't come from the scene.
+    fn material(&self, point: &Values) -> Vec<(&'static str, Value)> {
+        match &self.source {
+            Source::Drawn(_) => Vec::new(),
+            Source::Scene { given, .. } => {
+                given.iter().map(|name| (*name, point.get(name))).collect()
+            }
+        }
+    }
+
+    /// True if two points can be measured together: random inputs are drawn as reals and
+    /// suit all, the others are lists of words; a picture's golden hangs on the material.
+    fn same_inputs(&self, (a, first): (usize, &Job), (b, second): (usize, &Job)) -> bool {
+        match &self.source {
+            Source::Drawn(inputs) => {
+                !inputs.are_words() || inputs.same(first.design(), second.design())
+            }
+            Source::Scene { .. } => self.material(&self.point(a)) == self.material(&self.point(b)),
+        }
     }
 
     /// Points measured together: as many as share golden values well, but so few that a sweep of
     /// many samples saves something every few seconds.
     fn group_points(&self) -> usize {
-        let samples = match self.inputs.sampler {
-            Sampler::Lit | Sampler::Sphere => self.inputs.samples,
-            Sampler::Hard => 1,
-            Sampler::Exhaustive => return 1, // a point may be long: save each
+        let most = match &self.source {
+            Source::Drawn(inputs) => match inputs.sampler {
+                Sampler::Lit | Sampler::Sphere => GROUP_SAMPLES / inputs.samples.max(1),
+                Sampler::Hard => GROUP_SAMPLES,
+                Sampler::Exhaustive => 1, // a point may be long: save each
+            },
+            Source::Scene { view, .. } => cast::count_of(shots_together(&view.scene)),
         };
-        let most = GROUP_SAMPLES / samples.max(1);
         usize::try_from(most).unwrap_or(GROUP_POINTS).clamp(1, GROUP_POINTS)
     }
 }
@@ -306,6 +411,23 @@ struct Run<'a> {
     progress: &'a (dyn Fn(Progress) + Sync),
     /// When the files were last written, and how long that took.
     written: Option<(Instant, Duration)>,
+    /// The scene, with the material of the point that was last asked for.
+    scene: Option<Scene>,
+}
+
+/// A point that was built.
+enum Job {
+    Design(Box<Design>),
+    Shader(Box<Shader>),
+}
+
+impl Job {
+    fn design(&self) -> &Design {
+        match self {
+            Self::Design(design) => design,
+            Self::Shader(shader) => shader.design(),
+        }
+    }
 }
 
 impl Run<'_> {
@@ -313,8 +435,10 @@ impl Run<'_> {
     fn resume(&mut self) -> Result<()> {
         let path = self.folder.join("sweep.json");
         let Some(record) = Record::load(&path)? else { return self.refuse_foreign_files() };
-        if record.header != self.header {
-            let differences = record.header.differences(&self.header);
+        // Points have every error that they may be ranked by.
+        let there = Header { error: self.header.error, ..record.header };
+        if there != self.header {
+            let differences = there.differences(&self.header);
             return Err(Error::file(
                 &path,
                 format!(
@@ -324,7 +448,7 @@ impl Run<'_> {
             ));
         }
         let index_of: HashMap<String, usize> = (0..self.points.len())
-            .map(|index| (key(&record::parameters_of(&self.sweep.point(index))), index))
+            .map(|index| (key(&self.sweep.parameters(&self.sweep.point(index))), index))
             .collect();
         for point in record.points {
             let slot = index_of.get(&key(&point.parameters)).map(|index| &mut self.points[*index]);
@@ -372,39 +496,61 @@ impl Run<'_> {
 
     /// Measures what is missing.
     fn finish(&mut self) -> Result<()> {
-        let mut missing: Vec<(usize, Option<Value>)> = (0..self.points.len())
-            .filter(|index| self.points[*index].is_none())
-            .map(|index| (index, input_bits(&self.sweep.point(index))))
-            .collect();
-        // Equal input formats beside each other share their golden values.
-        missing.sort_by_key(|(_, bits)| *bits);
-        let mut group: Vec<(usize, Design)> = Vec::new();
+        let shared = |index| {
+            let point = self.sweep.point(index);
+            (self.sweep.material(&point), input_bits(&point))
+        };
+        let mut missing: Vec<usize> =
+            (0..self.points.len()).filter(|index| self.points[*index].is_none()).collect();
+        // Equal materials and input formats beside each other share their golden values.
+        missing.sort_by_cached_key(|index| shared(*index));
+        let mut group: Vec<(usize, Job)> = Vec::new();
         let mut rom_bits = 0;
-        for (index, _) in missing {
-            let built =
-                self.sweep.point(index).build().and_then(|design| design.rtl().map(|_| design));
-            let design = match built {
-                Ok(design) => design,
+        for index in missing {
+            let job = match self.build(index) {
+                Ok(job) => job,
                 Err(why) => {
                     self.fail(index, &why);
                     continue;
                 }
             };
-            let own_bits = design.netlist.counts().rom_bits;
+            let own_bits = job.design().netlist.counts().rom_bits;
             let full =
                 group.len() == self.sweep.group_points() || rom_bits + own_bits > GROUP_ROM_BITS;
-            if group
-                .first()
-                .is_some_and(|(_, first)| full || !self.sweep.same_inputs(first, &design))
-            {
+            if group.first().is_some_and(|(at, first)| {
+                full || !self.sweep.same_inputs((*at, first), (index, &job))
+            }) {
                 self.measure(std::mem::take(&mut group))?;
                 rom_bits = 0;
             }
             rom_bits += own_bits;
-            group.push((index, design));
+            group.push((index, job));
         }
         self.measure(group)?;
         self.write()
+    }
+
+    /// Puts the material of a point into the scene, if there is one.
+    fn set_material(&mut self, index: usize) {
+        if let Some(scene) = &mut self.scene {
+            for (name, value) in self.sweep.material(&self.sweep.point(index)) {
+                set_material(scene, name, value);
+            }
+        }
+    }
+
+    /// Builds a point.
+    fn build(&mut self, index: usize) -> Result<Job> {
+        self.set_material(index);
+        let point = self.sweep.point(index);
+        let job = match &self.scene {
+            None => Job::Design(Box::new(point.build()?)),
+            Some(scene) => {
+                Job::Shader(Box::new(Shader::new(scene, &Pipeline::of_values(&point), true)?))
+            }
+        };
+        job.design().rtl()?;
+        Ok(job)
     }
 
     fn fail(&mut self, index: usize, why: &Error) {
@@ -412,39 +558,38 @@ impl Run<'_> {
     }
 
     fn put(&mut self, index: usize, error: Option<String>, measured: Option<Measured>) {
-        let parameters = record::parameters_of(&self.sweep.point(index));
+        let parameters = self.sweep.parameters(&self.sweep.point(index));
         self.points[index] = Some(Point { parameters, error, measured });
         self.done += 1;
     }
 
-    /// Measures a group of designs and drops them.
-    fn measure(&mut self, group: Vec<(usize, Design)>) -> Result<()> {
-        let inputs = &self.sweep.inputs;
+    /// Measures a group of points and drops what was built.
+    fn measure(&mut self, group: Vec<(usize, Job)>) -> Result<()> {
+        let Some((first, _)) = group.first() else { return Ok(()) };
+        self.set_material(*first);
         let (points_done, points, progress) = (self.done, self.points.len(), self.progress);
-        let designs: Vec<&Design> = group.iter().map(|(_, design)| design).collect();
         let tell = |points_done: usize, running: usize, samples_done: u64| {
             progress(Progress { points_done, points, running, samples_done });
         };
-        tell(points_done, designs.len(), 0);
-        let together =
-            measure::measure(&designs, inputs, &|done| tell(points_done, designs.len(), done));
-        let results: Vec<Result<_>> = match together {
-            Ok(reports) => reports.into_iter().map(Ok).collect(),
-            Err(why) if designs.len() == 1 => vec![Err(why)],
+        tell(points_done, group.len(), 0);
+        let jobs: Vec<&Job> = group.iter().map(|(_, job)| job).collect();
+        let together = self.figures(&jobs, &|done| tell(points_done, jobs.len(), done));
+        let results: Vec<Result<Measured>> = match together {
+            Ok(measured) => measured.into_iter().map(Ok).collect(),
+            Err(why) if jobs.len() == 1 => vec![Err(why)],
             // One of them failed, and the error doesn't say which point it was.
-            Err(_) => designs
+            Err(_) => jobs
                 .iter()
                 .enumerate()
-                .map(|(index, design)| {
+                .map(|(index, job)| {
                     let done = points_done + index;
-                    let mut alone = measure::measure(&[design], inputs, &|s| tell(done, 1, s))?;
-                    Ok(alone.remove(0))
+                    Ok(self.figures(&[job], &|samples| tell(done, 1, samples))?.remove(0))
                 })
                 .collect(),
         };
-        for ((index, design), result) in group.iter().zip(results) {
+        for ((index, _), result) in group.iter().zip(results) {
             match result {
-                Ok(report) => self.put(*index, None, Some(Measured::new(design, report))),
+                Ok(measured) => self.put(*index, None, Some(measured)),
                 Err(why) => self.fail(*index, &why),
             }
         }
@@ -453,6 +598,31 @@ impl Run<'_> {
         match self.written {
             Some((when, took)) if when.elapsed() < took * WRITE_SHARE => Ok(()),
             Some(_) | None => self.write(),
+        }
+    }
+
+    /// Figures of points that share their inputs; `progress` gets the samples, or rows, done.
+    fn figures(&self, jobs: &[&Job], progress: &(dyn Fn(u64) + Sync)) -> Result<Vec<Measured>> {
+        let (mut designs, mut shaders) = (Vec::new(), Vec::new());
+        for job in jobs {
+            match job {
+                Job::Design(design) => designs.push(&**design),
+                Job::Shader(shader) => shaders.push(&**shader),
+            }
+        }
+        match (&self.sweep.source, &self.scene) {
+            (Source::Scene { .. }, Some(scene)) => {
+                report::shots(scene, &shaders, PIXELS_PER_DEGREE, progress)
+            }
+            (Source::Drawn(inputs), _) => {
+                let reports = measure::measure(&designs, inputs, progress)?;
+                Ok(designs
+                    .iter()
+                    .zip(reports)
+                    .map(|(d, report)| Measured::new(d, report))
+                    .collect())
+            }
+            (Source::Scene { .. }, None) => panic!("bug: a run over a scene has it"),
         }
     }
 

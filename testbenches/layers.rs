@@ -17,8 +17,9 @@ const LAYERS: &[&[&str]] = &[
     &["units"],
     &["sim", "hdl"],
     &["measure", "wave"],
-    &["report", "eval", "emit", "render"],
-    &["sweep", "verify", "cost", "compare"],
+    &["render"],
+    &["report", "eval", "emit"],
+    &["sweep", "ladder", "verify", "cost", "compare"],
     &["cli"],
 ];
 

@@ -15,6 +15,7 @@ mod engines;
 mod format;
 mod hdl;
 mod hdl_vhdl;
+mod ladder;
 mod layers;
 mod lower;
 mod lut;

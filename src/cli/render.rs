@@ -1,22 +1,25 @@
 //! `fixpath render`: a scene by pipelines, its golden, differences and figures.
 
-use super::{pretty, progress_bar, text};
+use super::{ladder, pretty, progress_bar, text};
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::netlist::Counts;
 use crate::output;
 use crate::picture::{
-    Amplify, Difference, PIXELS_PER_DEGREE, Panel, absolute_map, check_pixels_per_degree, sheet,
-    signed_map,
+    Amplify, Difference, PIXELS_PER_DEGREE, Panel, Srgb8, absolute_map, check_pixels_per_degree,
+    sheet, signed_map,
 };
 use crate::render::{Pipeline, Rendered, Shot, SpecialisedStage, render, specialise_to};
+use crate::report::record::ImageError;
 use crate::scene::Scene;
+use crate::sweep::View;
 use clap::Args;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-const DEFAULT_PIPELINES: &str = "printed,corrected,exact-polar,exact-cartesian";
+/// The pipelines of a picture, if none are named.
+const PIPELINES: [&str; 4] = ["printed", "corrected", "exact-polar", "exact-cartesian"];
 
 /// Arguments of `fixpath render`.
 #[derive(Args)]
@@ -26,13 +29,9 @@ pub(super) struct RenderArgs {
     /// Folder to write.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
-    /// Pipelines to compare.
-    #[arg(
-        long,
-        value_name = "NAME,…",
-        value_delimiter = ',',
-        default_value = DEFAULT_PIPELINES
-    )]
+    /// Pipelines to compare; if not given printed,corrected,exact-polar,exact-cartesian, and for a ladder all
+    /// that there are.
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     pipelines: Vec<String>,
     /// Set a parameter of every pipeline that has it; those of the material come from the scene.
     #[arg(short = 'p', long = "param", value_name = "KEY=VALUE")]
@@ -44,6 +43,14 @@ pub(super) struct RenderArgs {
     /// tell what that saves.
     #[arg(long)]
     specialise: bool,
+    /// In place of pictures, a report of error against cost and speed: every pipeline over a ladder of
+    /// widths (8,10,12,14,16 bits if none are given), and the light tables over exponents.
+    #[arg(long, value_name = "BITS,…", conflicts_with = "specialise", num_args = 0..=1, require_equals = true, default_missing_value = "")]
+    ladder: Option<String>,
+    /// Exponents of the highlight that the ladder's light tables are judged at; 1,8,32,128,255 if none
+    /// are given.
+    #[arg(long, value_name = "N,…", requires = "ladder")]
+    exponents: Option<String>,
     /// As JSON.
     #[arg(long)]
     json: bool,
@@ -55,10 +62,12 @@ impl RenderArgs {
         Self {
             scene: name.into(),
             out: out.to_owned(),
-            pipelines: DEFAULT_PIPELINES.split(',').map(str::to_owned).collect(),
+            pipelines: Vec::new(),
             params: Vec::new(),
             pixels_per_degree: PIXELS_PER_DEGREE,
             specialise: false,
+            ladder: None,
+            exponents: None,
             json: false,
         }
     }
@@ -81,6 +90,9 @@ pub(super) fn demo_rows(args: &RenderArgs) -> Result<Vec<String>> {
     Ok(made.rendered.shots.iter().zip(&made.differences).map(row).collect())
 }
 
+/// The most pipelines beside each other on a sheet.
+const SHEET_PIPELINES: usize = 4;
+
 /// The scene of a name or a file.
 pub(super) fn scene_of(path: &Path) -> Result<Scene> {
     // A bare word that is no file is meant as a name, though there may be no such scene. A folder of
@@ -91,6 +103,16 @@ pub(super) fn scene_of(path: &Path) -> Result<Scene> {
     }
 }
 
+/// The scene of a name or a file, to sweep over.
+pub(super) fn view_of(path: &Path, error: ImageError) -> Result<View> {
+    Ok(View { scene: scene_of(path)?, name: name_of(path), error })
+}
+
+/// The name of a scene in reports.
+fn name_of(path: &Path) -> String {
+    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
+}
+
 /// A scene, how it was rendered, and how far each pipeline is from the golden.
 struct Made {
     scene: Scene,
@@ -99,11 +121,16 @@ struct Made {
     differences: Vec<Difference>,
 }
 
-/// Renders, and writes pictures and figures.
-fn render_and_write(args: &RenderArgs) -> Result<Made> {
+/// The pipelines asked for, with their parameters.
+fn pipelines_of(args: &RenderArgs) -> Result<Vec<Pipeline>> {
     let mut pipelines = Vec::new();
-    for name in &args.pipelines {
-        if pipelines.iter().any(|known: &Pipeline| known.name == *name) {
+    let names: Vec<&str> = match (&args.pipelines[..], &args.ladder) {
+        ([], None) => PIPELINES.to_vec(),
+        ([], Some(_)) => Pipeline::names(),
+        (names, _) => names.iter().map(String::as_str).collect(),
+    };
+    for name in names {
+        if pipelines.iter().any(|known: &Pipeline| known.name == name) {
             return Err(Error::usage(format!("pipeline `{name}` is named twice")));
         }
         pipelines.push(Pipeline::named(name)?);
@@ -114,6 +141,12 @@ fn render_and_write(args: &RenderArgs) -> Result<Made> {
     if args.out.exists() && !args.out.is_dir() {
         return Err(Error::file(&args.out, "is no folder, and pictures go into one".to_owned()));
     }
+    Ok(pipelines)
+}
+
+/// Renders, and writes pictures and figures.
+fn render_and_write(args: &RenderArgs) -> Result<Made> {
+    let pipelines = pipelines_of(args)?;
     let scene = scene_of(&args.scene)?;
     let bar = progress_bar(u64::from(scene.image.height), "rows");
     let rendered = render(&scene, &pipelines, true, &|done| bar.set_position(done))?;
@@ -129,6 +162,14 @@ fn render_and_write(args: &RenderArgs) -> Result<Made> {
 
 /// Renders and writes; returns what to tell, and false if a specialised pipeline differs.
 pub(super) fn run(args: &RenderArgs) -> Result<(String, bool)> {
+    if let Some(widths) = &args.ladder {
+        let exponents = args.exponents.as_deref();
+        let pipelines = pipelines_of(args)?;
+        let ladder = ladder::ladder(pipelines, widths, exponents, args.pixels_per_degree)?;
+        let scene = scene_of(&args.scene)?;
+        let told = ladder::run(&ladder, &scene, &name_of(&args.scene), &args.out, args.json)?;
+        return Ok((told, true));
+    }
     let Made { scene, pipelines, rendered, differences } = render_and_write(args)?;
     let mut value = figures(&rendered, &differences);
     let mut told = table(&rendered, &differences);
@@ -216,7 +257,7 @@ fn write_pictures(out: &Path, rendered: &Rendered) -> Result<()> {
     output::make_folder(out)?;
     let golden = rendered.golden.to_srgb8();
     golden.save_png(&out.join("golden.png"))?;
-    let mut panels = vec![("golden".to_owned(), golden)];
+    let mut pictures = Vec::new();
     for shot in &rendered.shots {
         let name = &shot.pipeline.name;
         let picture = shot.picture.to_srgb8();
@@ -225,12 +266,24 @@ fn write_pictures(out: &Path, rendered: &Rendered) -> Result<()> {
         difference.save_png(&out.join(format!("{name}_difference.png")))?;
         signed_map(&shot.picture, &rendered.golden, Amplify::Fit)?
             .save_png(&out.join(format!("{name}_signed.png")))?;
-        panels.push((name.clone(), picture));
-        panels.push((format!("{name}: difference"), difference));
+        pictures.push((name.as_str(), picture, difference));
     }
-    let panels: Vec<Panel<'_>> =
-        panels.iter().map(|(caption, picture)| Panel { caption, picture }).collect();
-    sheet(&panels, 3)?.save_png(&out.join("sheet.png"))
+    // Rows of pictures, the golden first, with their differences below.
+    let nothing = Srgb8::new(1, 1, vec![[255; 3]])?;
+    let blank = Panel { caption: "", picture: &nothing };
+    let mut panels = Vec::new();
+    let columns = pictures.len().min(SHEET_PIPELINES);
+    for (row, some) in pictures.chunks(SHEET_PIPELINES).enumerate() {
+        let first = Panel { caption: "golden", picture: &golden };
+        panels.push(if row == 0 { first } else { blank });
+        panels.extend(some.iter().map(|(name, picture, _)| Panel { caption: name, picture }));
+        panels.resize((2 * row + 1) * (columns + 1), blank);
+        panels.push(blank);
+        let caption = "difference";
+        panels.extend(some.iter().map(|(_, _, difference)| Panel { caption, picture: difference }));
+        panels.resize((2 * row + 2) * (columns + 1), blank);
+    }
+    sheet(&panels, columns + 1)?.save_png(&out.join("sheet.png"))
 }
 
 fn figures(rendered: &Rendered, differences: &[Difference]) -> Value {
@@ -238,12 +291,12 @@ fn figures(rendered: &Rendered, differences: &[Difference]) -> Value {
         json!({
             "pipeline": shot.pipeline.name,
             "unit": shot.pipeline.unit.name,
-            "parameters": shot.design_values.iter().map(|(k, v)| (k.clone(), json!(v))).collect::<serde_json::Map<_, _>>(),
+            "parameters": shot.design.values.iter().map(|(k, v)| (k.to_owned(), json!(v.to_string()))).collect::<serde_json::Map<_, _>>(),
             "difference": difference,
             "vectors": shot.vectors,
-            "overflows": shot.overflows,
+            "overflows": shot.overflowed(),
             "samples": shot.samples,
-            "engine_samples_per_second_per_thread": shot.samples_per_second(),
+            "engine_samples_per_second_per_thread": shot.samples_per_second,
         })
     };
     json!({
@@ -277,7 +330,7 @@ fn table(rendered: &Rendered, differences: &[Difference]) -> String {
                 d.srgb8_max_codes.to_string(),
                 shot.vectors.map(|v| angle(v.max_rad)).unwrap_or_default(),
                 shot.vectors.map(|v| angle(v.mean_rad)).unwrap_or_default(),
-                format!("{:.1}", shot.samples_per_second() / 1e6),
+                format!("{:.1}", shot.samples_per_second / 1e6),
             ]
         })
         .collect();

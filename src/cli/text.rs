@@ -544,30 +544,31 @@ pub(super) fn sweep(record: &Record, out: &Path) -> String {
     }
     let rom = |m: &Measured| cast::f64_of_count(m.count("rom_bits_dual_port").unwrap_or_default());
     let (basis, lead) = (record.ranking(), record.lead());
+    let image = record.header.scene.is_some();
     let symbol = if lead.unit == "deg" { "°" } else { "" };
     let costs: Vec<(f64, f64)> =
-        measured.iter().map(|(_, m)| (rom(m), m.lead_max(basis))).collect();
+        measured.iter().map(|(_, m)| (rom(m), record.error(m, basis))).collect();
     let axes: Vec<&str> = record.header.axes.iter().map(|axis| axis.key.as_str()).collect();
     let rows: Vec<Vec<String>> = pareto(&costs)
         .into_iter()
         .map(|i| {
             let (point, m) = measured[i];
             let mut row: Vec<String> = axes.iter().map(|key| point.text(key)).collect();
-            row.extend([
-                format!("{}{symbol}", number(m.lead_max(basis) * lead.scale)),
-                rom(m).to_string(),
-            ]);
+            row.extend([format!("{}{symbol}", number(record.error(m, basis))), rom(m).to_string()]);
             row
         })
         .collect();
+    let ranked = if image {
+        format!("{} ({}) to the golden picture", lead.what, lead.unit)
+    } else {
+        format!("worst {} ({} error)", lead.quantity, basis.name())
+    };
     let _ = writeln!(
         text,
-        "Pareto-optimal points, by the worst {} ({} error) and ROM bits (a copy for every two ports)",
-        lead.quantity,
-        basis.name()
+        "Pareto-optimal points, by the {ranked} and ROM bits (a copy for every two ports)"
     );
     let mut headings = axes;
-    let worst = format!(">worst {}", lead.quantity);
+    let worst = if image { format!(">{}", lead.what) } else { format!(">worst {}", lead.quantity) };
     headings.extend([worst.as_str(), ">ROM bits"]);
     text.push_str(&table(&headings, &rows));
     let _ = writeln!(text, "see {}", out.join("report.md").display());

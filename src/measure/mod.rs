@@ -26,7 +26,7 @@ pub use tables::{TABLE_ARGUMENT_BITS, TableFigures, table_figures};
 
 use crate::cast;
 use crate::error::{Error, Result};
-use crate::netlist::NodeId;
+use crate::netlist::{Netlist, NodeId};
 use crate::sim::batch::{Program, Runner, check_overflows};
 use crate::sim::real;
 use crate::trig::sin_cos_turns;
@@ -35,7 +35,8 @@ use inputs::CHUNK;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::time::{Duration, Instant};
-use stream::{BINS, Histograms, Merged, Stream};
+use stream::Merged;
+pub(crate) use stream::{BINS, Histograms, Stream};
 
 /// Columns of judged nodes as the golden has them: directions as x, y, z.
 pub(crate) fn as_golden(groups: &[Group], nodes: &[Vec<f64>], to: &mut Vec<Vec<f64>>) {
@@ -438,7 +439,7 @@ pub fn measure(
         .map(|(((c, merged), histograms), (overflows, engine))| Report {
             samples: count,
             figures: figures(&c.measurands, &merged, &histograms),
-            overflows: overflow_counts(c, overflows),
+            overflows: overflow_counts(&c.design.netlist, c.program.narrows(), overflows),
             speed: Speed {
                 engine_samples_per_second_per_thread: rate(engine.as_secs_f64()),
                 samples_per_second: rate(elapsed) * cast::f64_of_len(designs.len()),
@@ -561,30 +562,22 @@ fn figures(measurands: &[Measurand], merged: &[Merged], histograms: &Histograms)
     for (i, ((basis, measurand), merged)) in kinds.zip(merged).enumerate() {
         let histogram = histograms.of(i);
         let stream = &merged.stream;
-        let count = cast::f64_of_count(stream.count.max(1));
         figures.push(Figures {
-            quantity: measurand.name.clone(),
-            unit: measurand.unit(),
-            basis,
-            // -1 means that there was no sample; a NaN stays one.
-            max: if stream.count == 0 { 0.0 } else { stream.max },
             max_ulp: measurand.ulp.map(|ulp| stream.max / ulp),
             witness: merged.witness.clone(),
-            mean: stream.sum_abs / count,
-            bias: stream.sum / count,
-            rms: (stream.sum_squares / count).sqrt(),
-            p50: merged.quantile(&histogram, 0.5),
-            p99: merged.quantile(&histogram, 0.99),
-            p999: merged.quantile(&histogram, 0.999),
+            ..stream.figures(&measurand.name, measurand.unit(), basis, &histogram)
         });
     }
     figures
 }
 
-fn overflow_counts(c: &Compiled<'_>, counts: &[u64]) -> Vec<OverflowCount> {
-    let netlist = &c.design.netlist;
-    c.program
-        .narrows()
+/// Those of some `narrow` nodes that overflowed.
+pub(crate) fn overflow_counts(
+    netlist: &Netlist,
+    narrows: &[NodeId],
+    counts: &[u64],
+) -> Vec<OverflowCount> {
+    narrows
         .iter()
         .zip(counts)
         .filter(|(_, count)| **count > 0)

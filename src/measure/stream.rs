@@ -1,7 +1,7 @@
 //! Accumulated errors: sums, the largest with its sample, a histogram for quantiles.
 
 use crate::cast;
-use crate::measure::Witness;
+use crate::measure::{Basis, Figures, Witness};
 use std::f64::consts::PI;
 use std::sync::{Mutex, PoisonError};
 
@@ -29,11 +29,11 @@ const OCTAVES: usize = 48;
 const LEAST_EXPONENT: u64 = 1023 - 44;
 /// Bins per octave: a quantile is known to 1.6 %.
 const BINS_PER_OCTAVE_BITS: u32 = 5;
-pub(super) const BINS: usize = OCTAVES << BINS_PER_OCTAVE_BITS;
+pub(crate) const BINS: usize = OCTAVES << BINS_PER_OCTAVE_BITS;
 
 /// Sums over errors of one quantity on one basis, and the largest.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Stream {
+pub(crate) struct Stream {
     pub(super) count: u64,
     pub(super) max: f64,
     /// Sample that gave the maximum.
@@ -44,11 +44,11 @@ pub(super) struct Stream {
 }
 
 impl Stream {
-    pub(super) const EMPTY: Self =
+    pub(crate) const EMPTY: Self =
         Self { count: 0, max: -1.0, at: 0, sum_abs: 0.0, sum: 0.0, sum_squares: 0.0 };
 
     /// Sums errors of consecutive samples from `start`, and counts them in a histogram.
-    pub(super) fn of(errors: &[f64], start: u64, histogram: &mut [u32]) -> Self {
+    pub(crate) fn of(errors: &[f64], start: u64, histogram: &mut [u32]) -> Self {
         let mut stream = Self { count: cast::count_of(errors.len()), ..Self::EMPTY };
         for (error, index) in errors.iter().zip(start..) {
             let size = error.abs();
@@ -64,19 +64,71 @@ impl Stream {
         }
         stream
     }
+
+    /// Adds the sums of later samples; true if the largest of all is one of theirs.
+    pub(crate) fn merge(&mut self, later: &Self) -> bool {
+        let larger = later.max > self.max || later.max.is_nan() && !self.max.is_nan();
+        if larger {
+            (self.max, self.at) = (later.max, later.at);
+        }
+        self.count += later.count;
+        self.sum_abs += later.sum_abs;
+        self.sum += later.sum;
+        self.sum_squares += later.sum_squares;
+        larger
+    }
+
+    /// Figures without ulp and witness, with the quantiles of a histogram.
+    pub(crate) fn figures(
+        &self,
+        quantity: &str,
+        unit: &'static str,
+        basis: Basis,
+        histogram: &[u64],
+    ) -> Figures {
+        let count = cast::f64_of_count(self.count.max(1));
+        Figures {
+            quantity: quantity.to_owned(),
+            unit,
+            basis,
+            // -1 means that there was no sample; a NaN stays one.
+            max: if self.count == 0 { 0.0 } else { self.max },
+            max_ulp: None,
+            witness: None,
+            mean: self.sum_abs / count,
+            bias: self.sum / count,
+            rms: (self.sum_squares / count).sqrt(),
+            p50: self.quantile(histogram, 0.5),
+            p99: self.quantile(histogram, 0.99),
+            p999: self.quantile(histogram, 0.999),
+        }
+    }
+
+    /// The error that `share` of all are not above, to the width of a bin.
+    fn quantile(&self, histogram: &[u64], share: f64) -> f64 {
+        let wanted = (share * cast::f64_of_count(self.count)).ceil();
+        let mut seen = 0;
+        for (index, count) in histogram.iter().enumerate() {
+            seen += count;
+            if cast::f64_of_count(seen) >= wanted && seen > 0 {
+                return bin_middle(index).min(self.max);
+            }
+        }
+        0.0
+    }
 }
 
 /// Histograms of all quantities of a design: whole numbers, so threads may add in any order.
 #[derive(Debug)]
-pub(super) struct Histograms(Mutex<Vec<u64>>);
+pub(crate) struct Histograms(Mutex<Vec<u64>>);
 
 impl Histograms {
-    pub(super) fn new(streams: usize) -> Self {
+    pub(crate) fn new(streams: usize) -> Self {
         Self(Mutex::new(vec![0; streams * BINS]))
     }
 
     /// Adds a thread's counts and clears them.
-    pub(super) fn take(&self, counts: &mut [u32]) {
+    pub(crate) fn take(&self, counts: &mut [u32]) {
         // A panic elsewhere leaves whole numbers; the run is lost anyway.
         let mut totals = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         for (total, count) in totals.iter_mut().zip(counts) {
@@ -85,7 +137,7 @@ impl Histograms {
     }
 
     /// Counts of one quantity.
-    pub(super) fn of(&self, stream: usize) -> Vec<u64> {
+    pub(crate) fn of(&self, stream: usize) -> Vec<u64> {
         let totals = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         totals[stream * BINS..(stream + 1) * BINS].to_vec()
     }
@@ -121,27 +173,8 @@ impl Merged {
 
     /// Adds the next chunk's stream; the first of equal maxima stays the witness.
     pub(super) fn merge(&mut self, other: &Stream, witness: Witness) {
-        let mine = &mut self.stream;
-        if other.max > mine.max || other.max.is_nan() && !mine.max.is_nan() {
-            mine.max = other.max;
+        if self.stream.merge(other) {
             self.witness = Some(witness);
         }
-        mine.count += other.count;
-        mine.sum_abs += other.sum_abs;
-        mine.sum += other.sum;
-        mine.sum_squares += other.sum_squares;
-    }
-
-    /// The error that `share` of all are not above, to the width of a bin.
-    pub(super) fn quantile(&self, histogram: &[u64], share: f64) -> f64 {
-        let wanted = (share * cast::f64_of_count(self.stream.count)).ceil();
-        let mut seen = 0;
-        for (index, count) in histogram.iter().enumerate() {
-            seen += count;
-            if cast::f64_of_count(seen) >= wanted && seen > 0 {
-                return bin_middle(index).min(self.stream.max);
-            }
-        }
-        0.0
     }
 }

@@ -6,7 +6,7 @@ use super::{Picture, Srgb8};
 use crate::cast;
 use crate::error::{Error, Result};
 use rayon::prelude::*;
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Serialize, Serializer};
 
 /// Pixels per degree of the visual field that FLIP's authors suggest: a 4K display 0.7 m wide,
 /// seen from 0.7 m.
@@ -16,7 +16,7 @@ pub const PIXELS_PER_DEGREE: f64 = 67.0;
 const LEGAL_PIXELS_PER_DEGREE: std::ops::RangeInclusive<f64> = 1.0..=1000.0;
 
 /// A channel of a picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Channel {
     /// Red.
@@ -25,6 +25,18 @@ pub enum Channel {
     Green,
     /// Blue.
     Blue,
+}
+
+impl Channel {
+    /// Its name in reports.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Red => "red",
+            Self::Green => "green",
+            Self::Blue => "blue",
+        }
+    }
 }
 
 const CHANNELS: [Channel; 3] = [Channel::Red, Channel::Green, Channel::Blue];

@@ -389,7 +389,12 @@ impl Chart {
             points.iter().for_each(|at| canvas.ring(*at));
             let others: Vec<Place> =
                 self.series.iter().flat_map(|series| series.points.iter().map(place)).collect();
-            labels(canvas, &plot, &points, &others, front);
+            // A label may lie beside a line of a series, not on it.
+            let joined = self.series.iter().filter(|series| series.style == Style::Joined);
+            let mut lines: Vec<Vec<Place>> =
+                joined.map(|series| series.points.iter().map(place).collect()).collect();
+            lines.push(points.clone());
+            labels(canvas, &plot, &points, &others, &lines, front);
         }
         self.draw_legend(canvas, &legend, plot.3 + 70);
     }
@@ -468,12 +473,19 @@ fn toward(a: Place, b: Place, px: i32) -> Place {
 
 /// Writes labels beside the front's points: below and to the left, where a front leaves room, or
 /// else wherever no label, mark or edge is met. A label without room is left out.
-fn labels(canvas: &Canvas<'_>, plot: &Box4, points: &[Place], others: &[Place], front: &Front) {
+fn labels(
+    canvas: &Canvas<'_>,
+    plot: &Box4,
+    points: &[Place],
+    others: &[Place],
+    lines: &[Vec<Place>],
+    front: &Front,
+) {
     let shown = points.len().min(MAX_LABELS);
     let mut taken: Vec<Box4> = points.iter().map(|at| Box4::around(*at, MARK + 5)).collect();
     taken.extend(others.iter().map(|at| Box4::around(*at, MARK + 1)));
-    // Small boxes along the line keep labels off it.
-    for pair in points.windows(2) {
+    // Small boxes along the lines keep labels off them.
+    for pair in lines.iter().flat_map(|line| line.windows(2)) {
         let (a, b) = (pair[0], pair[1]);
         let length = (a.0 - b.0).abs() + (a.1 - b.1).abs();
         taken.extend((0..length).step_by(8).map(|px| Box4::around(toward(a, b, px), 1)));

@@ -1,7 +1,7 @@
 //! A sweep as Markdown.
 
 use super::plot::Plot;
-use super::record::{Record, plain};
+use super::record::{Figures, Measured, PictureFigures, Record, plain};
 use super::{Row, against, axis_names, axis_values, best, inputs, rows};
 use crate::measure::Basis;
 use std::fmt::Write;
@@ -19,7 +19,10 @@ pub(super) fn sweep(record: &Record, plots: &[Plot]) -> String {
     for plot in plots {
         let _ = write!(text, "![{}]({})\n\n", plot.title, plot.file);
     }
-    let _ = points(&mut text, record, &rows);
+    let _ = match record.header.scene {
+        Some(_) => pictures(&mut text, record, &rows),
+        None => points(&mut text, record, &rows),
+    };
     let _ = failures(&mut text, record);
     text
 }
@@ -38,6 +41,26 @@ fn head(text: &mut String, record: &Record, measured: usize) -> std::fmt::Result
     writeln!(text, "\nFixed: {}.\n", base.join(", "))?;
     writeln!(text, "- Points: {} measured, {} failed.", measured, record.points.len() - measured)?;
     writeln!(text, "- Inputs: {}.", inputs(record))?;
+    if header.scene.is_some() {
+        writeln!(
+            text,
+            "- The golden picture is tangent-space bump mapping in `f64`, with the same material. Differences are in linear light, of every channel of every pixel, here in 1/255 (`sweep.csv` and `sweep.json` have 0 to 1); SSIM, FLIP and codes are of the 8-bit sRGB pictures. L' angle is the angle between the rotated light vector and that of the inputs before quantisation."
+        )?;
+        writeln!(
+            text,
+            "- `scene` is a parameter of the material that comes from the scene; one that is given takes its place in pipeline and golden alike."
+        )?;
+    } else {
+        measures(text)?;
+    }
+    writeln!(
+        text,
+        "- ROM bits count a table as often as it is copied for two ports per copy. Multipliers are those of the datapath + those inside table schemes. Engine speed is that of the bit-true simulation alone, per thread.\n"
+    )
+}
+
+/// What the figures over samples mean.
+fn measures(text: &mut String) -> std::fmt::Result {
     writeln!(
         text,
         "- Errors are absolute: the angle between vectors, here in degrees (`sweep.csv` and `sweep.json` have rad), and the difference of a number or a component, also in ulp of its port."
@@ -49,10 +72,6 @@ fn head(text: &mut String, record: &Record, measured: usize) -> std::fmt::Result
     writeln!(
         text,
         "- *Max* is the largest seen over these inputs; `sweep.json` names the input that gave it. Quantiles are known to 1.6 %."
-    )?;
-    writeln!(
-        text,
-        "- ROM bits count a table as often as it is copied for two ports per copy. Multipliers are those of the datapath + those inside table schemes. Engine speed is that of the bit-true simulation alone, per thread.\n"
     )
 }
 
@@ -61,16 +80,16 @@ fn front(text: &mut String, record: &Record, rows: &[Row<'_>]) -> std::fmt::Resu
     let lead = record.lead();
     writeln!(
         text,
-        "By the largest {} error against {}: no other point is as good in both numbers and better in one.\n",
-        lead.quantity,
+        "By the {} against {}: no other point is as good in both numbers and better in one.\n",
+        lead.what,
         against(record)
     )?;
     let names = axis_names(record);
     writeln!(
         text,
-        "| {} | max {} error ({}) | ROM bits |",
+        "| {} | {} ({}) | ROM bits |",
         if names.is_empty() { "unit" } else { &names },
-        lead.quantity,
+        lead.what,
         lead.unit
     )?;
     writeln!(text, "|---|---:|---:|")?;
@@ -103,7 +122,7 @@ fn points(text: &mut String, record: &Record, rows: &[Row<'_>]) -> std::fmt::Res
         for axis in axes {
             write!(text, "| {} ", row.point.text(&axis.key))?;
         }
-        let error = |basis, get: fn(&super::record::Figures) -> f64| {
+        let error = |basis, get: fn(&Figures) -> f64| {
             let figures = row.measured.lead(basis);
             figures.map_or("-".to_owned(), |figures| short(get(figures) * lead.scale))
         };
@@ -131,6 +150,80 @@ fn points(text: &mut String, record: &Record, rows: &[Row<'_>]) -> std::fmt::Res
     writeln!(text)
 }
 
+/// The points over a scene.
+fn pictures(text: &mut String, record: &Record, rows: &[Row<'_>]) -> std::fmt::Result {
+    writeln!(text, "## Points\n")?;
+    let axes: Vec<&str> = record.header.axes.iter().map(|axis| axis.key.as_str()).collect();
+    let mut headings = axes.clone();
+    headings.extend(PICTURE_HEADINGS);
+    headings.extend([
+        "ROM bits",
+        "multipliers",
+        "adders",
+        "latency (cycles)",
+        "engine (Msamples/s)",
+    ]);
+    table_head(text, &headings, axes.len())?;
+    for row in rows.iter().take(MAX_ROWS) {
+        let mut cells: Vec<String> = axes.iter().map(|key| row.point.text(key)).collect();
+        cells.extend(picture_cells(row.measured));
+        let [multipliers, adders] = row.measured.operators();
+        cells.extend([
+            row.rom_bits.to_string(),
+            multipliers.to_string(),
+            adders.to_string(),
+            row.measured.count("latency_cycles").unwrap_or(0).to_string(),
+            short(row.speed / 1e6),
+        ]);
+        writeln!(text, "| {} |", cells.join(" | "))?;
+    }
+    if rows.len() > MAX_ROWS {
+        writeln!(text, "\n{} more points are in `sweep.csv`.", rows.len() - MAX_ROWS)?;
+    }
+    writeln!(text)
+}
+
+/// Headings of [`picture_cells`].
+pub(super) const PICTURE_HEADINGS: [&str; 9] = [
+    "max (1/255)",
+    "mean (1/255)",
+    "rms (1/255)",
+    "PSNR (dB)",
+    "SSIM",
+    "FLIP",
+    "8-bit differing (%)",
+    "L' angle max (deg)",
+    "L' angle mean (deg)",
+];
+
+/// Figures of a picture as they are shown.
+pub(super) fn picture_cells(measured: &Measured) -> Vec<String> {
+    let none = || "-".to_owned();
+    let figure = |quantity, get: fn(&Figures) -> f64, scale: f64| {
+        let figures = measured.figures(quantity, Basis::EndToEnd);
+        figures.map_or_else(none, |figures| short(get(figures) * scale))
+    };
+    let picture =
+        |show: fn(&PictureFigures) -> String| measured.picture.as_ref().map_or_else(none, show);
+    vec![
+        figure("picture", |f| f.max.0, 255.0),
+        figure("picture", |f| f.mean.0, 255.0),
+        figure("picture", |f| f.rms.0, 255.0),
+        picture(|p| format!("{:.1}", p.psnr_db.0)),
+        picture(|p| format!("{:.4}", p.ssim.0)),
+        picture(|p| format!("{:.4}", p.flip.0)),
+        picture(|p| format!("{:.2}", p.srgb8_differing * 100.0)),
+        figure("lt_angle", |f| f.max.0, 1f64.to_degrees()),
+        figure("lt_angle", |f| f.mean.0, 1f64.to_degrees()),
+    ]
+}
+
+/// Headings of a table whose first columns are flush left.
+pub(super) fn table_head(text: &mut String, headings: &[&str], left: usize) -> std::fmt::Result {
+    writeln!(text, "| {} |", headings.join(" | "))?;
+    writeln!(text, "{}{}|", "|---".repeat(left), "|---:".repeat(headings.len() - left))
+}
+
 fn failures(text: &mut String, record: &Record) -> std::fmt::Result {
     let mut failed = record.points.iter().filter_map(|p| Some((p, p.error.as_ref()?))).peekable();
     if failed.peek().is_none() {
@@ -148,7 +241,7 @@ fn failures(text: &mut String, record: &Record) -> std::fmt::Result {
 }
 
 /// A number in four digits.
-fn short(x: f64) -> String {
+pub(super) fn short(x: f64) -> String {
     if x == 0.0 || !x.is_finite() {
         return x.to_string();
     }

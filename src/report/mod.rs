@@ -1,9 +1,10 @@
-//! Reports: a sweep's result as Markdown and plots.
+//! Reports: the result of a sweep or a ladder as Markdown and plots.
 //!
-//! Everything here is made from a [`record::Record`] alone, so a sweep that was stopped and went
+//! A sweep's is made from a [`record::Record`] alone, so a sweep that was stopped and went
 //! on gives the same report as one that ran through.
 
 mod chart;
+pub mod ladder;
 mod markdown;
 mod plot;
 pub mod record;
@@ -12,6 +13,10 @@ use crate::cast;
 use crate::error::Result;
 use crate::measure::Basis;
 use crate::output;
+use crate::picture::Difference;
+use crate::render::{Shader, shoot};
+use crate::scene::Scene;
+use rayon::prelude::*;
 use record::{Measured, Point, Record};
 use std::path::Path;
 
@@ -40,6 +45,25 @@ pub fn write(folder: &Path, record: &Record) -> Result<()> {
     text("report.md", &markdown::sweep(record, &plots))
 }
 
+/// Renders a scene by shaders made for it and measures every shot; `pixels_per_degree` is FLIP's.
+/// `progress` gets the rows done.
+///
+/// # Errors
+/// If a `narrow` under overflow mode `error` overflowed, or FLIP can't look that finely.
+pub fn shots(
+    scene: &Scene,
+    shaders: &[&Shader],
+    pixels_per_degree: f64,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<Vec<Measured>> {
+    let rendered = shoot(scene, shaders, progress)?;
+    let measured = rendered.shots.par_iter().map(|shot| {
+        let difference = Difference::between(&shot.picture, &rendered.golden, pixels_per_degree)?;
+        Ok(Measured::of_shot(&rendered, shot, &difference))
+    });
+    measured.collect()
+}
+
 /// A measured point with what it is judged by.
 struct Row<'a> {
     point: &'a Point,
@@ -54,7 +78,7 @@ struct Row<'a> {
 
 /// The measured points in grid order.
 fn rows(record: &Record) -> Vec<Row<'_>> {
-    let (basis, lead) = (record.ranking(), record.lead());
+    let basis = record.ranking();
     let row = |point| {
         let point: &Point = point;
         let measured = point.measured.as_ref()?;
@@ -62,7 +86,7 @@ fn rows(record: &Record) -> Vec<Row<'_>> {
         Some(Row {
             point,
             measured,
-            error: measured.lead_max(basis) * lead.scale,
+            error: record.error(measured, basis),
             rom_bits: cast::f64_of_count(rom_bits),
             speed: measured.speed.engine_samples_per_second_per_thread,
         })
@@ -114,7 +138,9 @@ fn axis_names(record: &Record) -> String {
 
 /// Against what points are ranked, in words.
 fn against(record: &Record) -> &'static str {
-    if record.ranking() == Basis::EndToEnd {
+    if record.header.scene.is_some() {
+        "the golden picture"
+    } else if record.ranking() == Basis::EndToEnd {
         "the golden of the real inputs (end-to-end)"
     } else if record.inputs_differ() {
         // Such samplers give words: nothing is known of inputs before quantisation.
@@ -127,6 +153,9 @@ fn against(record: &Record) -> &'static str {
 /// Over which inputs, in words.
 fn inputs(record: &Record) -> String {
     let header = &record.header;
+    if let Some(scene) = &header.scene {
+        return format!("scene {scene}");
+    }
     match header.sampler.as_str() {
         sampler @ ("lit" | "sphere") => {
             format!("sampler {sampler}, {} samples, seed {}", header.samples, header.seed)

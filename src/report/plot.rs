@@ -8,7 +8,7 @@ use crate::measure::Basis;
 /// The most series that are told apart in one plot.
 const MAX_SERIES: usize = 8;
 /// Parameters that get colours and marks first.
-const COLOUR_KEY: &str = "variant";
+const COLOUR_KEYS: [&str; 2] = ["variant", "pipeline"];
 const MARK_KEY: &str = "scheme";
 /// Algorithm errors up to here are rounding of the golden itself; rad, or absolute.
 const LEAST_ALGORITHM: f64 = 1e-9;
@@ -38,8 +38,12 @@ pub(super) fn plots(record: &Record) -> Vec<Plot> {
 /// Title of every error axis.
 fn error_axis(record: &Record) -> (String, Along) {
     let lead = record.lead();
-    let unit = if lead.unit == "deg" { "degrees" } else { "absolute" };
-    (format!("largest {} error ({unit})", lead.quantity), Along::Log10)
+    let unit = match lead.unit {
+        "deg" => "degrees",
+        "abs" => "absolute",
+        unit => unit,
+    };
+    (format!("{} ({unit})", lead.what), Along::Log10)
 }
 
 /// What the errors of a plot are, and a word on those that a logarithmic axis can't hold.
@@ -56,6 +60,11 @@ fn varied(record: &Record) -> impl Iterator<Item = &Axis> + Clone {
     record.header.axes.iter().filter(|axis| axis.values.len() > 1)
 }
 
+/// True if values of an axis are told apart by colour.
+fn is_coloured(axis: &Axis) -> bool {
+    COLOUR_KEYS.contains(&axis.key.as_str())
+}
+
 /// A way to put points into series: by the values of some axes.
 struct Groups<'a> {
     axes: Vec<&'a Axis>,
@@ -64,7 +73,7 @@ struct Groups<'a> {
 impl<'a> Groups<'a> {
     /// By colour and mark alone.
     fn few(record: &'a Record) -> Self {
-        let axes = varied(record).filter(|axis| axis.key == COLOUR_KEY || axis.key == MARK_KEY);
+        let axes = varied(record).filter(|axis| is_coloured(axis) || axis.key == MARK_KEY);
         Self { axes: axes.collect() }
     }
 
@@ -83,7 +92,7 @@ impl<'a> Groups<'a> {
 
     /// A name, a colour and a mark for each group.
     fn looks(&self) -> Vec<(String, usize, usize)> {
-        let coloured = self.axes.iter().any(|axis| axis.key == COLOUR_KEY);
+        let coloured = self.axes.iter().any(|axis| is_coloured(axis));
         (0..self.len())
             .map(|group| {
                 let (mut rest, mut colour, mut mark, mut scale) = (group, 0, 0, 1);
@@ -92,13 +101,13 @@ impl<'a> Groups<'a> {
                     let index = rest % axis.values.len();
                     rest /= axis.values.len();
                     let value = plain(&axis.values[index]);
-                    if axis.key == COLOUR_KEY {
+                    if is_coloured(axis) {
                         colour = index;
                     } else {
                         mark += index * scale;
                         scale *= axis.values.len();
                     }
-                    let told_by_value = axis.key == COLOUR_KEY || axis.key == MARK_KEY;
+                    let told_by_value = is_coloured(axis) || axis.key == MARK_KEY;
                     names.push(if told_by_value { value } else { format!("{}={value}", axis.key) });
                 }
                 names.reverse();
@@ -170,7 +179,7 @@ fn error_vs_axis(record: &Record, rows: &[Row<'_>]) -> Option<(&'static str, Cha
             .axes
             .iter()
             .map(|axis| axis.key.as_str())
-            .filter(|key| *key != COLOUR_KEY && *key != MARK_KEY)
+            .filter(|key| !COLOUR_KEYS.contains(key) && *key != MARK_KEY)
             .collect();
         if !over.is_empty() {
             caption.push(format!("Each point is the best over {}.", over.join(", ")));
@@ -197,7 +206,7 @@ fn algorithm_errors(
     x_of: impl Fn(&Row<'_>) -> Option<f64>,
 ) -> Vec<Series> {
     let scale = record.lead().scale;
-    let variants = Groups { axes: varied(record).filter(|axis| axis.key == COLOUR_KEY).collect() };
+    let variants = Groups { axes: varied(record).filter(|axis| is_coloured(axis)).collect() };
     let mut series = variants.series(rows, Style::Dashed, |row| {
         let error = row.measured.lead_max(Basis::Algorithm);
         (!error.is_nan()).then_some((x_of(row)?, error * scale))

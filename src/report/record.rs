@@ -5,6 +5,10 @@
 //! why there are no figures, or `measured`. Numbers that JSON can't write are the texts `NaN`,
 //! `inf` and `-inf`.
 //!
+//! Over a scene the quantities are `picture`, the difference to the golden picture in linear light,
+//! and `lt_angle`, both end to end; parameters of the material that come from the scene are the
+//! text `scene`; and `measured` also has `picture`, which no other quantity can tell.
+//!
 //! `sweep.csv` has one row per point. Its columns, in this order:
 //!
 //! - one per swept parameter, then one per other parameter, each under the parameter's name;
@@ -22,6 +26,9 @@
 //!   also have `<quantity>_<basis>_max_ulp`, which is empty where no node holds the component;
 //! - `<quantity>_total_witness` of the leading quantity, which is the first: the input words that
 //!   gave its largest total error, as `phi_a=123;theta_a=…`;
+//!   over a scene `picture_witness` in its place, the pixel and channel of the largest difference,
+//!   and before it `picture_psnr_db`, `picture_ssim`, `picture_flip`, `picture_srgb8_differing`
+//!   (part of the pixels, 0 to 1) and `picture_srgb8_max_codes`;
 //! - `overflows`: how often any `narrow` overflowed;
 //! - `samples_per_second`, `threads` and `engine_samples_per_second_per_thread`;
 //! - `error`: why a point has no figures; empty otherwise.
@@ -30,10 +37,14 @@ use crate::error::{Error, Result};
 use crate::measure::{self, Basis, Speed, Witness};
 use crate::netlist::Counts;
 use crate::output;
+use crate::picture::{Channel, Difference};
+use crate::render::{Rendered, Shot};
+use crate::scene::Scene;
 use crate::units::{Design, Value, Values};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::Map;
 use std::collections::BTreeSet;
+use std::fmt;
 use std::fs;
 use std::io;
 use std::path::Path;
@@ -106,6 +117,64 @@ pub struct Header {
     pub samples: u64,
     /// Seed of the random samplers.
     pub seed: u64,
+    /// The scene that was rendered, if that is where inputs came from.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub scene: Option<SceneId>,
+    /// What points over a scene are ranked by: points have all of them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub error: Option<ImageError>,
+}
+
+/// Which scene it was.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct SceneId {
+    /// Its name, or its file's.
+    pub name: String,
+    /// Its fingerprint, in hexadecimal digits.
+    pub fingerprint: String,
+    /// Columns of its image.
+    pub width_px: u32,
+    /// Rows.
+    pub height_px: u32,
+}
+
+impl SceneId {
+    /// That of a scene.
+    #[must_use]
+    pub fn new(name: &str, scene: &Scene) -> Self {
+        Self {
+            name: name.to_owned(),
+            fingerprint: format!("{:016x}", scene.fingerprint()),
+            width_px: scene.image.width,
+            height_px: scene.image.height,
+        }
+    }
+}
+
+impl fmt::Display for SceneId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { name, fingerprint, width_px, height_px } = self;
+        write!(f, "{name} ({width_px} x {height_px} px, fingerprint {fingerprint})")
+    }
+}
+
+/// How a picture is ranked by its difference to the golden.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum ImageError {
+    /// The largest absolute difference of any channel, in linear light.
+    #[default]
+    Max,
+    /// The mean absolute difference, in linear light.
+    Mean,
+    /// The root of the mean square, in linear light; it ranks as PSNR does.
+    Rms,
+    /// Mean FLIP.
+    Flip,
+    /// 1 less SSIM.
+    Ssim,
+    /// Part of the pixels whose 8-bit codes differ.
+    Differing,
 }
 
 impl Header {
@@ -125,6 +194,10 @@ impl Header {
         compare("sampler", there.sampler.clone(), here.sampler.clone());
         compare("samples", there.samples.to_string(), here.samples.to_string());
         compare("seed", there.seed.to_string(), here.seed.to_string());
+        let scene = |header: &Self| header.scene.as_ref().map(ToString::to_string);
+        if let (Some(there), Some(here)) = (scene(there), scene(here)) {
+            compare("scene", there, here);
+        }
         let axis = |axis: &Axis| {
             let values: Vec<String> = axis.values.iter().map(plain).collect();
             format!("{}={}", axis.key, values.join(","))
@@ -206,6 +279,80 @@ pub struct Overflows {
     pub count: u64,
 }
 
+/// Figures of a picture that no other quantity has.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PictureFigures {
+    /// Peak signal to noise ratio in dB, in linear light.
+    pub psnr_db: Real,
+    /// Mean structural similarity, 1 if the pictures are equal.
+    pub ssim: Real,
+    /// Mean FLIP, 0 if they are equal.
+    pub flip: Real,
+    /// Part of the pixels whose 8-bit codes differ, 0..=1.
+    pub srgb8_differing: f64,
+    /// The largest difference of 8-bit codes.
+    pub srgb8_max_codes: u8,
+    /// Column of the largest difference in linear light.
+    pub x_px: usize,
+    /// Its row.
+    pub y_px: usize,
+    /// Its channel.
+    pub channel: Channel,
+}
+
+impl From<&Difference> for PictureFigures {
+    fn from(difference: &Difference) -> Self {
+        Self {
+            psnr_db: Real(difference.psnr_db),
+            ssim: Real(difference.ssim),
+            flip: Real(difference.flip),
+            srgb8_differing: difference.srgb8_differing,
+            srgb8_max_codes: difference.srgb8_max_codes,
+            x_px: difference.max.x_px,
+            y_px: difference.max.y_px,
+            channel: difference.max.channel,
+        }
+    }
+}
+
+impl ImageError {
+    /// All with their names on the command line and what they are.
+    pub const ALL: [(Self, &'static str, &'static str); 6] = [
+        (Self::Max, "max", "largest difference of any channel, in linear light"),
+        (Self::Mean, "mean", "mean difference, in linear light"),
+        (Self::Rms, "rms", "root of the mean square, in linear light; ranks as PSNR does"),
+        (Self::Flip, "flip", "mean FLIP"),
+        (Self::Ssim, "ssim", "1 less SSIM"),
+        (Self::Differing, "differing", "part of the pixels whose 8-bit codes differ"),
+    ];
+
+    /// How it is shown.
+    fn lead(self) -> Lead {
+        let (what, scale, unit) = match self {
+            Self::Max => ("largest difference", 255.0, "1/255"),
+            Self::Mean => ("mean difference", 255.0, "1/255"),
+            Self::Rms => ("rms difference", 255.0, "1/255"),
+            Self::Flip => ("FLIP", 1.0, "0 to 1"),
+            Self::Ssim => ("1 - SSIM", 1.0, "0 to 2"),
+            Self::Differing => ("pixels with other 8-bit codes", 100.0, "%"),
+        };
+        Lead { quantity: "picture".to_owned(), what: what.to_owned(), scale, unit }
+    }
+
+    fn of(self, measured: &Measured) -> Option<f64> {
+        let figures = measured.figures("picture", Basis::EndToEnd)?;
+        let picture = measured.picture.as_ref()?;
+        Some(match self {
+            Self::Max => figures.max.0,
+            Self::Mean => figures.mean.0,
+            Self::Rms => figures.rms.0,
+            Self::Flip => picture.flip.0,
+            Self::Ssim => 1.0 - picture.ssim.0,
+            Self::Differing => picture.srgb8_differing,
+        })
+    }
+}
+
 /// What was counted and measured of a point.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Measured {
@@ -219,6 +366,9 @@ pub struct Measured {
     pub samples: u64,
     /// One entry per quantity and basis.
     pub figures: Vec<Figures>,
+    /// What only pictures have.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub picture: Option<PictureFigures>,
     /// Every `narrow` that overflowed.
     pub overflows: Vec<Overflows>,
     /// Time spent; the only part that differs from run to run.
@@ -246,12 +396,22 @@ impl Measured {
             counts,
             samples: report.samples,
             figures: report.figures.into_iter().map(Figures::from).collect(),
+            picture: None,
             overflows: report
                 .overflows
                 .into_iter()
                 .map(|o| Overflows { node: o.node, mode: o.mode.to_owned(), count: o.count })
                 .collect(),
             speed: report.speed,
+        }
+    }
+
+    /// Takes over a shot of a scene.
+    #[must_use]
+    pub fn of_shot(rendered: &Rendered, shot: &Shot, difference: &Difference) -> Self {
+        Self {
+            picture: Some(difference.into()),
+            ..Self::new(&shot.design, rendered.report(shot, difference))
         }
     }
 
@@ -286,9 +446,22 @@ impl Measured {
         total.filter_map(|figures| Some(figures.max_ulp?.0)).reduce(f64::max)
     }
 
-    /// Input words of the largest total error of the leading quantity, as `port=word;port=word`.
+    /// Multipliers and adders everywhere: in the datapath, in table schemes, in dividers and roots.
+    #[must_use]
+    pub fn operators(&self) -> [u64; 2] {
+        ["multipliers", "adders"].map(|what| {
+            let groups = ["datapath", "scheme", "parts"].iter();
+            groups.filter_map(|group| self.count(&format!("{group}_{what}"))).sum()
+        })
+    }
+
+    /// Input words of the largest total error of the leading quantity, as `port=word;port=word`; of a
+    /// picture, where the largest difference is.
     #[must_use]
     pub fn witness(&self) -> String {
+        if let Some(PictureFigures { x_px, y_px, channel, .. }) = &self.picture {
+            return format!("x_px={x_px};y_px={y_px};channel={}", channel.name());
+        }
         let figures = self.lead(Basis::Total);
         let Some(witness) = figures.and_then(|figures| figures.witness.as_ref()) else {
             return String::new();
@@ -337,6 +510,8 @@ pub struct Record {
 pub struct Lead {
     /// Its name.
     pub quantity: String,
+    /// What of it, in words.
+    pub what: String,
     /// Factor from its figures to what is shown.
     pub scale: f64,
     /// Unit of what is shown.
@@ -347,16 +522,39 @@ impl Record {
     /// The leading quantity; angles are shown in degrees.
     #[must_use]
     pub fn lead(&self) -> Lead {
+        if let Some(error) = self.image_error() {
+            return error.lead();
+        }
         let figures = self.points.iter().find_map(|p| p.measured.as_ref()?.figures.first());
         let (quantity, unit) = figures.map_or(("", ""), |f| (f.quantity.as_str(), f.unit.as_str()));
         let (scale, unit) = if unit == "rad" { (1f64.to_degrees(), "deg") } else { (1.0, "abs") };
-        Lead { quantity: quantity.to_owned(), scale, unit }
+        let what = format!("largest {quantity} error");
+        Lead { quantity: quantity.to_owned(), what, scale, unit }
+    }
+
+    /// What points over a scene are ranked by; `None` over anything else.
+    fn image_error(&self) -> Option<ImageError> {
+        self.header.scene.as_ref().map(|_| self.header.error.unwrap_or_default())
+    }
+
+    /// The number that a point is ranked by on a basis, in the unit of [`lead`](Self::lead); NaN if
+    /// there is none.
+    #[must_use]
+    pub fn error(&self, measured: &Measured, basis: Basis) -> f64 {
+        let error = match self.image_error() {
+            Some(error) => error.of(measured).unwrap_or(f64::NAN),
+            None => measured.lead_max(basis),
+        };
+        error * self.lead().scale
     }
 
     /// What points are ranked by: the total error, but the end-to-end one where points differ in
-    /// their inputs' words. A coarse input would look good against its own golden.
+    /// their inputs' words, and over a scene. A coarse input would look good against its own golden.
     #[must_use]
     pub fn ranking(&self) -> Basis {
+        if self.header.scene.is_some() {
+            return Basis::EndToEnd;
+        }
         let drawn = matches!(self.header.sampler.as_str(), "lit" | "sphere");
         if drawn && self.inputs_differ() { Basis::EndToEnd } else { Basis::Total }
     }
@@ -390,8 +588,13 @@ impl Record {
         for (point, number) in record.points.iter().zip(1..) {
             let whole = match (&point.measured, &point.error) {
                 (Some(measured), None) => {
-                    measured.lead(Basis::Total).is_some()
-                        && measured.count("rom_bits_dual_port").is_some()
+                    let judged = match record.header.scene {
+                        Some(_) => {
+                            measured.picture.is_some() && measured.lead(Basis::EndToEnd).is_some()
+                        }
+                        None => measured.lead(Basis::Total).is_some(),
+                    };
+                    judged && measured.count("rom_bits_dual_port").is_some()
                 }
                 (None, error) => error.is_some(),
                 (Some(_), Some(_)) => false,
@@ -457,7 +660,21 @@ struct Columns {
     /// Those that have figures in ulp.
     with_ulp: BTreeSet<String>,
     bases: Vec<Basis>,
+    /// Over a scene.
+    pictures: bool,
 }
+
+/// Picks one of a picture's figures.
+type PickOfPicture = fn(&PictureFigures) -> f64;
+
+/// Figures of pictures in columns.
+const PICTURE_FIGURES: [(&str, PickOfPicture); 5] = [
+    ("picture_psnr_db", |p| p.psnr_db.0),
+    ("picture_ssim", |p| p.ssim.0),
+    ("picture_flip", |p| p.flip.0),
+    ("picture_srgb8_differing", |p| p.srgb8_differing),
+    ("picture_srgb8_max_codes", |p| p.srgb8_max_codes.into()),
+];
 
 /// Picks one of the figures.
 type Pick = fn(&Figures) -> Real;
@@ -483,6 +700,7 @@ impl Columns {
             quantities: Vec::new(),
             with_ulp: BTreeSet::new(),
             bases: Vec::new(),
+            pictures: header.scene.is_some(),
         };
         for measured in points.filter_map(|point| point.measured.as_ref()) {
             for name in measured.counts.keys() {
@@ -495,7 +713,8 @@ impl Columns {
                     let unit = if figures.unit == "rad" { "rad" } else { "abs" };
                     columns.quantities.push((figures.quantity.clone(), unit));
                 }
-                if figures.unit != "rad" && !figures.quantity.ends_with("dot") {
+                if !columns.pictures && figures.unit != "rad" && !figures.quantity.ends_with("dot")
+                {
                     columns.with_ulp.insert(figures.quantity.clone());
                 }
                 if !columns.bases.contains(&figures.basis) {
@@ -522,7 +741,12 @@ impl Columns {
             }
         }
         let lead = self.quantities.first().map_or("lead", |(quantity, _)| quantity.as_str());
-        names.push(format!("{lead}_total_witness"));
+        if self.pictures {
+            names.extend(PICTURE_FIGURES.map(|(name, _)| name.to_owned()));
+            names.push("picture_witness".to_owned());
+        } else {
+            names.push(format!("{lead}_total_witness"));
+        }
         names.extend(
             [
                 "overflows",
@@ -554,6 +778,12 @@ impl Columns {
                     row.push(number(figures.and_then(|f| f.max_ulp)).unwrap_or_default());
                 }
             }
+        }
+        if self.pictures {
+            let picture = measured.and_then(|measured| measured.picture.as_ref());
+            row.extend(PICTURE_FIGURES.map(|(_, get)| {
+                picture.map(|picture| format!("{:e}", get(picture))).unwrap_or_default()
+            }));
         }
         match measured {
             Some(measured) => {

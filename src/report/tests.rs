@@ -92,6 +92,7 @@ fn record(errors: &[(f64, u64)]) -> Record {
             counts,
             samples: 1,
             figures: vec![figures(*error)],
+            picture: None,
             overflows: Vec::new(),
             speed: Speed::default(),
         };
@@ -109,6 +110,8 @@ fn record(errors: &[(f64, u64)]) -> Record {
         sampler: "lit".to_owned(),
         samples: 1,
         seed: 1,
+        scene: None,
+        error: None,
     };
     Record { header, points: errors.iter().enumerate().map(point).collect() }
 }

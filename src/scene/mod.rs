@@ -83,6 +83,7 @@ pub use trace::{CURVED, Fragments};
 
 use crate::error::{Error, Result};
 use glam::DVec3;
+use std::fmt::Write;
 use std::path::Path;
 
 /// The scenes that come with the program, with their TOML text.
@@ -254,6 +255,51 @@ impl Scene {
             flat_bumps: self.bumps.is_flat(),
             right_handed: self.surfaces.is_right_handed(),
         }
+    }
+
+    /// A number that another scene doesn't have, wherever its files are and whatever else is in
+    /// them: of all that an image depends on.
+    #[must_use]
+    pub fn fingerprint(&self) -> u64 {
+        let Self { image, camera, lights, ambient, texture, bumps, materials, surfaces } = self;
+        let mut digest = Digest(0xcbf2_9ce4_8422_2325);
+        let sizes = (texture.size(), bumps.size(), bumps.scale());
+        let small = (image, camera, lights, ambient, sizes, materials, surfaces);
+        // Debug text has floats to the last place; a digest takes any text.
+        write!(digest, "{small:?}").expect("bug: a digest takes any text");
+        for texel in texture.texels().as_flattened() {
+            digest.add(&texel.to_bits().to_le_bytes());
+        }
+        for height in bumps.heights() {
+            digest.add(&height.to_bits().to_le_bytes());
+        }
+        digest.0
+    }
+}
+
+/// FNV-1a, which is the same in every version and on every machine.
+struct Digest(u64);
+
+impl Digest {
+    fn add(&mut self, bytes: &[u8]) {
+        for byte in bytes {
+            self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+    }
+}
+
+impl Write for Digest {
+    fn write_str(&mut self, text: &str) -> std::fmt::Result {
+        self.add(text.as_bytes());
+        Ok(())
+    }
+}
+
+impl Image {
+    /// Number of its pixels.
+    #[must_use]
+    pub fn pixels(&self) -> u64 {
+        u64::from(self.width) * u64::from(self.height)
     }
 }
 

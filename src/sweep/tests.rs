@@ -250,12 +250,13 @@ fn a_group_gives_what_a_point_gives_alone() {
     for sampler in [Sampler::Lit, Sampler::Hard, Sampler::Exhaustive] {
         let folder = tempfile::tempdir().unwrap();
         let axes = ["angle_bits=3,4", "variant=exact,corrected", "table_addr_bits=3,4"];
-        let sweep = sweep(&[], &axes, Inputs { sampler, ..FEW });
+        let inputs = Inputs { sampler, ..FEW };
+        let sweep = sweep(&[], &axes, inputs);
         let record = run(&sweep, folder.path()).unwrap();
         assert_eq!(record.points.len(), 8);
         for (index, point) in record.points.iter().enumerate() {
             let design = sweep.point(index).build().unwrap();
-            let alone = measure::measure(&[&design], &sweep.inputs, &|_| ()).unwrap().remove(0);
+            let alone = measure::measure(&[&design], &inputs, &|_| ()).unwrap().remove(0);
             let alone = Measured::new(&design, alone);
             let shared = point.measured.as_ref().unwrap();
             assert_eq!(shared.samples, alone.samples);

@@ -1,0 +1,100 @@
+//! `fixpath render --ladder`: whole pipelines over widths, and light tables over exponents.
+
+use super::{pretty, progress_bar, text};
+use crate::cast;
+use crate::error::{Error, Result};
+use crate::ladder::{EXPONENTS, LEGAL_EXPONENTS, LEGAL_WIDTHS, Ladder, WIDTHS};
+use crate::render::Pipeline;
+use crate::report::ladder::{Record, Table};
+use crate::scene::Scene;
+use std::fmt::Write as _;
+use std::ops::RangeInclusive;
+use std::path::Path;
+
+/// A list of whole numbers, each legal and none twice.
+fn numbers(what: &str, list: &str, legal: &RangeInclusive<u32>) -> Result<Vec<u32>> {
+    let mut numbers = Vec::new();
+    for item in list.split(',').map(str::trim) {
+        let number = item.parse().ok().filter(|number| legal.contains(number));
+        let number = number.ok_or_else(|| {
+            let (least, most) = (legal.start(), legal.end());
+            Error::usage(format!("{what} `{item}`: legal are whole numbers from {least} to {most}"))
+        })?;
+        if numbers.contains(&number) {
+            return Err(Error::usage(format!("{what} {number} is given twice")));
+        }
+        numbers.push(number);
+    }
+    Ok(numbers)
+}
+
+/// What to climb, from the command line; an empty list of widths, or none of exponents, is the usual one.
+pub(super) fn ladder(
+    pipelines: Vec<Pipeline>,
+    widths: &str,
+    exponents: Option<&str>,
+    pixels_per_degree: f64,
+) -> Result<Ladder> {
+    Ok(Ladder {
+        pipelines,
+        widths: match widths {
+            "" => WIDTHS.to_vec(),
+            list => numbers("width", list, &LEGAL_WIDTHS)?,
+        },
+        exponents: match exponents {
+            None => EXPONENTS.to_vec(),
+            Some(list) => numbers("exponent", list, &LEGAL_EXPONENTS)?,
+        },
+        pixels_per_degree,
+    })
+}
+
+/// Climbs and writes; returns what to tell.
+pub(super) fn run(
+    ladder: &Ladder,
+    scene: &Scene,
+    name: &str,
+    out: &Path,
+    json: bool,
+) -> Result<String> {
+    let bar = progress_bar(cast::count_of(ladder.pictures(scene)), "pictures");
+    let record = ladder.climb(scene, name, &|done| bar.set_position(cast::count_of(done)))?;
+    bar.finish_and_clear();
+    record.write(out)?;
+    if json {
+        return Ok(pretty(&serde_json::to_value(&record).expect("bug: figures are plain values")));
+    }
+    Ok(told(&record, out))
+}
+
+fn told(record: &Record, out: &Path) -> String {
+    let shown = |table: &Table| {
+        let heading = |(column, heading): (usize, &String)| {
+            if column < table.left { heading.clone() } else { format!(">{heading}") }
+        };
+        let headings: Vec<String> = table.headings.iter().enumerate().map(heading).collect();
+        let headings: Vec<&str> = headings.iter().map(String::as_str).collect();
+        text::table(&headings, &table.rows)
+    };
+    let header = &record.header;
+    let mut told = format!(
+        "scene {}, {} pixels covered; differences to the golden, in linear light\n",
+        header.scene, header.covered_px
+    );
+    told.push_str(&shown(&record.pipelines_table()));
+    if let Some(first) = record.rungs.iter().find_map(|rung| rung.point.error.as_ref()) {
+        let _ = writeln!(told, "some rungs failed, the first because {first}");
+    }
+    if let (Some(table), Some(pipeline)) = (record.exponents_table(), &header.light_pipeline) {
+        let _ = writeln!(
+            told,
+            "\nmax/255 by exponent n of the highlight and light tables, pipeline {pipeline}, else fine"
+        );
+        told.push_str(&shown(&table));
+    }
+    if let Some(remedy) = record.remedy() {
+        let _ = writeln!(told, "{remedy}");
+    }
+    let _ = writeln!(told, "see {}", out.join("ladder.md").display());
+    told
+}

@@ -1,0 +1,492 @@
+//! A ladder of whole pipelines on a scene: its figures as JSON, CSV, Markdown and plots.
+//!
+//! `ladder.json` holds a `header`, `rungs` (each pipeline at each width) and `exponents` (the light
+//! tables at each exponent of the highlight), each a point as in `sweep.json`; its parameters are
+//! those of the design for the first material and light. `ladder.csv` has a row for each rung and
+//! `exponents.csv` one for each of the latter: what tells them apart, then the figures of [`FIGURES`],
+//! then `error`, why there are none.
+
+use super::chart::{Along, Chart, Front, Series, Style};
+use super::markdown::{short, table_head};
+use super::pareto;
+use super::record::{Measured, Point, SceneId};
+use crate::cast;
+use crate::error::Result;
+use crate::measure::Basis;
+use crate::output;
+use serde::{Deserialize, Serialize};
+use std::fmt::Write as _;
+use std::path::Path;
+
+/// What was rendered.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Header {
+    /// Version of this crate.
+    pub crate_version: String,
+    /// The scene.
+    pub scene: SceneId,
+    /// Pixels that see an object.
+    pub covered_px: u64,
+    /// Lights of the scene: a pixel takes a sample for each.
+    pub lights: usize,
+    /// Pixels per degree of sight, for FLIP.
+    pub pixels_per_degree: f64,
+    /// Parameters of a rung, and what each is less than its width.
+    pub rung: Vec<(String, u32)>,
+    /// Widths of the rungs.
+    pub widths_bits: Vec<u32>,
+    /// The pipeline that the light tables were judged in, if any was.
+    pub light_pipeline: Option<String>,
+    /// Its parameters, unless others were set.
+    pub light_parameters: Vec<String>,
+}
+
+/// A pipeline at a width.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Rung {
+    /// The pipeline.
+    pub pipeline: String,
+    /// Its unit.
+    pub unit: String,
+    /// Width of the rung.
+    pub width_bits: u32,
+    /// Parameters and figures.
+    #[serde(flatten)]
+    pub point: Point,
+}
+
+/// Light tables at an exponent.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct LightPoint {
+    /// Exponent of the highlight.
+    pub exponent: u32,
+    /// Scheme of the light tables.
+    pub scheme: String,
+    /// Their address bits.
+    pub addr_bits: u32,
+    /// Parameters and figures.
+    #[serde(flatten)]
+    pub point: Point,
+}
+
+/// A ladder's result.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Record {
+    /// What was rendered.
+    pub header: Header,
+    /// Each pipeline at each width.
+    pub rungs: Vec<Rung>,
+    /// The light tables at each exponent.
+    pub exponents: Vec<LightPoint>,
+}
+
+/// A figure of a point.
+type Pick = fn(&Header, &Measured) -> Option<f64>;
+
+/// Figures in columns of the CSV files: differences in linear light, 0 to 1; simulated pixels per second
+/// and thread are those of the bit-true engine alone.
+pub const FIGURES: [(&str, Pick); 18] = [
+    ("picture_max_abs", |_, m| figure(m, "picture", true)),
+    ("picture_mean_abs", |_, m| figure(m, "picture", false)),
+    ("picture_psnr_db", |_, m| Some(m.picture?.psnr_db.0)),
+    ("picture_ssim", |_, m| Some(m.picture?.ssim.0)),
+    ("picture_flip", |_, m| Some(m.picture?.flip.0)),
+    ("picture_srgb8_differing", |_, m| Some(m.picture?.srgb8_differing)),
+    ("picture_srgb8_max_codes", |_, m| Some(m.picture?.srgb8_max_codes.into())),
+    ("lt_angle_max_rad", |_, m| figure(m, "lt_angle", true)),
+    ("lt_angle_mean_rad", |_, m| figure(m, "lt_angle", false)),
+    ("multipliers", |_, m| Some(cast::f64_of_count(m.operators()[0]))),
+    ("adders", |_, m| Some(cast::f64_of_count(m.operators()[1]))),
+    ("tables", |_, m| count(m, "tables")),
+    ("rom_bits", |_, m| count(m, "rom_bits")),
+    ("rom_bits_dual_port", |_, m| count(m, "rom_bits_dual_port")),
+    ("latency_cycles", |_, m| count(m, "latency_cycles")),
+    ("flip_flops", |_, m| count(m, "flip_flops")),
+    ("overflows", |_, m| Some(cast::f64_of_count(m.overflows.iter().map(|o| o.count).sum()))),
+    ("pixels_per_second_per_thread", |h, m| Some(pixels_per_second(h, m))),
+];
+
+fn figure(measured: &Measured, quantity: &str, max: bool) -> Option<f64> {
+    let figures = measured.figures(quantity, Basis::EndToEnd)?;
+    Some(if max { figures.max.0 } else { figures.mean.0 })
+}
+
+fn count(measured: &Measured, name: &str) -> Option<f64> {
+    measured.count(name).map(cast::f64_of_count)
+}
+
+fn pixels_per_second(header: &Header, measured: &Measured) -> f64 {
+    measured.speed.engine_samples_per_second_per_thread / cast::f64_of_len(header.lights.max(1))
+}
+
+/// The largest difference of a picture in 1/255; NaN if there is no picture.
+fn error(point: &Point) -> f64 {
+    let max = point.measured.as_ref().and_then(|m| figure(m, "picture", true));
+    max.unwrap_or(f64::NAN) * 255.0
+}
+
+/// Rows under headings; the first `left` columns are flush left.
+pub struct Table {
+    /// Headings.
+    pub headings: Vec<String>,
+    /// How many columns are flush left.
+    pub left: usize,
+    /// Rows.
+    pub rows: Vec<Vec<String>>,
+}
+
+impl Record {
+    /// Writes `ladder.json`, `ladder.csv`, `ladder.md`, `exponents.csv` and the plots into a folder.
+    ///
+    /// # Errors
+    /// If a file can't be written.
+    pub fn write(&self, folder: &Path) -> Result<()> {
+        output::make_folder(folder)?;
+        let json = folder.join("ladder.json");
+        output::write_file(&json, |to| {
+            let fail = output::at(&json);
+            serde_json::to_writer_pretty(&mut *to, self).map_err(|why| fail(why.into()))?;
+            to.write_all(b"\n").map_err(fail)
+        })?;
+        let rungs = self.rungs.iter().map(|rung| {
+            let told = [rung.pipeline.clone(), rung.unit.clone(), rung.width_bits.to_string()];
+            let own = self.header.rung.iter().map(|(key, _)| rung.point.text(key));
+            (told.into_iter().chain(own).collect(), &rung.point)
+        });
+        let mut names = vec!["pipeline", "unit", "width_bits"];
+        names.extend(self.header.rung.iter().map(|(key, _)| key.as_str()));
+        self.write_csv(&folder.join("ladder.csv"), &names, rungs)?;
+        let names = ["exponent", "light_scheme", "light_addr_bits"];
+        let lights = self.exponents.iter().map(|light| {
+            let told =
+                [light.exponent.to_string(), light.scheme.clone(), light.addr_bits.to_string()];
+            (told.to_vec(), &light.point)
+        });
+        self.write_csv(&folder.join("exponents.csv"), &names, lights)?;
+        for (file, chart) in self.charts() {
+            output::write_text(&folder.join(file), &chart.svg())?;
+        }
+        output::write_text(&folder.join("ladder.md"), &self.markdown())
+    }
+
+    fn write_csv<'a>(
+        &self,
+        path: &Path,
+        names: &[&str],
+        points: impl Iterator<Item = (Vec<String>, &'a Point)>,
+    ) -> Result<()> {
+        output::write_file(path, |to| {
+            let fail = |why: csv::Error| output::at(path)(why.into());
+            let mut writer = csv::Writer::from_writer(to);
+            let figures = FIGURES.map(|(name, _)| name);
+            writer
+                .write_record(names.iter().copied().chain(figures).chain(["error"]))
+                .map_err(fail)?;
+            for (mut row, point) in points {
+                row.extend(FIGURES.map(|(_, get)| {
+                    let number = point.measured.as_ref().and_then(|m| get(&self.header, m));
+                    number.map(|number| number.to_string()).unwrap_or_default()
+                }));
+                row.push(point.error.clone().unwrap_or_default());
+                writer.write_record(&row).map_err(fail)?;
+            }
+            writer.flush().map_err(output::at(path))
+        })
+    }
+
+    /// The pipelines at every width.
+    #[must_use]
+    pub fn pipelines_table(&self) -> Table {
+        let headings = [
+            "pipeline",
+            "bits",
+            "max/255",
+            "mean/255",
+            "PSNR dB",
+            "FLIP",
+            "L' angle max °",
+            "mean °",
+            "mul",
+            "add",
+            "ROM bits",
+            "with copies",
+            "cycles",
+            "Mpixels/s a thread",
+        ];
+        let row = |rung: &Rung| {
+            let mut row = vec![rung.pipeline.clone(), rung.width_bits.to_string()];
+            let Some(m) = &rung.point.measured else {
+                row.resize(headings.len(), "-".to_owned());
+                return row;
+            };
+            let shown = |number: Option<f64>, scale: f64| {
+                number.map_or_else(|| "-".to_owned(), |number| short(number * scale))
+            };
+            let count = |name| m.count(name).unwrap_or(0).to_string();
+            row.extend([
+                shown(figure(m, "picture", true), 255.0),
+                shown(figure(m, "picture", false), 255.0),
+                m.picture.map(|p| format!("{:.1}", p.psnr_db.0)).unwrap_or_default(),
+                m.picture.map(|p| format!("{:.4}", p.flip.0)).unwrap_or_default(),
+                shown(figure(m, "lt_angle", true), 1f64.to_degrees()),
+                shown(figure(m, "lt_angle", false), 1f64.to_degrees()),
+            ]);
+            row.extend(m.operators().map(|count| count.to_string()));
+            row.extend(["rom_bits", "rom_bits_dual_port", "latency_cycles"].map(count));
+            row.push(format!("{:.1}", pixels_per_second(&self.header, m) / 1e6));
+            row
+        };
+        Table {
+            headings: headings.map(str::to_owned).to_vec(),
+            left: 1,
+            rows: self.rungs.iter().map(row).collect(),
+        }
+    }
+
+    /// Light tables with their points, exponent by exponent.
+    fn light_tables(&self) -> Vec<((&str, u32), Vec<&LightPoint>)> {
+        let mut tables: Vec<((&str, u32), Vec<&LightPoint>)> = Vec::new();
+        for light in &self.exponents {
+            let key = (light.scheme.as_str(), light.addr_bits);
+            match tables.iter_mut().find(|(known, _)| *known == key) {
+                Some((_, points)) => points.push(light),
+                None => tables.push((key, vec![light])),
+            }
+        }
+        tables
+    }
+
+    /// The largest difference by light table and exponent; `None` if they weren't judged.
+    #[must_use]
+    pub fn exponents_table(&self) -> Option<Table> {
+        let tables = self.light_tables();
+        let (_, first) = tables.first()?;
+        let mut headings = vec!["light tables".to_owned(), "ROM bits".to_owned(), "mul".to_owned()];
+        headings.extend(first.iter().map(|light| format!("n = {}", light.exponent)));
+        let row = |((scheme, addr_bits), lights): &((&str, u32), Vec<&LightPoint>)| {
+            let mut row = vec![format!("{scheme}, 2^{addr_bits}")];
+            // Tables grow a little with the exponent: slopes take more bits.
+            let measured = lights.iter().filter_map(|light| light.point.measured.as_ref());
+            let most = |get: fn(&Measured) -> u64| measured.clone().map(get).max().unwrap_or(0);
+            row.push(most(|m| m.count("rom_bits").unwrap_or(0)).to_string());
+            row.push(most(|m| m.operators()[0]).to_string());
+            row.extend(lights.iter().map(|light| short(error(&light.point))));
+            row
+        };
+        let rows = tables.iter().map(row).collect();
+        Some(Table { headings, left: 1, rows })
+    }
+
+    /// What the light tables come to, in words; `None` if they weren't judged.
+    #[must_use]
+    pub fn remedy(&self) -> Option<String> {
+        let sharpest = self.exponents.iter().map(|light| light.exponent).max()?;
+        let at = |scheme: &str, addr_bits| {
+            self.exponents.iter().find(|light| {
+                light.exponent == sharpest && light.scheme == scheme && light.addr_bits == addr_bits
+            })
+        };
+        let sizes = self.exponents.iter().map(|light| light.addr_bits);
+        let (least, most) = (sizes.clone().min()?, sizes.max()?);
+        let shown = |scheme, addr_bits| Some(short(error(&at(scheme, addr_bits)?.point)));
+        Some(format!(
+            "At exponent {sharpest} the picture by direct tables of 2^{most} entries is up to {}/255 off; by linear ones (`light_scheme=linear`) of 2^{least} entries {}/255, of 2^{most} {}/255; by bipartite ones of 2^{most} entries {}/255.",
+            shown("direct", most)?,
+            shown("linear", least)?,
+            shown("linear", most)?,
+            shown("bipartite", most)?,
+        ))
+    }
+
+    fn caption(&self) -> Vec<String> {
+        vec![format!(
+            "Scene {}; largest difference of any channel to the golden picture, in linear light.",
+            self.header.scene.name
+        )]
+    }
+
+    /// The plots with their files.
+    fn charts(&self) -> Vec<(&'static str, Chart)> {
+        let mut charts = vec![
+            ("ladder_error_vs_rom.svg", self.error_vs_rom()),
+            ("ladder_error_vs_speed.svg", self.error_vs_speed()),
+        ];
+        if !self.exponents.is_empty() {
+            charts.push(("exponents.svg", self.error_vs_exponent()));
+        }
+        charts
+    }
+
+    /// A line for each pipeline, from rung to rung.
+    fn by_pipeline(&self, x: impl Fn(&Measured) -> f64) -> Vec<Series> {
+        let mut all: Vec<Series> = Vec::new();
+        for rung in &self.rungs {
+            let Some(measured) = &rung.point.measured else { continue };
+            let place = (x(measured), error(&rung.point));
+            match all.iter_mut().find(|series| series.label == rung.pipeline) {
+                Some(series) => series.points.push(place),
+                None => all.push(Series {
+                    label: rung.pipeline.clone(),
+                    colour: all.len(),
+                    mark: all.len(),
+                    style: Style::Joined,
+                    points: vec![place],
+                }),
+            }
+        }
+        all
+    }
+
+    fn widths(&self) -> String {
+        let widths: Vec<String> = self.header.widths_bits.iter().map(u32::to_string).collect();
+        format!("Marks along a line: rungs of {} bits.", widths.join(", "))
+    }
+
+    fn error_vs_rom(&self) -> Chart {
+        let rom = |measured: &Measured| count(measured, "rom_bits_dual_port").unwrap_or(f64::NAN);
+        let costs: Vec<(f64, f64)> = self
+            .rungs
+            .iter()
+            .map(|rung| (rung.point.measured.as_ref().map_or(f64::NAN, rom), error(&rung.point)))
+            .collect();
+        let label = |rung: &Rung| format!("{}, {}", rung.pipeline, rung.width_bits);
+        let best = pareto(&costs).into_iter();
+        let points = best.map(|i| (costs[i].0, costs[i].1, label(&self.rungs[i]))).collect();
+        let mut caption = self.caption();
+        caption.push(self.widths());
+        Chart {
+            title: format!("{}: picture error against ROM bits", self.header.scene.name),
+            caption,
+            x: ("ROM bits, copies for two ports each".to_owned(), Along::Log10),
+            y: ("largest difference (1/255)".to_owned(), Along::Log10),
+            series: self.by_pipeline(rom),
+            front: Some(Front { label: "Pareto-optimal".to_owned(), points }),
+        }
+    }
+
+    fn error_vs_speed(&self) -> Chart {
+        let mut caption = self.caption();
+        caption
+            .push(format!("{} Wall-clock time: other load on the machine shows.", self.widths()));
+        Chart {
+            title: format!("{}: picture error against simulation speed", self.header.scene.name),
+            caption,
+            x: ("bit-true engine alone (pixels per second and thread)".to_owned(), Along::Log10),
+            y: ("largest difference (1/255)".to_owned(), Along::Log10),
+            series: self.by_pipeline(|measured| pixels_per_second(&self.header, measured)),
+            front: None,
+        }
+    }
+
+    fn error_vs_exponent(&self) -> Chart {
+        let mut schemes: Vec<&str> = Vec::new();
+        let mut sizes: Vec<u32> = Vec::new();
+        let mut series = Vec::new();
+        for ((scheme, addr_bits), lights) in self.light_tables() {
+            if !schemes.contains(&scheme) {
+                schemes.push(scheme);
+            }
+            if !sizes.contains(&addr_bits) {
+                sizes.push(addr_bits);
+            }
+            let mut points: Vec<(f64, f64)> =
+                lights.iter().map(|l| (f64::from(l.exponent), error(&l.point))).collect();
+            points.sort_by(|a, b| a.0.total_cmp(&b.0));
+            series.push(Series {
+                label: format!("{scheme}, 2^{addr_bits}"),
+                colour: schemes.iter().position(|known| *known == scheme).unwrap_or(0),
+                mark: sizes.iter().position(|known| *known == addr_bits).unwrap_or(0),
+                style: Style::Joined,
+                points,
+            });
+        }
+        let mut caption = self.caption();
+        caption.push("Colours are schemes of the light tables, marks their sizes.".to_owned());
+        Chart {
+            title: format!("{}: picture error against the exponent", self.header.scene.name),
+            caption,
+            x: ("exponent of the highlight".to_owned(), Along::Log2),
+            y: ("largest difference (1/255)".to_owned(), Along::Log10),
+            series,
+            front: None,
+        }
+    }
+
+    fn markdown(&self) -> String {
+        let mut text = String::new();
+        // Writing to a string can't fail.
+        let _ = self.report(&mut text);
+        text
+    }
+
+    fn report(&self, text: &mut String) -> std::fmt::Result {
+        let header = &self.header;
+        writeln!(
+            text,
+            "# Ladder on `{}`\n\nfixpath {}.\n",
+            header.scene.name, header.crate_version
+        )?;
+        writeln!(
+            text,
+            "- Scene {}, {} of its pixels covered, lights: {}.",
+            header.scene, header.covered_px, header.lights
+        )?;
+        let rung = |(key, less): &(String, u32)| match less {
+            0 => format!("`{key}=w`"),
+            less => format!("`{key}=w-{less}`"),
+        };
+        let parts: Vec<String> = header.rung.iter().map(rung).collect();
+        writeln!(
+            text,
+            "- A rung of w bits is {}; a pipeline does without those that its unit lacks, and keeps those that were set (`ladder.csv` has them).",
+            parts.join(", ")
+        )?;
+        writeln!(
+            text,
+            "- Differences are those to the golden picture (tangent-space bump mapping in `f64`) of every channel of every pixel, in linear light, here in 1/255. FLIP is of the 8-bit sRGB pictures. L' angle is the angle between the rotated light vector and that of the inputs before quantisation."
+        )?;
+        writeln!(
+            text,
+            "- Multipliers, adders, tables and cycles are those of one pass: a pixel under one light. Copies are those that each table needs for two ports a copy. Pixels per second are those of the bit-true engine alone, per thread; other load on the machine shows.\n"
+        )?;
+        writeln!(text, "## Pipelines\n")?;
+        table(text, &self.pipelines_table())?;
+        for rung in &self.rungs {
+            if let Some(error) = &rung.point.error {
+                writeln!(text, "- {} of {} bits failed: {error}", rung.pipeline, rung.width_bits)?;
+            }
+        }
+        let plot = |text: &mut String, file: &str| {
+            let charts = self.charts();
+            let found = charts.iter().find(|(known, _)| *known == file);
+            found.map_or(Ok(()), |(_, chart)| write!(text, "\n![{}]({file})\n", chart.title))
+        };
+        plot(text, "ladder_error_vs_rom.svg")?;
+        plot(text, "ladder_error_vs_speed.svg")?;
+        let (Some(lights), Some(pipeline)) = (self.exponents_table(), &header.light_pipeline)
+        else {
+            return Ok(());
+        };
+        let parameters: Vec<String> =
+            header.light_parameters.iter().map(|set| format!("`{set}`")).collect();
+        writeln!(
+            text,
+            "\n## Light tables over exponents\n\nThe largest difference in 1/255 by pipeline {pipeline}, whose other parameters are so fine that the light tables show: {}, unless others were set. The exponent takes the place of the scene's, in the golden too; diffuse and specular table are of one size. ROM bits and multipliers are of the whole pipeline.\n",
+            parameters.join(", ")
+        )?;
+        table(text, &lights)?;
+        if let Some(remedy) = self.remedy() {
+            writeln!(text, "\n{remedy}")?;
+        }
+        plot(text, "exponents.svg")
+    }
+}
+
+fn table(text: &mut String, table: &Table) -> std::fmt::Result {
+    let headings: Vec<&str> = table.headings.iter().map(String::as_str).collect();
+    table_head(text, &headings, table.left)?;
+    for row in &table.rows {
+        writeln!(text, "| {} |", row.join(" | "))?;
+    }
+    Ok(())
+}
