@@ -12,7 +12,7 @@ use crate::measure::{self, Basis, Inputs, Report};
 use crate::netlist::{Netlist, Part, ScopeId};
 use crate::op::Op;
 use crate::picture::{self, PIXELS_PER_DEGREE};
-use crate::render::{Pipeline, render};
+use crate::render::{MATERIAL, Pipeline, render, set_material};
 use crate::scene::Scene;
 use crate::units::{Design, Unit};
 use serde::Serialize;
@@ -572,7 +572,8 @@ pub fn compare(
 }
 
 impl Comparison {
-    /// Renders a scene by every architecture that gives light, and adds what came of it.
+    /// Renders a scene by every architecture that gives light, and adds what came of it. Parameters
+    /// of the material that were set hold for the scene too, and for its golden.
     ///
     /// # Errors
     /// If the scene's material doesn't go together with the parameters that were set.
@@ -583,12 +584,20 @@ impl Comparison {
         progress: &(dyn Fn(u64) + Sync),
     ) -> Result<()> {
         let (mut pipelines, mut of) = (Vec::new(), Vec::new());
+        let mut scene = scene.clone();
         for (at, row) in self.rows.iter().enumerate().filter(|(_, row)| row.intensity.is_some()) {
             let unit = Unit::find(row.unit)?;
+            let values = unit.values(&row.parameters)?;
+            for key in MATERIAL {
+                let is_set = |set: &String| set.split_once('=').is_some_and(|(k, _)| k == key);
+                if row.parameters.iter().any(is_set) {
+                    set_material(&mut scene, key, values.get(key));
+                }
+            }
             pipelines.push(Pipeline::of_unit(row.name, unit, &row.parameters));
             of.push(at);
         }
-        let rendered = render(scene, &pipelines, false, progress)?;
+        let rendered = render(&scene, &pipelines, false, progress)?;
         for (at, shot) in of.into_iter().zip(&rendered.shots) {
             let d =
                 picture::Difference::between(&shot.picture, &rendered.golden, PIXELS_PER_DEGREE)?;

@@ -41,6 +41,8 @@ use std::time::{Duration, Instant};
 const TOGETHER_PIXELS: u64 = 1 << 24;
 /// Rows that a thread takes at a time.
 const ROWS: u32 = 8;
+/// Blocks of rows whose colours are held at a time.
+const BLOCKS_TOGETHER: usize = 64;
 
 /// A unit with parameters, as a way to shade pixels.
 #[derive(Clone, Debug)]
@@ -173,6 +175,12 @@ impl Pipeline {
     /// If the parameters don't go together.
     pub fn design(&self, ambient: f64, light: &Light, material: &Material) -> Result<Design> {
         let mut assignments = self.assignments.clone();
+        if light.intensity * material.specular > 0.0
+            && assignments.iter().any(|set| set == "highlight=off")
+        {
+            let text = "highlight=off leaves out specular light that the scene has: set specular = 0 in its [material]";
+            return Err(Error::usage(text.to_owned()));
+        }
         let legal = |name: &str, value: f64| {
             // A product of numbers that are at most 1 each can be an ulp above.
             match self.unit.params.iter().find(|param| param.name == name).map(|p| p.kind) {
@@ -250,6 +258,17 @@ impl Shader {
     /// # Errors
     /// If the pipeline can't be built with its parameters, or lacks a port.
     pub fn new(scene: &Scene, pipeline: &Pipeline, vectors: bool) -> Result<Self> {
+        Self::with_stages(scene, pipeline, vectors, true)
+    }
+
+    /// As [`Shader::new`]; unless `shared`, each material has a stage of its own under each light,
+    /// also where two are built the same.
+    fn with_stages(
+        scene: &Scene,
+        pipeline: &Pipeline,
+        vectors: bool,
+        shared: bool,
+    ) -> Result<Self> {
         let mut known: BTreeMap<Vec<Value>, usize> = BTreeMap::new();
         let mut stages = Vec::new();
         let mut of = Vec::new();
@@ -260,8 +279,8 @@ impl Shader {
                 let design = pipeline.design(ambient, light, material)?;
                 let key: Vec<Value> = design.values.iter().map(|(_, value)| value).collect();
                 let index = match known.get(&key) {
-                    Some(index) => *index,
-                    None => {
+                    Some(index) if shared => *index,
+                    Some(_) | None => {
                         stages.push(Stage::new(design, vectors)?);
                         known.insert(key, stages.len() - 1);
                         stages.len() - 1
@@ -519,15 +538,13 @@ pub fn shoot(
         histograms: vec![0; shaders.len() * BINS],
     };
     let histograms = Histograms::new(shaders.len());
-    let results: Vec<Result<Block>> = blocks
-        .par_iter()
-        .map_init(lanes, |lanes, rows| {
-            let block = block(scene, shaders, rows.clone(), lanes);
-            histograms.take(&mut lanes.histograms);
-            progress(done.fetch_add(u64::from(rows.end - rows.start), Ordering::Relaxed));
-            block
-        })
-        .collect();
+    let shade_rows = |lanes: &mut Lanes, rows: &Range<u32>| {
+        let block = block(scene, shaders, rows.clone(), lanes);
+        histograms.take(&mut lanes.histograms);
+        let before = done.fetch_add(u64::from(rows.end - rows.start), Ordering::Relaxed);
+        progress(before + u64::from(rows.end - rows.start));
+        block
+    };
     let (width, height) =
         (cast::index_of_u32(scene.image.width), cast::index_of_u32(scene.image.height));
     let background = scene.image.background.map(cast::f32_of);
@@ -538,6 +555,11 @@ pub fn shoot(
     let mut pictures = vec![blank; shaders.len()];
     let mut totals: Vec<BlockShot> = shaders.iter().map(|shader| BlockShot::new(shader)).collect();
     let mut rates: Vec<Vec<(Duration, u64)>> = vec![Vec::new(); shaders.len()];
+    // Some blocks at a time: beside the pictures, memory doesn't grow with their height.
+    let rounds = blocks.chunks(BLOCKS_TOGETHER);
+    let results = rounds.flat_map(|some| -> Vec<Result<Block>> {
+        some.par_iter().map_init(lanes, shade_rows).collect()
+    });
     for block in results {
         let block = block?;
         covered += cast::count_of(block.pixels.len());
@@ -734,13 +756,26 @@ fn block(scene: &Scene, shaders: &[&Shader], rows: Range<u32>, lanes: &mut Lanes
 
 /// The perturbed normal by Blinn's equation, from the slopes along the texture's axes.
 fn blinn_normal(scene: &Scene, fragments: &Fragments, i: usize) -> DVec3 {
-    let bump = scene.bumps.vector(fragments.bump[i]);
-    let (slope_u, slope_v) = (-bump.x / bump.z, -bump.y / bump.z);
+    let (slope_u, slope_v) = slopes(scene, fragments.bump[i]);
     let normal = Fragments::vector(&fragments.normal, i);
     let (pu, pv) = (Fragments::vector(&fragments.tangent, i), fragments.bitangent(i));
     // The equation takes N as P_u × P_v; a mirrored texture has N on the other side.
     let side = fragments.handedness[i];
     (normal + side * (slope_u * normal.cross(pv) - slope_v * normal.cross(pu))).normalize()
+}
+
+/// Slopes B_u, B_v of the height map at a texel, in texels of height per texel, by differences of
+/// its neighbours: not from the bump vectors, which they are held against.
+fn slopes(scene: &Scene, texel: u32) -> (f64, f64) {
+    let (width, height) = scene.bumps.size();
+    let (column, row) = (texel % width, texel / width);
+    let at = |column: u32, row: u32| {
+        scene.bumps.heights()[cast::index_of_u32(row * width + column)] * scene.bumps.scale()
+    };
+    let (right, left) = ((column + 1) % width, (column + width - 1) % width);
+    let (below, above) = ((row + 1) % height, (row + height - 1) % height);
+    // v grows upwards.
+    (0.5 * (at(right, row) - at(left, row)), 0.5 * (at(column, above) - at(column, below)))
 }
 
 /// Runs a design over fragments and adds the light of each.

@@ -177,8 +177,10 @@ fn show_tells_the_estimate_and_how_far_it_is() {
     };
     let text = run(&["show", "rotation"]);
     let stated =
-        format!("within N % of Yosys {DEVIATIONS_YOSYS} over the committed rotation units");
+        format!("within N % of Yosys {DEVIATIONS_YOSYS} over the committed settings of this unit");
     assert!(text.contains(&stated), "{text}");
+    let other = run(&["show", "illumination"]);
+    assert!(other.contains("measured for the rotation unit alone") && !other.contains("within"));
     let json: serde_json::Value =
         serde_json::from_str(&run(&["show", "rotation", "--json"])).unwrap();
     for (target, deviations) in DEVIATIONS {

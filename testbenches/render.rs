@@ -77,7 +77,7 @@ impl Limits {
         let bound = |what: &str| check.stated.iter().find(|b| b.quantity == what).unwrap().bound;
         let bits = |name: &str| i32::try_from(design.values.int(name).unwrap()).unwrap();
         let (dot, exponent) = (bound("dot") + 2f64.powi(-bits("frac_bits")), bits("exponent"));
-        let slope = if exponent == 0 { 1.0 } else { (f64::from(exponent) * dot).min(1.0) };
+        let slope = if exponent == 0 { 1.0 } else { 1.0 - (1.0 - dot.min(1.0)).powi(exponent) };
         // Angles are off by half a word: a direction by √2 of that, and the frame by three of them.
         let half = TAU * 2f64.powi(-bits("angle_bits") - 1);
         let perturbed = match design.values.choice("pipeline") {

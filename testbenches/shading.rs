@@ -216,6 +216,9 @@ fn bounds_are_near_what_is_seen_and_break_for_a_wrong_golden() {
         ("illumination", &["variant=cartesian"][..], "dot", 1.01),
         ("illumination", &["scheme=linear"], "dot", 3.0),
         ("illumination", &["scheme=linear", "light_scheme=linear"], "diffuse", 4.0),
+        ("illumination", &["scheme=linear", "light_scheme=linear"], "specular", 8.0),
+        ("illumination", &["variant=cartesian"], "intensity", 1.2),
+        ("bump", &["scheme=linear", "light_scheme=linear"], "specular", 16.0),
         ("bump", &["pipeline=exact-cartesian", "scheme=linear"], "dot", 8.0),
         ("bump", &["scheme=linear"], "dot", 4.0),
     ] {

@@ -146,6 +146,11 @@ fn json_of(design: &Design, rows: &[Row], yosys: &str) -> Value {
     })
 }
 
+/// True for the unit that [`DEVIATIONS`] were measured over.
+fn is_measured(rtl: &Rtl) -> bool {
+    rtl.netlist().name() == "rotation"
+}
+
 /// The estimate for every target, for `show`.
 pub(super) fn estimates(rtl: &Arc<Rtl>) -> String {
     let mut text = "\nestimate of the cost, without tools\n".to_owned();
@@ -157,7 +162,9 @@ pub(super) fn estimates(rtl: &Arc<Rtl>) -> String {
         };
         let mut cells = vec![target.name().to_owned()];
         for (count, percent) in cost.columns().iter().zip(deviations) {
-            cells.extend([count.to_string(), format!("within {percent} %")]);
+            let within =
+                if is_measured(rtl) { format!("within {percent} %") } else { String::new() };
+            cells.extend([count.to_string(), within]);
         }
         rows.push(cells);
     }
@@ -165,10 +172,12 @@ pub(super) fn estimates(rtl: &Arc<Rtl>) -> String {
         &["target", ">LUTs", "", ">flip-flops", "", ">block RAMs", "", ">DSPs", ""],
         &rows,
     ));
-    let _ = writeln!(
-        text,
-        "  within N % of Yosys {DEVIATIONS_YOSYS} over the committed rotation units; `fixpath cost` asks Yosys itself"
-    );
+    let how_far = if is_measured(rtl) {
+        format!("within N % of Yosys {DEVIATIONS_YOSYS} over the committed settings of this unit")
+    } else {
+        "how far it is from Yosys was measured for the rotation unit alone".to_owned()
+    };
+    let _ = writeln!(text, "  {how_far}; `fixpath cost` asks Yosys itself");
     text
 }
 
@@ -179,7 +188,9 @@ pub(super) fn estimates_json(rtl: &Arc<Rtl>) -> Value {
         // What can't be made as a module has none.
         let Ok(cost) = estimate(rtl, *target) else { return Value::Null };
         let mut entry = json!(cost);
-        entry["within_percent_of_yosys"] = json!(deviations);
+        if is_measured(rtl) {
+            entry["within_percent_of_yosys"] = json!(deviations);
+        }
         targets.insert(target.name().to_owned(), entry);
     }
     Value::Object(targets)

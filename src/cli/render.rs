@@ -197,27 +197,28 @@ fn savings(reduced: &[(&str, Vec<SpecialisedStage>)]) -> String {
     for (name, stages) in reduced {
         for stage in stages {
             let report = &stage.report;
-            let (before, after) = (&report.before, &report.pixel.counts);
+            let face = report.face.as_ref().map(|face| &face.counts);
             let multipliers = |counts: &Counts| {
                 counts.datapath.multipliers + counts.schemes.multipliers + counts.parts.multipliers
             };
             let adders = |c: &Counts| c.datapath.adders + c.schemes.adders + c.parts.adders;
-            let change = |from: u64, to: u64| format!("{from} to {to}");
+            let change = |count: &dyn Fn(&Counts) -> u64| {
+                let (before, pixel) = (count(&report.before), count(&report.pixel.counts));
+                let face = face.map(|face| format!(" + {}", count(face))).unwrap_or_default();
+                format!("{before} to {pixel}{face}")
+            };
             let per = |seconds: f64| seconds / cast::f64_of_count(stage.samples.max(1)) * 1e9;
             let inputs = |rate: &str| stage.inputs.iter().filter(|port| port.rate == rate).count();
             rows.push(vec![
                 (*name).to_owned(),
                 format!("{}, {}", stage.material, stage.light),
                 format!("{} {} {}", inputs("scene"), inputs("face"), inputs("pixel")),
-                change(before.tables, after.tables),
-                change(before.rom_bits, after.rom_bits),
-                change(before.rom_bits_dual_port, after.rom_bits_dual_port),
-                change(multipliers(before), multipliers(after)),
-                change(adders(before), adders(after)),
-                report.face.as_ref().map_or_else(
-                    || "-".to_owned(),
-                    |face| format!("{} adders, {}", adders(&face.counts), stage.faces),
-                ),
+                change(&|counts| counts.tables),
+                change(&|counts| counts.rom_bits),
+                change(&|counts| counts.rom_bits_dual_port),
+                change(&multipliers),
+                change(&adders),
+                if face.is_some() { stage.faces.to_string() } else { "-".to_owned() },
                 format!(
                     "{:.1} to {:.1}",
                     per(stage.general_seconds),
@@ -232,7 +233,8 @@ fn savings(reduced: &[(&str, Vec<SpecialisedStage>)]) -> String {
         }
     }
     let mut told = String::from(
-        "only what the scene needs, per pixel; each design is held to the general one on every pixel\n",
+        "only what the scene needs: before, after for every pixel + after once for every flat face;\n\
+         each design is held to the general one on every pixel\n",
     );
     told.push_str(&text::table(
         &[
@@ -244,7 +246,7 @@ fn savings(reduced: &[(&str, Vec<SpecialisedStage>)]) -> String {
             "with copies",
             "multipliers",
             "adders",
-            "once per face, faces",
+            "faces",
             "ns a sample",
             "equal",
         ],

@@ -35,8 +35,10 @@ pub struct Fragment {
 /// Azimuth and polar angle in turns, 0 to 1 and 0 to ½.
 #[must_use]
 pub fn polar(v: DVec3) -> (f64, f64) {
-    let phi = v.y.atan2(v.x) / TAU;
-    (if phi < 0.0 { phi + 1.0 } else { phi }, v.x.hypot(v.y).atan2(v.z) / TAU)
+    let across = v.x.hypot(v.y);
+    // On a pole phi is 0, also where atan2 would tell zeros of either sign apart.
+    let phi = if across == 0.0 { 0.0 } else { v.y.atan2(v.x) / TAU };
+    (if phi < 0.0 { phi + 1.0 } else { phi }, across.atan2(v.z) / TAU)
 }
 
 /// Vectors of a fragment.
@@ -268,7 +270,9 @@ mod tests {
     #[test]
     fn psi_completes_the_polar_rotation_to_the_texture_frame() {
         let mut all = random(200);
-        for normal in [DVec3::Z, DVec3::NEG_Z, DVec3::X] {
+        let poles = [(-0.0, 0.0, 1.0), (-0.0, -0.0, 1.0), (0.0, -0.0, -1.0), (-0.0, 0.0, -1.0)];
+        let poles = poles.map(DVec3::from);
+        for normal in [DVec3::Z, DVec3::NEG_Z, DVec3::X].into_iter().chain(poles) {
             for tangent in [DVec3::Y, DVec3::new(0.0, -0.6, 0.8), DVec3::new(0.8, 0.6, 0.0)] {
                 let tangent = (tangent - normal * tangent.dot(normal)).normalize();
                 all.push(Fragment { normal, tangent, ..all[0] });

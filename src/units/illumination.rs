@@ -274,8 +274,14 @@ pub(super) fn table(
     output: Format,
 ) -> Result<NodeId> {
     let Function::Light { offset, exponent, .. } = function else { panic!("bug: a light table") };
-    let away = b.negative(dot);
     let zero = b.constant(0, Format::FLAG);
+    let away = if exponent > 0 {
+        b.negative(dot)
+    } else {
+        // 0^0 is 1 in the table; a surface at a right angle gets no light.
+        let (towards, one) = (b.less(zero, dot), b.constant(1, Format::FLAG));
+        b.xor(towards, one)
+    };
     let index = b.mux(away, zero, dot);
     // 1.0 has no code; 0 <= index < 1.
     let frac = cast::signed_count(plan.frac_bits);
@@ -451,13 +457,14 @@ pub(super) fn diffuse_bound(values: &Values, worst: &dyn Fn(&str) -> f64, dot: f
     worst("diffuse") + values.real("diffuse") * index + ulp(values.bits("light_bits"))
 }
 
-/// Of the specular light: its slope is ks n at most, and all of it ks. With an exponent of 0 it
-/// jumps at a right angle.
+/// Of the specular light: what the dot product's bound makes of its power, and all of it ks. With
+/// an exponent of 0 it jumps at a right angle.
 pub(super) fn specular_bound(values: &Values, worst: &dyn Fn(&str) -> f64, dot: f64) -> f64 {
     let index = dot + ulp(values.bits("frac_bits"));
     let slope = match values.bits("exponent") {
         0 => 1.0,
-        n => (f64::from(n) * index).min(1.0),
+        // (x + d)^n - x^n is largest where x + d = 1.
+        n => 1.0 - (1.0 - index.min(1.0)).powi(i32::try_from(n).expect("bug: at most 255")),
     };
     worst("specular") + values.real("specular") * slope + ulp(values.bits("light_bits"))
 }
