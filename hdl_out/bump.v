@@ -26,8 +26,8 @@
 //   ht_z: mean 7.39e-4, at most 4.45e-3 at phi_l=53874 theta_l=21815 phi_h=50989 theta_h=16126 phi_n=18283 theta_n=2943 psi=27084 phi_p=38880 theta_p=9075
 // stated bound on each dot: 2.73e-2
 // stated bound on each diffuse: 1.67e-2
-// stated bound on each specular: 2.67e-1
-// stated bound on each intensity: 2.83e-1
+// stated bound on each specular: 1.81e-1
+// stated bound on each intensity: 1.98e-1
 // stated bound on the angle: 1.82e-2 rad
 module bump (
     input  wire clk,
@@ -143,7 +143,7 @@ module bump (
     wire [0:-16] bump_n257 = {1'b0, phi_p} + {1'b0, psi}; // u17f16
     wire [-1:-16] bump_phi = bump_n257[-1:-16]; // u16f16
     // (unit)
-    wire n298 = 1'b0; // u1f0
+    wire n297 = 1'b0; // u1f0
     wire [-1:-16] n303 = 16'h199a; // u16f16
     wire [-1:-16] n310 = 16'h0; // u16f16
 
@@ -1318,8 +1318,8 @@ module bump (
     wire dot_h_over = ~dot_h_cut[5] & (|dot_h_cut[4:1]);
     wire dot_h_under = dot_h_cut[5] & ~(&dot_h_cut[4:1]);
     wire signed [1:-16] dot_h = dot_h_over ? 18'h1ffff : dot_h_under ? 18'h20000 : dot_h_cut[1:-16]; // s18f16
-    wire n297 = dot_l[1]; // u1f0
-    wire signed [1:-16] n299 = n297 ? {1'b0, n298, 16'h0} : dot_l; // s18f16
+    wire n298 = dot_l[1]; // u1f0
+    wire signed [1:-16] n299 = n298 ? {1'b0, n297, 16'h0} : dot_l; // s18f16
     wire diffuse_index_over = ~n299[1] & (|n299[0]);
     wire diffuse_index_under = n299[1];
     wire [-1:-16] diffuse_index = diffuse_index_over ? 16'hffff : diffuse_index_under ? 16'h0 : n299[-1:-16]; // u16f16
@@ -1327,20 +1327,20 @@ module bump (
     wire [9:0] diffuse_n301 = diffuse_index[-1:-10]; // u10f0
     // (unit)
     wire n305 = dot_h[1]; // u1f0
-    wire signed [1:-16] n306 = n305 ? {1'b0, n298, 16'h0} : dot_h; // s18f16
+    wire signed [1:-16] n306 = n305 ? {1'b0, n297, 16'h0} : dot_h; // s18f16
     wire specular_index_over = ~n306[1] & (|n306[0]);
     wire specular_index_under = n306[1];
     wire [-1:-16] specular_index = specular_index_over ? 16'hffff : specular_index_under ? 16'h0 : n306[-1:-16]; // u16f16
     // specular
     wire [9:0] specular_n308 = specular_index[-1:-10]; // u10f0
 
-    reg n297_s22; // u1f0
+    reg n298_s22; // u1f0
     reg [9:0] diffuse_n301_s22; // u10f0
     reg n305_s22; // u1f0
     reg [9:0] specular_n308_s22; // u10f0
     always @(posedge clk)
         if (ce) begin
-            n297_s22 <= n297;
+            n298_s22 <= n298;
             diffuse_n301_s22 <= diffuse_n301;
             n305_s22 <= n305;
             specular_n308_s22 <= specular_n308;
@@ -1352,13 +1352,13 @@ module bump (
 
     // ---- stage 22 ----
 
-    reg n297_s23; // u1f0
+    reg n298_s23; // u1f0
     reg [15:0] diffuse_row;
     reg n305_s23; // u1f0
     reg [15:0] specular_row;
     always @(posedge clk)
         if (ce) begin
-            n297_s23 <= n297_s22;
+            n298_s23 <= n298_s22;
             diffuse_row <= diffuse_rom[diffuse_n301_s22];
             n305_s23 <= n305_s22;
             specular_row <= specular_rom[specular_n308_s22];
@@ -1372,7 +1372,7 @@ module bump (
     // diffuse
     wire [-1:-16] diffuse_n302 = diffuse_row; // u16f16
     // (unit)
-    wire [-1:-16] diffuse_next = n297_s23 ? n303 : diffuse_n302; // u16f16
+    wire [-1:-16] diffuse_next = n298_s23 ? n303 : diffuse_n302; // u16f16
     // specular
     wire [-1:-16] specular_n309 = specular_row; // u16f16
     // (unit)

@@ -14,8 +14,8 @@
 --   dot_h: mean 1.03e-3, at most 3.98e-3 (260.8 ulp) at phi_lt=8635 theta_lt=24817 phi_ht=7806 theta_ht=14338 phi_p=58302 theta_p=9088
 -- stated bound on each dot: 9.08e-3
 -- stated bound on each diffuse: 5.77e-3
--- stated bound on each specular: 9.19e-2
--- stated bound on each intensity: 9.77e-2
+-- stated bound on each specular: 8.06e-2
+-- stated bound on each intensity: 8.64e-2
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -849,7 +849,7 @@ architecture rtl of illumination is
     signal dot_h_cos_n31 : unsigned(9 downto 0) := (others => '0'); -- u10f0
     signal dot_h_cos_n33 : unsigned(9 downto 0) := (others => '0'); -- u10f0
     signal dot_h_cos_n35 : unsigned(9 downto 0) := (others => '0'); -- u10f0
-    signal n45 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n44 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal n50 : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal n57 : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal cos_row : unsigned(19 downto 0) := (others => '0');
@@ -902,7 +902,7 @@ architecture rtl of illumination is
     signal dot_h_over : unsigned(0 downto 0) := (others => '0');
     signal dot_h_under : unsigned(0 downto 0) := (others => '0');
     signal dot_h : signed(17 downto 0) := (others => '0'); -- s18f16
-    signal n44 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n45 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal n46 : signed(17 downto 0) := (others => '0'); -- s18f16
     signal diffuse_index_over : unsigned(0 downto 0) := (others => '0');
     signal diffuse_index_under : unsigned(0 downto 0) := (others => '0');
@@ -914,13 +914,13 @@ architecture rtl of illumination is
     signal specular_index_under : unsigned(0 downto 0) := (others => '0');
     signal specular_index : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal specular_n55 : unsigned(9 downto 0) := (others => '0'); -- u10f0
-    signal n44_s4 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n45_s4 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal diffuse_n48_s4 : unsigned(9 downto 0) := (others => '0'); -- u10f0
     signal n52_s4 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal specular_n55_s4 : unsigned(9 downto 0) := (others => '0'); -- u10f0
     signal valid_s4 : std_logic;
     -- stage 4
-    signal n44_s5 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n45_s5 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal diffuse_row : unsigned(15 downto 0) := (others => '0');
     signal n52_s5 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal specular_row : unsigned(15 downto 0) := (others => '0');
@@ -960,7 +960,7 @@ begin
     dot_h_cos_n33 <= dot_h_difference(15 downto 6);
     dot_h_cos_n35 <= dot_h_delta(15 downto 6);
     -- (unit)
-    n45 <= "0";
+    n44 <= "0";
     n50 <= 16x"199a";
     n57 <= 16x"0000";
 
@@ -1062,8 +1062,8 @@ begin
     dot_h_over <= "1" when dot_h_cut(21) = '0' and (or dot_h_cut(20 downto 17)) = '1' else "0";
     dot_h_under <= "1" when dot_h_cut(21) = '1' and (and dot_h_cut(20 downto 17)) = '0' else "0";
     dot_h <= 18x"1ffff" when dot_h_over(0) = '1' else 18x"20000" when dot_h_under(0) = '1' else dot_h_cut(17 downto 0);
-    n44 <= unsigned(dot_l(17 downto 17));
-    n46 <= signed(shift_left(resize(n45, 18), 16)) when n44(0) = '1' else dot_l;
+    n45 <= unsigned(dot_l(17 downto 17));
+    n46 <= signed(shift_left(resize(n44, 18), 16)) when n45(0) = '1' else dot_l;
     diffuse_index_over <= "1" when n46(17) = '0' and (or n46(16 downto 16)) = '1' else "0";
     diffuse_index_under <= unsigned(n46(17 downto 17));
     diffuse_index <= 16x"ffff" when diffuse_index_over(0) = '1' else 16x"0000" when diffuse_index_under(0) = '1' else unsigned(n46(15 downto 0));
@@ -1071,7 +1071,7 @@ begin
     diffuse_n48 <= diffuse_index(15 downto 6);
     -- (unit)
     n52 <= unsigned(dot_h(17 downto 17));
-    n53 <= signed(shift_left(resize(n45, 18), 16)) when n52(0) = '1' else dot_h;
+    n53 <= signed(shift_left(resize(n44, 18), 16)) when n52(0) = '1' else dot_h;
     specular_index_over <= "1" when n53(17) = '0' and (or n53(16 downto 16)) = '1' else "0";
     specular_index_under <= unsigned(n53(17 downto 17));
     specular_index <= 16x"ffff" when specular_index_over(0) = '1' else 16x"0000" when specular_index_under(0) = '1' else unsigned(n53(15 downto 0));
@@ -1082,7 +1082,7 @@ begin
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                n44_s4 <= n44;
+                n45_s4 <= n45;
                 diffuse_n48_s4 <= diffuse_n48;
                 n52_s4 <= n52;
                 specular_n55_s4 <= specular_n55;
@@ -1101,7 +1101,7 @@ begin
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                n44_s5 <= n44_s4;
+                n45_s5 <= n45_s4;
                 diffuse_row <= diffuse_rom(to_integer(diffuse_n48_s4));
                 n52_s5 <= n52_s4;
                 specular_row <= specular_rom(to_integer(specular_n55_s4));
@@ -1118,7 +1118,7 @@ begin
     -- diffuse
     diffuse_n49 <= diffuse_row;
     -- (unit)
-    diffuse_next <= n50 when n44_s5(0) = '1' else diffuse_n49;
+    diffuse_next <= n50 when n45_s5(0) = '1' else diffuse_n49;
     -- specular
     specular_n56 <= specular_row;
     -- (unit)

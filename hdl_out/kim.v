@@ -25,8 +25,8 @@
 //   ht_z: mean 1.46e-3, at most 6.74e-3 at phi_l=15954 theta_l=3967 phi_h=34558 theta_h=10628 phi_n=23439 theta_n=21371 psi=29040 phi_p=61493 theta_p=6921
 // stated bound on each dot: 8.61e-2
 // stated bound on each diffuse: 5.20e-2
-// stated bound on each specular: 3.05e-1
-// stated bound on each intensity: 3.57e-1
+// stated bound on each specular: 2.88e-1
+// stated bound on each intensity: 3.40e-1
 // stated bound on the angle: 7.10e-2 rad
 module kim (
     input  wire clk,
@@ -92,7 +92,7 @@ module kim (
     // dot_l.sincos
     wire [9:0] dot_l_sincos_n214 = theta_p[-1:-10]; // u10f0
     // (unit)
-    wire n237 = 1'b0; // u1f0
+    wire n236 = 1'b0; // u1f0
     wire [-1:-16] n242 = 16'h199a; // u16f16
     wire [-1:-16] n249 = 16'h0; // u16f16
 
@@ -1539,8 +1539,8 @@ module kim (
     wire dot_h_over = ~dot_h_cut[6] & (|dot_h_cut[5:1]);
     wire dot_h_under = dot_h_cut[6] & ~(&dot_h_cut[5:1]);
     wire signed [1:-16] dot_h = dot_h_over ? 18'h1ffff : dot_h_under ? 18'h20000 : dot_h_cut[1:-16]; // s18f16
-    wire n236 = dot_l[1]; // u1f0
-    wire signed [1:-16] n238 = n236 ? {1'b0, n237, 16'h0} : dot_l; // s18f16
+    wire n237 = dot_l[1]; // u1f0
+    wire signed [1:-16] n238 = n237 ? {1'b0, n236, 16'h0} : dot_l; // s18f16
     wire diffuse_index_over = ~n238[1] & (|n238[0]);
     wire diffuse_index_under = n238[1];
     wire [-1:-16] diffuse_index = diffuse_index_over ? 16'hffff : diffuse_index_under ? 16'h0 : n238[-1:-16]; // u16f16
@@ -1548,20 +1548,20 @@ module kim (
     wire [9:0] diffuse_n240 = diffuse_index[-1:-10]; // u10f0
     // (unit)
     wire n244 = dot_h[1]; // u1f0
-    wire signed [1:-16] n245 = n244 ? {1'b0, n237, 16'h0} : dot_h; // s18f16
+    wire signed [1:-16] n245 = n244 ? {1'b0, n236, 16'h0} : dot_h; // s18f16
     wire specular_index_over = ~n245[1] & (|n245[0]);
     wire specular_index_under = n245[1];
     wire [-1:-16] specular_index = specular_index_over ? 16'hffff : specular_index_under ? 16'h0 : n245[-1:-16]; // u16f16
     // specular
     wire [9:0] specular_n247 = specular_index[-1:-10]; // u10f0
 
-    reg n236_s28; // u1f0
+    reg n237_s28; // u1f0
     reg [9:0] diffuse_n240_s28; // u10f0
     reg n244_s28; // u1f0
     reg [9:0] specular_n247_s28; // u10f0
     always @(posedge clk)
         if (ce) begin
-            n236_s28 <= n236;
+            n237_s28 <= n237;
             diffuse_n240_s28 <= diffuse_n240;
             n244_s28 <= n244;
             specular_n247_s28 <= specular_n247;
@@ -1573,13 +1573,13 @@ module kim (
 
     // ---- stage 28 ----
 
-    reg n236_s29; // u1f0
+    reg n237_s29; // u1f0
     reg [15:0] diffuse_row;
     reg n244_s29; // u1f0
     reg [15:0] specular_row;
     always @(posedge clk)
         if (ce) begin
-            n236_s29 <= n236_s28;
+            n237_s29 <= n237_s28;
             diffuse_row <= diffuse_rom[diffuse_n240_s28];
             n244_s29 <= n244_s28;
             specular_row <= specular_rom[specular_n247_s28];
@@ -1593,7 +1593,7 @@ module kim (
     // diffuse
     wire [-1:-16] diffuse_n241 = diffuse_row; // u16f16
     // (unit)
-    wire [-1:-16] diffuse_next = n236_s29 ? n242 : diffuse_n241; // u16f16
+    wire [-1:-16] diffuse_next = n237_s29 ? n242 : diffuse_n241; // u16f16
     // specular
     wire [-1:-16] specular_n248 = specular_row; // u16f16
     // (unit)

@@ -25,8 +25,8 @@
 --   ht_z: mean 1.46e-3, at most 6.74e-3 at phi_l=15954 theta_l=3967 phi_h=34558 theta_h=10628 phi_n=23439 theta_n=21371 psi=29040 phi_p=61493 theta_p=6921
 -- stated bound on each dot: 8.61e-2
 -- stated bound on each diffuse: 5.20e-2
--- stated bound on each specular: 3.05e-1
--- stated bound on each intensity: 3.57e-1
+-- stated bound on each specular: 2.88e-1
+-- stated bound on each intensity: 3.40e-1
 -- stated bound on the angle: 7.10e-2 rad
 library ieee;
 use ieee.std_logic_1164.all;
@@ -152,7 +152,7 @@ architecture rtl of kim is
     signal setup_n205 : unsigned(16 downto 0) := (others => '0'); -- u17f16
     signal setup_phi_p : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal dot_l_sincos_n214 : unsigned(9 downto 0) := (others => '0'); -- u10f0
-    signal n237 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n236 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal n242 : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal n249 : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal sincos_row : unsigned(39 downto 0) := (others => '0');
@@ -940,7 +940,7 @@ architecture rtl of kim is
     signal dot_h_over : unsigned(0 downto 0) := (others => '0');
     signal dot_h_under : unsigned(0 downto 0) := (others => '0');
     signal dot_h : signed(17 downto 0) := (others => '0'); -- s18f16
-    signal n236 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n237 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal n238 : signed(17 downto 0) := (others => '0'); -- s18f16
     signal diffuse_index_over : unsigned(0 downto 0) := (others => '0');
     signal diffuse_index_under : unsigned(0 downto 0) := (others => '0');
@@ -952,13 +952,13 @@ architecture rtl of kim is
     signal specular_index_under : unsigned(0 downto 0) := (others => '0');
     signal specular_index : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal specular_n247 : unsigned(9 downto 0) := (others => '0'); -- u10f0
-    signal n236_s28 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n237_s28 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal diffuse_n240_s28 : unsigned(9 downto 0) := (others => '0'); -- u10f0
     signal n244_s28 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal specular_n247_s28 : unsigned(9 downto 0) := (others => '0'); -- u10f0
     signal valid_s28 : std_logic;
     -- stage 28
-    signal n236_s29 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n237_s29 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal diffuse_row : unsigned(15 downto 0) := (others => '0');
     signal n244_s29 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal specular_row : unsigned(15 downto 0) := (others => '0');
@@ -993,7 +993,7 @@ begin
     -- dot_l.sincos
     dot_l_sincos_n214 <= theta_p(15 downto 6);
     -- (unit)
-    n237 <= "0";
+    n236 <= "0";
     n242 <= 16x"199a";
     n249 <= 16x"0000";
 
@@ -2226,8 +2226,8 @@ begin
     dot_h_over <= "1" when dot_h_cut(22) = '0' and (or dot_h_cut(21 downto 17)) = '1' else "0";
     dot_h_under <= "1" when dot_h_cut(22) = '1' and (and dot_h_cut(21 downto 17)) = '0' else "0";
     dot_h <= 18x"1ffff" when dot_h_over(0) = '1' else 18x"20000" when dot_h_under(0) = '1' else dot_h_cut(17 downto 0);
-    n236 <= unsigned(dot_l(17 downto 17));
-    n238 <= signed(shift_left(resize(n237, 18), 16)) when n236(0) = '1' else dot_l;
+    n237 <= unsigned(dot_l(17 downto 17));
+    n238 <= signed(shift_left(resize(n236, 18), 16)) when n237(0) = '1' else dot_l;
     diffuse_index_over <= "1" when n238(17) = '0' and (or n238(16 downto 16)) = '1' else "0";
     diffuse_index_under <= unsigned(n238(17 downto 17));
     diffuse_index <= 16x"ffff" when diffuse_index_over(0) = '1' else 16x"0000" when diffuse_index_under(0) = '1' else unsigned(n238(15 downto 0));
@@ -2235,7 +2235,7 @@ begin
     diffuse_n240 <= diffuse_index(15 downto 6);
     -- (unit)
     n244 <= unsigned(dot_h(17 downto 17));
-    n245 <= signed(shift_left(resize(n237, 18), 16)) when n244(0) = '1' else dot_h;
+    n245 <= signed(shift_left(resize(n236, 18), 16)) when n244(0) = '1' else dot_h;
     specular_index_over <= "1" when n245(17) = '0' and (or n245(16 downto 16)) = '1' else "0";
     specular_index_under <= unsigned(n245(17 downto 17));
     specular_index <= 16x"ffff" when specular_index_over(0) = '1' else 16x"0000" when specular_index_under(0) = '1' else unsigned(n245(15 downto 0));
@@ -2246,7 +2246,7 @@ begin
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                n236_s28 <= n236;
+                n237_s28 <= n237;
                 diffuse_n240_s28 <= diffuse_n240;
                 n244_s28 <= n244;
                 specular_n247_s28 <= specular_n247;
@@ -2265,7 +2265,7 @@ begin
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                n236_s29 <= n236_s28;
+                n237_s29 <= n237_s28;
                 diffuse_row <= diffuse_rom(to_integer(diffuse_n240_s28));
                 n244_s29 <= n244_s28;
                 specular_row <= specular_rom(to_integer(specular_n247_s28));
@@ -2282,7 +2282,7 @@ begin
     -- diffuse
     diffuse_n241 <= diffuse_row;
     -- (unit)
-    diffuse_next <= n242 when n236_s29(0) = '1' else diffuse_n241;
+    diffuse_next <= n242 when n237_s29(0) = '1' else diffuse_n241;
     -- specular
     specular_n248 <= specular_row;
     -- (unit)

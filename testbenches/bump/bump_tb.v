@@ -26,8 +26,8 @@
 //   ht_z: mean 7.39e-4, at most 4.45e-3 at phi_l=53874 theta_l=21815 phi_h=50989 theta_h=16126 phi_n=18283 theta_n=2943 psi=27084 phi_p=38880 theta_p=9075
 // stated bound on each dot: 2.73e-2
 // stated bound on each diffuse: 1.67e-2
-// stated bound on each specular: 2.67e-1
-// stated bound on each intensity: 2.83e-1
+// stated bound on each specular: 1.81e-1
+// stated bound on each intensity: 1.98e-1
 // stated bound on the angle: 1.82e-2 rad
 //
 // Self-checking testbench of bump. It reads bump_vectors.txt: per line the words of the

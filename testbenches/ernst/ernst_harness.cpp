@@ -24,7 +24,7 @@
 //   ht_z: mean 3.92e-6, at most 1.08e-5 (0.7 ulp) at l_x=-37898 l_y=-11533 l_z=52209 h_x=-54011 h_y=-33479 h_z=-16030 n_x=-19265 n_y=-61659 n_z=-11046 t_x=-4008 t_y=12746 t_z=-64159 b_x=62512 b_y=-18185 b_z=-7518 p_x=10839 p_y=-28061 p_z=58224
 // stated bound on each dot: 7.02e-5
 // stated bound on each diffuse: 8.94e-5
-// stated bound on each specular: 5.39e-3
+// stated bound on each specular: 5.38e-3
 // stated bound on each intensity: 5.49e-3
 // stated bound on each component: 1.81e-5
 //

@@ -25,8 +25,8 @@
 //   ht_z: mean 1.46e-3, at most 6.74e-3 at phi_l=15954 theta_l=3967 phi_h=34558 theta_h=10628 phi_n=23439 theta_n=21371 psi=29040 phi_p=61493 theta_p=6921
 // stated bound on each dot: 8.61e-2
 // stated bound on each diffuse: 5.20e-2
-// stated bound on each specular: 3.05e-1
-// stated bound on each intensity: 3.57e-1
+// stated bound on each specular: 2.88e-1
+// stated bound on each intensity: 3.40e-1
 // stated bound on the angle: 7.10e-2 rad
 //
 // Self-checking testbench of kim. It reads kim_vectors.txt: per line the words of the
