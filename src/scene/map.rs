@@ -14,7 +14,7 @@ pub(super) const MAX_SIDE: u32 = 8192;
 /// Most texels of a map.
 const MAX_TEXELS: u64 = 1 << 25;
 /// Largest file that a scene may name, in bytes.
-const MAX_BYTES: u64 = 1 << 28;
+pub(super) const MAX_BYTES: u64 = 1 << 28;
 
 /// Colours over a surface, in linear light.
 #[derive(Clone, Debug)]
@@ -202,15 +202,19 @@ pub fn to_srgb(linear: f64) -> f64 {
 
 /// The whole of a file that a scene names.
 pub(super) fn read_file(path: &Path) -> Result<Vec<u8>> {
+    read_up_to(path, MAX_BYTES)?.ok_or_else(|| {
+        let problem = format!("has more than {MAX_BYTES} bytes, the most that is read");
+        Error::file(path, problem)
+    })
+}
+
+/// The whole of a file; `None` if it has more bytes than these.
+pub(super) fn read_up_to(path: &Path, max_bytes: u64) -> Result<Option<Vec<u8>>> {
     let fail = |why| Error::io(path, "can't read", why);
     let mut bytes = Vec::new();
     let file = File::open(path).map_err(fail)?;
-    file.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(fail)?;
-    if cast::count_of(bytes.len()) > MAX_BYTES {
-        let problem = format!("has more than {MAX_BYTES} bytes, the most that is read");
-        return Err(Error::file(path, problem));
-    }
-    Ok(bytes)
+    file.take(max_bytes + 1).read_to_end(&mut bytes).map_err(fail)?;
+    Ok((cast::count_of(bytes.len()) <= max_bytes).then_some(bytes))
 }
 
 /// Decodes an image, after a look at what its header says.
