@@ -810,3 +810,29 @@ fn wrong_files_are_refused() {
         base.gltf: buffer 0: its data URI is no base64
     "#]].assert_eq(&seen);
 }
+
+#[test]
+fn a_scene_has_limits_as_a_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    // A polygon of 1003 corners: 1001 triangles, and 1 001 000 of them in 1000 objects.
+    let corners = " 1/1/1 2/2/1 3/3/1".repeat(335);
+    let polygon = corners.rsplitn(3, ' ').last().unwrap();
+    fs::write(folder.path().join("m.obj"), format!("{SQUARE}f{polygon}")).unwrap();
+    let refused = |text: &str| {
+        Scene::parse(text, &folder.path().join("s.toml")).map(|_| ()).unwrap_err().to_string()
+    };
+    let why = refused(&"[[object]]\nshape = \"mesh\"\nfile = \"m.obj\"\n".repeat(1000));
+    let expected = "s.toml, line 2998: more than 1000000 triangles in all objects together, the most that a scene may have: simplify the meshes or leave some out";
+    assert!(why.ends_with(expected), "{why}");
+
+    let objects = |materials: u32| -> String {
+        let object = |i| {
+            format!("[[object]]\nshape = \"cube\"\nmaterial = {{ exponent = {} }}\n", i % materials)
+        };
+        (0..200).map(object).collect()
+    };
+    assert_eq!(parse(&objects(64)).materials.len(), 200);
+    let why = refused(&objects(65));
+    let expected = "s.toml, line 193: more than 64 different materials, the most that a scene may have: give some objects the same";
+    assert!(why.ends_with(expected), "{why}");
+}
