@@ -13,6 +13,8 @@ use std::path::Path;
 pub(super) const MAX_SIDE: u32 = 8192;
 /// Most texels of a map.
 const MAX_TEXELS: u64 = 1 << 25;
+/// Most texels of a map whose bump vectors are stored (96 MiB): pixels and lights ask for each often.
+const MAX_VECTORS: usize = 1 << 22;
 /// Largest file that a scene may name, in bytes.
 pub(super) const MAX_BYTES: u64 = 1 << 28;
 
@@ -29,6 +31,8 @@ pub struct Bumps {
     size: Size,
     heights: Vec<f64>,
     scale: f64,
+    /// By texel index; none of a map above [`MAX_VECTORS`].
+    vectors: Vec<DVec3>,
     flat: bool,
 }
 
@@ -126,7 +130,10 @@ impl Bumps {
     }
 
     fn new(size: Size, heights: Vec<f64>, scale: f64) -> Self {
-        let mut bumps = Self { size, heights, scale, flat: false };
+        let mut bumps = Self { size, heights, scale, vectors: Vec::new(), flat: false };
+        if size.len() <= MAX_VECTORS {
+            bumps.vectors = (0..bumps.len()).map(|texel| bumps.converted(texel)).collect();
+        }
         bumps.flat = (0..bumps.len()).all(|texel| bumps.vector(texel) == DVec3::Z);
         bumps
     }
@@ -162,13 +169,22 @@ impl Bumps {
         self.scale
     }
 
-    /// The bump vector of a texel by index: a unit vector along (T, B, N). A few additions and one
-    /// square root; for many pixels, convert each texel once.
+    /// The bump vector of a texel by index: a unit vector along (T, B, N). Maps of up to 2^22 texels
+    /// have converted each once; of a larger one it costs a few additions and a square root.
     ///
     /// # Panics
     /// If there is no such texel.
+    #[inline]
     #[must_use]
     pub fn vector(&self, texel: u32) -> DVec3 {
+        if self.vectors.is_empty() {
+            self.converted(texel)
+        } else {
+            self.vectors[cast::index_of_u32(texel)]
+        }
+    }
+
+    fn converted(&self, texel: u32) -> DVec3 {
         let Size { width, height } = self.size;
         let (x, y) = (texel % width, texel / width);
         let at = |x: u32, y: u32| self.heights[cast::index_of_u32(y * width + x)];
@@ -312,6 +328,20 @@ mod tests {
         let du = 2.0 * (-0.125 - -0.375) / 2.0;
         assert!((n.x / n.z + du).abs() < 1e-15, "{n}");
         assert_eq!(bumps.len(), 16);
+    }
+
+    #[test]
+    fn stored_vectors_are_those_of_the_heights() {
+        let bumps = Bumps::made(&Pattern::Brick.over(64, 32), 3.7);
+        assert_eq!(bumps.vectors.len(), 64 * 32);
+        let large = Bumps { vectors: Vec::new(), ..bumps.clone() };
+        for texel in 0..bumps.len() {
+            let [stored, converted] = [&bumps, &large].map(|map| map.vector(texel).to_array());
+            assert_eq!(stored.map(f64::to_bits), converted.map(f64::to_bits), "{texel}");
+        }
+        let size = Size { width: 4097, height: 1024 };
+        let large = Bumps::new(size, vec![0.5; size.len()], 1.0);
+        assert!(large.vectors.is_empty() && large.is_flat());
     }
 
     #[test]
