@@ -257,8 +257,10 @@ impl Scene {
         }
     }
 
-    /// A number that another scene doesn't have, wherever its files are and whatever else is in
-    /// them: of all that an image depends on.
+    /// A digest of all that an image depends on, wherever its files are and whatever else is in
+    /// them: scenes that differ have, in all likelihood, different ones. It is for one version of
+    /// this program: another may print the fields in another way, and so give the same scene
+    /// another number.
     #[must_use]
     pub fn fingerprint(&self) -> u64 {
         let Self { image, camera, lights, ambient, texture, bumps, materials, surfaces } = self;
@@ -277,7 +279,8 @@ impl Scene {
     }
 }
 
-/// FNV-1a, which is the same in every version and on every machine.
+/// FNV-1a of 64 bits: the same bytes give the same number on every machine, unlike the standard
+/// library's hashers.
 struct Digest(u64);
 
 impl Digest {
