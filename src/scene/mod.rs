@@ -49,7 +49,7 @@
 //! The texel of (u, v) is column `floor(u w)` and row `floor((1-v) h)`, both modulo the map's size:
 //! maps repeat, nearest texel, row 0 on top. A texel's index is `row * w + column`.
 //! Texture files hold sRGB and are decoded to linear light ([`from_srgb`]); colours in a scene file are
-//! linear. Whoever writes an image encodes it ([`to_srgb`]).
+//! linear. Whoever writes an image encodes it ([`to_srgb8`](crate::picture::Picture::to_srgb8)).
 //! Heights are 0 to 1: the grey values of a file as they are, not decoded; of colours,
 //! 0.2126 R + 0.7152 G + 0.0722 B. Transparency is passed over. The bump vector of a texel is
 //! `normalise(-s (h[x+1] - h[x-1])/2, -s (h[y-1] - h[y+1])/2, 1)` along (T, B, N), where y counts rows
@@ -78,7 +78,8 @@ mod procedural;
 mod text;
 mod trace;
 
-pub use map::{Bumps, Texture, from_srgb, to_srgb};
+pub use crate::srgb::from_srgb;
+pub use map::{Bumps, Texture};
 pub use trace::{CURVED, Fragments};
 
 use crate::error::{Error, Result};
