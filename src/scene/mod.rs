@@ -186,19 +186,11 @@ pub struct Material {
     pub exponent: u32,
 }
 
-/// What holds for every pixel of a scene, so that a datapath can do with less.
+/// What holds for every pixel of a scene.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Facts {
     /// Some material has a specular part and some light an intensity: H is needed.
     pub specular: bool,
-    /// Some material has a diffuse part and some light an intensity: L is needed, unless for H.
-    pub diffuse: bool,
-    /// Every face is flat: N, T and handedness are constant per face.
-    pub flat_faces: bool,
-    /// Every light is directional: L is constant per light.
-    pub constant_light: bool,
-    /// The camera is orthographic: V is constant, and H too where L is.
-    pub constant_eye: bool,
     /// Every bump vector is (0, 0, 1).
     pub flat_bumps: bool,
     /// No texture is mirrored: handedness is +1 everywhere.
@@ -249,10 +241,6 @@ impl Scene {
         let lit = self.lights.iter().any(|light| light.intensity > 0.0);
         Facts {
             specular: lit && self.materials.iter().any(|material| material.specular > 0.0),
-            diffuse: lit && self.materials.iter().any(|material| material.diffuse > 0.0),
-            flat_faces: self.surfaces.is_flat(),
-            constant_light: self.lights.iter().all(|l| matches!(l.place, Place::Direction(_))),
-            constant_eye: matches!(self.camera.projection, Projection::Orthographic { .. }),
             flat_bumps: self.bumps.is_flat(),
             right_handed: self.surfaces.is_right_handed(),
         }
