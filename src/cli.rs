@@ -15,7 +15,7 @@ use crate::eval::{self, AngleUnit, InputFile};
 use crate::measure::{self, BoundCheck, Inputs, Report};
 use crate::output;
 use crate::outside;
-use crate::report::record::ImageError;
+use crate::report::record::RankBy;
 use crate::sweep::{Axis, Sweep};
 use crate::units::{Design, Sampler, UNITS, Unit, Values};
 use crate::wave::{Options, Wave};
@@ -268,17 +268,17 @@ enum SamplerArg {
     Exhaustive,
 }
 
-/// [`ImageError`] on the command line.
+/// [`RankBy`] on the command line.
 #[derive(Clone, Copy)]
-struct ErrorArg(ImageError);
+struct ErrorArg(RankBy);
 
 impl ValueEnum for ErrorArg {
     fn value_variants<'a>() -> &'a [Self] {
         const ALL: [ErrorArg; 6] = {
-            let mut all = [ErrorArg(ImageError::Max); 6];
+            let mut all = [ErrorArg(RankBy::Max); 6];
             let mut i = 0;
             while i < all.len() {
-                all[i] = ErrorArg(ImageError::ALL[i].0);
+                all[i] = ErrorArg(RankBy::ALL[i].0);
                 i += 1;
             }
             all
@@ -287,7 +287,7 @@ impl ValueEnum for ErrorArg {
     }
 
     fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
-        let known = ImageError::ALL.iter().find(|(error, ..)| *error == self.0);
+        let known = RankBy::ALL.iter().find(|(error, ..)| *error == self.0);
         known.map(|(_, name, help)| clap::builder::PossibleValue::new(*name).help(*help))
     }
 }

@@ -68,6 +68,7 @@ pub mod schedule;
 pub mod sim;
 mod simd;
 pub mod specialise;
+mod srgb;
 pub mod sweep;
 pub mod trig;
 pub mod units;

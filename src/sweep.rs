@@ -16,7 +16,7 @@ use crate::output;
 use crate::picture::PIXELS_PER_DEGREE;
 use crate::render::{MATERIAL, Pipeline, Shader, set_material, shots_together};
 use crate::report;
-use crate::report::record::{self, Header, ImageError, Measured, Point, Record, SceneId};
+use crate::report::record::{self, Header, Measured, Point, RankBy, Record, SceneId};
 use crate::scene::Scene;
 use crate::units::{Design, Kind, Param, Sampler, Unit, Value, Values};
 use std::collections::HashMap;
@@ -163,7 +163,7 @@ pub struct View {
     /// Its name in reports.
     pub name: String,
     /// What points are ranked by.
-    pub error: ImageError,
+    pub error: RankBy,
 }
 
 /// Where inputs come from.

@@ -9,7 +9,7 @@ const LAYERS: &[&[&str]] = &[
     &["cast", "error", "output", "simd"],
     &["outside"],
     &["format"],
-    &["function", "trig"],
+    &["function", "trig", "srgb"],
     &["op", "netlist"],
     &["lut"],
     &["schedule", "specialise", "picture", "scene"],

@@ -36,12 +36,7 @@ fn builtin_scenes_are_whole() {
         assert!(f.len() > pixels as usize / 3, "{name}: {}", f.len());
         assert!(f.pixel.is_sorted_by(|a, b| a < b) && *f.pixel.last().unwrap() < pixels);
         let facts = scene.facts();
-        assert!(facts.specular && facts.diffuse && facts.right_handed && !facts.flat_bumps);
-        assert_eq!(facts.flat_faces, *name != "sphere");
-        assert_eq!(
-            (facts.constant_light, facts.constant_eye),
-            (*name == "sphere", *name == "sphere")
-        );
+        assert!(facts.specular && facts.right_handed && !facts.flat_bumps);
         let mut faces = HashMap::new();
         for i in 0..f.len() {
             let (n, t, v) = (normal(&f, i), tangent(&f, i), Fragments::vector(&f.eye, i));
@@ -52,7 +47,7 @@ fn builtin_scenes_are_whole() {
             assert_eq!(f.face[i] == CURVED, *name == "sphere");
             // To the last bit, so that a datapath may keep them per face.
             let of_face = faces.entry(f.face[i]).or_insert((n, t));
-            assert!(facts.flat_faces.then_some((n, t)).is_none_or(|frame| frame == *of_face));
+            assert!(f.face[i] == CURVED || (n, t) == *of_face);
             assert!(f.bump[i] < scene.bumps.len());
             assert!((f.texel[i] as usize) < scene.texture.texels().len());
         }
@@ -229,15 +224,13 @@ fn lights_and_halfway_vectors() {
     let scene = parse("[[light]]\ndirection = [0, 0, 9]\n[[object]]\nshape = \"sphere\"");
     assert_eq!(scene.lights[0].place, Place::Direction(DVec3::Z));
     let f = traced(&scene);
-    let (mut l, mut h) = Default::default();
-    for _ in 0..2 {
-        f.lit_by(&scene.lights[0], &mut l, &mut h);
-    }
-    assert_eq!((l[0].len(), h[2].len()), (f.len(), f.len()));
+    assert!(!f.is_empty());
     for i in 0..f.len() {
-        assert_eq!(Fragments::vector(&l, i), DVec3::Z);
-        let half = (Fragments::vector(&f.eye, i) + DVec3::Z).normalize();
-        assert!((Fragments::vector(&h, i) - half).length() < 1e-15);
+        let l = scene.lights[0].towards(Fragments::vector(&f.position, i), normal(&f, i));
+        assert_eq!(l, DVec3::Z);
+        let eye = Fragments::vector(&f.eye, i);
+        let half = (eye + DVec3::Z).normalize();
+        assert!((halfway(l, eye, normal(&f, i)) - half).length() < 1e-15);
     }
 }
 
@@ -250,7 +243,7 @@ fn a_shape_alone_is_a_scene_and_materials_inherit() {
     assert_eq!(scene.materials[0].exponent, 7);
     assert_eq!((scene.materials[1].exponent, scene.materials[1].diffuse), (7, 0.25));
     let facts = scene.facts();
-    assert!(!facts.specular && facts.flat_bumps && facts.constant_light && !facts.constant_eye);
+    assert!(!facts.specular && facts.flat_bumps);
     assert_eq!((scene.texture.size(), scene.bumps.size()), ((1, 1), (1, 1)));
     let f = traced(&scene);
     assert!(f.texel.iter().chain(&f.bump).all(|texel| *texel == 0));
@@ -259,7 +252,7 @@ fn a_shape_alone_is_a_scene_and_materials_inherit() {
     assert!(both, "the sphere stands out of the plane");
 
     let dark = parse("[[light]]\nintensity = 0\n[[object]]\nshape = \"plane\"").facts();
-    assert!(!dark.specular && !dark.diffuse && dark.flat_faces);
+    assert!(!dark.specular);
     let faraway = parse("[camera]\ntarget = [9, -9, 3]\n[[object]]\nshape = \"sphere\"");
     assert!(traced(&faraway).is_empty());
 }
@@ -375,8 +368,9 @@ fn one_cube_in_every_format_is_the_cube() {
     let expected = traced(&scene("shape = \"cube\""));
     for name in ["cube.obj", "cube.gltf", "cube.glb", "data.gltf"] {
         let scene = scene(&format!("shape = \"mesh\"\nfile = \"{name}\""));
-        assert!(scene.facts().flat_faces && scene.facts().right_handed);
+        assert!(scene.facts().right_handed);
         let f = traced(&scene);
+        assert!(!f.face.contains(&CURVED));
         assert_eq!(f.pixel, expected.pixel, "{name}");
         for i in 0..f.len() {
             assert_eq!(f.face[i] / 2, expected.face[i], "two triangles to the face");
@@ -423,7 +417,6 @@ fn mirrored_and_smooth_meshes() {
     // Normals that differ: interpolated, made unit again, and no flat face.
     fs::write(&file, format!("{SQUARE}vn 1 0 1\nvn -2 0 2\nf 1/1/3 2/2/2 3/3/2 4/4/3")).unwrap();
     let smooth = scene();
-    assert!(!smooth.facts().flat_faces);
     let f = traced(&smooth);
     for i in 0..f.len() {
         let n = DVec3::new(f.position[0][i], 0.0, 1.0).normalize();
@@ -809,4 +802,30 @@ fn wrong_files_are_refused() {
         away.bin: can't read: No such file or directory (os error 2)
         base.gltf: buffer 0: its data URI is no base64
     "#]].assert_eq(&seen);
+}
+
+#[test]
+fn a_scene_has_limits_as_a_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    // A polygon of 1003 corners: 1001 triangles, and 1 001 000 of them in 1000 objects.
+    let corners = " 1/1/1 2/2/1 3/3/1".repeat(335);
+    let polygon = corners.rsplitn(3, ' ').last().unwrap();
+    fs::write(folder.path().join("m.obj"), format!("{SQUARE}f{polygon}")).unwrap();
+    let refused = |text: &str| {
+        Scene::parse(text, &folder.path().join("s.toml")).map(|_| ()).unwrap_err().to_string()
+    };
+    let why = refused(&"[[object]]\nshape = \"mesh\"\nfile = \"m.obj\"\n".repeat(1000));
+    let expected = "s.toml, line 2998: more than 1000000 triangles in all objects together, the most that a scene may have: simplify the meshes or leave some out";
+    assert!(why.ends_with(expected), "{why}");
+
+    let objects = |materials: u32| -> String {
+        let object = |i| {
+            format!("[[object]]\nshape = \"cube\"\nmaterial = {{ exponent = {} }}\n", i % materials)
+        };
+        (0..200).map(object).collect()
+    };
+    assert_eq!(parse(&objects(64)).materials.len(), 200);
+    let why = refused(&objects(65));
+    let expected = "s.toml, line 193: more than 64 different materials, the most that a scene may have: give some objects the same";
+    assert!(why.ends_with(expected), "{why}");
 }

@@ -10,7 +10,7 @@ use crate::picture::{
     sheet, signed_map,
 };
 use crate::render::{Pipeline, Rendered, Shot, SpecialisedStage, render, specialise_to};
-use crate::report::record::ImageError;
+use crate::report::record::RankBy as ImageError;
 use crate::scene::Scene;
 use crate::sweep::View;
 use clap::Args;

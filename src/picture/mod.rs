@@ -31,6 +31,7 @@ pub use maps::{Amplify, absolute_map, signed_map};
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::output;
+use crate::srgb::from_srgb;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageError};
 use rayon::prelude::*;
@@ -199,18 +200,13 @@ fn check_sides(width_px: usize, height_px: usize, pixels: usize) -> Result<()> {
     Ok(())
 }
 
-/// Linear light, 0..=1, of an sRGB value, 0..=1 (IEC 61966-2-1).
-fn decoded(value: f64) -> f64 {
-    if value <= 0.040_45 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
-}
-
 /// Linear light of each code.
 static LINEAR: LazyLock<[f64; 256]> =
-    LazyLock::new(|| array::from_fn(|code| decoded(cast::f64_of_len(code) / 255.0)));
+    LazyLock::new(|| array::from_fn(|code| from_srgb(cast::f64_of_len(code) / 255.0)));
 
 /// Linear light halfway between each code and the next.
 static THRESHOLDS: LazyLock<[f64; 255]> =
-    LazyLock::new(|| array::from_fn(|code| decoded((cast::f64_of_len(code) + 0.5) / 255.0)));
+    LazyLock::new(|| array::from_fn(|code| from_srgb((cast::f64_of_len(code) + 0.5) / 255.0)));
 
 fn linear(code: u8) -> f64 {
     LINEAR[usize::from(code)]

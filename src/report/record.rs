@@ -122,7 +122,7 @@ pub struct Header {
     pub scene: Option<SceneId>,
     /// What points over a scene are ranked by: points have all of them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub error: Option<ImageError>,
+    pub error: Option<RankBy>,
 }
 
 /// Which scene it was.
@@ -161,7 +161,7 @@ impl fmt::Display for SceneId {
 /// How a picture is ranked by its difference to the golden.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum ImageError {
+pub enum RankBy {
     /// The largest absolute difference of any channel, in linear light.
     #[default]
     Max,
@@ -315,7 +315,7 @@ impl From<&Difference> for PictureFigures {
     }
 }
 
-impl ImageError {
+impl RankBy {
     /// All with their names on the command line and what they are.
     pub const ALL: [(Self, &'static str, &'static str); 6] = [
         (Self::Max, "max", "largest difference of any channel, in linear light"),
@@ -533,7 +533,7 @@ impl Record {
     }
 
     /// What points over a scene are ranked by; `None` over anything else.
-    fn image_error(&self) -> Option<ImageError> {
+    fn image_error(&self) -> Option<RankBy> {
         self.header.scene.as_ref().map(|_| self.header.error.unwrap_or_default())
     }
 

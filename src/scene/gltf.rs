@@ -9,7 +9,8 @@ use crate::cast;
 use crate::error::{Error, Result};
 use glam::{DMat3, DMat4, DQuat, DVec2, DVec3};
 use serde::Deserialize;
-use std::collections::HashSet;
+use std::borrow::Cow;
+use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
 #[derive(Deserialize)]
@@ -105,6 +106,11 @@ struct Buffer {
 
 /// Reads a `.gltf` or `.glb` file of which these are the bytes.
 pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Vec<Triangle>> {
+    read_within(bytes, path, map::MAX_BYTES)
+}
+
+/// As [`read`], with so many bytes in all buffers together.
+fn read_within(bytes: &[u8], path: &Path, max_bytes: u64) -> Result<Vec<Triangle>> {
     let fail = |problem| Error::file(path, problem);
     let (json, binary) =
         if bytes.starts_with(b"glTF") { chunks(bytes).map_err(fail)? } else { (bytes, None) };
@@ -114,26 +120,52 @@ pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Vec<Triangle>> {
         let problem = format!("needs the extension `{extension}`: export without it");
         return Err(fail(problem));
     }
+    let mut data: Vec<Cow<[u8]>> = Vec::new();
+    // Which of the data a buffer has: one URI may be that of many buffers, and is read once.
     let mut buffers = Vec::new();
+    let mut known = HashMap::new();
+    let mut left = max_bytes;
     for (i, buffer) in document.buffers.iter().enumerate() {
-        let bytes = match (&buffer.uri, binary) {
-            (Some(uri), _) if uri.starts_with("data:") => {
-                base64(uri).ok_or_else(|| fail(format!("buffer {i}: its data URI is no base64")))?
+        let place = match buffer.uri.as_ref().and_then(|uri| known.get(uri)) {
+            Some(place) => *place,
+            None => {
+                let bytes = match (&buffer.uri, binary) {
+                    (Some(uri), _) if uri.starts_with("data:") => {
+                        let bytes = base64(uri).ok_or_else(|| {
+                            fail(format!("buffer {i}: its data URI is no base64"))
+                        })?;
+                        Some(Cow::Owned(bytes))
+                    }
+                    (Some(uri), _) => {
+                        let folder = path.parent().unwrap_or(Path::new(""));
+                        map::read_up_to(&folder.join(unescaped(uri)), left)?.map(Cow::Owned)
+                    }
+                    (None, Some(binary)) if i == 0 => Some(Cow::Borrowed(binary)),
+                    (None, _) => return Err(fail(format!("buffer {i} has no data"))),
+                };
+                let fits = |bytes: &Cow<[u8]>| cast::count_of(bytes.len()) <= left;
+                let bytes = bytes.filter(fits).ok_or_else(|| {
+                    fail(format!(
+                        "its buffers have more than {max_bytes} bytes together, the most that is read: simplify it"
+                    ))
+                })?;
+                left -= cast::count_of(bytes.len());
+                if let Some(uri) = &buffer.uri {
+                    known.insert(uri, data.len());
+                }
+                data.push(bytes);
+                data.len() - 1
             }
-            (Some(uri), _) => {
-                map::read_file(&path.parent().unwrap_or(Path::new("")).join(unescaped(uri)))?
-            }
-            (None, Some(binary)) if i == 0 => binary.to_vec(),
-            (None, _) => return Err(fail(format!("buffer {i} has no data"))),
         };
-        if bytes.len() < buffer.byte_length {
-            let (has, needs) = (bytes.len(), buffer.byte_length);
+        let (has, needs) = (data[place].len(), buffer.byte_length);
+        if has < needs {
             return Err(fail(format!(
                 "buffer {i} has {has} bytes of {needs}: the file is cut off"
             )));
         }
-        buffers.push(bytes);
+        buffers.push(place);
     }
+    let buffers: Vec<&[u8]> = buffers.into_iter().map(|place| &*data[place]).collect();
     File { document: &document, buffers: &buffers }.triangles().map_err(fail)
 }
 
@@ -164,7 +196,7 @@ fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), String> {
 
 struct File<'a> {
     document: &'a Document,
-    buffers: &'a [Vec<u8>],
+    buffers: &'a [&'a [u8]],
 }
 
 fn get<'a, T>(list: &'a [T], what: &str, index: usize) -> Result<&'a T, String> {
@@ -411,6 +443,35 @@ fn unescaped(uri: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn buffers_share_a_limit_and_each_uri_is_read_once() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("a.bin"), [0; 10]).unwrap();
+        std::fs::write(folder.path().join("b.bin"), [0; 10]).unwrap();
+        let read = |uris: &[&str], max_bytes| {
+            let buffer = |uri: &&str| format!("{{\"uri\": \"{uri}\", \"byteLength\": 3}}");
+            let buffers: Vec<String> = uris.iter().map(buffer).collect();
+            let text = format!("{{\"buffers\": [{}]}}", buffers.join(", "));
+            let read = read_within(text.as_bytes(), &folder.path().join("x.gltf"), max_bytes);
+            read.map(|triangles| triangles.len()).map_err(|why| why.to_string())
+        };
+        assert_eq!(read(&["a.bin"; 200], 10), Ok(0));
+        assert_eq!(read(&["a.bin", "b.bin", "a.bin"], 20), Ok(0));
+        assert_eq!(read(&["data:;base64,AAAA", "a.bin"], 13), Ok(0));
+        for (uris, max_bytes) in [
+            (["a.bin", "b.bin"], 19),
+            (["a.bin", "./a.bin"], 19),
+            (["a.bin", "a.bin"], 9),
+            (["a.bin", "data:;base64,AAAA"], 12),
+        ] {
+            let why = read(&uris, max_bytes).unwrap_err();
+            let expected = format!(
+                "x.gltf: its buffers have more than {max_bytes} bytes together, the most that is read: simplify it"
+            );
+            assert!(why.ends_with(&expected), "{why}");
+        }
+    }
 
     #[test]
     fn base64_and_escapes() {

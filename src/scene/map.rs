@@ -3,6 +3,7 @@
 use super::procedural::Samples;
 use crate::cast;
 use crate::error::{Error, Result};
+use crate::srgb::from_srgb;
 use glam::DVec3;
 use image::{DynamicImage, ImageReader};
 use std::fs::File;
@@ -13,8 +14,10 @@ use std::path::Path;
 pub(super) const MAX_SIDE: u32 = 8192;
 /// Most texels of a map.
 const MAX_TEXELS: u64 = 1 << 25;
+/// Most texels of a map whose bump vectors are stored (96 MiB): pixels and lights ask for each often.
+const MAX_VECTORS: usize = 1 << 22;
 /// Largest file that a scene may name, in bytes.
-const MAX_BYTES: u64 = 1 << 28;
+pub(super) const MAX_BYTES: u64 = 1 << 28;
 
 /// Colours over a surface, in linear light.
 #[derive(Clone, Debug)]
@@ -29,6 +32,8 @@ pub struct Bumps {
     size: Size,
     heights: Vec<f64>,
     scale: f64,
+    /// By texel index; none of a map above [`MAX_VECTORS`].
+    vectors: Vec<DVec3>,
     flat: bool,
 }
 
@@ -126,7 +131,10 @@ impl Bumps {
     }
 
     fn new(size: Size, heights: Vec<f64>, scale: f64) -> Self {
-        let mut bumps = Self { size, heights, scale, flat: false };
+        let mut bumps = Self { size, heights, scale, vectors: Vec::new(), flat: false };
+        if size.len() <= MAX_VECTORS {
+            bumps.vectors = (0..bumps.len()).map(|texel| bumps.converted(texel)).collect();
+        }
         bumps.flat = (0..bumps.len()).all(|texel| bumps.vector(texel) == DVec3::Z);
         bumps
     }
@@ -162,13 +170,22 @@ impl Bumps {
         self.scale
     }
 
-    /// The bump vector of a texel by index: a unit vector along (T, B, N). A few additions and one
-    /// square root; for many pixels, convert each texel once.
+    /// The bump vector of a texel by index: a unit vector along (T, B, N). Maps of up to 2^22 texels
+    /// have converted each once; of a larger one it costs a few additions and a square root.
     ///
     /// # Panics
     /// If there is no such texel.
+    #[inline]
     #[must_use]
     pub fn vector(&self, texel: u32) -> DVec3 {
+        if self.vectors.is_empty() {
+            self.converted(texel)
+        } else {
+            self.vectors[cast::index_of_u32(texel)]
+        }
+    }
+
+    fn converted(&self, texel: u32) -> DVec3 {
         let Size { width, height } = self.size;
         let (x, y) = (texel % width, texel / width);
         let at = |x: u32, y: u32| self.heights[cast::index_of_u32(y * width + x)];
@@ -187,30 +204,21 @@ impl Bumps {
     }
 }
 
-/// Linear light, 0 to 1, from an sRGB code value, 0 to 1 (IEC 61966-2-1).
-#[must_use]
-pub fn from_srgb(code: f64) -> f64 {
-    if code <= 0.04045 { code / 12.92 } else { ((code + 0.055) / 1.055).powf(2.4) }
-}
-
-/// The sRGB code value, 0 to 1, of linear light, which is first brought into 0 to 1.
-#[must_use]
-pub fn to_srgb(linear: f64) -> f64 {
-    let x = linear.clamp(0.0, 1.0);
-    if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 }
-}
-
 /// The whole of a file that a scene names.
 pub(super) fn read_file(path: &Path) -> Result<Vec<u8>> {
+    read_up_to(path, MAX_BYTES)?.ok_or_else(|| {
+        let problem = format!("has more than {MAX_BYTES} bytes, the most that is read");
+        Error::file(path, problem)
+    })
+}
+
+/// The whole of a file; `None` if it has more bytes than these.
+pub(super) fn read_up_to(path: &Path, max_bytes: u64) -> Result<Option<Vec<u8>>> {
     let fail = |why| Error::io(path, "can't read", why);
     let mut bytes = Vec::new();
     let file = File::open(path).map_err(fail)?;
-    file.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(fail)?;
-    if cast::count_of(bytes.len()) > MAX_BYTES {
-        let problem = format!("has more than {MAX_BYTES} bytes, the most that is read");
-        return Err(Error::file(path, problem));
-    }
-    Ok(bytes)
+    file.take(max_bytes + 1).read_to_end(&mut bytes).map_err(fail)?;
+    Ok((cast::count_of(bytes.len()) <= max_bytes).then_some(bytes))
 }
 
 /// Decodes an image, after a look at what its header says.
@@ -282,17 +290,6 @@ mod tests {
     }
 
     #[test]
-    fn srgb_goes_there_and_back() {
-        for code in 0..=255u8 {
-            let x = f64::from(code) / 255.0;
-            assert!((to_srgb(from_srgb(x)) - x).abs() < 1e-7, "{code}");
-        }
-        // A few values of the standard's own curve.
-        assert!((from_srgb(0.5) - 0.214_041_14).abs() < 1e-8);
-        assert!(to_srgb(-1.0) == 0.0 && (to_srgb(2.0) - 1.0).abs() < 1e-15);
-    }
-
-    #[test]
     fn slopes_are_in_texels() {
         // A ramp that falls by 1/4 per texel to the right and rises by 1/4 per row downwards.
         let heights: Vec<f64> =
@@ -308,6 +305,20 @@ mod tests {
         let du = 2.0 * (-0.125 - -0.375) / 2.0;
         assert!((n.x / n.z + du).abs() < 1e-15, "{n}");
         assert_eq!(bumps.len(), 16);
+    }
+
+    #[test]
+    fn stored_vectors_are_those_of_the_heights() {
+        let bumps = Bumps::made(&Pattern::Brick.over(64, 32), 3.7);
+        assert_eq!(bumps.vectors.len(), 64 * 32);
+        let large = Bumps { vectors: Vec::new(), ..bumps.clone() };
+        for texel in 0..bumps.len() {
+            let [stored, converted] = [&bumps, &large].map(|map| map.vector(texel).to_array());
+            assert_eq!(stored.map(f64::to_bits), converted.map(f64::to_bits), "{texel}");
+        }
+        let size = Size { width: 4097, height: 1024 };
+        let large = Bumps::new(size, vec![0.5; size.len()], 1.0);
+        assert!(large.vectors.is_empty() && large.is_flat());
     }
 
     #[test]

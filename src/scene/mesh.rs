@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use glam::{DVec2, DVec3};
 use std::path::Path;
 
-/// Most triangles of a mesh.
+/// Most triangles of a mesh, and of all objects of a scene together.
 pub(super) const MAX_TRIANGLES: usize = 1_000_000;
 
 /// A triangle as in its file, v up.

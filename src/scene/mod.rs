@@ -49,7 +49,7 @@
 //! The texel of (u, v) is column `floor(u w)` and row `floor((1-v) h)`, both modulo the map's size:
 //! maps repeat, nearest texel, row 0 on top. A texel's index is `row * w + column`.
 //! Texture files hold sRGB and are decoded to linear light ([`from_srgb`]); colours in a scene file are
-//! linear. Whoever writes an image encodes it ([`to_srgb`]).
+//! linear. Whoever writes an image encodes it ([`to_srgb8`](crate::picture::Picture::to_srgb8)).
 //! Heights are 0 to 1: the grey values of a file as they are, not decoded; of colours,
 //! 0.2126 R + 0.7152 G + 0.0722 B. Transparency is passed over. The bump vector of a texel is
 //! `normalise(-s (h[x+1] - h[x-1])/2, -s (h[y-1] - h[y+1])/2, 1)` along (T, B, N), where y counts rows
@@ -78,7 +78,8 @@ mod procedural;
 mod text;
 mod trace;
 
-pub use map::{Bumps, Texture, from_srgb, to_srgb};
+pub use crate::srgb::from_srgb;
+pub use map::{Bumps, Texture};
 pub use trace::{CURVED, Fragments};
 
 use crate::error::{Error, Result};
@@ -185,19 +186,11 @@ pub struct Material {
     pub exponent: u32,
 }
 
-/// What holds for every pixel of a scene, so that a datapath can do with less.
+/// What holds for every pixel of a scene.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Facts {
     /// Some material has a specular part and some light an intensity: H is needed.
     pub specular: bool,
-    /// Some material has a diffuse part and some light an intensity: L is needed, unless for H.
-    pub diffuse: bool,
-    /// Every face is flat: N, T and handedness are constant per face.
-    pub flat_faces: bool,
-    /// Every light is directional: L is constant per light.
-    pub constant_light: bool,
-    /// The camera is orthographic: V is constant, and H too where L is.
-    pub constant_eye: bool,
     /// Every bump vector is (0, 0, 1).
     pub flat_bumps: bool,
     /// No texture is mirrored: handedness is +1 everywhere.
@@ -248,17 +241,15 @@ impl Scene {
         let lit = self.lights.iter().any(|light| light.intensity > 0.0);
         Facts {
             specular: lit && self.materials.iter().any(|material| material.specular > 0.0),
-            diffuse: lit && self.materials.iter().any(|material| material.diffuse > 0.0),
-            flat_faces: self.surfaces.is_flat(),
-            constant_light: self.lights.iter().all(|l| matches!(l.place, Place::Direction(_))),
-            constant_eye: matches!(self.camera.projection, Projection::Orthographic { .. }),
             flat_bumps: self.bumps.is_flat(),
             right_handed: self.surfaces.is_right_handed(),
         }
     }
 
-    /// A number that another scene doesn't have, wherever its files are and whatever else is in
-    /// them: of all that an image depends on.
+    /// A digest of all that an image depends on, wherever its files are and whatever else is in
+    /// them: scenes that differ have, in all likelihood, different ones. It is for one version of
+    /// this program: another may print the fields in another way, and so give the same scene
+    /// another number.
     #[must_use]
     pub fn fingerprint(&self) -> u64 {
         let Self { image, camera, lights, ambient, texture, bumps, materials, surfaces } = self;
@@ -277,7 +268,8 @@ impl Scene {
     }
 }
 
-/// FNV-1a, which is the same in every version and on every machine.
+/// FNV-1a of 64 bits: the same bytes give the same number on every machine, unlike the standard
+/// library's hashers.
 struct Digest(u64);
 
 impl Digest {

@@ -2,8 +2,8 @@
 //!
 //! Everything is computed in f64 from an integer hash, so a pattern is the same on every run.
 
-use super::map::from_srgb;
 use crate::cast;
+use crate::srgb::from_srgb;
 use glam::DVec3;
 use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};

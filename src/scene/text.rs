@@ -1,7 +1,7 @@
 //! From TOML text to a scene: what is legal, and what is wrong in which line.
 
 use super::map::{self, Bumps, Texture};
-use super::mesh;
+use super::mesh::{self, MAX_TRIANGLES};
 use super::procedural::{Pattern, Samples};
 use super::trace::{Placement, Shape, Surfaces, Unfit};
 use super::{Camera, Image, Light, Material, Place, Projection, Scene};
@@ -19,6 +19,8 @@ pub(super) const FAR: f64 = 1e6;
 const MAX_OBJECTS: usize = 1000;
 /// Most lights of a scene.
 const MAX_LIGHTS: usize = 8;
+/// Most materials that differ: each is computed with each light.
+const MAX_MATERIALS: usize = 64;
 
 type Real = Option<Spanned<f64>>;
 type Integer = Option<Spanned<i64>>;
@@ -171,10 +173,32 @@ pub(super) fn read(text: &str, path: &Path) -> Result<Scene> {
         return Err(Error::file(path, problem));
     }
     let mut materials = Vec::new();
+    let mut different: Vec<Material> = Vec::new();
     let mut objects = Vec::new();
+    let mut triangles = 0;
     for object in &scene.object {
-        materials.push(reader.material(&object.get_ref().material, material)?);
-        objects.push(reader.object(object)?);
+        let material = reader.material(&object.get_ref().material, material)?;
+        if !different.contains(&material) {
+            different.push(material);
+        }
+        if different.len() > MAX_MATERIALS {
+            let problem = format!(
+                "more than {MAX_MATERIALS} different materials, the most that a scene may have: give some objects the same"
+            );
+            return Err(reader.fail(&object.span(), problem));
+        }
+        materials.push(material);
+        let (shape, placement) = reader.object(object)?;
+        if let Shape::Mesh(_, of_mesh) = &shape {
+            triangles += of_mesh.len();
+        }
+        if triangles > MAX_TRIANGLES {
+            let problem = format!(
+                "more than {MAX_TRIANGLES} triangles in all objects together, the most that a scene may have: simplify the meshes or leave some out"
+            );
+            return Err(reader.fail(&object.span(), problem));
+        }
+        objects.push((shape, placement));
     }
     let surfaces = Surfaces::new(&objects, !bumps.is_flat()).map_err(|unfit| {
         let Unfit { object, line, problem } = unfit;

@@ -1,7 +1,7 @@
 //! The pixels that a scene covers: rays against faces and spheres, and what is there where they meet.
 
 use super::mesh::Triangle;
-use super::{Camera, Image, Light, Projection, Scene, halfway};
+use super::{Camera, Image, Projection, Scene};
 use crate::cast;
 use crate::trig::Real;
 use glam::{DMat3, DVec2, DVec3};
@@ -93,18 +93,6 @@ impl Fragments {
     pub fn bitangent(&self, i: usize) -> DVec3 {
         let cross = Self::vector(&self.normal, i).cross(Self::vector(&self.tangent, i));
         self.handedness[i] * cross
-    }
-
-    /// The unit vectors L to a light and H of every fragment; replaces what the columns held.
-    pub fn lit_by(&self, light: &Light, to_light: &mut [Vec<f64>; 3], half: &mut [Vec<f64>; 3]) {
-        to_light.iter_mut().for_each(Vec::clear);
-        half.iter_mut().for_each(Vec::clear);
-        for i in 0..self.len() {
-            let normal = Self::vector(&self.normal, i);
-            let l = light.towards(Self::vector(&self.position, i), normal);
-            push(to_light, l);
-            push(half, halfway(l, Self::vector(&self.eye, i), normal));
-        }
     }
 }
 
@@ -373,10 +361,6 @@ impl Surfaces {
         let mut surfaces = Self { faces, balls, order: Vec::new(), nodes: Vec::new() };
         surfaces.grow();
         Ok(surfaces)
-    }
-
-    pub(super) fn is_flat(&self) -> bool {
-        self.balls.is_empty() && self.faces.iter().all(|face| face.flat)
     }
 
     pub(super) fn is_right_handed(&self) -> bool {
