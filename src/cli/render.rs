@@ -10,7 +10,7 @@ use crate::picture::{
     sheet, signed_map,
 };
 use crate::render::{Pipeline, Rendered, Shot, SpecialisedStage, render, specialise_to};
-use crate::report::record::RankBy as ImageError;
+use crate::report::record::RankBy;
 use crate::scene::Scene;
 use crate::sweep::View;
 use clap::Args;
@@ -104,7 +104,7 @@ pub(super) fn scene_of(path: &Path) -> Result<Scene> {
 }
 
 /// The scene of a name or a file, to sweep over.
-pub(super) fn view_of(path: &Path, error: ImageError) -> Result<View> {
+pub(super) fn view_of(path: &Path, error: RankBy) -> Result<View> {
     Ok(View { scene: scene_of(path)?, name: name_of(path), error })
 }
 
