@@ -35,8 +35,9 @@ pub struct Fragment {
 /// Azimuth and polar angle in turns, 0 to 1 and 0 to ½.
 #[must_use]
 pub fn polar(v: DVec3) -> (f64, f64) {
-    let phi = v.y.atan2(v.x) / TAU;
-    (if phi < 0.0 { phi + 1.0 } else { phi }, v.x.hypot(v.y).atan2(v.z) / TAU)
+    let across = v.x.hypot(v.y);
+    let phi = if across == 0.0 { 0.0 } else { v.y.atan2(v.x) / TAU };
+    (if phi < 0.0 { phi + 1.0 } else { phi }, across.atan2(v.z) / TAU)
 }
 
 /// Vectors of a fragment.
