@@ -276,11 +276,10 @@ fn recounted(netlist: &Netlist, stage: Option<bool>) -> [u64; 6] {
         }
         let chain = chain(node.scope);
         let Some(depth) = chain.iter().position(|scope| scope.part.is_some()) else {
-            match node.op {
-                Op::Mul => multipliers += 1,
-                Op::Add | Op::Sub | Op::AddSub => adders += 1,
-                Op::Read { table, .. } => _ = maps.insert(table),
-                _ => {}
+            multipliers += u64::from(node.op == Op::Mul);
+            adders += u64::from([Op::Add, Op::Sub, Op::AddSub].contains(&node.op));
+            if let Op::Read { table, .. } = node.op {
+                maps.insert(table);
             }
             continue;
         };
