@@ -8,6 +8,7 @@ use fixpath::picture::{Difference, PIXELS_PER_DEGREE, Picture};
 use fixpath::render::{Pipeline, Rendered, render};
 use fixpath::scene::{Fragments, Material, Scene, halfway};
 use fixpath::units::Design;
+use glam::DVec3;
 use std::f64::consts::{SQRT_2, TAU};
 use std::fmt::Write;
 use std::fs;
@@ -228,6 +229,8 @@ fn files() -> tempfile::TempDir {
     };
     fs::write(at("sheet.obj"), sheet(false)).unwrap();
     fs::write(at("mirrored.obj"), sheet(true)).unwrap();
+    let level = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\nf 1/1/1 2/2/1 3/3/1 4/4/1\n";
+    fs::write(at("level.obj"), level).unwrap();
     folder
 }
 
@@ -253,7 +256,7 @@ fn hard_scenes() -> Vec<(&'static str, String)> {
     let material = |text: &str| format!("[material]\n{text}\n");
     let mirrored = |shape: &str, scale: &str, camera: &str| {
         let light = if camera == UP { sun(0.3, 0.5, -0.6) } else { sun(0.3, 0.5, 0.6) };
-        let file = if shape == "mesh" { "file = \"sheet.obj\"\n" } else { "" };
+        let file = if shape == "mesh" { "file = \"level.obj\"\n" } else { "" };
         let object = format!("[[object]]\nshape = \"{shape}\"\nscale = {scale}\n{file}");
         [camera, ROUGH, &light, &object].concat()
     };
@@ -357,6 +360,12 @@ fn hard_scenes_keep_to_the_bounds_of_their_units() {
     let files = files();
     for (name, text) in hard_scenes() {
         let scene = parse(files.path(), &[small(name), &text].concat());
+        if name.ends_with("mirrored in x") {
+            let of = traced(&scene);
+            let signed = |n: DVec3| n.x == 0.0 && n.x.is_sign_negative() && n.y == 0.0;
+            let any = (0..of.len()).any(|i| signed(Fragments::vector(&of.normal, i)));
+            assert!(any, "{name}: no normal (-0, 0, 1)");
+        }
         for settings in SETTINGS {
             let pipelines = pipelines(&PIPELINES, settings);
             let rendered = render(&scene, &pipelines, true, &|_| ()).unwrap();
