@@ -4,7 +4,10 @@
 
 use fixpath::compare::{ARCHITECTURES, BY_PARAMETERS, COUNTS, compare, saved_percent};
 use fixpath::measure::{Basis, BoundCheck, Inputs, hard_verdicts, measure, sample_words};
+use fixpath::netlist::{Netlist, Part, ScopeId};
+use fixpath::op::Op;
 use fixpath::units::{Bounds, Design, Sampler, Unit};
+use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
 const RIVALS: [&str; 4] = ["peercy", "ernst", "kim", "kugler"];
@@ -245,6 +248,72 @@ fn counts_are_those_of_the_text_form() {
         let tables = text.lines().filter(|line| line.starts_with("  table ")).count() as u64;
         assert_eq!(tables, row.tables, "{}", row.name);
     }
+}
+
+/// Multipliers, adders, look-ups, maps, dividers and square roots of a stage, node by node; without
+/// a stage, of both. At the defaults each read of a table scheme is a look-up.
+fn recounted(netlist: &Netlist, stage: Option<bool>) -> [u64; 6] {
+    // From the outermost scope in.
+    let chain = |scope: ScopeId| {
+        let mut chain = vec![&netlist.scopes()[scope.index()]];
+        while let Some(parent) = chain[0].parent {
+            chain.insert(0, &netlist.scopes()[parent.index()]);
+        }
+        chain
+    };
+    let set_up: &[&str] = if netlist.name() == "bump" {
+        &["light", "half", "bump"]
+    } else {
+        &["setup"] // of all rivals
+    };
+    let (mut multipliers, mut adders, mut lookups) = (0, 0, 0);
+    let (mut maps, mut dividers, mut roots) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
+    for node in netlist.nodes() {
+        let path = netlist.scope_path(node.scope);
+        let is_set_up = path.first().is_some_and(|name| set_up.contains(name));
+        if stage.is_some_and(|stage| stage != is_set_up) {
+            continue;
+        }
+        let chain = chain(node.scope);
+        let Some(depth) = chain.iter().position(|scope| scope.part.is_some()) else {
+            multipliers += u64::from(node.op == Op::Mul);
+            adders += u64::from([Op::Add, Op::Sub, Op::AddSub].contains(&node.op));
+            if let Op::Read { table, .. } = node.op {
+                maps.insert(table);
+            }
+            continue;
+        };
+        // The unit itself is the first of the chain and no name of the path.
+        let name = path[..depth].join(".");
+        match chain[depth].part.unwrap() {
+            Part::Scheme => lookups += u64::from(matches!(node.op, Op::Read { .. })),
+            Part::Divider => _ = dividers.insert(name),
+            Part::SquareRoot => _ = roots.insert(name),
+            Part::ReciprocalRoot => {}
+        }
+    }
+    let len = |set: &BTreeSet<String>| set.len() as u64;
+    [multipliers, adders, lookups, maps.len() as u64, len(&dividers), len(&roots)]
+}
+
+/// The split into stages, and with dividers and roots as one operator each.
+#[test]
+fn stages_recounted_node_by_node() {
+    let inputs = Inputs { sampler: Sampler::Lit, samples: 100, seed: 1 };
+    let comparison = compare(&[], &inputs, &|_, _| ()).unwrap();
+    for row in &comparison.rows {
+        let set: Vec<&str> = row.parameters.iter().map(String::as_str).collect();
+        let design = design(row.unit, &set);
+        let of = |stage| recounted(&design.netlist, stage);
+        assert_eq!(row.set_up.counts(), of(Some(true)), "{}", row.name);
+        let lit = (row.name != "peercy").then(|| of(Some(false)));
+        assert_eq!(row.illumination.map(|counts| counts.counts()), lit, "{}", row.name);
+        assert_eq!(row.whole.counts(), of(None), "{}", row.name);
+    }
+    let counts = |name: &str, stage| recounted(&design(name, &[]).netlist, Some(stage));
+    assert_eq!(counts("peercy", true), [27, 18, 0, 0, 9, 3]);
+    assert_eq!(counts("ernst", true), [27, 18, 0, 0, 9, 3]);
+    assert_eq!(counts("ernst", false), [7, 6, 1, 0, 0, 0]);
 }
 
 #[test]

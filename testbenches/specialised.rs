@@ -108,3 +108,39 @@ fn flat_faces_are_rotated_once_each() {
         assert!(stage.report.pixel.counts.datapath.adders <= before / 2, "{pipeline}");
     }
 }
+
+#[test]
+fn rivals_keep_every_word() {
+    let text = format!(
+        "{ORTHOGRAPHIC}{POINT}[[object]]\nshape = \"cube\"\nrotate_degrees = [10.0, 20.0, 30.0]\n"
+    );
+    for pipeline in ["kim", "ernst", "kugler"] {
+        assert_eq!(specialised(&text, pipeline).len(), 1, "{pipeline}");
+    }
+}
+
+/// Lights that could share a design are known one by one: each is as constant as it is alone.
+#[test]
+fn two_equal_lights_cost_what_each_does_alone() {
+    let other = "[[light]]\ndirection = [-0.5, 0.2, 0.9]\n";
+    let counts = |lights: &str, pipeline: &str| {
+        let text = format!(
+            "{ORTHOGRAPHIC}{lights}[ambient]\nintensity = 0\n[[object]]\nshape = \"plane\"\n"
+        );
+        let stages = specialised(&text, pipeline);
+        let count = |stage: &SpecialisedStage| {
+            let datapath = &stage.report.pixel.counts.datapath;
+            ((stage.material, stage.light), datapath.multipliers, datapath.adders)
+        };
+        stages.iter().map(count).collect::<Vec<_>>()
+    };
+    for pipeline in PIPELINES {
+        let both = counts(&[DIRECTIONAL, other].concat(), pipeline);
+        assert_eq!(both.len(), 2, "{pipeline}: one stage for each light");
+        for (number, light) in [DIRECTIONAL, other].into_iter().enumerate() {
+            let alone = counts(light, pipeline)[0];
+            let stage = both.iter().find(|stage| stage.0 == (0, number)).unwrap();
+            assert_eq!((stage.1, stage.2), (alone.1, alone.2), "{pipeline} {number}");
+        }
+    }
+}
