@@ -511,7 +511,7 @@ pub(super) fn sim_json(sim: &Sim) -> Value {
         "counts": design.netlist.counts(),
         "figures": report.figures,
         "overflows": report.overflows,
-        // The first on its own too: most units state one.
+        // The first on its own too, as units with one bound have always told it.
         "bound": stated.first().map_or_else(|| json!({
             "quantity": null, "of": [], "bound": null, "seen": null, "holds": null,
         }), Clone::clone),
