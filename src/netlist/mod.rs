@@ -104,6 +104,8 @@ pub enum Part {
     SquareRoot,
     /// A reciprocal square root.
     ReciprocalRoot,
+    /// A dot product of three: three multipliers and two adders, which count as the datapath's own.
+    Dot,
 }
 
 /// A named group of nodes.
@@ -375,14 +377,14 @@ impl Netlist {
         values
     }
 
-    /// The outermost part that a scope is or stands in.
+    /// The outermost part with operators that are counted apart that a scope is or stands in.
     #[must_use]
     pub fn part_of(&self, scope: ScopeId) -> Option<(Part, ScopeId)> {
         let mut found = None;
         let mut at = Some(scope);
         while let Some(id) = at {
             let scope = &self.scopes[id.index()];
-            found = scope.part.map(|part| (part, id)).or(found);
+            found = scope.part.filter(|part| *part != Part::Dot).map(|part| (part, id)).or(found);
             at = scope.parent;
         }
         found
@@ -422,7 +424,7 @@ impl Netlist {
                             Part::Divider => counts.dividers += 1,
                             Part::SquareRoot => counts.square_roots += 1,
                             Part::ReciprocalRoot => counts.reciprocal_roots += 1,
-                            Part::Scheme => unreachable!("bug: matched above"),
+                            Part::Scheme | Part::Dot => unreachable!("bug: matched above"),
                         }
                     }
                     &mut counts.parts
