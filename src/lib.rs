@@ -70,6 +70,7 @@ mod simd;
 pub mod specialise;
 mod srgb;
 pub mod sweep;
+pub mod timetable;
 pub mod trig;
 pub mod units;
 pub mod verify;

@@ -8,6 +8,7 @@ use fixpath::schedule::{
     Binding, BoundOperation, BoundUnit, Depth, Kind, Plan, Rom, Schedule, Share,
 };
 use fixpath::sim::cycle::Cycle;
+use fixpath::timetable::Timetable;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -310,4 +311,65 @@ fn random_netlists_under_random_plans() {
         check(&netlist, &flat, seed).unwrap();
     }
     assert!(checked > 300 && shared > 200 && latest >= 3, "{checked} {shared} {latest}");
+}
+
+/// Rows of the seed's table: cycle and the cells of its three units.
+pub(crate) fn printed() -> Vec<(usize, [String; 3])> {
+    let lines = include_str!("figure_8.txt").lines().filter(|line| !line.starts_with('#'));
+    let row = |line: &str| {
+        let line = line.split('#').next().unwrap();
+        let cells: Vec<String> = line.split('|').map(|cell| cell.trim().to_owned()).collect();
+        let [cycle, dot1, adder, dot2] = cells.try_into().unwrap();
+        (cycle.parse().unwrap(), [dot1, adder, dot2])
+    };
+    lines.map(row).collect()
+}
+
+/// `Out X`, `X = Y` and each name of a load, one by one.
+fn events(cell: &str) -> Vec<String> {
+    let parts = cell.split("; ").filter(|part| !part.is_empty());
+    let events = parts.flat_map(|part| match part.split_once(' ') {
+        Some((load @ ("Ld" | "Load"), names)) => {
+            names.split(", ").map(|name| format!("{load} {name}")).collect()
+        }
+        _ => vec![part.to_owned()],
+    });
+    events.collect()
+}
+
+#[test]
+fn the_printed_table_event_by_event() {
+    let netlist = Arc::new(emboss_like());
+    let schedule = Schedule::bound(&netlist, Rom::Block, 6000, &figure_8()).unwrap();
+    let rtl = Rtl::new(Arc::clone(&netlist), schedule);
+    let table = Timetable::new(&rtl, Some(&figure_8()));
+    let columns = ["Vector Dot Unit #1", "VFAdder", "Vector Dot Unit #2"];
+    let rows = printed();
+    assert_eq!(
+        rows.iter().map(|(cycle, _)| *cycle).collect::<Vec<_>>(),
+        (1..=19).collect::<Vec<_>>()
+    );
+    let mut compared = 0;
+    for (at, title) in columns.iter().enumerate() {
+        let column = table.titles.iter().position(|known| known == title).unwrap();
+        for (cycle, cells) in &rows {
+            let (should, got) = (events(&cells[at]), events(&table.rows[cycle - 1][column]));
+            assert_eq!(got, should, "cycle {cycle}, {title}");
+            compared += should.len();
+        }
+        // Nothing of these units comes after the last printed cycle.
+        assert!(table.rows[19..].iter().all(|row| row[column].is_empty()), "{title}");
+    }
+    assert_eq!(compared, 26);
+    // What the figure shows after it: inverse root, one multiplier, one adder.
+    for (result, unit) in [("1/‖L‖", 3), ("Δs", 4), ("Δt", 4), ("S1", 5), ("T1", 5)] {
+        assert_eq!(table.names[unit].iter().filter(|name| name.result == result).count(), 1);
+    }
+    let counts = rtl.counts();
+    let dots = ["dot1", "dot2"].map(|name| counts.units[name].datapath);
+    assert_eq!(dots.map(|o| (o.multipliers, o.adders)), [(3, 2), (3, 2)]);
+    assert_eq!(counts.units["mul1"].datapath.multipliers, 1);
+    assert_eq!(counts.operators.datapath.multipliers, 7);
+    assert_eq!(counts.operators.datapath.adders, 6);
+    assert_eq!(netlist.counts().datapath.multipliers, 29);
 }

@@ -40,7 +40,7 @@ pub mod place;
 pub mod share;
 
 pub use place::{Binding, BoundOperation, BoundUnit, Load, Plan, Share};
-pub use share::{Kind, Operand, Operation, Unit, UnitPort};
+pub use share::{Kind, Operand, Operation, Unit, UnitPort, name_of};
 
 use crate::cast;
 use crate::error::{Error, Result};

@@ -111,8 +111,14 @@ impl Load {
     /// The shortest interval that they allow.
     #[must_use]
     pub fn interval(&self) -> u32 {
-        let operations = u32::try_from(self.operations.len()).expect("bug: nodes have 32-bit ids");
-        operations.div_ceil(u32::try_from(self.units.len()).expect("bug: fewer than operations"))
+        self.interval_with(0)
+    }
+
+    /// The shortest interval that they would allow with so many units more.
+    #[must_use]
+    pub fn interval_with(&self, more: u32) -> u32 {
+        // Nodes have 32-bit ids, so there are no more operations, and no more units than these.
+        cast::id_of(self.operations.len()).div_ceil(cast::id_of(self.units.len()) + more)
     }
 }
 

@@ -221,9 +221,10 @@ impl Operation {
 
 fn operand_of(netlist: &Netlist, id: NodeId) -> Operand {
     let node = netlist.node(id);
-    match node.op {
-        Op::Const { raw } => Operand::Constant { raw, format: node.format },
-        _ => Operand::Node(id),
+    if let Op::Const { raw } = node.op {
+        Operand::Constant { raw, format: node.format }
+    } else {
+        Operand::Node(id)
     }
 }
 
@@ -293,9 +294,11 @@ pub(super) fn operations(
             // Reads at one address are one port.
             let mut ports: Vec<(String, Vec<NodeId>)> = Vec::new();
             for (name, nodes) in singles(&|op| matches!(op, Op::Read { .. })) {
-                let key = |id: NodeId| match netlist.node(id).op {
-                    Op::Read { table, .. } => Some((table, netlist.node(id).operands[0])),
-                    _ => None,
+                let key = |id: NodeId| {
+                    let node = netlist.node(id);
+                    let table =
+                        if let Op::Read { table, .. } = node.op { Some(table) } else { None };
+                    (table, node.operands[0])
                 };
                 match ports.iter_mut().find(|(_, known)| key(known[0]) == key(nodes[0])) {
                     Some((_, known)) => known.extend(nodes),
@@ -322,8 +325,9 @@ fn dot_of(netlist: &Netlist, scope: ScopeId) -> Option<(Part, ScopeId)> {
     found
 }
 
-/// Label of a node; one without a name is called by what it goes into first.
-pub(super) fn name_of(netlist: &Netlist, id: NodeId) -> String {
+/// Label of a node; one without a name is called by the only one that it goes into, or its port.
+#[must_use]
+pub fn name_of(netlist: &Netlist, id: NodeId) -> String {
     let mut at = id;
     while netlist.node(at).name.is_none() {
         if let Some(output) = netlist.outputs().iter().find(|output| output.node == at) {
@@ -335,7 +339,7 @@ pub(super) fn name_of(netlist: &Netlist, id: NodeId) -> String {
             .filter(|user| netlist.node(*user).operands.contains(&at));
         match (users.next(), users.next()) {
             (Some(user), None) => at = user,
-            _ => return netlist.label(id),
+            (None | Some(_), None | Some(_)) => return netlist.label(id),
         }
     }
     netlist.label(at)
@@ -438,8 +442,7 @@ impl Hardware {
         let mut inputs: Vec<NodeId> = Vec::new();
         let mut at_place: Vec<NodeId> = Vec::new();
         for place in 0..structure.sides.len() {
-            let here = |o: &&Operation| o.operands[place];
-            let all: Vec<Operand> = operations.iter().map(|o| here(&o)).collect();
+            let all: Vec<Operand> = operations.iter().map(|o| o.operands[place]).collect();
             if let Operand::Constant { raw, format } = all[0]
                 && all.iter().all(|o| *o == all[0])
             {
@@ -474,7 +477,7 @@ impl Hardware {
             }
             Kind::Multiplier | Kind::Adder => None,
         };
-        let mut body = |b: &mut Builder| {
+        let body = |b: &mut Builder| {
             let mut made: Vec<NodeId> = Vec::new();
             for (position, shape) in structure.nodes.iter().enumerate() {
                 let mut operands: Vec<NodeId> = shape
@@ -502,7 +505,7 @@ impl Hardware {
             made
         };
         let made = match part {
-            Some(part) => b.part(part, "body", &mut body),
+            Some(part) => b.part(part, "body", body),
             None => body(&mut b),
         };
         for (number, position) in structure.exports.iter().enumerate() {
@@ -522,9 +525,10 @@ impl Hardware {
         let positions = built
             .nodes()
             .iter()
-            .map(|node| match node.op {
-                Op::Input | Op::Const { .. } => None,
-                _ => node.name.as_ref().and_then(|name| name.strip_prefix('n')?.parse().ok()),
+            .map(|node| {
+                let named = !matches!(node.op, Op::Input | Op::Const { .. });
+                let name = node.name.as_ref().filter(|_| named)?;
+                name.strip_prefix('n')?.parse().ok()
             })
             .collect();
         Ok(Self { netlist: Arc::new(built), ports, positions })
