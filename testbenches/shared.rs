@@ -360,7 +360,7 @@ fn the_printed_table_event_by_event() {
         // Nothing of these units comes after the last printed cycle.
         assert!(table.rows[19..].iter().all(|row| row[column].is_empty()), "{title}");
     }
-    assert_eq!(compared, 26);
+    assert_eq!(compared, 24);
     // What the figure shows after it: inverse root, one multiplier, one adder.
     for (result, unit) in [("1/‖L‖", 3), ("Δs", 4), ("Δt", 4), ("S1", 5), ("T1", 5)] {
         assert_eq!(table.names[unit].iter().filter(|name| name.result == result).count(), 1);
