@@ -1,6 +1,7 @@
 //! Time-shared schedules: every schedule gives the reference's words, in the cycle it says.
 
 use crate::engines::{Random, random_netlist_within};
+use crate::wave::ReadBack;
 use fixpath::format::{Format, Overflow, Round};
 use fixpath::netlist::{Builder, Column, Netlist, NodeId, Part, Quantity, Table};
 use fixpath::rtl::Rtl;
@@ -9,6 +10,8 @@ use fixpath::schedule::{
 };
 use fixpath::sim::cycle::Cycle;
 use fixpath::timetable::Timetable;
+use fixpath::units::{Bounds, Design, Group};
+use fixpath::wave::{Options, Wave};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -372,4 +375,111 @@ fn the_printed_table_event_by_event() {
     assert_eq!(counts.operators.datapath.multipliers, 7);
     assert_eq!(counts.operators.datapath.adders, 6);
     assert_eq!(netlist.counts().datapath.multipliers, 29);
+}
+
+/// [`emboss_like`] as a design, with the printed schedule; it has no golden to speak of.
+fn printed_design(assignments: &[&str]) -> Design {
+    let values = fixpath::units::rotation::ROTATION.values(assignments).unwrap();
+    let netlist = Arc::new(emboss_like());
+    Design {
+        values,
+        groups: Group::ports(&netlist, &["s1", "t1"]),
+        netlist,
+        golden: |_, _, _| (),
+        golden_f32: |_, _, _| (),
+        bounds: Bounds::Unstated("no golden"),
+        tabulated: Vec::new(),
+        hard: Vec::new(),
+        draw: |_, _, _, _, _| (),
+        binding: Some(figure_8()),
+    }
+}
+
+/// The waves name in each cycle what the table names, and hold the words that they say.
+#[test]
+fn waves_show_the_table() {
+    let design = printed_design(&["schedule=printed", "period_ps=6000"]);
+    let netlist = &design.netlist;
+    let mut random = Random::new(7);
+    let rows: Vec<Vec<i64>> = (0..5).map(|_| stimulus(netlist, &mut random)).collect();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("emboss.vcd");
+    let wave = Wave::new(&design, Options::default()).unwrap();
+    wave.write(&rows, &mut std::fs::File::create(&path).unwrap(), &path).unwrap();
+    wave.write_gtkw(&path, &mut std::fs::File::create(path.with_extension("gtkw")).unwrap())
+        .unwrap();
+    let read = ReadBack::open(&path);
+    let period = read.times[2] - read.times[0];
+    let at = |name: &str, cycle: usize| {
+        read.at(&format!("emboss_like.{name}"), cycle as u64 * period).to_owned()
+    };
+    let latency = wave.rtl().schedule().latency() as usize;
+    for cycle in 0..wave.cycles(rows.len()) as usize {
+        assert_eq!(at("phase", cycle), format!("{:03b}", cycle % 8));
+        assert_eq!(at("ready", cycle) == "1", cycle % 8 == 0);
+        assert_eq!(at("valid_in", cycle) == "1", cycle % 8 == 0 && cycle < 8 * rows.len());
+        let out = cycle.checked_sub(latency).is_some_and(|since| since % 8 == 0);
+        assert_eq!(at("valid_out", cycle) == "1", out, "cycle {cycle}");
+    }
+    // The events of the table, at its cycles, for each sample.
+    let tight = |text: &str| text.replace(' ', "");
+    let mut seen = 0;
+    for sample in 0..rows.len() {
+        for (cycle, cells) in printed() {
+            let now = cycle - 1 + 8 * sample;
+            for (unit, cell) in ["dot1", "vfadder", "dot2"].iter().zip(&cells) {
+                let loads = events(cell)
+                    .iter()
+                    .filter_map(|e| e.strip_prefix("Ld ").or(e.strip_prefix("Load ")).map(tight))
+                    .collect::<Vec<_>>();
+                if !loads.is_empty() {
+                    assert_eq!(at(&format!("units.{unit}.load"), now), loads.join(","), "{cycle}");
+                    seen += 1;
+                }
+                for event in cell.split("; ") {
+                    if let Some(name) = event.strip_prefix("Out ") {
+                        assert_eq!(at(&format!("units.{unit}.out"), now), tight(name), "{cycle}");
+                        seen += 1;
+                    } else if event.contains('=') {
+                        assert_eq!(
+                            at(&format!("units.{unit}.issue"), now),
+                            tight(event),
+                            "{cycle}"
+                        );
+                        seen += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert_eq!(seen, 23 * rows.len());
+    // Words that are shown are the reference's of their sample.
+    let mut compared = 0;
+    for (name, node, stage) in wave.signals() {
+        let format = netlist.node(node).format;
+        for (sample, words) in rows.iter().enumerate() {
+            let (reference, _) = netlist.eval(words);
+            let should = format!(
+                "{:0width$b}",
+                format.pattern(reference[node.index()]),
+                width = format.bits() as usize
+            );
+            let now = stage as usize + 8 * sample;
+            assert_eq!(at(&name, now), should, "{name} of sample {sample}");
+            let is_own = stage == wave.rtl().schedule().stage(node);
+            let next = at(&name, now + 1);
+            if is_own {
+                assert!(next.chars().all(|c| c == 'x'), "{name}: {next} after its phase");
+            } else if now + 7 < wave.cycles(rows.len()) as usize {
+                assert_eq!(at(&name, now + 7), should, "{name} is held");
+            }
+            let value = read.signals.get(&format!("emboss_like.{name}_value"));
+            if let Some(changes) = value {
+                let (_, text) = changes.range(..=now as u64 * period).next_back().unwrap();
+                assert_eq!(text.parse::<f64>().unwrap(), format.value(reference[node.index()]));
+            }
+            compared += 1;
+        }
+    }
+    assert!(compared > 200, "{compared}");
 }

@@ -22,8 +22,7 @@ pub(super) struct ScheduleArgs {
 pub(super) fn run(args: &ScheduleArgs) -> Result<String> {
     let design = args.unit.design()?;
     let rtl = design.rtl()?;
-    let by_hand = design.binding.as_ref().filter(|_| design.values.choice("schedule") == "printed");
-    let table = Timetable::new(&rtl, by_hand);
+    let table = Timetable::new(&rtl, design.printed());
     Ok(if args.json {
         pretty(&as_json(&design, &rtl, &table))
     } else {

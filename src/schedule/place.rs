@@ -156,6 +156,14 @@ impl Schedule {
                 groups[group].wanted.push(wanted.len());
                 wanted.push(Wanted { operation, group, fixed: None });
             }
+            // What shares with none keeps hardware of its own, unless it is all there is.
+            if groups.len() > start + 1 {
+                for group in &mut groups[start..] {
+                    if group.wanted.len() == 1 {
+                        group.wanted.clear();
+                    }
+                }
+            }
             // Units of one kind are numbered through.
             let mut number = 0;
             for group in &mut groups[start..] {
@@ -166,7 +174,7 @@ impl Schedule {
                 }
             }
         }
-        for group in &mut groups {
+        for group in groups.iter_mut().filter(|group| !group.wanted.is_empty()) {
             let share = plan.shares.iter().find(|share| share.kind == group.kind);
             let fixed = share.and_then(|share| share.latency);
             group.latency = latency_of(netlist, rom, period_ps, group, &wanted, fixed)?;

@@ -420,6 +420,12 @@ impl Design {
         self.values.unit().golden_params.iter().map(|name| self.values.get(name)).collect()
     }
 
+    /// The schedule by hand, if the parameters ask for it.
+    #[must_use]
+    pub fn printed(&self) -> Option<&Binding> {
+        self.binding.as_ref().filter(|_| self.values.choice("schedule") == "printed")
+    }
+
     /// The hardware that the pipeline parameters ask for.
     ///
     /// # Errors
