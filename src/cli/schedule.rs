@@ -123,8 +123,8 @@ fn as_text(design: &Design, rtl: &Rtl, table: &Timetable) -> String {
         .into_iter()
         .map(|u| {
             vec![
-                u.name,
-                u.title,
+                u.name.clone(),
+                if u.title == u.name { String::new() } else { u.title },
                 u.latency.to_string(),
                 format!("{} of {}", u.operations, schedule.interval()),
                 format!("{:.0} %", 100.0 * u.used),
@@ -135,16 +135,7 @@ fn as_text(design: &Design, rtl: &Rtl, table: &Timetable) -> String {
         })
         .collect();
     text.push_str(&text::table(
-        &[
-            "name",
-            "",
-            ">latency",
-            ">phases used",
-            ">",
-            ">operand bits",
-            ">bits inside",
-            "operators",
-        ],
+        &["unit", "", ">latency", ">phases", ">used", ">operand bits", ">bits inside", "operators"],
         &rows,
     ));
     text.push_str("\nwhat one more unit would buy\n");
@@ -175,7 +166,7 @@ fn as_text(design: &Design, rtl: &Rtl, table: &Timetable) -> String {
     let _ = writeln!(text, "\nhardware: {}", told(&counts.operators));
     let _ = writeln!(
         text,
-        "  {} flip-flops: {} in hold registers ({} of them in delay FIFOs), {} in operand registers, {} inside units, {} for the phase; {} multiplexer bits before units",
+        "  {} flip-flops: {} in hold registers ({} of them in delay FIFOs), {} in operand registers, {} inside units, {} for the phase, the rest valid bits and reads on a clock; {} multiplexer bits before units",
         counts.register_bits,
         counts.hold_bits,
         counts.fifo_bits,

@@ -57,7 +57,9 @@ pub struct BoundUnit {
     pub kind: Kind,
     /// Cycles from issue to output.
     pub latency: u32,
-    /// Which sides have an operand register, which takes its word in the cycle before the issue.
+    /// Which sides have an operand register, which takes its word in the cycle before the issue. A
+    /// side is the position of an operand in its node; an adder's first is the flag that tells sums
+    /// from differences.
     pub registered: Vec<bool>,
     /// Word for a load in the printed table: `Load`, `Ld`.
     pub load: String,
@@ -76,7 +78,7 @@ pub struct BoundOperation {
     pub result: String,
     /// What it does, in the printed table: `M0 · T`; nothing if there is no compute line.
     pub formula: String,
-    /// What each side takes, in the printed table.
+    /// What each side takes, in the printed table; what is empty isn't told.
     pub operands: Vec<String>,
 }
 

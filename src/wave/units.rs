@@ -1,7 +1,8 @@
 //! The units of a time-shared schedule in a wave: what sits where, as text, and the words at
 //! their ports.
 //!
-//! Strings have no blanks, which a VCD can't hold; `-` is nothing. `issue` is the operation that
+//! Strings have no blanks, which a VCD can't hold, and are ASCII, since GTKWave takes other bytes
+//! for blanks: `Te · L` is `Te*L`, `L²` is `L^2`; `-` is nothing. `issue` is the operation that
 //! enters in this cycle, `out` the one whose result is at the output, `load` what operand
 //! registers take at the end of this cycle, and `inside`, for units with a latency, all from the
 //! one that is issued to the one at the output. Only operations on valid data are shown.
@@ -129,11 +130,29 @@ impl UnitCodes {
     }
 }
 
+/// A name without blanks and in ASCII.
+fn tight(text: &str) -> String {
+    let mut tight = String::new();
+    for c in text.chars() {
+        match c {
+            ' ' => {}
+            '·' | '×' => tight.push('*'),
+            '−' => tight.push('-'),
+            '±' => tight.push_str("+-"),
+            '²' => tight.push_str("^2"),
+            '‖' => tight.push('|'),
+            'Δ' => tight.push('d'),
+            c if c.is_ascii_graphic() => tight.push(c),
+            _ => tight.push('?'),
+        }
+    }
+    tight
+}
+
 /// Texts of a unit's strings in this cycle.
 fn texts(rtl: &Rtl, number: usize, names: &[Name], cycle: &Cycle) -> Vec<String> {
     let unit = &rtl.units()[number];
     let latency = unit.rtl.schedule().latency();
-    let tight = |text: &str| text.replace(' ', "");
     let result = |stage: u32| {
         let sits = cycle.sits(number, stage);
         sits.map_or_else(|| NONE.to_owned(), |at| tight(&names[at].result))
@@ -153,7 +172,9 @@ fn texts(rtl: &Rtl, number: usize, names: &[Name], cycle: &Cycle) -> Vec<String>
                             .any(|case| case.operation == at && case.phase == phase)
                     };
                     let sides = names[at].operands.iter().enumerate();
-                    let sides = sides.filter(|(side, _)| takes(*side)).map(|(_, name)| tight(name));
+                    let sides = sides
+                        .filter(|(side, name)| takes(*side) && !name.is_empty())
+                        .map(|(_, name)| tight(name));
                     Some(sides.collect::<Vec<String>>().join(",")).filter(|text| !text.is_empty())
                 });
             loads.next().unwrap_or_else(|| NONE.to_owned())
