@@ -484,3 +484,156 @@ fn waves_show_the_table() {
     }
     assert!(compared > 200, "{compared}");
 }
+
+#[test]
+fn an_interval_too_short_names_kind_operations_and_remedy() {
+    let netlist = emboss_like();
+    let shared = |shares: Vec<Share>, interval| {
+        let plan = Plan { shares, interval };
+        Schedule::shared(&netlist, Rom::Block, 5000, &plan)
+    };
+    let error = shared(vec![share(Kind::Dot, 2)], Some(4)).unwrap_err().to_string();
+    assert_eq!(
+        error,
+        "parameter `interval` = `4`: legal is 5 or more: 9 operations (t_x, t_y, t_z, b_x, b_y, b_z, tl, ll, bl) \
+         share 2 units of kind dot (dot1, dot2); or share_dot=3"
+    );
+    // A longer one is taken; one more unit buys what it says.
+    let schedule = shared(vec![share(Kind::Dot, 2), share(Kind::Adder, 1)], Some(11)).unwrap();
+    assert_eq!((schedule.interval(), schedule.shortest_interval()), (11, 5));
+    let loads: Vec<(u32, u32)> =
+        schedule.loads().iter().map(|load| (load.interval(), load.interval_with(1))).collect();
+    assert_eq!(loads, [(5, 3), (5, 3)]);
+    let read = Share { latency: Some(0), ..share(Kind::Root, 1) };
+    let error = shared(vec![read], None).unwrap_err().to_string();
+    assert_eq!(
+        error,
+        "unit `root1` can't have a latency of 0 cycles: 1 reads on a clock follow each other there; \
+         give more, or rom=distributed"
+    );
+}
+
+#[test]
+fn a_hull_past_63_bits_names_the_unit_and_a_remedy() {
+    let mut b = Builder::new("wide");
+    let fine = b.input("fine", Format::signed(40, 39).unwrap(), Quantity::Number);
+    let large = b.input("large", Format::signed(40, 0).unwrap(), Quantity::Number);
+    let small = b.input("small", Format::signed(4, 0).unwrap(), Quantity::Number);
+    let (p, q) = (b.mul(fine, small), b.mul(large, small));
+    b.output("p", p);
+    b.output("q", q);
+    let plan = Plan { shares: vec![share(Kind::Multiplier, 1)], interval: None };
+    let error = Schedule::shared(&b.build().unwrap(), Rom::Block, 5000, &plan).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "unit `mul`, shared by p, q, would need words of 79 bits and words have at most 63: \
+         narrow its operands, or leave share_mul=auto"
+    );
+}
+
+#[test]
+fn bindings_that_are_wrong_say_how() {
+    let netlist = emboss_like();
+    let wrong = |change: &dyn Fn(&mut Binding)| {
+        let mut binding = figure_8();
+        change(&mut binding);
+        Schedule::bound(&netlist, Rom::Block, 6000, &binding).unwrap_err().to_string()
+    };
+    let early =
+        wrong(&|b| b.operations.iter_mut().find(|o| o.label == "tl").unwrap().cycle = Some(14));
+    assert_eq!(
+        early,
+        "node `tl`: is bound to cycle 14, and `te_z` is there for cycle 15 at this period: \
+         bind it later, or raise period_ps"
+    );
+    let twice =
+        wrong(&|b| b.operations.iter_mut().find(|o| o.label == "ll").unwrap().cycle = Some(23));
+    assert_eq!(
+        twice,
+        "node `ll`: sits in dot2 at the phase of `tl`: 8 cycles later it starts anew"
+    );
+    let unknown = wrong(&|b| b.operations[0].label = "t_w".to_owned());
+    assert!(
+        unknown
+            .starts_with("node `dot1`: there is no operation `t_w` of this kind: there are t_x, "),
+        "{unknown}"
+    );
+    let short = wrong(&|b| b.interval = 5);
+    assert!(
+        short.starts_with("parameter `interval` = `5`: legal is 6 or more: 6 operations"),
+        "{short}"
+    );
+}
+
+#[test]
+fn parameters_that_do_not_count_are_refused() {
+    let error = |set: &[&str]| {
+        let design = fixpath::units::rotation::ROTATION.values(set).unwrap().build().unwrap();
+        design.rtl().unwrap_err().to_string()
+    };
+    assert_eq!(
+        error(&["share_mul=2"]),
+        "parameter `share_mul` = `2`: legal is auto with schedule=flat; it counts with schedule=shared"
+    );
+    assert_eq!(
+        error(&["schedule=printed"]),
+        "parameter `schedule` = `printed`: legal is flat or shared: rotation has no printed schedule"
+    );
+    assert_eq!(
+        error(&["schedule=shared", "stages=4"]),
+        "parameter `stages` = `4`: legal is auto with schedule=shared: the schedule makes the latency"
+    );
+}
+
+/// Units at their committed settings, shared as far as they can be.
+#[test]
+fn every_unit_shared() {
+    for unit in fixpath::units::UNITS {
+        for rom in ["block", "distributed"] {
+            let set = ["schedule=shared", "share_add=2", "share_mul=1", "share_table=1"];
+            let mut set: Vec<String> = set.iter().map(|s| (*s).to_owned()).collect();
+            set.push(format!("rom={rom}"));
+            let design = unit.values(&set).unwrap().build().unwrap();
+            let rtl = match design.rtl() {
+                Ok(rtl) => rtl,
+                Err(why) => {
+                    assert!(why.to_string().contains("bits and words have at most 63"), "{why}");
+                    continue;
+                }
+            };
+            check(&design.netlist, rtl.schedule(), 3)
+                .unwrap_or_else(|why| panic!("{}: {why}", unit.name));
+        }
+    }
+}
+
+/// A `narrow` that may not overflow tells which node of which operation did, on valid data only.
+#[test]
+fn a_forbidden_overflow_in_a_shared_unit_names_the_node() {
+    let mut b = Builder::new("forbidden");
+    let format = Format::signed(6, 0).unwrap();
+    let inputs = [0, 1].map(|i| b.input(&format!("in{i}"), format, Quantity::Number));
+    for (i, input) in inputs.iter().enumerate() {
+        let narrow = b.part(Part::Dot, &format!("d{i}"), |b| {
+            let product = b.mul(*input, *input);
+            let format = Format::signed(8, 0).unwrap();
+            let narrow = b.narrow(product, format, Round::Floor, Overflow::Error);
+            b.name(narrow, "square")
+        });
+        b.output(&format!("out{i}"), narrow);
+    }
+    let netlist = Arc::new(b.build().unwrap());
+    let plan = Plan { shares: vec![share(Kind::Dot, 1)], interval: None };
+    let schedule = Schedule::shared(&netlist, Rom::Block, 5000, &plan).unwrap();
+    assert_eq!(schedule.interval(), 2);
+    let run = |valid: bool| {
+        let mut cycle = Cycle::new(Arc::new(Rtl::new(Arc::clone(&netlist), schedule.clone())));
+        for at in 0..12 {
+            cycle.settle(&[3, 31], valid && at % 2 == 0);
+            cycle.clock();
+        }
+        cycle.forbidden_overflow().map(|id| netlist.label(id))
+    };
+    assert_eq!(run(true), Some("d1.square".to_owned()));
+    assert_eq!(run(false), None);
+}

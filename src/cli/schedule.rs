@@ -47,7 +47,8 @@ fn operators(counts: &Counts) -> Vec<(&'static str, u64)> {
     ]
 }
 
-fn told(counts: &Counts) -> String {
+/// What there is some of, in words.
+pub(super) fn told(counts: &Counts) -> String {
     let some = operators(counts).into_iter().filter(|(_, count)| *count > 0);
     let text: Vec<String> = some.map(|(name, count)| format!("{count} {name}")).collect();
     if text.is_empty() { "wires".to_owned() } else { text.join(", ") }

@@ -440,11 +440,7 @@ impl Design {
         let stages = values.int("stages").map(count);
         let kind = values.choice("schedule");
         // What is set must count.
-        let silent = |name: &str| match kind {
-            "flat" => name != "schedule",
-            "shared" => false,
-            _ => name != "schedule",
-        };
+        let silent = |name: &str| kind != "shared" && name != "schedule";
         for param in &PIPELINE[SHARING] {
             if silent(param.name) && values.get(param.name).to_string() != param.default {
                 let legal = format!(
