@@ -118,6 +118,8 @@ pub enum Meaning {
     },
     /// Flag: the node is negative.
     Negative(NodeId),
+    /// The greatest whole number that is not above the node.
+    Floor(NodeId),
     /// Flag: the cosine of an angle in turns is negative.
     CosNegative(NodeId),
     /// The angle half a turn on.
@@ -155,6 +157,7 @@ impl Meaning {
         match self {
             Self::Apply(_, a)
             | Self::Negative(a)
+            | Self::Floor(a)
             | Self::CosNegative(a)
             | Self::Opposite(a)
             | Self::Root(a)
@@ -179,6 +182,7 @@ impl Meaning {
                 Self::OverTwice { y: new(y), function, angle: new(angle) }
             }
             Self::Negative(a) => Self::Negative(new(a)),
+            Self::Floor(a) => Self::Floor(new(a)),
             Self::CosNegative(a) => Self::CosNegative(new(a)),
             Self::Opposite(a) => Self::Opposite(new(a)),
             Self::Quotient { a, b } => Self::Quotient { a: new(a), b: new(b) },
@@ -210,6 +214,7 @@ impl Meaning {
                 }
             }
             Self::Negative(_) => f64::from(u8::from(a < 0.0)),
+            Self::Floor(_) => a.floor(),
             Self::CosNegative(_) => f64::from(u8::from(crate::function::cos_turns(a) < 0.0)),
             Self::Opposite(_) => a + 0.5,
             Self::Quotient { .. } => {

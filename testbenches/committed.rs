@@ -20,6 +20,8 @@ pub(crate) const COMMITTED: &[(&str, &str, &[&str])] = &[
     ("ernst", "ernst", &[]),
     ("kim", "kim", &[]),
     ("kugler", "kugler", &[]),
+    ("sampler", "sampler", &[]),
+    ("combine", "combine", &[]),
 ];
 
 /// Netlist, module in both languages and tables go to `hdl_out`, what tests them to a folder of

@@ -28,5 +28,6 @@ mod scene;
 mod shading;
 mod specialise;
 mod specialised;
+mod texture;
 mod verify;
 mod wave;

@@ -7,6 +7,7 @@
 //! the reports know units only through this table.
 
 pub mod bump;
+pub mod combine;
 mod divide;
 pub mod ernst;
 pub mod fragment;
@@ -18,6 +19,7 @@ mod plan;
 mod polar;
 mod root;
 pub mod rotation;
+pub mod sampler;
 mod tangent;
 
 use crate::error::{Error, Result};
@@ -41,6 +43,8 @@ pub static UNITS: &[&Unit] = &[
     &ernst::ERNST,
     &kim::KIM,
     &kugler::KUGLER,
+    &sampler::SAMPLER,
+    &combine::COMBINE,
 ];
 
 /// A parameterised datapath.
