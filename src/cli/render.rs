@@ -361,9 +361,12 @@ fn table(rendered: &Rendered, differences: &[Difference]) -> String {
     let pixels = cast::f64_of_len(rendered.golden.pixels().len());
     let _ = writeln!(
         told,
-        "  {:.2} M pixels/s for rays, golden and all pipelines together; Blinn's equation differs from the golden by {} at most",
+        "  {:.2} M pixels/s for rays, golden and all pipelines together{}",
         pixels / rendered.elapsed.as_secs_f64() / 1e6,
-        text::number(rendered.blinn)
+        rendered.blinn.map_or(String::new(), |blinn| format!(
+            "; Blinn's equation differs from the golden by {} at most",
+            text::number(blinn)
+        ))
     );
     told
 }
