@@ -6,18 +6,24 @@
 //! cases and its stated error bound. The command line, the suite, the sweep and
 //! the reports know units only through this table.
 
+pub mod basis;
 pub mod bump;
+pub mod cross;
 mod divide;
+pub mod dot;
+pub mod emboss;
 pub mod ernst;
 pub mod fragment;
 pub mod illumination;
 pub mod kim;
 pub mod kugler;
+pub mod normalise;
 pub mod peercy;
 mod plan;
 mod polar;
 mod root;
 pub mod rotation;
+pub mod rsqrt;
 mod tangent;
 
 use crate::error::{Error, Result};
@@ -41,6 +47,12 @@ pub static UNITS: &[&Unit] = &[
     &ernst::ERNST,
     &kim::KIM,
     &kugler::KUGLER,
+    &dot::DOT,
+    &normalise::NORMALISE,
+    &rsqrt::RSQRT,
+    &cross::CROSS,
+    &basis::BASIS,
+    &emboss::EMBOSS,
 ];
 
 /// A parameterised datapath.
