@@ -195,7 +195,7 @@ fn earth(u: f64, v: f64) -> (DVec3, f64) {
 const WORD: &str = "fixpath";
 /// Rows of dots of a letter, and of the whole plate.
 const LETTER_DOTS: usize = 16;
-const PLATE_DOTS: f64 = 40.0;
+const PLATE_DOTS: f64 = 28.0;
 
 /// Ink of the word's dots, 0 to 1, row by row from the top, and how many are in a row.
 static INK: LazyLock<(Vec<f64>, usize)> = LazyLock::new(|| {
