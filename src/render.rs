@@ -128,7 +128,7 @@ impl Pipeline {
     }
 
     /// Parameters of all its units.
-    fn params(&self) -> impl Iterator<Item = &'static Param> + use<> {
+    pub fn params(&self) -> impl Iterator<Item = &'static Param> + use<> {
         let behind: &[&'static Unit] = if self.is_emboss() { &emboss::BEHIND } else { &[] };
         self.unit.all_params().chain(behind.iter().flat_map(|unit| unit.all_params()))
     }
@@ -399,8 +399,8 @@ pub struct Shot {
     pub design: Arc<Design>,
     /// Designs of the units behind it, if there are some.
     pub behind: Vec<Arc<Design>>,
-    /// What its largest difference to the golden can't be above, in linear light, if that is known.
-    pub bound: Option<f64>,
+    /// What is known of an emboss.
+    pub emboss: Option<emboss::Known>,
     /// Time in the bit-true engine, all threads together.
     pub engine: Duration,
     /// Samples per second and thread of the engine alone: the median of all samples by the rate of the
@@ -544,14 +544,19 @@ pub fn render(
         return emboss::render(scene, pipelines, progress);
     }
     if embosses > 0 {
-        let text = "emboss pipelines have a golden of their own: render them apart from the others, into another folder";
-        return Err(Error::usage(text.to_owned()));
+        return Err(mixed());
     }
     let shaders: Vec<Shader> = pipelines
         .iter()
         .map(|pipeline| Shader::new(scene, pipeline, vectors))
         .collect::<Result<_>>()?;
     shoot(scene, &shaders.iter().collect::<Vec<_>>(), progress)
+}
+
+/// The error for emboss pipelines among others.
+pub(crate) fn mixed() -> Error {
+    let text = "emboss pipelines have a golden of their own: render them apart from the others, into another folder";
+    Error::usage(text.to_owned())
 }
 
 /// How many pictures of a scene are best rendered together: all are in memory.
@@ -598,7 +603,7 @@ pub fn shoot(
             picture,
             design: Arc::clone(shader.design()),
             behind: Vec::new(),
-            bound: None,
+            emboss: None,
             engine: total.engine,
             samples_per_second: median_rate(&mut rates[index]),
             samples: total.samples,

@@ -9,7 +9,7 @@ use crate::picture::{
     Amplify, Difference, PIXELS_PER_DEGREE, Panel, Srgb8, absolute_map, check_pixels_per_degree,
     sheet, signed_map,
 };
-use crate::render::{Pipeline, Rendered, Shot, SpecialisedStage, render, specialise_to};
+use crate::render::{Pipeline, Rendered, Shot, SpecialisedStage, mixed, render, specialise_to};
 use crate::report::record::RankBy;
 use crate::scene::Scene;
 use crate::sweep::View;
@@ -217,7 +217,7 @@ fn run_frames(args: &RenderArgs, scene: &Scene) -> Result<(String, bool)> {
                 number.to_string(),
                 shot.pipeline.name.clone(),
                 text::number(difference.max.difference * 255.0),
-                shot.bound.map(|bound| text::number(bound * 255.0)).unwrap_or_default(),
+                bound_of(shot).map(|bound| text::number(bound * 255.0)).unwrap_or_default(),
                 text::number(difference.mean * 255.0),
                 format!("{:.4}", difference.ssim),
                 format!("{:.4}", difference.flip),
@@ -249,10 +249,15 @@ fn run_frames(args: &RenderArgs, scene: &Scene) -> Result<(String, bool)> {
     Ok((if args.json { pretty(&value) } else { told }, held))
 }
 
+/// What its largest difference can't be above, in linear light.
+fn bound_of(shot: &Shot) -> Option<f64> {
+    shot.emboss.and_then(|known| known.bound)
+}
+
 /// False if a picture is farther from the golden than it can be.
 fn bounds_hold(rendered: &Rendered, differences: &[Difference]) -> bool {
     let holds = |(shot, difference): (&Shot, &Difference)| {
-        shot.bound.is_none_or(|bound| difference.max.difference <= bound) // false for NaN
+        bound_of(shot).is_none_or(|bound| difference.max.difference <= bound) // false for NaN
     };
     rendered.shots.iter().zip(differences).all(holds)
 }
@@ -264,10 +269,32 @@ pub(super) fn run(args: &RenderArgs) -> Result<(String, bool)> {
     if let Some(widths) = &args.ladder {
         let exponents = args.exponents.as_deref();
         let pipelines = pipelines_of(args)?;
+        if pipelines.iter().all(Pipeline::is_emboss) {
+            if exponents.is_some() {
+                let text = "an emboss has no highlight and no --exponents: leave them out";
+                return Err(Error::usage(text.to_owned()));
+            }
+            let (scene, name) = (scene_of(&args.scene)?, name_of(&args.scene));
+            let told = ladder::run_emboss(
+                &pipelines,
+                widths,
+                args.pixels_per_degree,
+                (&scene, &name),
+                (&args.out, args.json),
+            )?;
+            return Ok((told, true));
+        }
+        if pipelines.iter().any(Pipeline::is_emboss) {
+            return Err(mixed());
+        }
         let ladder = ladder::ladder(pipelines, widths, exponents, args.pixels_per_degree)?;
         let scene = scene_of(&args.scene)?;
         let told = ladder::run(&ladder, &scene, &name_of(&args.scene), &args.out, args.json)?;
         return Ok((told, true));
+    }
+    if args.specialise && pipelines_of(args)?.iter().any(Pipeline::is_emboss) {
+        let text = "--specialise is for pipelines that shade bumps: leave it out for an emboss";
+        return Err(Error::usage(text.to_owned()));
     }
     let scene = scene_of(&args.scene)?;
     if scene.orbit.is_some() {
@@ -408,7 +435,7 @@ fn figures(rendered: &Rendered, differences: &[Difference]) -> Value {
                 "parameters": parameters(design),
             })).collect::<Vec<_>>(),
             "difference": difference,
-            "bound": shot.bound,
+            "emboss": shot.emboss,
             "vectors": shot.vectors,
             "overflows": shot.overflowed(),
             "samples": shot.samples,
@@ -446,7 +473,7 @@ fn table(rendered: &Rendered, differences: &[Difference]) -> String {
                 d.srgb8_max_codes.to_string(),
                 shot.vectors.map(|v| angle(v.max_rad)).unwrap_or_default(),
                 shot.vectors.map(|v| angle(v.mean_rad)).unwrap_or_default(),
-                shot.bound.map(|bound| text::number(bound * 255.0)).unwrap_or_default(),
+                bound_of(shot).map(|bound| text::number(bound * 255.0)).unwrap_or_default(),
                 format!("{:.1}", shot.samples_per_second / 1e6),
             ]
         })

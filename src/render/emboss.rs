@@ -38,6 +38,7 @@ use crate::units::combine::COMBINE;
 use crate::units::sampler::SAMPLER;
 use crate::units::{Design, Unit};
 use glam::{DMat3, DVec2, DVec3};
+use serde::Serialize;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
@@ -142,6 +143,18 @@ impl Stage {
         let format = netlist.node(netlist.inputs()[at.expect("bug: a port of this name")]).format;
         format.value(format.max_raw())
     }
+}
+
+/// What is known of an emboss beside its picture.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+pub struct Known {
+    /// What no channel can be off by more than, in linear light; unknown for `filter = "nearest"`, where a
+    /// position beside a texel's border may be on its other side.
+    pub bound: Option<f64>,
+    /// The largest error of a displaced texture coordinate of any vertex under any light, in texels.
+    pub displacement_max_texels: f64,
+    /// Texels that the emboss unit counts as 1.
+    pub step_texels: f64,
 }
 
 /// Texture coordinates of every vertex, in texels: plain, and displaced by each light.
@@ -332,7 +345,7 @@ struct Shader<'a> {
     coordinates: Coordinates,
     /// What the vertices took and overflowed.
     vertices: BlockShot,
-    bound: Option<f64>,
+    known: Known,
 }
 
 impl<'a> Shader<'a> {
@@ -352,7 +365,7 @@ impl<'a> Shader<'a> {
         ];
         let combine = Stage::new(&COMBINE, pipeline, &of_combine)?;
         let mut vertices = BlockShot::of([&emboss.program].into_iter());
-        let coordinates = displaced(front, &emboss, &mut vertices)?;
+        let (coordinates, step_texels) = displaced(front, &emboss, &mut vertices)?;
         // Integer bits for the farthest coordinate, in maps.
         let maps = DVec2::new(f64::from(front.size[0]), f64::from(front.size[1]));
         let all = coordinates.displaced.iter().flatten().chain(&coordinates.plain);
@@ -369,9 +382,12 @@ impl<'a> Shader<'a> {
             set("log2_height", &front.size[1].trailing_zeros()),
         ];
         let sampler = Stage::new(&SAMPLER, pipeline, &of_sampler)?;
-        let mut shader =
-            Self { pipeline, emboss, sampler, combine, coordinates, vertices, bound: None };
-        shader.bound = shader.bounded(front)?;
+        let pairs = coordinates.displaced.iter().zip(&front.golden.displaced);
+        let displacement_max_texels =
+            pairs.map(|(is, should)| apart(is, should).max_element()).fold(0.0, f64::max);
+        let known = Known { bound: None, displacement_max_texels, step_texels };
+        let mut shader = Self { pipeline, emboss, sampler, combine, coordinates, vertices, known };
+        shader.known.bound = shader.bounded(front)?;
         Ok(shader)
     }
 
@@ -386,10 +402,6 @@ impl<'a> Shader<'a> {
         let rounded = 0.5 * power(values.bits("frac_bits"));
         let cut = power(values.bits("fraction_bits"));
         let steepest = front.steepest();
-        let off = |is: &[DVec2], should: &[DVec2]| {
-            let apart = is.iter().zip(should).map(|(is, should)| (*is - *should).abs());
-            apart.fold(DVec2::ZERO, DVec2::max)
-        };
         let of_height = |apart: DVec2| -> f64 {
             let axis = |axis: usize| {
                 let word = rounded * f64::from(front.size[axis]);
@@ -397,10 +409,10 @@ impl<'a> Shader<'a> {
             };
             axis(0) + axis(1)
         };
-        let plain = of_height(off(&self.coordinates.plain, &front.golden.plain));
+        let plain = of_height(apart(&self.coordinates.plain, &front.golden.plain));
         let displaced = self.coordinates.displaced.iter().zip(&front.golden.displaced);
         let relief: f64 =
-            displaced.map(|(is, should)| plain + of_height(off(is, should))).sum::<f64>()
+            displaced.map(|(is, should)| plain + of_height(apart(is, should))).sum::<f64>()
                 / TEXEL_MAX;
         let most = self.max_code();
         // Texels are 8 bits wide: other codes are the nearest ones.
@@ -424,8 +436,14 @@ impl<'a> Shader<'a> {
     }
 }
 
-/// Every vertex under every light through the unit `emboss`.
-fn displaced(front: &Front<'_>, stage: &Stage, shot: &mut BlockShot) -> Result<Coordinates> {
+/// The largest distances along both axes.
+fn apart(is: &[DVec2], should: &[DVec2]) -> DVec2 {
+    let apart = is.iter().zip(should).map(|(is, should)| (*is - *should).abs());
+    apart.fold(DVec2::ZERO, DVec2::max)
+}
+
+/// Every vertex under every light through the unit `emboss`, and the texels that it counts as 1.
+fn displaced(front: &Front<'_>, stage: &Stage, shot: &mut BlockShot) -> Result<(Coordinates, f64)> {
     let scene = front.scene;
     let strength = scene.emboss.strength;
     let golden = &front.golden;
@@ -501,7 +519,7 @@ fn displaced(front: &Front<'_>, stage: &Stage, shot: &mut BlockShot) -> Result<C
         let [s0, t0] = ["s0", "t0"].map(|name| &words[port(name).expect("bug: a port")]);
         plain = s0.iter().zip(t0).map(value).collect();
     }
-    Ok(Coordinates { plain, displaced: all })
+    Ok((Coordinates { plain, displaced: all }, step))
 }
 
 /// What a thread keeps from block to block.
@@ -564,7 +582,7 @@ pub fn render(
             picture,
             design: Arc::clone(&shader.emboss.design),
             behind: [&shader.sampler, &shader.combine].map(|s| Arc::clone(&s.design)).to_vec(),
-            bound: shader.bound,
+            emboss: Some(shader.known),
             engine: total.engine + shader.vertices.engine,
             samples_per_second: median_rate(rates),
             samples: total.samples,
