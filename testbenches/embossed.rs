@@ -440,10 +440,12 @@ fn the_command_line_writes_frames_and_refuses() {
 #[test]
 fn a_ladder_shows_what_each_parameter_costs() {
     let folder = tempfile::tempdir().unwrap();
-    let out = folder.path().join("ladder");
+    let (out, file) = (folder.path().join("ladder"), folder.path().join("small.toml"));
+    let text = "[image]\nwidth = 64\nheight = 48\n[height]\nsource = \"brick\"\nwidth = 256\nheight = 256\n[[object]]\nshape = \"sphere\"";
+    fs::write(&file, text).unwrap();
     let run = |args: &[&str]| {
         let mut command = Command::cargo_bin("fixpath").unwrap();
-        command.args(["render", "brick", "--out"]).arg(&out).args(args);
+        command.arg("render").arg(&file).arg("--out").arg(&out).args(args);
         let output = command.output().unwrap();
         let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
         (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
