@@ -122,6 +122,9 @@ impl HardResult {
 
     /// What cases are ranked by: the error in units of its bound. A NaN is worst.
     fn rank(&self) -> f64 {
+        if self.error == 0.0 {
+            return 0.0; // also beside a bound of 0
+        }
         let rank = self.error / self.bound.unwrap_or(1.0);
         if rank.is_nan() { f64::INFINITY } else { rank }
     }

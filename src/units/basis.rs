@@ -164,7 +164,7 @@ fn build(values: &Values) -> Result<Design> {
             bound("tangent", &["t_x", "t_y", "t_z", "t_dot"], |v, w| {
                 longest() * unit_error(v, w) + vector_rounding(v)
             }),
-            bound("exact", &["degenerate"], |_, _| 0.0),
+            bound("flag", &["degenerate"], |_, _| 0.0),
         ]),
         tabulated,
         draw,

@@ -344,15 +344,17 @@ fn build(values: &Values) -> Result<Design> {
         b.name(difference, ["l_x", "l_y", "l_z"][i])
     });
     let Block { words, zero, .. } = block(&mut b, "l_block", l);
-    let l = narrowed(&mut b, words, root.norm_bits, round);
+    let l = narrowed(&mut b, "l_norm", words, root.norm_bits, round);
 
     let frac_bits = cast::signed_count(values.bits("dot_frac_bits"));
     let t_dot_l = dot(&mut b, "t_dot_l", t, l);
     let t_dot_l = rounded(&mut b, t_dot_l, frac_bits, round);
+    b.name(t_dot_l, "t_l");
     let l_dot_l = dot(&mut b, "l_dot_l", l, l);
     let reciprocal = root.of_square(&mut b, "reciprocal_length", l_dot_l)?;
     let b_dot_l = dot(&mut b, "b_dot_l", binormal, l);
     let b_dot_l = rounded(&mut b, b_dot_l, frac_bits, round);
+    b.name(b_dot_l, "b_l");
 
     let (of_s, of_t) = if switches.s_is_binormal {
         ((b_dot_l, binormal), (t_dot_l, t))
@@ -532,26 +534,22 @@ fn factor(
 fn bounds(values: &Values, switches: Switches) -> Bounds {
     let bound = |what, quantities, bound: BoundFn| Bound { what, quantities, bound };
     let mut bounds = vec![
-        bound("relative", &["ds_relative"], |v, w| Errors::new(v, w, 's').relative()),
-        bound("relative", &["dt_relative"], |v, w| Errors::new(v, w, 't').relative()),
-        bound("displacement", &["ds"], |v, w| Errors::new(v, w, 's').absolute()),
-        bound("displacement", &["dt"], |v, w| Errors::new(v, w, 't').absolute()),
-        bound("texels", &["ds_texels"], |v, w| texels(v) * Errors::new(v, w, 's').absolute()),
-        bound("texels", &["dt_texels"], |v, w| texels(v) * Errors::new(v, w, 't').absolute()),
+        bound("relative displacement", &["ds_relative", "dt_relative"], |v, w| {
+            Errors::both(v, w, Errors::relative)
+        }),
+        bound("displacement", &["ds", "dt"], |v, w| Errors::both(v, w, Errors::absolute)),
+        bound("displacement in texels", &["ds_texels", "dt_texels"], |v, w| {
+            f64::from(v.bits("texture_size")) * Errors::both(v, w, Errors::absolute)
+        }),
     ];
     if ends(values.choice("overflow")) {
-        bounds.push(bound("coordinate", &["s1"], |v, w| Errors::new(v, w, 's').absolute()));
-        bounds.push(bound("coordinate", &["t1"], |v, w| Errors::new(v, w, 't').absolute()));
+        bounds.push(bound("coordinate", &["s1", "t1"], |v, w| {
+            Errors::both(v, w, Errors::absolute)
+        }));
     }
-    bounds.push(bound("exact", &["degenerate"], |_, _| 0.0));
-    if switches.q {
-        bounds.push(bound("exact", &["q1", "r1"], |_, _| 0.0));
-    }
+    let exact: &[&str] = if switches.q { &["degenerate", "q1", "r1"] } else { &["degenerate"] };
+    bounds.push(bound("flag and what is passed", exact, |_, _| 0.0));
     Bounds::Stated(bounds)
-}
-
-fn texels(values: &Values) -> f64 {
-    f64::from(values.bits("texture_size"))
 }
 
 /// The least vector, and the least factor, that a relative error is told of; below, it is told of
@@ -623,6 +621,12 @@ impl Errors {
             factor,
             last: rounding * ulp("texture_frac_bits"),
         }
+    }
+
+    /// The larger one of both axes.
+    fn both(values: &Values, worst: &dyn Fn(&str) -> f64, of: fn(&Self) -> f64) -> f64 {
+        let [s, t] = ['s', 't'].map(|axis| of(&Self::new(values, worst, axis)));
+        s.max(t)
     }
 
     fn absolute(&self) -> f64 {
