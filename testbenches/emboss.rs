@@ -152,17 +152,23 @@ fn s_goes_with_the_tangent_and_t_with_the_binormal() {
     assert_eq!(one(&[given, "constants=parameters", "ks=0.5", "kt=-0.25"], l), [0.3, -0.2]);
     // N = x, CT = y: BN = z, T = BN x N = y.
     assert_eq!(one(&["setting=nv"], [0.0, 3.0, 4.0]), [0.8, -0.6]);
-    assert_eq!(one(&["setting=nv", "t_sign=plus", "s_vector=tangent"], [0.0, 3.0, 4.0]), [0.6, 0.8]);
+    assert_eq!(
+        one(&["setting=nv", "t_sign=plus", "s_vector=tangent"], [0.0, 3.0, 4.0]),
+        [0.6, 0.8]
+    );
     assert_eq!(one(&["setting=nv", given], l), [0.8, -0.6]);
 }
 
 const SETS: &[(&str, &[&str])] = &[
     ("dot", &[]),
-    ("dot", &["v_bits=2", "v_frac_bits=0", "w_bits=2", "w_frac_bits=2", "out_bits=2", "rounding=floor"]),
-    ("dot", &["v_bits=28", "w_bits=28", "out_bits=63", "out_frac_bits=20", "overflow=symmetric"]),
+    (
+        "dot",
+        &["v_bits=2", "v_frac_bits=0", "w_bits=2", "w_frac_bits=2", "out_bits=2", "rounding=floor"],
+    ),
+    ("dot", &["v_bits=26", "w_bits=26", "out_bits=63", "out_frac_bits=20", "overflow=symmetric"]),
     ("normalise", &[]),
     ("normalise", &["v_bits=2", "norm_bits=2", "v_frac_bits=0"]),
-    ("normalise", &["v_bits=28", "norm_bits=7", "rounding=floor"]),
+    ("normalise", &["v_bits=32", "norm_bits=7", "rounding=floor"]),
     ("normalise", &["v_bits=20", "norm_bits=24", "rounding=half-even"]),
     ("rsqrt", &[]),
     ("rsqrt", &["root_scheme=direct", "root_frac_bits=10", "rounding=floor"]),
@@ -171,11 +177,40 @@ const SETS: &[(&str, &[&str])] = &[
     ("rsqrt", &["root_scheme=newton", "root_addr_bits=11", "root_frac_bits=22", "input_bits=32"]),
     ("rsqrt", &["root_int_bits=1", "rounding=toward-zero", "input_bits=9", "input_frac_bits=9"]),
     ("cross", &[]),
-    ("cross", &["v_bits=3", "w_bits=2", "v_frac_bits=1", "w_frac_bits=0", "out_bits=4", "out_frac_bits=0"]),
-    ("cross", &["v_bits=28", "w_bits=28", "out_bits=40", "out_frac_bits=26"]),
+    (
+        "cross",
+        &[
+            "v_bits=3",
+            "w_bits=2",
+            "v_frac_bits=1",
+            "w_frac_bits=0",
+            "out_bits=4",
+            "out_frac_bits=0",
+        ],
+    ),
+    ("cross", &["v_bits=26", "w_bits=26", "out_bits=40", "out_frac_bits=26"]),
     ("basis", &[]),
-    ("basis", &["component_bits=2", "norm_bits=2", "dot_frac_bits=2", "root_frac_bits=2", "root_addr_bits=2"]),
-    ("basis", &["component_bits=24", "guard_bits=0", "norm_bits=24", "dot_frac_bits=24", "root_frac_bits=22", "root_addr_bits=12"]),
+    (
+        "basis",
+        &[
+            "component_bits=2",
+            "norm_bits=2",
+            "dot_frac_bits=2",
+            "root_frac_bits=2",
+            "root_addr_bits=2",
+        ],
+    ),
+    (
+        "basis",
+        &[
+            "component_bits=24",
+            "guard_bits=0",
+            "norm_bits=24",
+            "dot_frac_bits=24",
+            "root_frac_bits=22",
+            "root_addr_bits=12",
+        ],
+    ),
     ("basis", &["root_scheme=newton", "guard_bits=3", "rounding=floor"]),
     ("emboss", &[]),
     ("emboss", &["root_scheme=newton", "root_addr_bits=7", "rounding=half-even"]),
@@ -190,22 +225,58 @@ const SETS: &[(&str, &[&str])] = &[
     ("emboss", &["setting=nv", "constants=off", "rounding=floor", "overflow=wrap", "ks=0.3"]),
     ("emboss", &["setting=nv", "ks=0.00390625", "kt=0.0078125", "input20=on"]),
     // As small and as large as can be.
-    ("emboss", &[
-        "component_bits=2", "matrix_bits=2", "matrix_int_bits=0", "position_bits=2",
-        "position_frac_bits=0", "guard_bits=0", "norm_bits=2", "dot_frac_bits=2",
-        "root_addr_bits=2", "root_frac_bits=2", "texture_int_bits=0", "texture_frac_bits=2",
-        "constant_frac_bits=2",
-    ]),
-    ("emboss", &[
-        "setting=nv", "component_bits=2", "position_bits=2", "position_frac_bits=0",
-        "guard_bits=0", "norm_bits=2", "dot_frac_bits=2", "root_addr_bits=2",
-        "root_frac_bits=2", "texture_int_bits=0", "texture_frac_bits=2", "constant_frac_bits=2",
-    ]),
-    ("emboss", &[
-        "component_bits=24", "matrix_bits=24", "matrix_int_bits=2", "position_bits=30",
-        "position_frac_bits=17", "guard_bits=2", "norm_bits=24", "dot_frac_bits=24",
-        "root_addr_bits=12", "root_frac_bits=22", "texture_int_bits=8", "texture_frac_bits=24",
-    ]),
+    (
+        "emboss",
+        &[
+            "component_bits=2",
+            "matrix_bits=2",
+            "matrix_int_bits=0",
+            "position_bits=2",
+            "position_frac_bits=0",
+            "guard_bits=0",
+            "norm_bits=2",
+            "dot_frac_bits=2",
+            "root_addr_bits=2",
+            "root_frac_bits=2",
+            "texture_int_bits=0",
+            "texture_frac_bits=2",
+            "constant_frac_bits=2",
+        ],
+    ),
+    (
+        "emboss",
+        &[
+            "setting=nv",
+            "component_bits=2",
+            "position_bits=2",
+            "position_frac_bits=0",
+            "guard_bits=0",
+            "norm_bits=2",
+            "dot_frac_bits=2",
+            "root_addr_bits=2",
+            "root_frac_bits=2",
+            "texture_int_bits=0",
+            "texture_frac_bits=2",
+            "constant_frac_bits=2",
+        ],
+    ),
+    (
+        "emboss",
+        &[
+            "component_bits=24",
+            "matrix_bits=24",
+            "matrix_int_bits=2",
+            "position_bits=30",
+            "position_frac_bits=17",
+            "guard_bits=2",
+            "norm_bits=24",
+            "dot_frac_bits=24",
+            "root_addr_bits=12",
+            "root_frac_bits=22",
+            "texture_int_bits=8",
+            "texture_frac_bits=24",
+        ],
+    ),
 ];
 
 /// Every stated bound holds over the hard list and random inputs, and no method errs by itself.
@@ -347,7 +418,8 @@ fn inputs_of_20_bits_keep_12_significant_bits() {
             let short = name.starts_with("light") || name.starts_with('m');
             let quantity = netlist.node(*id).quantity;
             assert_eq!(quantity == Quantity::Float20, short, "{name}");
-            let significant = 64 - word.unsigned_abs().leading_zeros() as i64
+            let significant = 64
+                - word.unsigned_abs().leading_zeros() as i64
                 - i64::from(word.trailing_zeros().min(63));
             // A rounding of the word itself may carry into a thirteenth bit.
             assert!(!short || significant <= 12, "{name} {word}");

@@ -583,9 +583,8 @@ impl Record {
     /// True if points were measured over different input words.
     #[must_use]
     pub fn inputs_differ(&self) -> bool {
-        let of = |measured: &'_ Measured| {
-            (measured.count("input_bits"), measured.input_formats.clone())
-        };
+        let of =
+            |measured: &'_ Measured| (measured.count("input_bits"), measured.input_formats.clone());
         let mut inputs = self.points.iter().filter_map(|p| p.measured.as_ref()).map(of);
         let first = inputs.next();
         inputs.any(|other| Some(&other) != first.as_ref())

@@ -22,7 +22,11 @@ pub static NORMALISE: Unit = Unit {
     summary: "block normalisation: three words shifted by the leading zeros of the largest",
     source: "the light vector of seed 000 (US 6,980,218) in fixed point: a displacement doesn't depend on its length",
     params: &[
-        Param { help: "bits of the components, signed", ..super::dot::V_BITS },
+        Param {
+            kind: Kind::Int { min: 2, max: 32, auto: None },
+            help: "bits of the components, signed",
+            ..super::dot::V_BITS
+        },
         Param { default: "8", ..super::dot::V_FRAC_BITS },
         NORM_BITS,
         plan::ROUNDING,

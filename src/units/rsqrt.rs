@@ -243,6 +243,9 @@ fn hard_cases(format: Format) -> Vec<HardCase> {
     vec![
         HardCase { name: "0", words: rows(vec![0]) },
         HardCase { name: "powers of two, and one beside", words: rows(powers.collect()) },
-        HardCase { name: "the largest words", words: rows(vec![format.max_raw() - 1, format.max_raw()]) },
+        HardCase {
+            name: "the largest words",
+            words: rows(vec![format.max_raw() - 1, format.max_raw()]),
+        },
     ]
 }
