@@ -11,6 +11,7 @@ mod cli;
 mod committed;
 mod cost;
 mod cycle;
+mod emboss;
 mod embossed;
 mod engines;
 mod format;

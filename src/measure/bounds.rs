@@ -120,11 +120,10 @@ impl HardResult {
         self.bound.map(|bound| self.error <= bound) // false for NaN
     }
 
-    /// What cases are ranked by: the error in units of its bound; none is none, also where the bound is
-    /// 0. A NaN is worst.
+    /// What cases are ranked by: the error in units of its bound. A NaN is worst.
     fn rank(&self) -> f64 {
         if self.error == 0.0 {
-            return 0.0;
+            return 0.0; // also beside a bound of 0
         }
         let rank = self.error / self.bound.unwrap_or(1.0);
         if rank.is_nan() { f64::INFINITY } else { rank }

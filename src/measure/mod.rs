@@ -114,8 +114,7 @@ impl Measurand {
     fn all(design: &Design) -> Vec<Self> {
         let mut all = Vec::new();
         let mut column = 0;
-        let mut scale: usize =
-            design.groups.iter().map(|group| group.shape.columns().len()).sum();
+        let mut scale: usize = design.groups.iter().map(|group| group.shape.columns().len()).sum();
         for group in &design.groups {
             let named = |part: &str| match group.name {
                 "" => part.to_owned(),

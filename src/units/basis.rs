@@ -164,7 +164,7 @@ fn build(values: &Values) -> Result<Design> {
             bound("tangent", &["t_x", "t_y", "t_z", "t_dot"], |v, w| {
                 longest() * unit_error(v, w) + vector_rounding(v)
             }),
-            bound("exact", &["degenerate"], |_, _| 0.0),
+            bound("flag", &["degenerate"], |_, _| 0.0),
         ]),
         tabulated,
         draw,
@@ -188,7 +188,11 @@ fn draw(
 }
 
 /// T, BN and whether B is 0, of the golden.
-pub(super) fn golden_frame<F: Real>(n: [F; 3], ct: [F; 3], normalise: bool) -> ([F; 3], [F; 3], bool) {
+pub(super) fn golden_frame<F: Real>(
+    n: [F; 3],
+    ct: [F; 3],
+    normalise: bool,
+) -> ([F; 3], [F; 3], bool) {
     let cross = |u: [F; 3], v: [F; 3]| {
         [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
     };

@@ -16,8 +16,8 @@
 //! Where L is 0 (or a vector that is normalised), nothing is displaced and `degenerate` is 1.
 
 use super::basis::{
-    COMPONENT_BITS, DOT_FRAC_BITS, GUARD_BITS, component, frame, golden_frame, golden_unit, longest,
-    rounded, unit_error, vector_frac_bits, vector_rounding,
+    COMPONENT_BITS, DOT_FRAC_BITS, GUARD_BITS, component, frame, golden_frame, golden_unit,
+    longest, rounded, unit_error, vector_frac_bits, vector_rounding,
 };
 use super::dot::{dot, ended_at, ends, extremes, vector_ports};
 use super::normalise::{Block, NORM_BITS, block, direction_error, narrowed, unit_vector};
@@ -284,10 +284,12 @@ struct Ports(Vec<(&'static str, Vec<NodeId>)>);
 
 impl Ports {
     fn new(b: &mut Builder, values: &Values, switches: Switches) -> Result<Self> {
-        let short = if values.choice("input20") == "on" { Quantity::Float20 } else { Quantity::Number };
+        let short =
+            if values.choice("input20") == "on" { Quantity::Float20 } else { Quantity::Number };
         let component = component(values)?;
         let position = super::dot::signed(values, "position_bits", "position_frac_bits")?;
-        let (matrix_bits, matrix_int) = (values.bits("matrix_bits"), values.bits("matrix_int_bits"));
+        let (matrix_bits, matrix_int) =
+            (values.bits("matrix_bits"), values.bits("matrix_int_bits"));
         let matrix_frac = cast::signed_count(matrix_bits) - cast::signed_count(matrix_int) - 1;
         let matrix = Format::signed(matrix_bits, matrix_frac)?;
         let texture = texture(values)?;
@@ -344,15 +346,17 @@ fn build(values: &Values) -> Result<Design> {
         b.name(difference, ["l_x", "l_y", "l_z"][i])
     });
     let Block { words, zero, .. } = block(&mut b, "l_block", l);
-    let l = narrowed(&mut b, words, root.norm_bits, round);
+    let l = narrowed(&mut b, "l_norm", words, root.norm_bits, round);
 
     let frac_bits = cast::signed_count(values.bits("dot_frac_bits"));
     let t_dot_l = dot(&mut b, "t_dot_l", t, l);
     let t_dot_l = rounded(&mut b, t_dot_l, frac_bits, round);
+    b.name(t_dot_l, "t_l");
     let l_dot_l = dot(&mut b, "l_dot_l", l, l);
     let reciprocal = root.of_square(&mut b, "reciprocal_length", l_dot_l)?;
     let b_dot_l = dot(&mut b, "b_dot_l", binormal, l);
     let b_dot_l = rounded(&mut b, b_dot_l, frac_bits, round);
+    b.name(b_dot_l, "b_l");
 
     let (of_s, of_t) = if switches.s_is_binormal {
         ((b_dot_l, binormal), (t_dot_l, t))
@@ -532,26 +536,21 @@ fn factor(
 fn bounds(values: &Values, switches: Switches) -> Bounds {
     let bound = |what, quantities, bound: BoundFn| Bound { what, quantities, bound };
     let mut bounds = vec![
-        bound("relative", &["ds_relative"], |v, w| Errors::new(v, w, 's').relative()),
-        bound("relative", &["dt_relative"], |v, w| Errors::new(v, w, 't').relative()),
-        bound("displacement", &["ds"], |v, w| Errors::new(v, w, 's').absolute()),
-        bound("displacement", &["dt"], |v, w| Errors::new(v, w, 't').absolute()),
-        bound("texels", &["ds_texels"], |v, w| texels(v) * Errors::new(v, w, 's').absolute()),
-        bound("texels", &["dt_texels"], |v, w| texels(v) * Errors::new(v, w, 't').absolute()),
+        bound("relative displacement", &["ds_relative", "dt_relative"], |v, w| {
+            Errors::both(v, w, Errors::relative)
+        }),
+        bound("displacement", &["ds", "dt"], |v, w| Errors::both(v, w, Errors::absolute)),
+        bound("displacement in texels", &["ds_texels", "dt_texels"], |v, w| {
+            f64::from(v.bits("texture_size")) * Errors::both(v, w, Errors::absolute)
+        }),
     ];
     if ends(values.choice("overflow")) {
-        bounds.push(bound("coordinate", &["s1"], |v, w| Errors::new(v, w, 's').absolute()));
-        bounds.push(bound("coordinate", &["t1"], |v, w| Errors::new(v, w, 't').absolute()));
+        bounds
+            .push(bound("coordinate", &["s1", "t1"], |v, w| Errors::both(v, w, Errors::absolute)));
     }
-    bounds.push(bound("exact", &["degenerate"], |_, _| 0.0));
-    if switches.q {
-        bounds.push(bound("exact", &["q1", "r1"], |_, _| 0.0));
-    }
+    let exact: &[&str] = if switches.q { &["degenerate", "q1", "r1"] } else { &["degenerate"] };
+    bounds.push(bound("flag and what is passed", exact, |_, _| 0.0));
     Bounds::Stated(bounds)
-}
-
-fn texels(values: &Values) -> f64 {
-    f64::from(values.bits("texture_size"))
 }
 
 /// The least vector, and the least factor, that a relative error is told of; below, it is told of
@@ -589,7 +588,9 @@ impl Errors {
             (Frame::Matrix | Frame::Given, true) => unit(values),
             (Frame::Normal, true) if binormal => unit(values),
             // T = BN x N, as long as N.
-            (Frame::Normal, true) => (unit_error(values, worst), vector_rounding(values), longest()),
+            (Frame::Normal, true) => {
+                (unit_error(values, worst), vector_rounding(values), longest())
+            }
             (Frame::Matrix, false) => {
                 let limit = 2.0 * f64::from(values.bits("matrix_int_bits")).exp2();
                 (0.0, vector_rounding(values), 3.0 * 3f64.sqrt() * limit)
@@ -623,6 +624,12 @@ impl Errors {
             factor,
             last: rounding * ulp("texture_frac_bits"),
         }
+    }
+
+    /// The larger one of both axes.
+    fn both(values: &Values, worst: &dyn Fn(&str) -> f64, of: fn(&Self) -> f64) -> f64 {
+        let [s, t] = ['s', 't'].map(|axis| of(&Self::new(values, worst, axis)));
+        s.max(t)
     }
 
     fn absolute(&self) -> f64 {
@@ -676,7 +683,8 @@ fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
     let int_bits = cast::signed_count(values.bits("texture_int_bits"));
     let frac_bits = cast::signed_count(values.bits("texture_frac_bits"));
     let overflow = values.choice("overflow");
-    let scales = outputs.len() - 2;
+    let mut row = vec![F::zero(); outputs.len()];
+    let scales = row.len() - 2;
     for i in 0..inputs[0].len() {
         let is_zero = |v: [F; 3]| v.iter().all(|x| *x == F::zero());
         let mut degenerate = false;
@@ -721,17 +729,20 @@ fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
             [(of_s, ks * q, "s0"), (of_t, sign * kt * q, "t0")].into_iter().enumerate()
         {
             let displacement = k * dot(v, l);
-            outputs[at][i] = displacement;
+            row[at] = displacement;
             let sum = number(name, i) + displacement;
-            outputs[at + 2][i] = ended_at(overflow, int_bits, frac_bits, sum);
+            row[at + 2] = ended_at(overflow, int_bits, frac_bits, sum);
             let size = dot(v, v).sqrt().max(least);
             let factor = if switches.has_factor() { k.abs().max(least) } else { F::one() };
-            outputs[scales + at][i] = size * factor;
+            row[scales + at] = size * factor;
         }
-        outputs[4][i] = if degenerate { F::one() } else { F::zero() };
+        row[4] = if degenerate { F::one() } else { F::zero() };
         if switches.q {
-            outputs[5][i] = q;
-            outputs[6][i] = number("r0", i);
+            row[5] = q;
+            row[6] = number("r0", i);
+        }
+        for (column, x) in outputs.iter_mut().zip(&row) {
+            column[i] = *x;
         }
     }
 }
@@ -842,7 +853,8 @@ pub(super) fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
         };
         netlist.inputs().iter().enumerate().map(word).collect()
     };
-    let cases = |name, list: Vec<Vertex>| HardCase { name, words: list.iter().map(words).collect() };
+    let cases =
+        |name, list: Vec<Vertex>| HardCase { name, words: list.iter().map(words).collect() };
     let ulp = |name: &str| {
         let port = (0..netlist.inputs().len()).find(|port| netlist.input_name(*port) == name);
         port.map(|port| netlist.node(netlist.inputs()[port]).format.ulp())

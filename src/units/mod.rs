@@ -459,7 +459,9 @@ impl Shape {
                 let phi = (y.atan2(*x) / TAU).rem_euclid(1.0) + 0.0; // -0 becomes 0
                 vec![phi, x.hypot(*y).atan2(*z) / TAU]
             }
-            (Self::Cartesian | Self::Scalar | Self::Scaled { .. } | Self::Polar, _) => golden.to_vec(),
+            (Self::Cartesian | Self::Scalar | Self::Scaled { .. } | Self::Polar, _) => {
+                golden.to_vec()
+            }
         }
     }
 }

@@ -22,7 +22,11 @@ pub static NORMALISE: Unit = Unit {
     summary: "block normalisation: three words shifted by the leading zeros of the largest",
     source: "the light vector of seed 000 (US 6,980,218) in fixed point: a displacement doesn't depend on its length",
     params: &[
-        Param { help: "bits of the components, signed", ..super::dot::V_BITS },
+        Param {
+            kind: Kind::Int { min: 2, max: 32, auto: None },
+            help: "bits of the components, signed",
+            ..super::dot::V_BITS
+        },
         Param { default: "8", ..super::dot::V_FRAC_BITS },
         NORM_BITS,
         plan::ROUNDING,
@@ -98,13 +102,17 @@ pub(super) fn block(b: &mut Builder, name: &str, v: [NodeId; 3]) -> Block {
 /// The words in fewer bits: -1 to 1, the largest still ½ or more in magnitude.
 pub(super) fn narrowed(
     b: &mut Builder,
+    name: &str,
     words: [NodeId; 3],
     norm_bits: u32,
     round: Round,
 ) -> [NodeId; 3] {
     let format = Format::signed(norm_bits, cast::signed_count(norm_bits) - 1);
     let format = b.checked(format);
-    words.map(|word| b.narrow(word, format, round, Overflow::Saturate))
+    [0, 1, 2].map(|i| {
+        let word = b.narrow(words[i], format, round, Overflow::Saturate);
+        b.name(word, &format!("{name}_{}", ["x", "y", "z"][i]))
+    })
 }
 
 /// Length of the difference of the narrowed direction to the exact one, both as unit vectors: no
@@ -125,7 +133,7 @@ pub(super) fn unit_vector(
     format: Format,
 ) -> Result<([NodeId; 3], NodeId)> {
     let Block { words, zero, .. } = block(b, name, v);
-    let words = narrowed(b, words, root.norm_bits, root.round);
+    let words = narrowed(b, &format!("{name}_norm"), words, root.norm_bits, root.round);
     let square = dot(b, &format!("{name}_square"), words, words);
     let factor = root.of_square(b, &format!("{name}_length"), square)?;
     let unit = words.map(|word| {
@@ -144,7 +152,7 @@ fn build(values: &Values) -> Result<Design> {
     let v = vector_ports(&mut b, "v", format, Quantity::Number);
     let Block { words, places, zero } = block(&mut b, "block", v);
     let round: Round = values.choice("rounding").parse()?;
-    let words = narrowed(&mut b, words, values.bits("norm_bits"), round);
+    let words = narrowed(&mut b, "norm", words, values.bits("norm_bits"), round);
     for (word, name) in words.into_iter().zip(["x", "y", "z"]) {
         b.output(name, word);
     }
@@ -163,7 +171,7 @@ fn build(values: &Values) -> Result<Design> {
         golden_f32: golden::<f32>,
         bounds: Bounds::Stated(vec![
             bound("component", &["x", "y", "z"], component_bound),
-            bound("exact", &["places", "degenerate"], |_, _| 0.0),
+            bound("count and flag", &["places", "degenerate"], |_, _| 0.0),
         ]),
         tabulated: Vec::new(),
         draw: draw_words,

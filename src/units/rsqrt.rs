@@ -141,6 +141,7 @@ impl<'a> Root<'a> {
         // ¼ has a code, so rounding keeps ¼ and above there.
         let format = Format::unsigned(2 + frac_bits, cast::signed_count(frac_bits))?;
         let square = b.narrow(square, format, self.round, Overflow::Saturate);
+        b.name(square, &format!("{name}_square"));
         let root = self.emit(b, name, square, 2)?; // up to 2
         Ok(b.name(root, name))
     }
@@ -201,7 +202,7 @@ fn build(values: &Values) -> Result<Design> {
         bounds: Bounds::Stated(vec![
             bound("relative", &["r_relative"], |v, w| root_error(v, w) + last(v)),
             bound("absolute", &["r"], |v, w| root_error(v, w) * largest(v) + last(v)),
-            bound("exact", &["degenerate"], |_, _| 0.0),
+            bound("flag", &["degenerate"], |_, _| 0.0),
         ]),
         tabulated,
         draw: super::dot::draw_words,
@@ -242,6 +243,9 @@ fn hard_cases(format: Format) -> Vec<HardCase> {
     vec![
         HardCase { name: "0", words: rows(vec![0]) },
         HardCase { name: "powers of two, and one beside", words: rows(powers.collect()) },
-        HardCase { name: "the largest words", words: rows(vec![format.max_raw() - 1, format.max_raw()]) },
+        HardCase {
+            name: "the largest words",
+            words: rows(vec![format.max_raw() - 1, format.max_raw()]),
+        },
     ]
 }
