@@ -108,7 +108,7 @@ pub(super) fn run(out: &Path) -> Result<bool> {
     run_sweep(&sweep, &out.join("sweep"), true)?;
 
     story.push_str(
-        "\n# Scenes\n\nThe seed's three pictures by whole bump mapping pipelines, against the float golden: the largest and the mean\n\
+        "\n# Scenes\n\nThe seed's three pictures by whole bump mapping pipelines, and letters by emboss, against the float golden of each: the largest and the mean\n\
          difference in linear light, in 1/255, and the part of pixels that differ in 8 bits.\n\n\
          | scene | pipeline | max | mean | differing |\n|---|---|---|---|---|\n",
     );

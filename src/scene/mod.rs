@@ -70,6 +70,21 @@
 //! A material answers with `Ia ka + Σ I kd max(0, N'·L)` times the texture's colour, plus
 //! `Σ I ks (N'·H)^n` over the lights where N'·H > 0 (with n = 0 too: 0^0 is 0 here), whichever side of the
 //! surface a light is on. N' is the bump vector along (T, B, N). The two sums, and then the colour, end at 1.
+//!
+//! # Emboss
+//! `[emboss]` says how the same scene is embossed instead, which [`crate::render::emboss`] does. Light is ambient and
+//! diffuse, with N in place of N', computed per vertex of the [`Tessellation`], ended at 1 and interpolated;
+//! times the texture's colour. Texture coordinates in texels, (u w, v h), are displaced per vertex and light by
+//! `strength` times (T·L, B·L), L as above and (0, 0) on the very
+//! spot of a point light, turned round with `light_sign = "vertex-light"`; these too are interpolated. The height at
+//! (x, y) in texels is that of the texel that they are in, or with `filter = "bilinear"` between those
+//! whose centres, at halves, are around; heights are k/255, rounded, of 1 - h where `[height]` has a negative
+//! scale. Beyond the map it repeats or its border goes on, by axis. To each channel comes
+//! `2^gain_log2 Σ (height - displaced height)` over the lights, and it ends at 0 and 1.
+//!
+//! # Frames
+//! With `[orbit]` a scene has several pictures: in frame k of n the light is turned about the axis by
+//! `turns k/n`, counter-clockwise seen from the axis's tip.
 
 mod gltf;
 mod map;
