@@ -200,7 +200,7 @@ enum Command {
     Compare(compare::CompareArgs),
     /// Render a scene by pipelines: fixed, golden and difference pictures, and figures.
     #[command(
-        after_help = "Examples:\n  fixpath render sphere --out sphere\n  fixpath render scene.toml --pipelines exact-polar -p angle_bits=12 -p scheme=linear --out pictures\n  fixpath render plane --ladder --out ladder\n  fixpath render sphere --ladder=8,12,16 --pipelines exact-polar,exact-cartesian -p scheme=linear --exponents 8,64 --out ladder"
+        after_help = "Examples:\n  fixpath render sphere --out sphere\n  fixpath render scene.toml --pipelines exact-polar -p angle_bits=12 -p scheme=linear --out pictures\n  fixpath render plane --ladder --out ladder\n  fixpath render sphere --ladder=8,12,16 --pipelines exact-polar,exact-cartesian -p scheme=linear --exponents 8,64 --out ladder\n  fixpath render lettering-raised --pipelines emboss-gx,emboss-nv --out emboss\n  fixpath render light-orbit --pipelines emboss-gx --out frames"
     )]
     Render(render::RenderArgs),
     /// Measure, waves, hardware and a sweep of built-in settings, in under half a minute.

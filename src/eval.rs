@@ -91,7 +91,7 @@ impl<'a, R: Read> InputFile<'a, R> {
             .iter()
             .map(|id| match netlist.node(*id).quantity {
                 Quantity::Turns => angle.per_turn(),
-                Quantity::Number => 1.0,
+                Quantity::Number | Quantity::Float20 => 1.0,
             })
             .collect();
         Ok(Self {
@@ -191,7 +191,7 @@ pub fn eval(
 
     let scale = |id: &NodeId| match netlist.node(*id).quantity {
         Quantity::Turns => angle.per_turn(),
-        Quantity::Number => 1.0,
+        Quantity::Number | Quantity::Float20 => 1.0,
     };
     let (mut values, mut words, mut quantised) = (Vec::new(), Vec::new(), Vec::new());
     let mut out_words = vec![Vec::new(); outputs.len()];

@@ -5,6 +5,8 @@
 //! over exponents of the highlight, with all else so fine that nothing but them shows: how their
 //! error grows, and which scheme is the remedy.
 
+pub mod emboss;
+
 use crate::error::{Error, Result};
 use crate::render::{Pipeline, Shader, set_material, shots_together};
 use crate::report;
@@ -69,7 +71,7 @@ pub struct Ladder {
 /// own; both only where its unit has them.
 fn with(pipeline: &Pipeline, weak: &[(&str, String)], strong: &[(&str, String)]) -> Pipeline {
     let mut new = pipeline.clone();
-    let has = |key: &str| pipeline.unit.all_params().any(|param| param.name == key);
+    let has = |key: &str| pipeline.params().any(|param| param.name == key);
     let key_of = |assignment: &String| assignment.split_once('=').map(|(key, _)| key.to_owned());
     new.assignments.retain(|assignment| {
         strong.iter().all(|(key, _)| key_of(assignment).is_none_or(|known| known != *key))

@@ -118,6 +118,8 @@ pub enum Meaning {
     },
     /// Flag: the node is negative.
     Negative(NodeId),
+    /// The greatest whole number that is not above the node.
+    Floor(NodeId),
     /// Flag: the cosine of an angle in turns is negative.
     CosNegative(NodeId),
     /// The angle half a turn on.
@@ -135,6 +137,32 @@ pub enum Meaning {
     RecipRoot(NodeId),
     /// A function of the cosine of an angle in turns.
     OfCos(Function, NodeId),
+    /// The largest magnitude of three.
+    Largest {
+        /// One.
+        x: NodeId,
+        /// Another.
+        y: NodeId,
+        /// The third.
+        z: NodeId,
+    },
+    /// By how many places a magnitude shifts up to get to `2^(top - 1)` and above, which is below
+    /// `2^top`; 0 for 0.
+    Headroom {
+        /// The magnitude.
+        a: NodeId,
+        /// It is below two to this.
+        top: i32,
+    },
+    /// `a * 2^(places + more)`.
+    Scaled {
+        /// What is scaled.
+        a: NodeId,
+        /// By how many places, upwards.
+        places: NodeId,
+        /// By how many more.
+        more: i32,
+    },
     /// An angle of a direction that is turned about y.
     Tilted {
         /// Its azimuth in turns.
@@ -155,15 +183,19 @@ impl Meaning {
         match self {
             Self::Apply(_, a)
             | Self::Negative(a)
+            | Self::Floor(a)
             | Self::CosNegative(a)
             | Self::Opposite(a)
             | Self::Root(a)
             | Self::RecipRoot(a)
-            | Self::OfCos(_, a) => [Some(a), None, None],
+            | Self::OfCos(_, a)
+            | Self::Headroom { a, .. } => [Some(a), None, None],
             Self::Atan2 { y: a, x: b }
             | Self::OverTwice { y: a, angle: b, .. }
-            | Self::Quotient { a, b } => [Some(a), Some(b), None],
+            | Self::Quotient { a, b }
+            | Self::Scaled { a, places: b, .. } => [Some(a), Some(b), None],
             Self::Inclination { x: a, y: b, z: c }
+            | Self::Largest { x: a, y: b, z: c }
             | Self::Tilted { phi: a, theta: b, by: c, .. } => [Some(a), Some(b), Some(c)],
         }
     }
@@ -179,12 +211,18 @@ impl Meaning {
                 Self::OverTwice { y: new(y), function, angle: new(angle) }
             }
             Self::Negative(a) => Self::Negative(new(a)),
+            Self::Floor(a) => Self::Floor(new(a)),
             Self::CosNegative(a) => Self::CosNegative(new(a)),
             Self::Opposite(a) => Self::Opposite(new(a)),
             Self::Quotient { a, b } => Self::Quotient { a: new(a), b: new(b) },
             Self::Root(a) => Self::Root(new(a)),
             Self::RecipRoot(a) => Self::RecipRoot(new(a)),
             Self::OfCos(f, a) => Self::OfCos(f, new(a)),
+            Self::Largest { x, y, z } => Self::Largest { x: new(x), y: new(y), z: new(z) },
+            Self::Headroom { a, top } => Self::Headroom { a: new(a), top },
+            Self::Scaled { a, places, more } => {
+                Self::Scaled { a: new(a), places: new(places), more }
+            }
             Self::Tilted { phi, theta, by, polar } => {
                 Self::Tilted { phi: new(phi), theta: new(theta), by: new(by), polar }
             }
@@ -210,6 +248,7 @@ impl Meaning {
                 }
             }
             Self::Negative(_) => f64::from(u8::from(a < 0.0)),
+            Self::Floor(_) => a.floor(),
             Self::CosNegative(_) => f64::from(u8::from(crate::function::cos_turns(a) < 0.0)),
             Self::Opposite(_) => a + 0.5,
             Self::Quotient { .. } => {
@@ -222,12 +261,26 @@ impl Meaning {
             Self::Root(_) => a.max(0.0).sqrt(),
             Self::RecipRoot(_) => (1.0 / a.max(0.0).sqrt()).min(f64::MAX),
             Self::OfCos(function, _) => function.eval(sin_cos_turns(a).1),
+            Self::Largest { .. } => a.abs().max(b.abs()).max(c.abs()),
+            Self::Headroom { top, .. } => {
+                if a == 0.0 {
+                    0.0
+                } else {
+                    f64::from(top - 1 - exponent(a))
+                }
+            }
+            Self::Scaled { more, .. } => a * (b + f64::from(more)).exp2(),
             Self::Tilted { polar, .. } => {
                 let (phi, theta) = tilted(a, b, c);
                 if polar { theta } else { phi }
             }
         }
     }
+}
+
+/// The exponent of a float that is not 0 nor subnormal: `2^exponent <= |x| < 2^(exponent + 1)`.
+fn exponent(x: f64) -> i32 {
+    i32::try_from((x.to_bits() >> 52) & 0x7ff).expect("bug: 11 bits") - 1023
 }
 
 /// Azimuth and polar angle of a direction that is turned about y from z to x; all in turns.

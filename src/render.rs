@@ -10,7 +10,10 @@
 //! The golden is tangent-space bump mapping: N' = p_x T + p_y B + p_z N and the reflection formula. Blinn's
 //! equation, N' = N + B_u (N × P_v) - B_v (N × P_u) normalised, is evaluated beside it: with an
 //! orthonormal frame (scales are in texels) both are one.
+//!
+//! Emboss pipelines are another family, with a golden of their own: see [`emboss`].
 
+pub mod emboss;
 mod specialised;
 
 pub use specialised::{SeenPort, SpecialisedStage, specialise_to};
@@ -27,7 +30,7 @@ use crate::picture::{Difference, Picture};
 use crate::scene::{Fragments, Light, Material, Scene};
 use crate::sim::batch::{Program, Runner, check_overflows};
 use crate::units::fragment::{Fragment, Port};
-use crate::units::{Design, Kind, UNITS, Unit, Value, Values};
+use crate::units::{Design, Kind, Param, UNITS, Unit, Value, Values};
 use glam::DVec3;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -59,6 +62,9 @@ pub struct Pipeline {
 /// Pipelines that are settings of the bump unit.
 const BUMP_PIPELINES: [&str; 4] = ["printed", "corrected", "exact-polar", "exact-cartesian"];
 
+/// Pipelines that are settings of the emboss unit.
+pub const EMBOSS_PIPELINES: [&str; 2] = ["emboss-gx", "emboss-nv"];
+
 /// Parameters that come from the scene.
 pub const MATERIAL: [&str; 4] = ["ambient", "diffuse", "specular", "exponent"];
 
@@ -82,7 +88,7 @@ pub fn set_material(scene: &mut Scene, name: &str, value: Value) {
 }
 
 impl Pipeline {
-    /// Names of all pipelines.
+    /// Names of all pipelines that shade bumps.
     #[must_use]
     pub fn names() -> Vec<&'static str> {
         let shades = |unit: &&&Unit| {
@@ -99,16 +105,32 @@ impl Pipeline {
     /// # Errors
     /// If there is none.
     pub fn named(name: &str) -> Result<Self> {
-        if !Self::names().contains(&name) {
-            let (hint, names) =
-                (nearest(name, Self::names().into_iter()), Self::names().join(", "));
+        let names: Vec<&str> = Self::names().into_iter().chain(EMBOSS_PIPELINES).collect();
+        if !names.contains(&name) {
+            let (hint, names) = (nearest(name, names.iter().copied()), names.join(", "));
             return Err(Error::usage(format!("no pipeline `{name}`{hint}: legal is {names}")));
+        }
+        if let Some(setting) = name.strip_prefix("emboss-") {
+            let assignments = vec![format!("setting={setting}")];
+            return Ok(Self { name: name.to_owned(), unit: Unit::find("emboss")?, assignments });
         }
         let (unit, assignments) = match Unit::find(name) {
             Ok(unit) => (unit, Vec::new()),
             Err(_) => (Unit::find("bump")?, vec![format!("pipeline={name}")]),
         };
         Ok(Self { name: name.to_owned(), unit, assignments })
+    }
+
+    /// True if it embosses: its golden is another one than that of the others.
+    #[must_use]
+    pub fn is_emboss(&self) -> bool {
+        EMBOSS_PIPELINES.contains(&self.name.as_str())
+    }
+
+    /// Parameters of all its units.
+    pub fn params(&self) -> impl Iterator<Item = &'static Param> + use<> {
+        let behind: &[&'static Unit] = if self.is_emboss() { &emboss::BEHIND } else { &[] };
+        self.unit.all_params().chain(behind.iter().flat_map(|unit| unit.all_params()))
     }
 
     /// A unit with parameters, under a name of its own; what the scene gives is left out of them.
@@ -144,6 +166,12 @@ impl Pipeline {
                     format!("parameter `{key}` comes from the scene's [material] and lights");
                 return Err(Error::usage(text));
             }
+            if emboss::FROM_SCENE.contains(&key) && pipelines.iter().any(Self::is_emboss) {
+                let text = format!(
+                    "parameter `{key}` comes from the name of the emboss pipeline, or the scene's [emboss], lights and height map"
+                );
+                return Err(Error::usage(text));
+            }
             let own = |p: &Self| p.assignments.iter().any(|own| own.starts_with("pipeline="));
             if key == "pipeline" && pipelines.iter().any(own) {
                 let text = "parameter `pipeline` comes from the names of the pipelines";
@@ -151,14 +179,14 @@ impl Pipeline {
             }
             let mut known = false;
             for pipeline in pipelines.iter_mut() {
-                if pipeline.unit.all_params().any(|param| param.name == key) {
+                if pipeline.params().any(|param| param.name == key) {
                     known = true;
                     pipeline.assignments.push(assignment.clone());
                 }
             }
             if !known {
                 let names: Vec<&str> = pipelines.iter().map(|p| p.name.as_str()).collect();
-                let all = pipelines.iter().flat_map(|p| p.unit.all_params());
+                let all = pipelines.iter().flat_map(Self::params);
                 return Err(Error::usage(format!(
                     "no parameter `{key}` in any of the pipelines {}{}: `fixpath list` names them all",
                     names.join(", "),
@@ -369,6 +397,10 @@ pub struct Shot {
     pub picture: Picture,
     /// One of its designs: that of the first material under the first light.
     pub design: Arc<Design>,
+    /// Designs of the units behind it, if there are some.
+    pub behind: Vec<Arc<Design>>,
+    /// What is known of an emboss.
+    pub emboss: Option<emboss::Known>,
     /// Time in the bit-true engine, all threads together.
     pub engine: Duration,
     /// Samples per second and thread of the engine alone: the median of all samples by the rate of the
@@ -393,10 +425,10 @@ impl Shot {
 /// A scene rendered.
 #[derive(Clone, Debug)]
 pub struct Rendered {
-    /// The golden picture: tangent-space bump mapping in `f64`.
+    /// The golden picture, in `f64`: tangent-space bump mapping, or an emboss.
     pub golden: Picture,
-    /// The largest difference of Blinn's equation to it, in linear light.
-    pub blinn: f64,
+    /// The largest difference of Blinn's equation to it, in linear light; an emboss has none.
+    pub blinn: Option<f64>,
     /// Pixels that see an object.
     pub covered: u64,
     /// The pipelines' pictures.
@@ -469,12 +501,16 @@ struct BlockShot {
 
 impl BlockShot {
     fn new(shader: &Shader) -> Self {
-        let narrows = shader.stages.iter().map(|stage| vec![0; stage.program.narrows().len()]);
+        Self::of(shader.stages.iter().map(|stage| &stage.program))
+    }
+
+    /// Nothing yet, by some programs.
+    fn of<'a>(programs: impl Iterator<Item = &'a Program>) -> Self {
         Self {
             colours: Vec::new(),
             engine: Duration::ZERO,
             samples: 0,
-            overflows: narrows.collect(),
+            overflows: programs.map(|program| vec![0; program.narrows().len()]).collect(),
             angles: Stream::EMPTY,
         }
     }
@@ -503,11 +539,24 @@ pub fn render(
     vectors: bool,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<Rendered> {
+    let embosses = pipelines.iter().filter(|pipeline| pipeline.is_emboss()).count();
+    if embosses > 0 && embosses == pipelines.len() {
+        return emboss::render(scene, pipelines, progress);
+    }
+    if embosses > 0 {
+        return Err(mixed());
+    }
     let shaders: Vec<Shader> = pipelines
         .iter()
         .map(|pipeline| Shader::new(scene, pipeline, vectors))
         .collect::<Result<_>>()?;
     shoot(scene, &shaders.iter().collect::<Vec<_>>(), progress)
+}
+
+/// The error for emboss pipelines among others.
+pub(crate) fn mixed() -> Error {
+    let text = "emboss pipelines have a golden of their own: render them apart from the others, into another folder";
+    Error::usage(text.to_owned())
 }
 
 /// How many pictures of a scene are best rendered together: all are in memory.
@@ -527,8 +576,6 @@ pub fn shoot(
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<Rendered> {
     let start = Instant::now();
-    let blocks = blocks(scene.image.height);
-    let done = AtomicU64::new(0);
     let lanes = || Lanes {
         fragments: Fragments::default(),
         runners: shaders
@@ -538,9 +585,58 @@ pub fn shoot(
         histograms: vec![0; shaders.len() * BINS],
     };
     let histograms = Histograms::new(shaders.len());
-    let shade_rows = |lanes: &mut Lanes, rows: &Range<u32>| {
-        let block = block(scene, shaders, rows.clone(), lanes);
+    let shade_rows = |lanes: &mut Lanes, rows: Range<u32>| {
+        let block = block(scene, shaders, rows, lanes);
         histograms.take(&mut lanes.histograms);
+        block
+    };
+    let totals = shaders.iter().map(|shader| BlockShot::new(shader)).collect();
+    let Gathered { golden, blinn, covered, pictures, totals, mut rates } =
+        gather(scene, totals, lanes, shade_rows, progress)?;
+    let mut shots = Vec::new();
+    for (index, ((shader, picture), total)) in shaders.iter().zip(pictures).zip(totals).enumerate()
+    {
+        let vectors = shader.stages[0].vector.is_some();
+        let stages = shader.stages.iter().map(|stage| (&stage.design, &stage.program));
+        shots.push(Shot {
+            pipeline: shader.pipeline.clone(),
+            picture,
+            design: Arc::clone(shader.design()),
+            behind: Vec::new(),
+            emboss: None,
+            engine: total.engine,
+            samples_per_second: median_rate(&mut rates[index]),
+            samples: total.samples,
+            vectors: vectors.then(|| VectorError::of(&total.angles, &histograms.of(index))),
+            overflows: overflows(stages, &total.overflows)?,
+        });
+    }
+    Ok(Rendered { golden, blinn: Some(blinn), covered, shots, elapsed: start.elapsed() })
+}
+
+/// Pictures put together of blocks of rows.
+struct Gathered {
+    golden: Picture,
+    blinn: f64,
+    covered: u64,
+    pictures: Vec<Picture>,
+    totals: Vec<BlockShot>,
+    /// Time and samples of each block, by picture.
+    rates: Vec<Vec<(Duration, u64)>>,
+}
+
+/// Renders a scene block by block on all threads; `totals` has an empty entry for each picture.
+fn gather<L: Send>(
+    scene: &Scene,
+    mut totals: Vec<BlockShot>,
+    lanes: impl Fn() -> L + Sync,
+    shade_rows: impl Fn(&mut L, Range<u32>) -> Result<Block> + Sync,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<Gathered> {
+    let blocks = blocks(scene.image.height);
+    let done = AtomicU64::new(0);
+    let shade_rows = |lanes: &mut L, rows: &Range<u32>| {
+        let block = shade_rows(lanes, rows.clone());
         let before = done.fetch_add(u64::from(rows.end - rows.start), Ordering::Relaxed);
         progress(before + u64::from(rows.end - rows.start));
         block
@@ -552,13 +648,12 @@ pub fn shoot(
     let mut golden = blank.clone();
     let mut blinn = 0f64;
     let mut covered = 0;
-    let mut pictures = vec![blank; shaders.len()];
-    let mut totals: Vec<BlockShot> = shaders.iter().map(|shader| BlockShot::new(shader)).collect();
-    let mut rates: Vec<Vec<(Duration, u64)>> = vec![Vec::new(); shaders.len()];
+    let mut pictures = vec![blank; totals.len()];
+    let mut rates: Vec<Vec<(Duration, u64)>> = vec![Vec::new(); totals.len()];
     // Some blocks at a time: beside the pictures, memory doesn't grow with their height.
     let rounds = blocks.chunks(BLOCKS_TOGETHER);
     let results = rounds.flat_map(|some| -> Vec<Result<Block>> {
-        some.par_iter().map_init(lanes, shade_rows).collect()
+        some.par_iter().map_init(&lanes, shade_rows).collect()
     });
     for block in results {
         let block = block?;
@@ -578,26 +673,14 @@ pub fn shoot(
             rates.push((shot.engine, shot.samples));
         }
     }
-    let mut shots = Vec::new();
-    for (index, ((shader, pixels), total)) in shaders.iter().zip(pictures).zip(totals).enumerate() {
-        let vectors = shader.stages[0].vector.is_some();
-        shots.push(Shot {
-            pipeline: shader.pipeline.clone(),
-            picture: Picture::new(width, height, pixels)?,
-            design: Arc::clone(shader.design()),
-            engine: total.engine,
-            samples_per_second: median_rate(&mut rates[index]),
-            samples: total.samples,
-            vectors: vectors.then(|| VectorError::of(&total.angles, &histograms.of(index))),
-            overflows: overflows(shader, &total.overflows)?,
-        });
-    }
-    Ok(Rendered {
-        golden: Picture::new(width, height, golden)?,
+    let picture = |pixels| Picture::new(width, height, pixels);
+    Ok(Gathered {
+        golden: picture(golden)?,
         blinn,
         covered,
-        shots,
-        elapsed: start.elapsed(),
+        pictures: pictures.into_iter().map(picture).collect::<Result<_>>()?,
+        totals,
+        rates,
     })
 }
 
@@ -616,11 +699,14 @@ fn median_rate(blocks: &mut [(Duration, u64)]) -> f64 {
     middle.map_or(0.0, rate)
 }
 
-/// What overflowed in any of the designs.
-fn overflows(shader: &Shader, counts: &[Vec<u64>]) -> Result<Vec<OverflowCount>> {
+/// What overflowed in any of some designs.
+fn overflows<'a>(
+    stages: impl Iterator<Item = (&'a Arc<Design>, &'a Program)>,
+    counts: &[Vec<u64>],
+) -> Result<Vec<OverflowCount>> {
     let mut all: Vec<OverflowCount> = Vec::new();
-    for (stage, counts) in shader.stages.iter().zip(counts) {
-        let (netlist, narrows) = (&stage.design.netlist, stage.program.narrows());
+    for ((design, program), counts) in stages.zip(counts) {
+        let (netlist, narrows) = (&design.netlist, program.narrows());
         check_overflows(netlist, narrows, counts)?;
         for overflow in overflow_counts(netlist, narrows, counts) {
             match all.iter_mut().find(|known| known.node == overflow.node) {

@@ -20,6 +20,16 @@ pub(crate) const COMMITTED: &[(&str, &str, &[&str])] = &[
     ("ernst", "ernst", &[]),
     ("kim", "kim", &[]),
     ("kugler", "kugler", &[]),
+    ("dot", "dot", &[]),
+    ("normalise", "normalise", &[]),
+    ("rsqrt", "rsqrt", &[]),
+    ("rsqrt_newton", "rsqrt", &["root_scheme=newton", "root_addr_bits=7"]),
+    ("cross", "cross", &[]),
+    ("basis", "basis", &[]),
+    ("emboss", "emboss", &[]),
+    ("emboss_nv", "emboss", &["setting=nv"]),
+    ("sampler", "sampler", &[]),
+    ("combine", "combine", &[]),
 ];
 
 /// Netlist, module in both languages and tables go to `hdl_out`, what tests them to a folder of

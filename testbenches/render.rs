@@ -128,7 +128,8 @@ fn check(name: &str, scene: &Scene, pipelines: &[Pipeline], rendered: &Rendered)
     let f = traced(scene);
     assert_eq!(rendered.covered, f.len() as u64, "{name}");
     assert_eq!(f.is_empty(), name == "nothing", "{name}");
-    assert!(rendered.blinn < 1e-9, "{name}: {:e}", rendered.blinn);
+    let blinn = rendered.blinn.unwrap();
+    assert!(blinn < 1e-9, "{name}: {blinn:e}");
     let (mut largest_off, mut largest_limit) = (0f64, 0f64);
     let background = scene.image.background.map(|x| x as f32);
     let pictures = rendered.shots.iter().map(|shot| &shot.picture).chain([&rendered.golden]);

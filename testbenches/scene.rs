@@ -44,7 +44,7 @@ fn builtin_scenes_are_whole() {
                 assert!((unit.length() - 1.0).abs() < 1e-12, "{name} {i} {unit}");
             }
             assert!(n.dot(t).abs() < 1e-12 && n.dot(v) > 0.0, "{name} {i}");
-            assert_eq!(f.face[i] == CURVED, *name == "sphere");
+            assert_eq!(f.face[i] == CURVED, ["sphere", "light-orbit"].contains(name));
             // To the last bit, so that a datapath may keep them per face.
             let of_face = faces.entry(f.face[i]).or_insert((n, t));
             assert!(f.face[i] == CURVED || (n, t) == *of_face);
@@ -54,7 +54,7 @@ fn builtin_scenes_are_whole() {
     }
     assert_eq!(
         Scene::builtin("teapot").unwrap_err().to_string(),
-        "no built-in scene `teapot`: there are plane, cube, sphere; or give the path of a scene file"
+        "no built-in scene `teapot`: there are plane, cube, sphere, lettering-raised, lettering-lowered, brick, light-orbit; or give the path of a scene file"
     );
     let sphere = Scene::builtin("sphere").unwrap();
     assert_eq!(sphere.bumps.size(), (512, 256));

@@ -27,6 +27,7 @@ const PROVED: &[&str] = &[
     "rotation_printed",
     "illumination",
     "kugler",
+    "sampler",
 ];
 
 /// Tools take a design with the whole hard-case list, and each of them agrees.

@@ -3,7 +3,7 @@
 use super::{pretty, progress_bar, text};
 use crate::cast;
 use crate::error::{Error, Result};
-use crate::ladder::{EXPONENTS, LEGAL_EXPONENTS, LEGAL_WIDTHS, Ladder, WIDTHS};
+use crate::ladder::{self, EXPONENTS, LEGAL_EXPONENTS, LEGAL_WIDTHS, Ladder, WIDTHS};
 use crate::render::Pipeline;
 use crate::report::ladder::{Record, Table};
 use crate::scene::Scene;
@@ -67,15 +67,44 @@ pub(super) fn run(
     Ok(told(&record, out))
 }
 
-fn told(record: &Record, out: &Path) -> String {
-    let shown = |table: &Table| {
-        let heading = |(column, heading): (usize, &String)| {
-            if column < table.left { heading.clone() } else { format!(">{heading}") }
-        };
-        let headings: Vec<String> = table.headings.iter().enumerate().map(heading).collect();
-        let headings: Vec<&str> = headings.iter().map(String::as_str).collect();
-        text::table(&headings, &table.rows)
+/// Climbs with emboss pipelines and writes; returns what to tell.
+pub(super) fn run_emboss(
+    pipelines: &[Pipeline],
+    widths: &str,
+    pixels_per_degree: f64,
+    (scene, name): (&Scene, &str),
+    (out, json): (&Path, bool),
+) -> Result<String> {
+    use ladder::emboss::{self, LEGAL_WIDTHS, WIDTHS};
+    let widths = match widths {
+        "" => WIDTHS.to_vec(),
+        list => numbers("width", list, &LEGAL_WIDTHS)?,
     };
+    // Of a light that moves, where it starts.
+    let scene = scene.frame(0);
+    let bar = progress_bar(cast::count_of(emboss::pictures(pipelines, &widths)), "pictures");
+    let done = |done| bar.set_position(cast::count_of(done));
+    let record = emboss::climb(&scene, name, pipelines, &widths, pixels_per_degree, &done)?;
+    bar.finish_and_clear();
+    record.write(out)?;
+    if json {
+        return Ok(pretty(&serde_json::to_value(&record).expect("bug: figures are plain values")));
+    }
+    let mut told = shown(&record.table());
+    let _ = writeln!(told, "see {}", out.join("ladder.md").display());
+    Ok(told)
+}
+
+fn shown(table: &Table) -> String {
+    let heading = |(column, heading): (usize, &String)| {
+        if column < table.left { heading.clone() } else { format!(">{heading}") }
+    };
+    let headings: Vec<String> = table.headings.iter().enumerate().map(heading).collect();
+    let headings: Vec<&str> = headings.iter().map(String::as_str).collect();
+    text::table(&headings, &table.rows)
+}
+
+fn told(record: &Record, out: &Path) -> String {
     let header = &record.header;
     let mut told = format!(
         "scene {}, {} pixels covered; differences to the golden, in linear light\n",

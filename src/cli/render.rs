@@ -9,10 +9,11 @@ use crate::picture::{
     Amplify, Difference, PIXELS_PER_DEGREE, Panel, Srgb8, absolute_map, check_pixels_per_degree,
     sheet, signed_map,
 };
-use crate::render::{Pipeline, Rendered, Shot, SpecialisedStage, render, specialise_to};
+use crate::render::{Pipeline, Rendered, Shot, SpecialisedStage, mixed, render, specialise_to};
 use crate::report::record::RankBy;
 use crate::scene::Scene;
 use crate::sweep::View;
+use crate::units::Design;
 use clap::Args;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -24,13 +25,14 @@ const PIPELINES: [&str; 4] = ["printed", "corrected", "exact-polar", "exact-cart
 /// Arguments of `fixpath render`.
 #[derive(Args)]
 pub(super) struct RenderArgs {
-    /// Scene file, or a built-in scene: plane, cube, sphere.
+    /// Scene file, or a built-in scene: plane, cube, sphere, lettering-raised, lettering-lowered, brick,
+    /// light-orbit.
     scene: PathBuf,
     /// Folder to write.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     /// Pipelines to compare; if not given printed,corrected,exact-polar,exact-cartesian, and for a ladder all
-    /// that there are.
+    /// that shade bumps. emboss-gx and emboss-nv have a golden of their own and go into a folder of their own.
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     pipelines: Vec<String>,
     /// Set a parameter of every pipeline that has it; those of the material come from the scene.
@@ -57,12 +59,12 @@ pub(super) struct RenderArgs {
 }
 
 impl RenderArgs {
-    /// A built-in scene with the defaults.
-    pub(super) fn of_builtin(name: &str, out: &Path) -> Self {
+    /// A built-in scene by some pipelines, or, if none are named, the usual ones.
+    pub(super) fn of_builtin(name: &str, pipelines: &[&str], out: &Path) -> Self {
         Self {
             scene: name.into(),
             out: out.to_owned(),
-            pipelines: Vec::new(),
+            pipelines: pipelines.iter().map(|&name| name.to_owned()).collect(),
             params: Vec::new(),
             pixels_per_degree: PIXELS_PER_DEGREE,
             specialise: false,
@@ -92,6 +94,8 @@ pub(super) fn demo_rows(args: &RenderArgs) -> Result<Vec<String>> {
 
 /// The most pipelines beside each other on a sheet.
 const SHEET_PIPELINES: usize = 4;
+/// The most frames beside each other on a sheet.
+const SHEET_FRAMES: usize = 12;
 
 /// The scene of a name or a file.
 pub(super) fn scene_of(path: &Path) -> Result<Scene> {
@@ -149,37 +153,166 @@ fn render_and_write(args: &RenderArgs) -> Result<Made> {
     let pipelines = pipelines_of(args)?;
     let scene = scene_of(&args.scene)?;
     let bar = progress_bar(u64::from(scene.image.height), "rows");
-    let rendered = render(&scene, &pipelines, true, &|done| bar.set_position(done))?;
+    let (rendered, differences) =
+        rendered(&scene, &pipelines, args, &|done| bar.set_position(done))?;
     bar.finish_and_clear();
+    write_pictures(&args.out, &rendered)?;
+    Ok(Made { scene, pipelines, rendered, differences })
+}
+
+/// A picture by each pipeline, and how far each is from the golden.
+fn rendered(
+    scene: &Scene,
+    pipelines: &[Pipeline],
+    args: &RenderArgs,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<(Rendered, Vec<Difference>)> {
+    let rendered = render(scene, pipelines, true, progress)?;
     let differences = rendered
         .shots
         .iter()
         .map(|shot| Difference::between(&shot.picture, &rendered.golden, args.pixels_per_degree))
         .collect::<Result<Vec<_>>>()?;
-    write_pictures(&args.out, &rendered)?;
-    Ok(Made { scene, pipelines, rendered, differences })
+    Ok((rendered, differences))
 }
+
+/// Renders every frame of a scene whose light moves, and writes `frame_000.png` and so on into a folder
+/// for the golden and for each pipeline, a sheet of all, and figures of every frame; returns what to
+/// tell, and false if a bound is broken.
+fn run_frames(args: &RenderArgs, scene: &Scene) -> Result<(String, bool)> {
+    if args.specialise {
+        let text = "--specialise takes a scene with one picture: leave [orbit] out";
+        return Err(Error::usage(text.to_owned()));
+    }
+    let pipelines = pipelines_of(args)?;
+    let names: Vec<&str> =
+        ["golden"].into_iter().chain(pipelines.iter().map(|p| p.name.as_str())).collect();
+    for name in &names {
+        output::make_folder(&args.out.join(name))?;
+    }
+    let height = u64::from(scene.image.height);
+    let bar = progress_bar(u64::from(scene.frames()) * height, "rows");
+    // A row of the sheet for each picture, and below it one of differences.
+    let mut rows: Vec<Vec<Srgb8>> = vec![Vec::new(); 2 * names.len() - 1];
+    let (mut values, mut told, mut held) = (Vec::new(), Vec::new(), true);
+    for number in 0..scene.frames() {
+        let before = u64::from(number) * height;
+        let (rendered, differences) = rendered(&scene.frame(number), &pipelines, args, &|done| {
+            bar.set_position(before + done)
+        })?;
+        let file = format!("frame_{number:03}.png");
+        let golden = rendered.golden.to_srgb8();
+        golden.save_png(&args.out.join("golden").join(&file))?;
+        rows[0].push(golden);
+        for (i, shot) in rendered.shots.iter().enumerate() {
+            let picture = shot.picture.to_srgb8();
+            picture.save_png(&args.out.join(&shot.pipeline.name).join(&file))?;
+            rows[1 + 2 * i].push(picture);
+            rows[2 + 2 * i].push(absolute_map(&shot.picture, &rendered.golden, Amplify::Fit)?);
+        }
+        held &= bounds_hold(&rendered, &differences);
+        values.push(figures(&rendered, &differences));
+        for (shot, difference) in rendered.shots.iter().zip(&differences) {
+            told.push(vec![
+                number.to_string(),
+                shot.pipeline.name.clone(),
+                text::number(difference.max.difference * 255.0),
+                bound_of(shot).map(|bound| text::number(bound * 255.0)).unwrap_or_default(),
+                text::number(difference.mean * 255.0),
+                format!("{:.4}", difference.ssim),
+                format!("{:.4}", difference.flip),
+            ]);
+        }
+    }
+    bar.finish_and_clear();
+    // As many frames as fit a sheet well.
+    let step = rows[0].len().div_ceil(SHEET_FRAMES);
+    let mut panels = Vec::new();
+    for (i, row) in rows.iter().enumerate() {
+        let caption = if i > 0 && i % 2 == 0 { "difference" } else { names[i.div_ceil(2)] };
+        panels.extend(row.iter().step_by(step).map(|picture| Panel { caption, picture }));
+    }
+    let columns = rows[0].len().div_ceil(step);
+    sheet(&panels, columns)?.save_png(&args.out.join("sheet.png"))?;
+    let value = json!({
+        "tool": "fixpath",
+        "version": env!("CARGO_PKG_VERSION"),
+        "frames": values,
+    });
+    let headings = [">frame", "pipeline", ">max/255", ">bound/255", ">mean/255", ">SSIM", ">FLIP"];
+    let mut told = text::table(&headings, &told);
+    if !held {
+        told.push_str(BROKEN);
+    }
+    output::write_text(&args.out.join("figures.json"), &pretty(&value))?;
+    output::write_text(&args.out.join("figures.txt"), &told)?;
+    Ok((if args.json { pretty(&value) } else { told }, held))
+}
+
+/// What its largest difference can't be above, in linear light.
+fn bound_of(shot: &Shot) -> Option<f64> {
+    shot.emboss.and_then(|known| known.bound)
+}
+
+/// False if a picture is farther from the golden than it can be.
+fn bounds_hold(rendered: &Rendered, differences: &[Difference]) -> bool {
+    let holds = |(shot, difference): (&Shot, &Difference)| {
+        bound_of(shot).is_none_or(|bound| difference.max.difference <= bound) // false for NaN
+    };
+    rendered.shots.iter().zip(differences).all(holds)
+}
+
+const BROKEN: &str = "a stated bound is BROKEN\n";
 
 /// Renders and writes; returns what to tell, and false if a specialised pipeline differs.
 pub(super) fn run(args: &RenderArgs) -> Result<(String, bool)> {
     if let Some(widths) = &args.ladder {
         let exponents = args.exponents.as_deref();
         let pipelines = pipelines_of(args)?;
+        if pipelines.iter().all(Pipeline::is_emboss) {
+            if exponents.is_some() {
+                let text = "an emboss has no highlight and no --exponents: leave them out";
+                return Err(Error::usage(text.to_owned()));
+            }
+            let (scene, name) = (scene_of(&args.scene)?, name_of(&args.scene));
+            let told = ladder::run_emboss(
+                &pipelines,
+                widths,
+                args.pixels_per_degree,
+                (&scene, &name),
+                (&args.out, args.json),
+            )?;
+            return Ok((told, true));
+        }
+        if pipelines.iter().any(Pipeline::is_emboss) {
+            return Err(mixed());
+        }
         let ladder = ladder::ladder(pipelines, widths, exponents, args.pixels_per_degree)?;
         let scene = scene_of(&args.scene)?;
         let told = ladder::run(&ladder, &scene, &name_of(&args.scene), &args.out, args.json)?;
         return Ok((told, true));
     }
+    if args.specialise && pipelines_of(args)?.iter().any(Pipeline::is_emboss) {
+        let text = "--specialise is for pipelines that shade bumps: leave it out for an emboss";
+        return Err(Error::usage(text.to_owned()));
+    }
+    let scene = scene_of(&args.scene)?;
+    if scene.orbit.is_some() {
+        return run_frames(args, &scene);
+    }
     let Made { scene, pipelines, rendered, differences } = render_and_write(args)?;
     let mut value = figures(&rendered, &differences);
     let mut told = table(&rendered, &differences);
-    let mut same = true;
+    let mut same = bounds_hold(&rendered, &differences);
+    if !same {
+        told.push_str(BROKEN);
+    }
     if args.specialise {
         let reduced = pipelines
             .iter()
             .map(|pipeline| Ok((pipeline.name.as_str(), specialise_to(&scene, pipeline)?)))
             .collect::<Result<Vec<_>>>()?;
-        same = reduced.iter().flat_map(|(_, stages)| stages).all(|stage| stage.mismatches == 0);
+        same &= reduced.iter().flat_map(|(_, stages)| stages).all(|stage| stage.mismatches == 0);
         let fields = value.as_object_mut().expect("bug: an object");
         let stages = |(name, stages): &(&str, Vec<SpecialisedStage>)| json!({ "pipeline": name, "designs": stages });
         fields.insert("specialised".to_owned(), reduced.iter().map(stages).collect());
@@ -289,12 +422,20 @@ fn write_pictures(out: &Path, rendered: &Rendered) -> Result<()> {
 }
 
 fn figures(rendered: &Rendered, differences: &[Difference]) -> Value {
+    let parameters = |design: &Design| -> serde_json::Map<_, _> {
+        design.values.iter().map(|(k, v)| (k.to_owned(), json!(v.to_string()))).collect()
+    };
     let shot = |(shot, difference): (&Shot, &Difference)| {
         json!({
             "pipeline": shot.pipeline.name,
             "unit": shot.pipeline.unit.name,
-            "parameters": shot.design.values.iter().map(|(k, v)| (k.to_owned(), json!(v.to_string()))).collect::<serde_json::Map<_, _>>(),
+            "parameters": parameters(&shot.design),
+            "behind": shot.behind.iter().map(|design| json!({
+                "unit": design.values.unit().name,
+                "parameters": parameters(design),
+            })).collect::<Vec<_>>(),
             "difference": difference,
+            "emboss": shot.emboss,
             "vectors": shot.vectors,
             "overflows": shot.overflowed(),
             "samples": shot.samples,
@@ -332,6 +473,7 @@ fn table(rendered: &Rendered, differences: &[Difference]) -> String {
                 d.srgb8_max_codes.to_string(),
                 shot.vectors.map(|v| angle(v.max_rad)).unwrap_or_default(),
                 shot.vectors.map(|v| angle(v.mean_rad)).unwrap_or_default(),
+                bound_of(shot).map(|bound| text::number(bound * 255.0)).unwrap_or_default(),
                 format!("{:.1}", shot.samples_per_second / 1e6),
             ]
         })
@@ -342,28 +484,36 @@ fn table(rendered: &Rendered, differences: &[Difference]) -> String {
         rendered.golden.height_px(),
         rendered.covered
     );
-    told.push_str(&text::table(
-        &[
-            "pipeline",
-            ">max/255",
-            ">mean/255",
-            ">PSNR dB",
-            ">SSIM",
-            ">FLIP",
-            ">8-bit differing",
-            ">codes",
-            ">L' angle max",
-            ">mean",
-            ">M samples/s a thread",
-        ],
-        &rows,
-    ));
+    let headings = [
+        "pipeline",
+        ">max/255",
+        ">mean/255",
+        ">PSNR dB",
+        ">SSIM",
+        ">FLIP",
+        ">8-bit differing",
+        ">codes",
+        ">L' angle max",
+        ">mean",
+        ">bound/255",
+        ">M samples/s a thread",
+    ];
+    // Columns that say something.
+    let kept: Vec<usize> =
+        (0..headings.len()).filter(|i| rows.iter().any(|row| !row[*i].is_empty())).collect();
+    let headings: Vec<&str> = kept.iter().map(|i| headings[*i]).collect();
+    let keep = |row: &Vec<String>| kept.iter().map(|i| row[*i].clone()).collect();
+    let rows: Vec<Vec<String>> = rows.iter().map(keep).collect();
+    told.push_str(&text::table(&headings, &rows));
     let pixels = cast::f64_of_len(rendered.golden.pixels().len());
     let _ = writeln!(
         told,
-        "  {:.2} M pixels/s for rays, golden and all pipelines together; Blinn's equation differs from the golden by {} at most",
+        "  {:.2} M pixels/s for rays, golden and all pipelines together{}",
         pixels / rendered.elapsed.as_secs_f64() / 1e6,
-        text::number(rendered.blinn)
+        rendered.blinn.map_or(String::new(), |blinn| format!(
+            "; Blinn's equation differs from the golden by {} at most",
+            text::number(blinn)
+        ))
     );
     told
 }

@@ -129,6 +129,7 @@ fn ports(netlist: &Netlist) -> (Vec<Vec<String>>, Value) {
     let quantity = |quantity| match quantity {
         Quantity::Turns => "turns",
         Quantity::Number => "number",
+        Quantity::Float20 => "float20",
     };
     let inputs = netlist.inputs().iter().enumerate().map(|(i, id)| {
         let node = netlist.node(*id);

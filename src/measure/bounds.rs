@@ -122,6 +122,9 @@ impl HardResult {
 
     /// What cases are ranked by: the error in units of its bound. A NaN is worst.
     fn rank(&self) -> f64 {
+        if self.error == 0.0 {
+            return 0.0; // also beside a bound of 0
+        }
         let rank = self.error / self.bound.unwrap_or(1.0);
         if rank.is_nan() { f64::INFINITY } else { rank }
     }
@@ -196,14 +199,17 @@ pub fn hard_results(design: &Design, group: &HardCase, bounds: &BoundCheck) -> V
     let errors = |is: &[Vec<f64>]| -> Vec<Vec<f64>> {
         let of = |(measurand, _): &(Measurand, Option<f64>)| {
             let mut errors = Vec::new();
-            measurand.errors(is, &float64, &mut errors);
+            measurand.errors(is, &float64, &float64, &mut errors);
             errors
         };
         judged.iter().map(of).collect()
     };
     let (fixed_errors, float32_errors) = (errors(&fixed), errors(&float32));
     let result = |i: usize| {
-        let at = |columns: &[Vec<f64>]| columns.iter().map(|column| column[i]).collect();
+        // Without the golden's scales.
+        let at = |columns: &[Vec<f64>]| {
+            columns.iter().take(fixed.len()).map(|column| column[i]).collect()
+        };
         let case = |q: usize| HardResult {
             words: group.words[i].clone(),
             fixed: at(&fixed),

@@ -2,7 +2,7 @@
 
 use crate::cast;
 use crate::error::{Error, Result};
-use crate::format::{Overflow, Round, quantize};
+use crate::format::{Overflow, Round, float20, quantize};
 use crate::netlist::{Netlist, NodeId, Quantity};
 use crate::trig::ROUNDER;
 use crate::units::{Design, Sampler};
@@ -68,7 +68,8 @@ impl Inputs {
     pub(crate) fn same(&self, a: &Design, b: &Design) -> bool {
         let formats = |design: &Design| -> Vec<_> {
             let netlist = &design.netlist;
-            netlist.inputs().iter().map(|id| netlist.node(*id).format).collect()
+            let of = |id: &NodeId| (netlist.node(*id).format, netlist.node(*id).quantity);
+            netlist.inputs().iter().map(of).collect()
         };
         if a.golden_key() != b.golden_key() {
             return false;
@@ -125,7 +126,8 @@ impl Inputs {
     }
 }
 
-/// Writes input columns as words of the ports: to nearest, angles modulo a turn, numbers saturated.
+/// Writes input columns as words of the ports: to nearest, angles modulo a turn, numbers saturated;
+/// what comes as a float of 20 bits is cut down to it before.
 ///
 /// # Errors
 /// If a value is not finite.
@@ -139,12 +141,14 @@ pub fn quantize_inputs(
         let node = netlist.node(*id);
         let overflow = match node.quantity {
             Quantity::Turns => Overflow::Wrap,
-            Quantity::Number => Overflow::Saturate,
+            Quantity::Number | Quantity::Float20 => Overflow::Saturate,
         };
         to.clear();
         let scale = 2f64.powi(node.format.frac_bits());
         let (min, max) = (node.format.min_raw(), node.format.max_raw());
+        let short = node.quantity == Quantity::Float20;
         for value in column {
+            let value = if short { float20(*value) } else { *value };
             let scaled = value * scale;
             to.push(if scaled.abs() < 2f64.powi(51) {
                 // Adding 1.5 * 2^52 rounds to a whole number, ties to even, in the low bits.
@@ -159,7 +163,7 @@ pub fn quantize_inputs(
             } else {
                 // Far out, or not finite.
                 let turns = node.quantity == Quantity::Turns;
-                let value = if turns { value % 1.0 } else { *value };
+                let value = if turns { value % 1.0 } else { value };
                 quantize(value, node.format, Round::HalfEven, overflow)?.0
             });
         }

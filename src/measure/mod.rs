@@ -49,7 +49,7 @@ pub(crate) fn as_golden(groups: &[Group], nodes: &[Vec<f64>], to: &mut Vec<Vec<f
         node += from.len();
         column += to.len();
         match group.shape {
-            Shape::Cartesian | Shape::Scalar => {
+            Shape::Cartesian | Shape::Scalar | Shape::Scaled { .. } => {
                 for (to, from) in to.iter_mut().zip(from) {
                     to.clone_from(from);
                 }
@@ -77,6 +77,10 @@ enum Kind {
     Dot,
     /// Difference of one column.
     Number,
+    /// The same over the golden's scale, in this column.
+    Relative(usize),
+    /// Difference of one column in texels of a texture of that size.
+    Texels(u32),
 }
 
 /// A quantity whose error is measured.
@@ -94,14 +98,15 @@ impl Measurand {
     fn unit(&self) -> &'static str {
         match self.kind {
             Kind::Angle => "rad",
-            Kind::Dot | Kind::Number => "1",
+            Kind::Dot | Kind::Number | Kind::Relative(_) => "1",
+            Kind::Texels(_) => "texel",
         }
     }
 
     /// True if it stands for its group where no bound is stated: the angle of a direction, or a
     /// number itself.
     fn counts_unbounded(&self, design: &Design) -> bool {
-        let direction = design.groups.iter().any(|group| group.shape != Shape::Scalar);
+        let direction = design.groups.iter().any(|group| group.shape.is_direction());
         if direction { self.kind == Kind::Angle } else { self.kind == Kind::Number }
     }
 
@@ -109,15 +114,22 @@ impl Measurand {
     fn all(design: &Design) -> Vec<Self> {
         let mut all = Vec::new();
         let mut column = 0;
+        let mut scale: usize = design.groups.iter().map(|group| group.shape.columns().len()).sum();
         for group in &design.groups {
             let named = |part: &str| match group.name {
                 "" => part.to_owned(),
                 name => format!("{name}_{part}"),
             };
-            if group.shape != Shape::Scalar {
+            if group.shape.is_direction() {
                 for (part, kind) in [("angle", Kind::Angle), ("dot", Kind::Dot)] {
                     all.push(Self { name: named(part), kind, column, ulp: None });
                 }
+            }
+            if let Shape::Scaled { texels } = group.shape {
+                let own = |part: &str, kind| Self { name: named(part), kind, column, ulp: None };
+                all.extend(texels.map(|texels| own("texels", Kind::Texels(texels))));
+                all.push(own("relative", Kind::Relative(scale)));
+                scale += 1;
             }
             for (i, name) in group.columns().into_iter().enumerate() {
                 let ulp = |i: usize| design.netlist.node(group.nodes[i]).format.ulp();
@@ -129,9 +141,19 @@ impl Measurand {
         all
     }
 
-    /// Errors of samples.
-    fn errors(&self, is: &[Vec<f64>], should: &[Vec<f64>], errors: &mut Vec<f64>) {
+    /// Errors of samples; scales are those of the golden.
+    fn errors(
+        &self,
+        is: &[Vec<f64>],
+        should: &[Vec<f64>],
+        golden: &[Vec<f64>],
+        errors: &mut Vec<f64>,
+    ) {
         errors.clear();
+        let differences = || {
+            let pairs = is[self.column].iter().zip(&should[self.column]);
+            pairs.map(|(is, should)| is - should)
+        };
         let len = is[self.column].len();
         let at = |v: &[Vec<f64>], i: usize| [0, 1, 2].map(|axis| v[self.column + axis][i]);
         match self.kind {
@@ -143,10 +165,16 @@ impl Measurand {
                 let d = [u[0] - v[0], u[1] - v[1], u[2] - v[2]];
                 (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt()
             })),
-            Kind::Number => {
-                let pairs = is[self.column].iter().zip(&should[self.column]);
-                errors.extend(pairs.map(|(is, should)| is - should));
+            Kind::Number => errors.extend(differences()),
+            Kind::Texels(texels) => {
+                errors.extend(differences().map(|error| error * f64::from(texels)));
             }
+            Kind::Relative(scale) => errors.extend(
+                // Of nothing nothing is no error.
+                differences()
+                    .zip(&golden[scale])
+                    .map(|(error, scale)| if error == 0.0 { 0.0 } else { error / scale }),
+            ),
         }
     }
 }
@@ -518,7 +546,7 @@ fn measure_chunk(
                 Basis::EndToEnd => (&*bit_true, &columns[sets[c.set].drawn].real_golden),
             };
             for measurand in &c.measurands {
-                measurand.errors(is, should, errors);
+                measurand.errors(is, should, golden, errors);
                 let start = streams.len() * BINS;
                 let histogram = &mut lanes.histograms[start..start + BINS];
                 streams.push(Stream::of(errors, from, histogram));

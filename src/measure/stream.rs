@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use std::sync::{Mutex, PoisonError};
 
 /// Angle between two vectors in rad, good for small angles too. A null vector has no
-/// direction and counts as opposite.
+/// direction and counts as opposite to all but another.
 #[must_use]
 pub fn angle_between(u: [f64; 3], v: [f64; 3]) -> f64 {
     let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
@@ -18,7 +18,7 @@ pub fn angle_between(u: [f64; 3], v: [f64; 3]) -> f64 {
         let t2 = t * t;
         t * (1.0 - t2 * (1.0 / 3.0 - t2 * (0.2 - t2 * (1.0 / 7.0 - t2 / 9.0))))
     } else if sine == 0.0 && dot == 0.0 {
-        PI
+        if u == v { 0.0 } else { PI }
     } else {
         sine.atan2(dot)
     }

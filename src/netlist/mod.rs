@@ -70,6 +70,8 @@ pub enum Quantity {
     Number,
     /// An angle in turns, equal modulo one.
     Turns,
+    /// A number that comes as a float of 20 bits ([`crate::format::float20`]).
+    Float20,
 }
 
 /// One node: an operation on earlier nodes.
@@ -509,9 +511,11 @@ impl Netlist {
                 let _ = write!(text, " %{}", operand.0);
             }
             let _ = write!(text, " : {}", node.format);
-            if node.quantity == Quantity::Turns {
-                text.push_str(" turns");
-            }
+            text.push_str(match node.quantity {
+                Quantity::Number => "",
+                Quantity::Turns => " turns",
+                Quantity::Float20 => " float20",
+            });
             if node.name.is_some() {
                 let _ = write!(text, "  # {}", self.label(id));
             }

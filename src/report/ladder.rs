@@ -482,6 +482,15 @@ impl Record {
     }
 }
 
+/// A table as Markdown.
+#[must_use]
+pub fn markdown_table(of: &Table) -> String {
+    let mut text = String::new();
+    // Writing to a string can't fail.
+    let _ = table(&mut text, of);
+    text
+}
+
 fn table(text: &mut String, table: &Table) -> std::fmt::Result {
     let headings: Vec<&str> = table.headings.iter().map(String::as_str).collect();
     table_head(text, &headings, table.left)?;

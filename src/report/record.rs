@@ -35,7 +35,7 @@
 
 use crate::error::{Error, Result};
 use crate::measure::{self, Basis, Speed, Witness};
-use crate::netlist::Counts;
+use crate::netlist::{Counts, Quantity};
 use crate::output;
 use crate::picture::{Channel, Difference};
 use crate::render::{Rendered, Shot};
@@ -362,6 +362,9 @@ pub struct Measured {
     pub output_ports: Vec<String>,
     /// Counts of operators, tables and bits, by the names of their CSV columns.
     pub counts: Map<String, serde_json::Value>,
+    /// Formats of the input ports, one behind the other with how often it comes.
+    #[serde(default)]
+    pub input_formats: String,
     /// Samples measured.
     pub samples: u64,
     /// One entry per quantity and basis.
@@ -373,6 +376,19 @@ pub struct Measured {
     pub overflows: Vec<Overflows>,
     /// Time spent; the only part that differs from run to run.
     pub speed: Speed,
+}
+
+/// Names with how often each comes, one behind the other.
+fn formats(names: impl Iterator<Item = String>) -> String {
+    let mut runs: Vec<(String, u32)> = Vec::new();
+    for name in names {
+        match runs.last_mut() {
+            Some((last, count)) if *last == name => *count += 1,
+            Some(_) | None => runs.push((name, 1)),
+        }
+    }
+    let runs: Vec<String> = runs.iter().map(|(name, count)| format!("{count} {name}")).collect();
+    runs.join(", ")
 }
 
 impl Measured {
@@ -401,6 +417,11 @@ impl Measured {
             input_ports: inputs.collect(),
             output_ports: netlist.outputs().iter().map(|output| output.name.clone()).collect(),
             counts,
+            input_formats: formats(netlist.inputs().iter().map(|id| {
+                let node = netlist.node(*id);
+                let short = node.quantity == Quantity::Float20;
+                format!("{}{}", node.format, if short { " float20" } else { "" })
+            })),
             samples: report.samples,
             figures: report.figures.into_iter().map(Figures::from).collect(),
             picture: None,
@@ -569,9 +590,11 @@ impl Record {
     /// True if points were measured over different input words.
     #[must_use]
     pub fn inputs_differ(&self) -> bool {
-        let mut bits = self.points.iter().filter_map(|p| p.measured.as_ref()?.count("input_bits"));
-        let first = bits.next();
-        bits.any(|other| Some(other) != first)
+        let of =
+            |measured: &'_ Measured| (measured.count("input_bits"), measured.input_formats.clone());
+        let mut inputs = self.points.iter().filter_map(|p| p.measured.as_ref()).map(of);
+        let first = inputs.next();
+        inputs.any(|other| Some(&other) != first.as_ref())
     }
 
     /// Reads `sweep.json`; `None` if there is no such file.

@@ -90,6 +90,7 @@ fn record(errors: &[(f64, u64)]) -> Record {
             input_ports: Vec::new(),
             output_ports: Vec::new(),
             counts,
+            input_formats: String::new(),
             samples: 1,
             figures: vec![figures(*error)],
             picture: None,

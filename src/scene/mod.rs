@@ -70,20 +70,39 @@
 //! A material answers with `Ia ka + Σ I kd max(0, N'·L)` times the texture's colour, plus
 //! `Σ I ks (N'·H)^n` over the lights where N'·H > 0 (with n = 0 too: 0^0 is 0 here), whichever side of the
 //! surface a light is on. N' is the bump vector along (T, B, N). The two sums, and then the colour, end at 1.
+//!
+//! # Emboss
+//! `[emboss]` says how the same scene is embossed instead, which [`crate::render::emboss`] does. Light is ambient and
+//! diffuse, with N in place of N', computed per vertex of the [`Tessellation`], ended at 1 and interpolated;
+//! times the texture's colour. Texture coordinates in texels, (u w, v h), are displaced per vertex and light by
+//! `strength` times (T·L, B·L), L as above and (0, 0) on the very
+//! spot of a point light, turned round with `light_sign = "vertex-light"`; these too are interpolated. The height at
+//! (x, y) in texels is that of the texel that they are in, or with `filter = "bilinear"` between those
+//! whose centres, at halves, are around; heights are k/255, rounded, of 1 - h where `[height]` has a negative
+//! scale. Beyond the map it repeats or its border goes on, by axis. To each channel comes
+//! `2^gain_log2 Σ (height - displaced height)` over the lights, and it ends at 0 and 1.
+//!
+//! # Frames
+//! With `[orbit]` a scene has several pictures: in frame k of n the light is turned about the axis by
+//! `turns k/n`, counter-clockwise seen from the axis's tip.
 
 mod gltf;
 mod map;
 mod mesh;
 mod procedural;
+mod tessellation;
 mod text;
 mod trace;
 
 pub use crate::srgb::from_srgb;
 pub use map::{Bumps, Texture};
+pub use tessellation::{Seen, Tessellation, Vertex};
 pub use trace::{CURVED, Fragments};
 
 use crate::error::{Error, Result};
-use glam::DVec3;
+use glam::{DQuat, DVec3};
+use serde::Deserialize;
+use std::f64::consts::TAU;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -92,6 +111,10 @@ pub const BUILTIN: &[(&str, &str)] = &[
     ("plane", include_str!("builtin/plane.toml")),
     ("cube", include_str!("builtin/cube.toml")),
     ("sphere", include_str!("builtin/sphere.toml")),
+    ("lettering-raised", include_str!("builtin/lettering-raised.toml")),
+    ("lettering-lowered", include_str!("builtin/lettering-lowered.toml")),
+    ("brick", include_str!("builtin/brick.toml")),
+    ("light-orbit", include_str!("builtin/light-orbit.toml")),
 ];
 
 /// A scene, checked and ready to be traced. Camera, lights and materials may be changed; shapes and
@@ -112,6 +135,10 @@ pub struct Scene {
     pub bumps: Bumps,
     /// Material of each object.
     pub materials: Vec<Material>,
+    /// What emboss pipelines ask of it.
+    pub emboss: Emboss,
+    /// The path of a light from frame to frame, if there is more than one picture.
+    pub orbit: Option<Orbit>,
     surfaces: trace::Surfaces,
 }
 
@@ -186,6 +213,104 @@ pub struct Material {
     pub exponent: u32,
 }
 
+/// How an emboss looks: `[emboss]` of a scene file.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Emboss {
+    /// The longest displacement, in texels: that of a light along the surface. 0 to 64.
+    pub strength: f64,
+    /// How heights are looked up.
+    pub filter: Filter,
+    /// What is beyond the map, along s and along t.
+    pub address: [Address; 2],
+    /// Which way the vector between vertex and light runs.
+    pub light_sign: LightSign,
+    /// Differences of heights count 2^gain_log2 times, -8 to 8.
+    pub gain_log2: i32,
+    /// Parts that the edge of a plane, of a cube's face and half a turn of a sphere have, 1 to 256.
+    pub tessellation: u32,
+}
+
+/// How a map is looked up.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Filter {
+    /// The texel that the coordinate lies in.
+    Nearest,
+    /// The four texels around, weighted.
+    #[default]
+    Bilinear,
+}
+
+/// What is beyond a map.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Address {
+    /// The map again.
+    #[default]
+    Wrap,
+    /// Its border.
+    Clamp,
+}
+
+/// Which way L runs; the wrong one turns what looks raised.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum LightSign {
+    /// From the vertex to the light.
+    #[default]
+    LightVertex,
+    /// From the light to the vertex, as the patent prints it.
+    VertexLight,
+}
+
+impl Filter {
+    /// Its name in scene files and parameters.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Nearest => "nearest",
+            Self::Bilinear => "bilinear",
+        }
+    }
+}
+
+impl Address {
+    /// Its name in scene files and parameters.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Wrap => "wrap",
+            Self::Clamp => "clamp",
+        }
+    }
+}
+
+impl LightSign {
+    /// Its name in scene files and parameters.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::LightVertex => "light-vertex",
+            Self::VertexLight => "vertex-light",
+        }
+    }
+}
+
+/// A light that turns about an axis from frame to frame: `[orbit]` of a scene file.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Orbit {
+    /// Number of pictures, 1 to 360.
+    pub frames: u32,
+    /// The light, counted from 0.
+    pub light: usize,
+    /// A point of the axis, for a light at a point.
+    pub center: DVec3,
+    /// The axis, a unit vector; the light turns counter-clockwise seen from its tip.
+    pub axis: DVec3,
+    /// Turns over all frames: frame k has k / frames of them behind it.
+    pub turns: f64,
+}
+
 /// What holds for every pixel of a scene.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Facts {
@@ -246,16 +371,51 @@ impl Scene {
         }
     }
 
+    /// Number of pictures: 1, or as many as its orbit has frames.
+    #[must_use]
+    pub fn frames(&self) -> u32 {
+        self.orbit.map_or(1, |orbit| orbit.frames)
+    }
+
+    /// The scene of a frame, counted from 0: the orbiting light at its place, and no orbit left.
+    #[must_use]
+    pub fn frame(&self, number: u32) -> Self {
+        let mut scene = self.clone();
+        if let Some(orbit) = scene.orbit.take() {
+            let part = f64::from(number) / f64::from(orbit.frames);
+            let turned = DQuat::from_axis_angle(orbit.axis, TAU * orbit.turns * part);
+            let place = &mut scene.lights[orbit.light].place;
+            *place = match *place {
+                Place::Direction(direction) => Place::Direction((turned * direction).normalize()),
+                Place::Position(position) => {
+                    Place::Position(orbit.center + turned * (position - orbit.center))
+                }
+            };
+        }
+        scene
+    }
+
     /// A digest of all that an image depends on, wherever its files are and whatever else is in
     /// them: scenes that differ have, in all likelihood, different ones. It is for one version of
     /// this program: another may print the fields in another way, and so give the same scene
     /// another number.
     #[must_use]
     pub fn fingerprint(&self) -> u64 {
-        let Self { image, camera, lights, ambient, texture, bumps, materials, surfaces } = self;
+        let Self {
+            image,
+            camera,
+            lights,
+            ambient,
+            texture,
+            bumps,
+            materials,
+            emboss,
+            orbit,
+            surfaces,
+        } = self;
         let mut digest = Digest(0xcbf2_9ce4_8422_2325);
         let sizes = (texture.size(), bumps.size(), bumps.scale());
-        let small = (image, camera, lights, ambient, sizes, materials, surfaces);
+        let small = (image, camera, lights, ambient, sizes, materials, emboss, orbit, surfaces);
         // Debug text has floats to the last place; a digest takes any text.
         write!(digest, "{small:?}").expect("bug: a digest takes any text");
         for texel in texture.texels().as_flattened() {

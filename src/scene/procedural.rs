@@ -5,8 +5,10 @@
 use crate::cast;
 use crate::srgb::from_srgb;
 use glam::DVec3;
+use noto_sans_mono_bitmap::{FontWeight, RasterHeight, get_raster, get_raster_width};
 use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
+use std::sync::LazyLock;
 
 /// A made-up surface.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -17,6 +19,8 @@ pub(super) enum Pattern {
     Brick,
     /// A world: oceans, land, ice; u is longitude and v latitude, without a seam.
     Earth,
+    /// A stone plate, twice as wide as high, with a word in raised letters; repeats.
+    Lettering,
 }
 
 /// What a surface is like at a point.
@@ -42,7 +46,7 @@ impl Pattern {
     pub(super) const fn default_size(self) -> (u32, u32) {
         match self {
             Self::Wood | Self::Brick => (512, 512),
-            Self::Earth => (512, 256),
+            Self::Earth | Self::Lettering => (512, 256),
         }
     }
 
@@ -62,6 +66,7 @@ impl Pattern {
             Self::Wood => wood(u, v),
             Self::Brick => brick(u, v),
             Self::Earth => earth(u, v),
+            Self::Lettering => lettering(u, v),
         };
         Sample {
             color: color.to_array().map(|c| c.clamp(0.0, 1.0)),
@@ -186,6 +191,63 @@ fn earth(u: f64, v: f64) -> (DVec3, f64) {
     (color, mix1(surface, 0.24 + 0.1 * rolling + 0.5 * relief * coast, ice))
 }
 
+/// The word on the plate.
+const WORD: &str = "fixpath";
+/// Rows of dots of a letter, and of the whole plate.
+const LETTER_DOTS: usize = 16;
+const PLATE_DOTS: f64 = 28.0;
+
+/// Ink of the word's dots, 0 to 1, row by row from the top, and how many are in a row.
+static INK: LazyLock<(Vec<f64>, usize)> = LazyLock::new(|| {
+    let (weight, size) = (FontWeight::Regular, RasterHeight::Size16);
+    let width = get_raster_width(weight, size);
+    let columns = WORD.chars().count() * width;
+    let mut ink = vec![0.0; columns * LETTER_DOTS];
+    for (i, letter) in WORD.chars().enumerate() {
+        let raster = get_raster(letter, weight, size).expect("bug: the font has plain letters");
+        for (x, y) in (0..LETTER_DOTS).flat_map(|y| (0..width).map(move |x| (x, y))) {
+            ink[y * columns + i * width + x] = f64::from(raster.pixel(x, y).unwrap_or(0)) / 255.0;
+        }
+    }
+    (ink, columns)
+});
+
+/// A plate of sandstone with a word.
+fn lettering(u: f64, v: f64) -> (DVec3, f64) {
+    let (ink, columns) = &*INK;
+    let at = |x: i64, y: i64| {
+        let inside = |at: i64, count: usize| usize::try_from(at).ok().filter(|at| *at < count);
+        inside(x, *columns).zip(inside(y, LETTER_DOTS)).map_or(0.0, |(x, y)| ink[y * columns + x])
+    };
+    // Dots from the word's upper left, their centres at whole numbers; the word is in the middle.
+    let x = 2.0 * PLATE_DOTS * (u - 0.5) + 0.5 * cast::f64_of_len(*columns) - 0.5;
+    let y = PLATE_DOTS * (0.5 - v) + 0.5 * cast::f64_of_len(LETTER_DOTS) - 0.5;
+    // A cubic B-spline over the dots: dots become strokes without steps, and their edges flanks.
+    let weights = |f: f64| {
+        let g = 1.0 - f;
+        let near = |f: f64| 2.0 / 3.0 - 0.5 * f * f * (2.0 - f);
+        [g * g * g / 6.0, near(f), near(g), f * f * f / 6.0]
+    };
+    let (left, top) = (x.floor(), y.floor());
+    let (across, down) = (weights(x - left), weights(y - top));
+    let mut cover = 0.0;
+    for (j, wy) in (-1..).zip(down) {
+        for (i, wx) in (-1..).zip(across) {
+            cover += wx * wy * at(cast::i64_of(left) + i, cast::i64_of(top) + j);
+        }
+    }
+    let raised = smooth(0.12, 0.55, cover);
+    let everywhere = |per_side: i64, octaves, seed| {
+        let (along, up) = (cast::f64_of(2 * per_side), cast::f64_of(per_side));
+        let period = [2 * per_side, per_side, 0];
+        fbm(DVec3::new(u * along, v * up, 0.5), period, octaves, seed)
+    };
+    let grain = everywhere(60, 3, 41);
+    let cloud = everywhere(3, 3, 42);
+    let stone = mix(srgb(0xa8_9f_8e), srgb(0xb9_ad_96), (0.5 + cloud).clamp(0.0, 1.0));
+    (stone * (1.0 + 0.10 * grain), 0.1 + 0.03 * grain + 0.8 * raised)
+}
+
 /// Noise that repeats nowhere.
 const FREE: [i64; 3] = [0; 3];
 
@@ -279,11 +341,11 @@ mod tests {
     fn patterns_repeat_without_a_seam() {
         for i in 0..400 {
             let t = (f64::from(i) + 0.5) / 400.0;
-            for pattern in [Pattern::Wood, Pattern::Brick, Pattern::Earth] {
+            for pattern in [Pattern::Wood, Pattern::Brick, Pattern::Earth, Pattern::Lettering] {
                 let across = jump(pattern, (1e-7, t), (1.0 - 1e-7, t));
                 assert!(across < 1e-3, "{pattern:?} {t} {across}");
             }
-            for pattern in [Pattern::Wood, Pattern::Brick] {
+            for pattern in [Pattern::Wood, Pattern::Brick, Pattern::Lettering] {
                 let up = jump(pattern, (t, 1e-7), (t, 1.0 - 1e-7));
                 assert!(up < 1e-3, "{pattern:?} {t} {up}");
             }
@@ -294,7 +356,7 @@ mod tests {
 
     #[test]
     fn heights_use_their_range_and_fit_the_colours() {
-        for pattern in [Pattern::Wood, Pattern::Brick, Pattern::Earth] {
+        for pattern in [Pattern::Wood, Pattern::Brick, Pattern::Earth, Pattern::Lettering] {
             let samples: Vec<Sample> = (0..10_000u32)
                 .map(|i| pattern.sample(f64::from(i % 100) / 100.0, f64::from(i / 100) / 100.0))
                 .collect();

@@ -4,7 +4,10 @@ use super::map::{self, Bumps, Texture};
 use super::mesh::{self, MAX_TRIANGLES};
 use super::procedural::{Pattern, Samples};
 use super::trace::{Placement, Shape, Surfaces, Unfit};
-use super::{Camera, Image, Light, Material, Place, Projection, Scene};
+use super::{
+    Address, Camera, Emboss, Filter, Image, Light, LightSign, Material, Orbit, Place, Projection,
+    Scene,
+};
 use crate::cast;
 use crate::error::{Error, Result};
 use glam::DVec3;
@@ -37,6 +40,8 @@ struct SceneText {
     texture: Option<Spanned<MapText>>,
     height: Option<Spanned<MapText>>,
     object: Vec<Spanned<ObjectText>>,
+    emboss: EmbossText,
+    orbit: Option<Spanned<OrbitText>>,
 }
 
 #[derive(Default, Deserialize)]
@@ -110,12 +115,35 @@ struct MapText {
     scale: Real,
 }
 
+#[derive(Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+struct EmbossText {
+    strength: Real,
+    filter: Filter,
+    address_s: Address,
+    address_t: Address,
+    light_sign: LightSign,
+    gain_log2: Integer,
+    tessellation: Integer,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+struct OrbitText {
+    frames: Integer,
+    light: Integer,
+    center: Triple,
+    axis: Triple,
+    turns: Real,
+}
+
 #[derive(Clone, Copy, Deserialize)]
 #[serde(rename_all = "lowercase")]
 enum Source {
     Wood,
     Brick,
     Earth,
+    Lettering,
     Constant,
 }
 
@@ -165,6 +193,8 @@ pub(super) fn read(text: &str, path: &Path) -> Result<Scene> {
     let material = reader.material(&scene.material, MATERIAL)?;
     let (texture, made) = reader.texture(scene.texture.as_ref())?;
     let bumps = reader.bumps(scene.height.as_ref(), made)?;
+    let emboss = reader.emboss(&scene.emboss)?;
+    let orbit = reader.orbit(scene.orbit.as_ref(), lights.len())?;
     if scene.object.is_empty() || scene.object.len() > MAX_OBJECTS {
         let problem = format!(
             "{} objects: legal are 1 to {MAX_OBJECTS}; an object is `[[object]]` with `shape = \"sphere\"` below it",
@@ -210,7 +240,7 @@ pub(super) fn read(text: &str, path: &Path) -> Result<Scene> {
             }
         }
     })?;
-    Ok(Scene { image, camera, lights, ambient, texture, bumps, materials, surfaces })
+    Ok(Scene { image, camera, lights, ambient, texture, bumps, materials, emboss, orbit, surfaces })
 }
 
 const MATERIAL: Material = Material { ambient: 0.1, diffuse: 0.7, specular: 0.2, exponent: 32 };
@@ -389,6 +419,47 @@ impl Reader<'_> {
         Ok(Light { place, intensity: self.real("intensity", &light.intensity, 1.0, 0.0..=1.0)? })
     }
 
+    fn emboss(&self, emboss: &EmbossText) -> Result<Emboss> {
+        let gain_log2 = match &emboss.gain_log2 {
+            None => 0,
+            Some(given) => {
+                let value = i32::try_from(*given.get_ref()).ok().filter(|g| (-8..=8).contains(g));
+                value.ok_or_else(|| {
+                    let text = "legal are whole numbers -8 to 8";
+                    self.fail(&given.span(), format!("`gain_log2` = {}: {text}", given.get_ref()))
+                })?
+            }
+        };
+        Ok(Emboss {
+            strength: self.real("strength", &emboss.strength, 1.5, 0.0..=64.0)?,
+            filter: emboss.filter,
+            address: [emboss.address_s, emboss.address_t],
+            light_sign: emboss.light_sign,
+            gain_log2,
+            tessellation: self.integer("tessellation", &emboss.tessellation, 32, 1..=256)?,
+        })
+    }
+
+    /// The path of a light.
+    fn orbit(&self, given: Option<&Spanned<OrbitText>>, lights: usize) -> Result<Option<Orbit>> {
+        let Some(given) = given else { return Ok(None) };
+        let orbit = given.get_ref();
+        let last = u32::try_from(lights - 1).expect("bug: eight lights at most");
+        let axis = self.vector("axis", &orbit.axis, [0.0, 0.0, 1.0])?;
+        let axis = axis.try_normalize().ok_or_else(|| {
+            let span = orbit.axis.as_ref().map_or(given.span(), Spanned::span);
+            self.fail(&span, "`axis` has no length: the light turns about it".to_owned())
+        })?;
+        let light = self.integer("light", &orbit.light, 0, 0..=last)?;
+        Ok(Some(Orbit {
+            frames: self.integer("frames", &orbit.frames, 12, 1..=360)?,
+            light: cast::index_of_u32(light),
+            center: self.vector("center", &orbit.center, [0.0; 3])?,
+            axis,
+            turns: self.real("turns", &orbit.turns, 1.0, -100.0..=100.0)?,
+        }))
+    }
+
     /// A material whose missing keys are those of another.
     fn material(&self, given: &MaterialText, base: Material) -> Result<Material> {
         Ok(Material {
@@ -454,6 +525,7 @@ impl Reader<'_> {
             Some(Source::Wood) => Some(Pattern::Wood),
             Some(Source::Brick) => Some(Pattern::Brick),
             Some(Source::Earth) => Some(Pattern::Earth),
+            Some(Source::Lettering) => Some(Pattern::Lettering),
             Some(Source::Constant) | None => None,
         };
         let default = pattern.map_or((1, 1), Pattern::default_size);

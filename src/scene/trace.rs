@@ -128,7 +128,7 @@ impl Scene {
 }
 
 /// The rays of a camera.
-struct Rays {
+pub(super) struct Rays {
     eye: DVec3,
     forward: DVec3,
     /// From the middle of the image to its right and upper border, where a = w/h and b = 1.
@@ -140,13 +140,13 @@ struct Rays {
 }
 
 /// A ray, its direction of any length.
-struct Ray {
+pub(super) struct Ray {
     origin: DVec3,
     direction: DVec3,
 }
 
 impl Rays {
-    fn new(camera: &Camera, image: &Image) -> Self {
+    pub(super) fn new(camera: &Camera, image: &Image) -> Self {
         let forward = (camera.target - camera.eye).normalize();
         let right = forward.cross(camera.up.normalize()).normalize();
         let top = right.cross(forward);
@@ -159,7 +159,7 @@ impl Rays {
         Self { eye: camera.eye, forward, right, top, perspective, width, height }
     }
 
-    fn through(&self, x: u32, y: u32) -> Ray {
+    pub(super) fn through(&self, x: u32, y: u32) -> Ray {
         let a = 2.0 * (f64::from(x) + 0.5) / self.width - 1.0;
         let b = 1.0 - 2.0 * (f64::from(y) + 0.5) / self.height;
         let aside = self.right * a + self.top * b;
@@ -235,8 +235,8 @@ pub(super) struct Unfit {
 /// Every surface of a scene, and a tree over them.
 #[derive(Clone, Debug)]
 pub(super) struct Surfaces {
-    faces: Vec<Face>,
-    balls: Vec<Ball>,
+    pub(super) faces: Vec<Face>,
+    pub(super) balls: Vec<Ball>,
     /// Faces, then balls, in the order of the tree's leaves.
     order: Vec<u32>,
     nodes: Vec<TreeNode>,
@@ -245,9 +245,9 @@ pub(super) struct Surfaces {
 /// A triangle or a parallelogram of points a + s (b-a) + r (c-a). Seen from its own side, a, b, c turn
 /// counter-clockwise.
 #[derive(Clone, Debug)]
-struct Face {
-    place: Place,
-    points: [DVec3; 3],
+pub(super) struct Face {
+    pub(super) place: Place,
+    pub(super) points: [DVec3; 3],
     uvs: [DVec2; 3],
     normals: [DVec3; 3],
     /// The normals are all equal.
@@ -256,15 +256,15 @@ struct Face {
 
 /// Which face it is, and of which kind.
 #[derive(Clone, Copy, Debug)]
-struct Place {
-    object: u32,
-    number: u32,
-    triangle: bool,
+pub(super) struct Place {
+    pub(super) object: u32,
+    pub(super) number: u32,
+    pub(super) triangle: bool,
 }
 
 /// A placed sphere.
 #[derive(Clone, Debug)]
-struct Ball {
+pub(super) struct Ball {
     object: u32,
     linear: DMat3,
     inverse: DMat3,
@@ -282,14 +282,14 @@ struct TreeNode {
 }
 
 /// What a ray meets.
-struct Seen {
-    object: u32,
+pub(super) struct Seen {
+    pub(super) object: u32,
     face: u32,
-    position: DVec3,
-    normal: DVec3,
-    tangent: DVec3,
-    handedness: f64,
-    uv: DVec2,
+    pub(super) position: DVec3,
+    pub(super) normal: DVec3,
+    pub(super) tangent: DVec3,
+    pub(super) handedness: f64,
+    pub(super) uv: DVec2,
 }
 
 /// The (T, B) of each face of the cube; N = T x B.
@@ -358,9 +358,14 @@ impl Surfaces {
                 }
             }
         }
+        Ok(Self::over(faces, balls))
+    }
+
+    /// A tree over what is placed already.
+    pub(super) fn over(faces: Vec<Face>, balls: Vec<Ball>) -> Self {
         let mut surfaces = Self { faces, balls, order: Vec::new(), nodes: Vec::new() };
         surfaces.grow();
-        Ok(surfaces)
+        surfaces
     }
 
     pub(super) fn is_right_handed(&self) -> bool {
@@ -414,6 +419,16 @@ impl Surfaces {
     /// The nearest thing that a ray meets from in front; of several at one distance, the one that is
     /// first in the scene.
     fn look(&self, ray: &Ray) -> Option<Seen> {
+        let (t, i, place) = self.meet(ray)?;
+        let index = cast::index_of_u32(i);
+        Some(match self.faces.get(index) {
+            Some(face) => face.at(place),
+            None => self.balls[index - self.faces.len()].at(ray, t),
+        })
+    }
+
+    /// How far away that is, its number among faces and then balls, and where on a face.
+    pub(super) fn meet(&self, ray: &Ray) -> Option<(f64, u32, DVec2)> {
         // A direction of 0 along an axis would give NaN at the faces of a box.
         let inverse = DVec3::from_array(
             ray.direction.to_array().map(|d| 1.0 / if d == 0.0 { 1e-300 } else { d }),
@@ -464,18 +479,18 @@ impl Surfaces {
                 }
             }
         }
-        let (t, i, place) = nearest?;
-        let index = cast::index_of_u32(i);
-        Some(match self.faces.get(index) {
-            Some(face) => face.at(place),
-            None => self.balls[index - self.faces.len()].at(ray, t),
-        })
+        nearest
     }
 }
 
 impl Face {
     /// A face, its corners put in such an order that its own side is that of its unit normals.
-    fn new(place: Place, points: [DVec3; 3], uvs: [DVec2; 3], normals: [DVec3; 3]) -> Self {
+    pub(super) fn new(
+        place: Place,
+        points: [DVec3; 3],
+        uvs: [DVec2; 3],
+        normals: [DVec3; 3],
+    ) -> Self {
         let flat = normals[0] == normals[1] && normals[0] == normals[2];
         let mut face = Self { place, points, uvs, normals, flat };
         let [e1, e2] = face.edges();
@@ -495,7 +510,7 @@ impl Face {
         [self.uvs[1] - self.uvs[0], self.uvs[2] - self.uvs[0]]
     }
 
-    fn has_area(&self) -> bool {
+    pub(super) fn has_area(&self) -> bool {
         let [e1, e2] = self.edges();
         let longest = e1.length_squared().max(e2.length_squared()).max(e1.distance_squared(e2));
         longest > TINY && e1.cross(e2).length() > THIN * longest
@@ -536,7 +551,7 @@ impl Face {
         inside.then(|| (t, DVec2::new(s, r).clamp(DVec2::ZERO, DVec2::ONE)))
     }
 
-    fn at(&self, DVec2 { x: s, y: r }: DVec2) -> Seen {
+    pub(super) fn at(&self, DVec2 { x: s, y: r }: DVec2) -> Seen {
         let [e1, e2] = self.edges();
         let normal = if self.flat {
             self.normals[0]
@@ -595,7 +610,6 @@ impl Ball {
     fn at(&self, ray: &Ray, t: f64) -> Seen {
         let met = self.inverse * (ray.origin + t * ray.direction - self.offset);
         let p = met.normalize();
-        let normal = (self.inverse.transpose() * p).normalize();
         let rho = p.x.hypot(p.y);
         // On a pole the azimuth is 0, whatever the signs of its zeros.
         let (azimuth, east) = if rho == 0.0 {
@@ -606,6 +620,12 @@ impl Ball {
         let turns = azimuth / TAU;
         let u = if turns < 0.0 { turns + 1.0 } else { turns };
         let v = 1.0 - rho.atan2(p.z) / PI;
+        self.seen(p, east, DVec2::new(u, v))
+    }
+
+    /// The place of a point of the unit sphere, whose east is given.
+    pub(super) fn seen(&self, p: DVec3, east: DVec3, uv: DVec2) -> Seen {
+        let normal = (self.inverse.transpose() * p).normalize();
         let along = self.linear * east;
         Seen {
             object: self.object,
@@ -614,7 +634,7 @@ impl Ball {
             normal,
             tangent: (along - normal * normal.dot(along)).normalize(),
             handedness: self.handedness,
-            uv: DVec2::new(u, v),
+            uv,
         }
     }
 }

@@ -194,7 +194,7 @@ pub(super) fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
             let value = fragment.value(port);
             let overflow = match node.quantity {
                 Quantity::Turns => Overflow::Wrap,
-                Quantity::Number => Overflow::Saturate,
+                Quantity::Number | Quantity::Float20 => Overflow::Saturate,
             };
             let word = quantize(value, node.format, Round::HalfEven, overflow);
             word.expect("bug: fragments are finite").0

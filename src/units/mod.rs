@@ -6,18 +6,26 @@
 //! cases and its stated error bound. The command line, the suite, the sweep and
 //! the reports know units only through this table.
 
+pub mod basis;
 pub mod bump;
+pub mod combine;
+pub mod cross;
 mod divide;
+pub mod dot;
+pub mod emboss;
 pub mod ernst;
 pub mod fragment;
 pub mod illumination;
 pub mod kim;
 pub mod kugler;
+pub mod normalise;
 pub mod peercy;
 mod plan;
 mod polar;
 mod root;
 pub mod rotation;
+pub mod rsqrt;
+pub mod sampler;
 mod tangent;
 
 use crate::error::{Error, Result};
@@ -41,6 +49,14 @@ pub static UNITS: &[&Unit] = &[
     &ernst::ERNST,
     &kim::KIM,
     &kugler::KUGLER,
+    &dot::DOT,
+    &normalise::NORMALISE,
+    &rsqrt::RSQRT,
+    &cross::CROSS,
+    &basis::BASIS,
+    &emboss::EMBOSS,
+    &sampler::SAMPLER,
+    &combine::COMBINE,
 ];
 
 /// A parameterised datapath.
@@ -396,10 +412,12 @@ impl Design {
         self.groups.iter().flat_map(|group| group.nodes.iter().copied()).collect()
     }
 
-    /// Number of the golden model's columns.
+    /// Number of the golden model's columns: those of all groups, then the scales.
     #[must_use]
     pub fn golden_columns(&self) -> usize {
-        self.groups.iter().map(|group| group.shape.columns().len()).sum()
+        let scaled = |group: &&Group| matches!(group.shape, Shape::Scaled { .. });
+        self.groups.iter().map(|group| group.shape.columns().len()).sum::<usize>()
+            + self.groups.iter().filter(scaled).count()
     }
 
     /// Values that a row of golden columns means for the judged nodes.
@@ -492,6 +510,12 @@ pub enum Shape {
     Polar,
     /// A number; the golden gives it.
     Scalar,
+    /// A number whose error counts beside a scale of its own. The golden gives it, and its scale in
+    /// a column of its own after those of all groups.
+    Scaled {
+        /// Texels of a texture whose coordinate it moves: the error is also told in them.
+        texels: Option<u32>,
+    },
 }
 
 impl Shape {
@@ -501,8 +525,14 @@ impl Shape {
         match self {
             Self::Cartesian => 3,
             Self::Polar => 2,
-            Self::Scalar => 1,
+            Self::Scalar | Self::Scaled { .. } => 1,
         }
+    }
+
+    /// True if it is a direction.
+    #[must_use]
+    pub fn is_direction(self) -> bool {
+        matches!(self, Self::Cartesian | Self::Polar)
     }
 
     /// Names of the golden's columns.
@@ -510,7 +540,7 @@ impl Shape {
     pub fn columns(self) -> &'static [&'static str] {
         match self {
             Self::Cartesian | Self::Polar => &["x", "y", "z"],
-            Self::Scalar => &[""],
+            Self::Scalar | Self::Scaled { .. } => &[""],
         }
     }
 
@@ -522,7 +552,9 @@ impl Shape {
                 let phi = (y.atan2(*x) / TAU).rem_euclid(1.0) + 0.0; // -0 becomes 0
                 vec![phi, x.hypot(*y).atan2(*z) / TAU]
             }
-            (Self::Cartesian | Self::Scalar | Self::Polar, _) => golden.to_vec(),
+            (Self::Cartesian | Self::Scalar | Self::Scaled { .. } | Self::Polar, _) => {
+                golden.to_vec()
+            }
         }
     }
 }
@@ -587,7 +619,8 @@ fn prefixed(group: &str, part: &str) -> String {
     }
 }
 
-/// A golden model on blocks: input columns in, columns of all groups out, in order.
+/// A golden model on blocks: input columns in, columns of all groups out, in order, and then the
+/// scales of those that have one.
 pub type Golden<F> = fn(&Values, &[&[F]], &mut [Vec<F>]);
 
 /// A bound from parameters and the exact worst error of each table scheme by its name.

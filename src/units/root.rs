@@ -1,4 +1,5 @@
-//! Square roots and reciprocal square roots: by digit recurrence, and by tables.
+//! Square roots and reciprocal square roots: by digit recurrence, by tables, and by a table with a
+//! step of Newton's iteration.
 
 use super::divide::{bit_of, limit, normalise, sticky, word_of};
 use crate::cast;
@@ -45,7 +46,7 @@ pub(crate) fn root(
         let exact = match method {
             Method::Digits => digits(b, a, output),
             Method::Table(table) => {
-                let Normalised { table, half_places, half_bits, frac_bits } =
+                let Normalised { table, half_places, half_bits, frac_bits, .. } =
                     normalised(b, a, table);
                 // sqrt(m * 2^(bits - places)): a shift by half of that.
                 let most = b.checked(Format::integer(bit_len(u64::from(half_bits))));
@@ -66,7 +67,8 @@ pub(crate) fn root(
 
 /// 1 / square root of an unsigned word in format `output`, by a table of it for the normalised
 /// operand. What is past the output saturates, 1/sqrt(0) among it. Off by the result times the
-/// table's worst error and `4 * 2^-kept_bits`, before the one rounding.
+/// table's worst error and `4 * 2^-kept_bits`, before the one rounding; with a step of Newton's
+/// iteration in so many fraction bits, [`newton_error`] stands for the table's.
 ///
 /// # Panics
 /// If the word is signed: that is wrong code.
@@ -77,9 +79,14 @@ pub(crate) fn reciprocal_root(
     output: Format,
     round: Round,
     table: &Table<'_>,
+    newton: Option<u32>,
 ) -> NodeId {
     b.part(Part::ReciprocalRoot, name, |b| {
-        let Normalised { table, half_places, half_bits, frac_bits } = normalised(b, a, table);
+        let Normalised { table, m, half_places, half_bits, frac_bits } = normalised(b, a, table);
+        let table = match newton {
+            None => table,
+            Some(frac_bits) => step(b, m, table, frac_bits, round),
+        };
         let shifted = b.shift_left(table, half_places, half_bits);
         let shifted = b.shift(shifted, frac_bits / 2 - cast::signed_count(half_bits));
         let limit = limit(b, output);
@@ -89,6 +96,34 @@ pub(crate) fn reciprocal_root(
         let root = b.narrow(exact, output, round, Overflow::Saturate);
         b.means(root, Meaning::RecipRoot(a))
     })
+}
+
+/// A step of Newton's iteration: `y (3 - m y²) / 2` for y near 1/sqrt(m) and ¼ <= m < 1.
+fn step(b: &mut Builder, m: NodeId, y: NodeId, frac_bits: u32, round: Round) -> NodeId {
+    let format = Format::unsigned(2 + frac_bits, cast::signed_count(frac_bits));
+    let format = b.checked(format); // 0 <= x < 4
+    let product = b.mul(m, y); // below 2, about sqrt(m)
+    let product = b.narrow(product, format, round, Overflow::Saturate);
+    let square = b.mul(product, y); // about 1
+    let two = b.checked(Format::integer(2));
+    let three = b.constant(3, two);
+    let rest = b.sub(three, square); // about 2
+    let rest = b.narrow(rest, format, round, Overflow::Saturate);
+    let twice = b.mul(y, rest);
+    let next = b.shift(twice, -1);
+    b.narrow(next, format, round, Overflow::Saturate)
+}
+
+/// Largest relative error of a step of Newton's iteration from a table of that worst error, with
+/// that many fraction bits and that share of their ulp for the error of a rounding.
+///
+/// `y = Y (1 + e)` with Y = 1/sqrt(m) from 1 to 2 gives `Y (1 - 1.5 e² - 0.5 e³)`. The product m y is
+/// off by one rounding, so its own with y by y of them; with that of the difference and half of y
+/// again, y (y + 1) / 2 roundings, and the last one.
+pub(super) fn newton_error(worst: f64, frac_bits: u32, rounding: f64) -> f64 {
+    let ulp = rounding * 2f64.powi(-cast::signed_count(frac_bits));
+    let y = 2.0 + worst;
+    (1.5 + 0.5 * worst) * worst * worst + (0.5 * y * (y + 1.0) + 1.0) * ulp
 }
 
 /// Format of the tables' argument: the shifted operand, less ¼.
@@ -110,6 +145,8 @@ fn even_bits(operand: Format) -> (u32, i32) {
 struct Normalised {
     /// The table's word for m.
     table: NodeId,
+    /// m in the bits that are kept.
+    m: NodeId,
     half_places: NodeId,
     half_bits: u32,
     frac_bits: i32,
@@ -138,10 +175,12 @@ fn normalised(b: &mut Builder, a: NodeId, table: &Table<'_>) -> Normalised {
     let top = b.slice(top, 0, 2);
     let kept = bits.min(table.kept_bits);
     let low = b.slice(mantissa, bits - kept, kept - 2);
+    let m = b.slice(mantissa, bits - kept, kept);
+    let m = b.shift(m, -cast::signed_count(kept));
     let argument = b.concat(top, low);
     let argument = b.shift(argument, -cast::signed_count(kept));
     let table = lut::emit(b, &table.spec, argument)[0];
-    Normalised { table, half_places, half_bits: bits / 2, frac_bits }
+    Normalised { table, m, half_places, half_bits: bits / 2, frac_bits }
 }
 
 /// The root to half an ulp of `output` or better, and a bit that tells whether anything is left.
@@ -307,7 +346,7 @@ mod tests {
                     netlist(a, |b, a| root(b, "root", a, output, Round::HalfEven, &method));
                 let reciprocals = table(&[Function::RecipSqrt], *scheme, kept);
                 let inverse = netlist(a, |b, a| {
-                    reciprocal_root(b, "inverse", a, output, Round::HalfEven, &reciprocals)
+                    reciprocal_root(b, "inverse", a, output, Round::HalfEven, &reciprocals, None)
                 });
                 assert_eq!(inverse.counts().reciprocal_roots, 1);
                 let (error, inverse_error) = (worst(&roots, a), worst(&reciprocals, a));
@@ -329,6 +368,47 @@ mod tests {
         }
     }
 
+    /// For every word, every rounding, with tables of any size.
+    #[test]
+    fn newton_steps_are_within_the_stated_error_for_every_word() {
+        for (addr_bits, frac_bits) in [(2, 12), (3, 10), (5, 14), (6, 20), (4, 3)] {
+            for (a, output, kept) in [
+                ("u12f8", "u14f10", 63),
+                ("u11f7", "u9f6", 63),
+                ("u12f12", "u16f9", 7),
+                ("u3f1", "u8f6", 4),
+            ] {
+                let (a, output) = (format(a), format(output));
+                let max = output.value(output.max_raw());
+                for round in Round::ALL {
+                    let mut table = table(&[Function::RecipSqrt], Scheme::Direct, kept);
+                    table.spec.addr_bits = addr_bits;
+                    let inverse = netlist(a, |b, a| {
+                        let newton = Some(frac_bits);
+                        reciprocal_root(b, "inverse", a, output, *round, &table, newton)
+                    });
+                    let nearest = !matches!(round, Round::Floor | Round::TowardZero);
+                    let rounding = if nearest { 0.5 } else { 1.0 };
+                    let dropped = 4.0 * 2f64.powi(-cast::signed_count(kept));
+                    let error = newton_error(worst(&table, a), frac_bits, rounding);
+                    for word in a.min_raw()..=a.max_raw() {
+                        let is = output.value(result(&inverse, word));
+                        if word == 0 {
+                            assert_eq!(is, max);
+                            continue;
+                        }
+                        let exact = 1.0 / a.value(word).sqrt();
+                        // The step's own error is relative to what the bits that are kept say.
+                        let bound = ((1.0 + error) * (1.0 + dropped) - 1.0) * exact;
+                        let bound = bound + rounding * output.ulp();
+                        let off = (is - exact.min(max)).abs();
+                        assert!(off <= bound, "{word} {a} {round}: {is} for {exact}");
+                    }
+                }
+            }
+        }
+    }
+
     #[test]
     fn on_reals_they_are_the_roots() {
         let (a, output) = (format("u8f4"), format("u8f4"));
@@ -338,7 +418,7 @@ mod tests {
         assert_eq!(real(&direct, 2.0), 2f64.sqrt());
         let table = table(&[Function::RecipSqrt], Scheme::Linear, 63);
         let inverse =
-            netlist(a, |b, a| reciprocal_root(b, "inverse", a, output, Round::Floor, &table));
+            netlist(a, |b, a| reciprocal_root(b, "inverse", a, output, Round::Floor, &table, None));
         assert_eq!(real(&inverse, 4.0), 0.5);
         assert_eq!(real(&inverse, 0.0), f64::MAX);
     }

@@ -122,7 +122,7 @@ fn normalised(b: &mut Builder, plan: &mut Plan<'_>, v: [NodeId; 3]) -> Result<[N
         let table = root::Table { spec: table.spec(), kept_bits };
         // Up to 4: vectors of ¼ and longer.
         let factor = Format::unsigned(work_bits + 2, work_frac)?;
-        let factor = reciprocal_root(b, "reciprocal_length", square, factor, round, &table);
+        let factor = reciprocal_root(b, "reciprocal_length", square, factor, round, &table, None);
         b.name(factor, "reciprocal_length");
         return Ok([0, 1, 2].map(|i| {
             b.scope(&format!("unit_{}", axes[i]), |b| {

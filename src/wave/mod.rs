@@ -62,7 +62,7 @@ impl Trace {
     fn names(&self) -> [String; 5] {
         let unit = match self.quantity {
             Quantity::Turns => "_deg",
-            Quantity::Number => "",
+            Quantity::Number | Quantity::Float20 => "",
         };
         ["value", "ideal", "arith_error", "golden", "total_error"]
             .map(|twin| format!("{}_{twin}{unit}", self.name))
@@ -72,7 +72,7 @@ impl Trace {
     fn scale(&self) -> f64 {
         match self.quantity {
             Quantity::Turns => 360.0,
-            Quantity::Number => 1.0,
+            Quantity::Number | Quantity::Float20 => 1.0,
         }
     }
 }
@@ -600,7 +600,7 @@ impl Codes {
                 let difference = value - other;
                 match trace.quantity {
                     Quantity::Turns => difference - 360.0 * (difference / 360.0).round(),
-                    Quantity::Number => difference,
+                    Quantity::Number | Quantity::Float20 => difference,
                 }
             };
             let golden = trace.port.map_or(0.0, |port| ideal.judged[port] * scale);

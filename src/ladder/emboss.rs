@@ -1,0 +1,303 @@
+//! Emboss pipelines on a scene, one parameter at a time: what a picture and its displacements lose with
+//! narrower words, smaller tables of the reciprocal root, and coarser fractions between texels.
+
+use super::with;
+use crate::error::{Error, Result};
+use crate::netlist::Counts;
+use crate::output;
+use crate::picture::{Difference, Picture};
+use crate::render::{Pipeline, Shot, render, shots_together};
+use crate::report::ladder::{Table, markdown_table};
+use crate::report::record::SceneId;
+use crate::scene::Scene;
+use serde::Serialize;
+use std::path::Path;
+
+/// Widths of vectors and of the matrix, if nothing else is asked for.
+pub const WIDTHS: [u32; 5] = [8, 10, 12, 14, 16];
+/// Parameters that are as wide as a rung asks.
+const WIDE: [&str; 2] = ["component_bits", "matrix_bits"];
+/// Widths that these can have.
+pub const LEGAL_WIDTHS: std::ops::RangeInclusive<u32> = 4..=24;
+
+/// A pipeline with some parameters, and what became of it.
+#[derive(Clone, Debug, Serialize)]
+pub struct Rung {
+    /// The pipeline.
+    pub pipeline: String,
+    /// What differs from the parameters that all have.
+    pub setting: String,
+    /// Figures, or why there are none.
+    #[serde(flatten)]
+    pub outcome: Outcome,
+}
+
+/// Figures of a rung, or why there are none.
+#[derive(Clone, Debug, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Outcome {
+    /// Figures.
+    Measured(Box<Figures>),
+    /// Why it can't be built.
+    Error(String),
+}
+
+/// Figures of a picture, differences in linear light.
+#[derive(Clone, Debug, Serialize)]
+pub struct Figures {
+    /// The largest difference to the golden, the mean one, SSIM and FLIP.
+    pub difference: Difference,
+    /// What the largest can't be above.
+    pub bound: Option<f64>,
+    /// The largest error of a displaced coordinate of any vertex, in texels.
+    pub displacement_max_texels: f64,
+    /// Multipliers of its units together.
+    pub multipliers: u64,
+    /// Bits of their tables together.
+    pub rom_bits: u64,
+}
+
+/// A ladder's result.
+#[derive(Clone, Debug, Serialize)]
+pub struct Record {
+    /// Version of this crate.
+    pub crate_version: String,
+    /// The scene.
+    pub scene: SceneId,
+    /// Parameters that every rung has: those that were given.
+    pub given: Vec<String>,
+    /// All rungs.
+    pub rungs: Vec<Rung>,
+}
+
+/// Settings of the rungs: each a list of parameters.
+fn settings(widths: &[u32]) -> Vec<Vec<(&'static str, String)>> {
+    let mut all = vec![Vec::new()];
+    all.extend(widths.iter().map(|width| WIDE.map(|key| (key, width.to_string())).to_vec()));
+    for scheme in ["direct", "linear", "newton"] {
+        all.extend([2, 3, 4, 5, 6, 8, 10].map(|bits: u32| {
+            vec![("root_scheme", scheme.to_owned()), ("root_addr_bits", bits.to_string())]
+        }));
+    }
+    let one = |key: &'static str, values: &[u32]| -> Vec<Vec<(&'static str, String)>> {
+        values.iter().map(|value| vec![(key, value.to_string())]).collect()
+    };
+    all.extend(one("fraction_bits", &[1, 2, 3, 4, 5, 6, 8, 10, 12]));
+    all.extend(one("texture_frac_bits", &[6, 8, 10, 12, 14, 18]));
+    all.extend(one("position_frac_bits", &[4, 6, 8, 10, 12, 15]));
+    all.push(vec![("input20", "on".to_owned())]);
+    all
+}
+
+/// Number of pictures.
+#[must_use]
+pub fn pictures(pipelines: &[Pipeline], widths: &[u32]) -> usize {
+    pipelines.len() * settings(widths).len()
+}
+
+/// Renders all of it; `progress` gets the pictures done.
+///
+/// # Errors
+/// If the scene can't be embossed, every rung fails, or FLIP can't look that finely.
+pub fn climb(
+    scene: &Scene,
+    name: &str,
+    pipelines: &[Pipeline],
+    widths: &[u32],
+    pixels_per_degree: f64,
+    progress: &dyn Fn(usize),
+) -> Result<Record> {
+    let mut wanted = Vec::new();
+    for pipeline in pipelines {
+        for setting in settings(widths) {
+            let pairs: Vec<String> =
+                setting.iter().map(|(key, value)| format!("{key}={value}")).collect();
+            wanted.push((with(pipeline, &[], &setting), pairs.join(" ")));
+        }
+    }
+    let mut rungs = Vec::new();
+    for group in wanted.chunks(shots_together(scene)) {
+        let pipelines: Vec<Pipeline> = group.iter().map(|(pipeline, _)| pipeline.clone()).collect();
+        // If one can't be built, each goes on its own.
+        let outcomes = match render(scene, &pipelines, false, &|_| ()) {
+            Ok(rendered) => {
+                let of = |shot| measured(shot, &rendered.golden, pixels_per_degree).map(Ok);
+                rendered.shots.iter().map(of).collect::<Result<Vec<_>>>()?
+            }
+            Err(_) => {
+                let alone = |pipeline: &Pipeline| {
+                    let rendered = render(scene, std::slice::from_ref(pipeline), false, &|_| ());
+                    match rendered {
+                        Ok(rendered) => {
+                            measured(&rendered.shots[0], &rendered.golden, pixels_per_degree)
+                                .map(Ok)
+                        }
+                        Err(why) => Ok(Err(why)),
+                    }
+                };
+                pipelines.iter().map(alone).collect::<Result<Vec<_>>>()?
+            }
+        };
+        for ((pipeline, setting), outcome) in group.iter().zip(outcomes) {
+            rungs.push(Rung {
+                pipeline: pipeline.name.clone(),
+                setting: if setting.is_empty() { "defaults".to_owned() } else { setting.clone() },
+                outcome: match outcome {
+                    Ok(figures) => Outcome::Measured(Box::new(figures)),
+                    Err(why) => Outcome::Error(why.to_string()),
+                },
+            });
+        }
+        progress(rungs.len());
+    }
+    let failed = |rung: &Rung| match &rung.outcome {
+        Outcome::Measured(_) => None,
+        Outcome::Error(why) => Some(why.clone()),
+    };
+    if let Some(first) = rungs.iter().find_map(failed)
+        && rungs.iter().all(|rung| failed(rung).is_some())
+    {
+        return Err(Error::usage(format!("every rung failed, the first because {first}")));
+    }
+    Ok(Record {
+        crate_version: env!("CARGO_PKG_VERSION").to_owned(),
+        scene: SceneId::new(name, scene),
+        given: pipelines
+            .iter()
+            .flat_map(|pipeline| &pipeline.assignments)
+            .filter(|set| !set.starts_with("setting="))
+            .cloned()
+            .collect(),
+        rungs,
+    })
+}
+
+/// Figures of a picture.
+fn measured(shot: &Shot, golden: &Picture, pixels_per_degree: f64) -> Result<Figures> {
+    let counts = || {
+        let designs = shot.behind.iter().chain([&shot.design]);
+        designs.map(|design| design.netlist.counts())
+    };
+    let multipliers = |counts: Counts| {
+        counts.datapath.multipliers + counts.schemes.multipliers + counts.parts.multipliers
+    };
+    let known = shot.emboss.expect("bug: an emboss knows that");
+    Ok(Figures {
+        difference: Difference::between(&shot.picture, golden, pixels_per_degree)?,
+        bound: known.bound,
+        displacement_max_texels: known.displacement_max_texels,
+        multipliers: counts().map(multipliers).sum(),
+        rom_bits: counts().map(|counts| counts.rom_bits).sum(),
+    })
+}
+
+/// Figures of a rung in columns, differences in linear light, 0 to 1.
+pub const COLUMNS: [&str; 10] = [
+    "picture_max_abs",
+    "picture_bound_abs",
+    "picture_mean_abs",
+    "picture_ssim",
+    "picture_flip",
+    "picture_srgb8_differing",
+    "displacement_max_texels",
+    "multipliers",
+    "rom_bits",
+    "error",
+];
+
+impl Record {
+    /// The rungs, differences in 1/255.
+    #[must_use]
+    pub fn table(&self) -> Table {
+        let headings = [
+            "pipeline",
+            "what differs",
+            "max/255",
+            "bound/255",
+            "mean/255",
+            "FLIP",
+            "displacement max, texels",
+            "multipliers",
+            "ROM bits",
+        ];
+        let row = |rung: &Rung| {
+            let mut row = vec![rung.pipeline.clone(), rung.setting.clone()];
+            match &rung.outcome {
+                Outcome::Measured(of) => row.extend([
+                    format!("{:.3}", of.difference.max.difference * 255.0),
+                    of.bound.map(|bound| format!("{:.3}", bound * 255.0)).unwrap_or_default(),
+                    format!("{:.4}", of.difference.mean * 255.0),
+                    format!("{:.4}", of.difference.flip),
+                    format!("{:.1e}", of.displacement_max_texels),
+                    of.multipliers.to_string(),
+                    of.rom_bits.to_string(),
+                ]),
+                Outcome::Error(_) => row.extend([const { String::new() }; 7]),
+            }
+            row
+        };
+        Table {
+            headings: headings.map(str::to_owned).to_vec(),
+            left: 2,
+            rows: self.rungs.iter().map(row).collect(),
+        }
+    }
+
+    /// Writes `ladder.json`, `ladder.csv` and `ladder.md` into a folder.
+    ///
+    /// # Errors
+    /// If a file can't be written.
+    ///
+    /// # Panics
+    /// Never: figures are plain values.
+    pub fn write(&self, folder: &Path) -> Result<()> {
+        output::make_folder(folder)?;
+        let json = serde_json::to_string_pretty(self).expect("bug: figures are plain values");
+        output::write_text(&folder.join("ladder.json"), &(json + "\n"))?;
+        let mut csv = csv::Writer::from_writer(Vec::new());
+        let mut put = |fields: Vec<String>| csv.write_record(fields).expect("bug: into memory");
+        put(["pipeline", "setting"]
+            .iter()
+            .chain(&COLUMNS)
+            .map(|name| (*name).to_owned())
+            .collect());
+        for rung in &self.rungs {
+            let mut fields = vec![rung.pipeline.clone(), rung.setting.clone()];
+            match &rung.outcome {
+                Outcome::Measured(of) => fields.extend([
+                    of.difference.max.difference.to_string(),
+                    of.bound.map(|bound| bound.to_string()).unwrap_or_default(),
+                    of.difference.mean.to_string(),
+                    of.difference.ssim.to_string(),
+                    of.difference.flip.to_string(),
+                    of.difference.srgb8_differing.to_string(),
+                    of.displacement_max_texels.to_string(),
+                    of.multipliers.to_string(),
+                    of.rom_bits.to_string(),
+                    String::new(),
+                ]),
+                Outcome::Error(why) => {
+                    fields.extend([const { String::new() }; COLUMNS.len() - 1]);
+                    fields.push(why.clone());
+                }
+            }
+            put(fields);
+        }
+        let bytes = csv.into_inner().expect("bug: into memory");
+        let text = String::from_utf8(bytes).expect("bug: fields are text");
+        output::write_text(&folder.join("ladder.csv"), &text)?;
+        let mut told = format!(
+            "# Emboss of scene {}, one parameter at a time\n\nEvery rung has the defaults{} but for what it names. Differences are to the \
+             golden picture, in linear light; *displacement* is the largest error of a displaced texture coordinate of \
+             any vertex under any light, in texels.\n\n",
+            self.scene,
+            if self.given.is_empty() {
+                String::new()
+            } else {
+                format!(" with `{}`", self.given.join(" "))
+            },
+        );
+        told.push_str(&markdown_table(&self.table()));
+        output::write_text(&folder.join("ladder.md"), &told)
+    }
+}

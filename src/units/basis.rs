@@ -1,0 +1,220 @@
+//! The vectors of `GL_NV_texgen_emboss`: from a normal and a tangent to a binormal and a tangent at
+//! right angles to it.
+//!
+//! `B = N x CT, BN = B/|B|, T = BN x N`. CT may be of any length, since BN doesn't depend on it: the
+//! seed's normalisation of CT needs no hardware. Where N is parallel to CT, or one of them is 0, B is
+//! 0: then BN and T are 0, which displaces nothing, and `degenerate` is 1.
+
+use super::cross::cross;
+use super::dot::{extremes, vector_ports};
+use super::normalise::{NORM_BITS, direction_error, unit_vector};
+use super::plan::{self, rounding_ulp};
+use super::rsqrt::{ROOT_ADDR_BITS, ROOT_FRAC_BITS, ROOT_SCHEME, Root, length_error};
+use super::{
+    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Shape, Unit, Values,
+    emboss,
+};
+use crate::cast;
+use crate::error::Result;
+use crate::format::{Format, Overflow, Round};
+use crate::netlist::{Builder, NodeId, Quantity};
+use crate::trig::Real;
+use std::sync::Arc;
+
+/// The unit.
+pub static BASIS: Unit = Unit {
+    name: "basis",
+    summary: "binormal and tangent from normal and tangent: N x CT, normalised, x N",
+    source: "seed 002 (GL_NV_texgen_emboss), section 2.10.4",
+    params: &[
+        COMPONENT_BITS,
+        Param { default: "0", ..GUARD_BITS },
+        NORM_BITS,
+        DOT_FRAC_BITS,
+        ROOT_SCHEME,
+        ROOT_ADDR_BITS,
+        ROOT_FRAC_BITS,
+        plan::ROUNDING,
+    ],
+    golden_params: &[],
+    inputs: "normal_x … normal_z: N in eye space; ct_x … ct_z: CT there, of any length; all from -2 to 2",
+    outputs: "t_x … t_z: T; bn_x … bn_z: BN; degenerate: 1 where N is parallel to CT, and T and BN are 0",
+    build,
+};
+
+pub(super) const COMPONENT_BITS: Param = Param {
+    name: "component_bits",
+    kind: Kind::Int { min: 2, max: 24, auto: None },
+    default: "16",
+    help: "bits of the components of vectors, signed, from -2 to 2",
+};
+
+pub(super) const GUARD_BITS: Param = Param {
+    name: "guard_bits",
+    kind: Kind::Int { min: 0, max: 8, auto: None },
+    default: "3",
+    help: "extra fraction bits of the vectors that come of them",
+};
+
+pub(super) const DOT_FRAC_BITS: Param = Param {
+    name: "dot_frac_bits",
+    kind: Kind::Int { min: 2, max: 24, auto: None },
+    default: "20",
+    help: "fraction bits of dot products, where the exact ones have more",
+};
+
+/// Format of the components of vectors.
+pub(super) fn component(values: &Values) -> Result<Format> {
+    let bits = values.bits("component_bits");
+    Format::signed(bits, cast::signed_count(bits) - 2)
+}
+
+/// Fraction bits of vectors that come of components.
+pub(super) fn vector_frac_bits(values: &Values) -> i32 {
+    cast::signed_count(values.bits("component_bits") + values.bits("guard_bits")) - 2
+}
+
+/// A word in fewer fraction bits, if it has more; nothing overflows.
+pub(super) fn rounded(b: &mut Builder, exact: NodeId, frac_bits: i32, round: Round) -> NodeId {
+    let format = b.format(exact);
+    if format.frac_bits() <= frac_bits {
+        return exact;
+    }
+    // One more whole bit for a carry.
+    let bits = format.int_bits() + 1 + frac_bits + i32::from(format.is_signed());
+    let format = Format::new(format.is_signed(), bits.max(1).unsigned_abs(), frac_bits);
+    let format = b.checked(format);
+    b.narrow(exact, format, round, Overflow::Saturate)
+}
+
+/// T, BN and the flag for B = 0, which is only known where B is normalised; else T = B x N.
+pub(super) fn frame(
+    b: &mut Builder,
+    root: &mut Root<'_>,
+    [n, ct]: [[NodeId; 3]; 2],
+    normalise: bool,
+) -> Result<([NodeId; 3], [NodeId; 3], Option<NodeId>)> {
+    let (frac_bits, round) = (vector_frac_bits(root.values), root.round);
+    let exact = cross(b, "n_cross_ct", n, ct);
+    let (bn, zero) = if normalise {
+        // -2 to 2: 1 has a code.
+        let format = Format::signed((frac_bits + 2).unsigned_abs(), frac_bits)?;
+        let (bn, zero) = unit_vector(b, root, "bn", exact, format)?;
+        (bn, Some(zero))
+    } else {
+        (exact.map(|x| rounded(b, x, frac_bits, round)), None)
+    };
+    let exact = cross(b, "bn_cross_n", bn, n);
+    let t = exact.map(|x| rounded(b, x, frac_bits, round));
+    Ok((t, bn, zero))
+}
+
+/// Length of the error of a unit vector: a share for its direction and length, and the roundings.
+pub(super) fn unit_error(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
+    let length = length_error(values, worst);
+    direction_error(values) * (1.0 + length) + length + vector_rounding(values)
+}
+
+/// Length of the error of rounding a vector.
+pub(super) fn vector_rounding(values: &Values) -> f64 {
+    3f64.sqrt() * rounding_ulp(values) * 2f64.powi(-vector_frac_bits(values))
+}
+
+/// The most that N may be long, in words from -2 to 2.
+pub(super) fn longest() -> f64 {
+    2.0 * 3f64.sqrt()
+}
+
+fn build(values: &Values) -> Result<Design> {
+    let mut b = Builder::new("basis");
+    let format = component(values)?;
+    let n = vector_ports(&mut b, "normal", format, Quantity::Number);
+    let ct = vector_ports(&mut b, "ct", format, Quantity::Number);
+    let mut root = Root::new(values)?;
+    let (t, bn, zero) = frame(&mut b, &mut root, [n, ct], true)?;
+    // |T| = |N|
+    let frac_bits = vector_frac_bits(values);
+    let format = Format::signed((frac_bits + 3).unsigned_abs(), frac_bits)?;
+    let t = t.map(|x| b.narrow(x, format, root.round, Overflow::Saturate));
+    for (vector, name) in [(t, "t"), (bn, "bn")] {
+        for (word, axis) in vector.into_iter().zip(["x", "y", "z"]) {
+            b.output(&format!("{name}_{axis}"), word);
+        }
+    }
+    b.output("degenerate", zero.expect("bug: BN is normalised"));
+    let tabulated = root.tabulated;
+    let netlist = b.build()?;
+    let vector = |name, from: usize| Group {
+        name,
+        shape: Shape::Cartesian,
+        nodes: netlist.outputs()[from..from + 3].iter().map(|output| output.node).collect(),
+    };
+    let mut groups = vec![vector("t", 0), vector("bn", 3)];
+    groups.extend(Group::ports(&netlist, &["degenerate"]));
+    let bound = |what, quantities, bound: BoundFn| Bound { what, quantities, bound };
+    Ok(Design {
+        values: values.clone(),
+        groups,
+        hard: hard_cases(&netlist),
+        netlist: Arc::new(netlist),
+        golden: golden::<f64>,
+        golden_f32: golden::<f32>,
+        bounds: Bounds::Stated(vec![
+            bound("binormal", &["bn_x", "bn_y", "bn_z", "bn_dot"], unit_error),
+            bound("tangent", &["t_x", "t_y", "t_z", "t_dot"], |v, w| {
+                longest() * unit_error(v, w) + vector_rounding(v)
+            }),
+            bound("flag", &["degenerate"], |_, _| 0.0),
+        ]),
+        tabulated,
+        draw,
+    })
+}
+
+fn hard_cases(netlist: &crate::netlist::Netlist) -> Vec<HardCase> {
+    let mut hard = emboss::hard_cases(netlist);
+    hard.extend(extremes(netlist));
+    hard
+}
+
+fn draw(
+    design: &Design,
+    sampler: Sampler,
+    next: &mut dyn FnMut() -> f64,
+    columns: &mut [Vec<f64>],
+    count: usize,
+) {
+    emboss::draw(design, sampler, next, columns, count);
+}
+
+/// T, BN and whether B is 0, of the golden.
+pub(super) fn golden_frame<F: Real>(
+    n: [F; 3],
+    ct: [F; 3],
+    normalise: bool,
+) -> ([F; 3], [F; 3], bool) {
+    let cross = |u: [F; 3], v: [F; 3]| {
+        [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+    };
+    let b = cross(n, ct);
+    let zero = b.iter().all(|x| *x == F::zero());
+    let bn = if normalise { golden_unit(b) } else { b };
+    (cross(bn, n), bn, zero)
+}
+
+/// A vector over its length; 0 stays 0.
+pub(super) fn golden_unit<F: Real>(v: [F; 3]) -> [F; 3] {
+    let length = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
+    if length > F::zero() { v.map(|x| x / length) } else { v }
+}
+
+fn golden<F: Real>(_: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
+    for i in 0..inputs[0].len() {
+        let at = |from: usize| [0, 1, 2].map(|axis| inputs[from + axis][i]);
+        let (t, bn, zero) = golden_frame(at(0), at(3), true);
+        for (to, x) in outputs.iter_mut().zip(t.into_iter().chain(bn)) {
+            to[i] = x;
+        }
+        outputs[6][i] = if zero { F::one() } else { F::zero() };
+    }
+}

@@ -1,0 +1,946 @@
+//! The emboss unit: displaced texture coordinates of a vertex, as two published designs have them.
+//!
+//! - `setting=gx`, seeds 000 and 003 (US 6,980,218 and 7,307,640): T and B of the model by a 3×3
+//!   matrix, L from the vertex to the light, `(S1, T1) = (S0, T0) + (T·L, B·L)/|L|`. The matrix may
+//!   scale, which sets the strength, so T and B are not normalised. The normal isn't used. Here s goes
+//!   with T and t with B; in that console's own API the vector of s is the *second* of a vertex's
+//!   N, B, T, so that one is what port `tangent` takes.
+//! - `setting=nv`, seed 002 (`GL_NV_texgen_emboss`): T and BN of [`super::basis`],
+//!   `Es = PCTs + Ks (L·BN)/|L| PCTq, Et = PCTt - Kt (L·T)/|L| PCTq`; r and q pass.
+//!
+//! Every difference between them is a switch that a setting sets and a user may set otherwise.
+//!
+//! L is a difference of positions, exact, and then block-normalised: its largest component is shifted
+//! up to the top of its word, the others with it, and the shift is never undone, as the result
+//! doesn't depend on it. So the direction of a light 2^-6 away keeps as many bits as one 2^10 away.
+//! Where L is 0 (or a vector that is normalised), nothing is displaced and `degenerate` is 1.
+
+use super::basis::{
+    COMPONENT_BITS, DOT_FRAC_BITS, GUARD_BITS, component, frame, golden_frame, golden_unit,
+    longest, rounded, unit_error, vector_frac_bits, vector_rounding,
+};
+use super::dot::{dot, ended_at, ends, extremes, vector_ports};
+use super::normalise::{Block, NORM_BITS, block, direction_error, narrowed, unit_vector};
+use super::plan::{self, number, rounding_ulp};
+use super::rsqrt::{ROOT_ADDR_BITS, ROOT_FRAC_BITS, ROOT_SCHEME, Root, length_error};
+use super::{
+    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Shape, Unit, Values,
+};
+use crate::cast;
+use crate::error::Result;
+use crate::format::{Format, Overflow, Round, quantize};
+use crate::netlist::{Builder, Netlist, NodeId, Quantity};
+use crate::trig::Real;
+use glam::{DMat3, DQuat, DVec3};
+use std::sync::Arc;
+
+/// The unit.
+pub static EMBOSS: Unit = Unit {
+    name: "emboss",
+    summary: "texture coordinates displaced toward the light, for embossing",
+    source: "seeds 000 and 003 (US 6,980,218; US 7,307,640), seed 002 (GL_NV_texgen_emboss)",
+    params: PARAMS,
+    golden_params: &[
+        "setting",
+        "frame",
+        "normalise_basis",
+        "s_vector",
+        "l_sign",
+        "t_sign",
+        "scale_q",
+        "constants",
+        "ks",
+        "kt",
+        "texture_int_bits",
+        "texture_frac_bits",
+        "overflow",
+        "texture_size",
+    ],
+    inputs: "light_x … light_z, vertex_x … vertex_z: light and vertex in eye space; s0, t0: texture coordinates; \
+             with frame=matrix m0_x … m2_z: rows of the model-view matrix, tangent_x … binormal_z: T and B of the model; \
+             with frame=normal normal_x … ct_z: N and CT in eye space; with frame=given tangent_x … binormal_z there; \
+             with scale_q=on q0, r0; with constants=ports ks, kt",
+    outputs: "ds, dt: displacements; s1, t1: displaced coordinates; degenerate: 1 where L (or a vector that is normalised) \
+              is 0, and the displacements are 0; with scale_q=on q1, r1, passed",
+    build,
+};
+
+static PARAMS: &[Param] = &[
+    Param {
+        name: "setting",
+        kind: Kind::Choice(&["gx", "nv"]),
+        default: "gx",
+        help: "what every switch that is auto stands at",
+    },
+    Param {
+        name: "frame",
+        kind: Kind::Choice(&["auto", "matrix", "normal", "given"]),
+        default: "auto",
+        help: "T and B by the matrix (gx), from N and CT (nv), or as they are",
+    },
+    Param {
+        name: "normalise_basis",
+        kind: Kind::Choice(&["auto", "off", "on"]),
+        default: "auto",
+        help: "T and B (of N x CT: B) over their lengths (gx: off; nv: on)",
+    },
+    Param {
+        name: "s_vector",
+        kind: Kind::Choice(&["auto", "tangent", "binormal"]),
+        default: "auto",
+        help: "the vector that displaces s (gx: tangent; nv: binormal); the other one displaces t",
+    },
+    Param {
+        name: "l_sign",
+        kind: Kind::Choice(&["light-vertex", "vertex-light"]),
+        default: "light-vertex",
+        help: "L = light - vertex, or as the patent prints it; turns what looks raised",
+    },
+    Param {
+        name: "t_sign",
+        kind: Kind::Choice(&["auto", "plus", "minus"]),
+        default: "auto",
+        help: "sign of the displacement of t (gx: plus; nv: minus)",
+    },
+    Param {
+        name: "scale_q",
+        kind: Kind::Choice(&["auto", "off", "on"]),
+        default: "auto",
+        help: "displacements times q (gx: off; nv: on)",
+    },
+    Param {
+        name: "constants",
+        kind: Kind::Choice(&["auto", "off", "parameters", "ports"]),
+        default: "auto",
+        help: "displacements times Ks and Kt (gx: off; nv: parameters)",
+    },
+    Param {
+        name: "ks",
+        kind: Kind::Real { min: -1.0, max: 1.0 },
+        default: "1",
+        help: "Ks (constants=parameters)",
+    },
+    Param {
+        name: "kt",
+        kind: Kind::Real { min: -1.0, max: 1.0 },
+        default: "1",
+        help: "Kt (constants=parameters)",
+    },
+    Param {
+        name: "input20",
+        kind: Kind::Choice(&["off", "on"]),
+        default: "off",
+        help: "light and matrix come as floats of 20 bits: 12 significant bits, toward zero",
+    },
+    COMPONENT_BITS,
+    Param {
+        name: "matrix_bits",
+        kind: Kind::Int { min: 2, max: 24, auto: None },
+        default: "16",
+        help: "bits of the matrix, signed (frame=matrix)",
+    },
+    Param {
+        name: "matrix_int_bits",
+        kind: Kind::Int { min: 0, max: 6, auto: None },
+        default: "2",
+        help: "it is from -2^matrix_int_bits to 2^matrix_int_bits (frame=matrix)",
+    },
+    Param {
+        name: "position_bits",
+        kind: Kind::Int { min: 2, max: 30, auto: None },
+        default: "28",
+        help: "bits of positions, signed",
+    },
+    Param {
+        name: "position_frac_bits",
+        kind: Kind::Int { min: 0, max: 28, auto: None },
+        default: "15",
+        help: "fraction bits of positions",
+    },
+    GUARD_BITS,
+    NORM_BITS,
+    DOT_FRAC_BITS,
+    ROOT_SCHEME,
+    ROOT_ADDR_BITS,
+    ROOT_FRAC_BITS,
+    Param {
+        name: "constant_frac_bits",
+        kind: Kind::Int { min: 2, max: 24, auto: None },
+        default: "20",
+        help: "fraction bits of Ks and Kt, and of their products with q",
+    },
+    Param {
+        name: "texture_int_bits",
+        kind: Kind::Int { min: 0, max: 8, auto: None },
+        default: "6",
+        help: "texture coordinates are from -2^texture_int_bits to 2^texture_int_bits",
+    },
+    Param {
+        name: "texture_frac_bits",
+        kind: Kind::Int { min: 2, max: 24, auto: None },
+        default: "18",
+        help: "fraction bits of texture coordinates and displacements",
+    },
+    Param {
+        name: "overflow",
+        kind: Kind::Choice(&["saturate", "symmetric", "wrap", "error"]),
+        default: "saturate",
+        help: "overflow of s1 and t1; with the first two the golden ends where they do",
+    },
+    plan::ROUNDING,
+    Param {
+        name: "texture_size",
+        kind: Kind::Int { min: 1, max: 65_536, auto: None },
+        default: "256",
+        help: "texels along the texture: only for errors in texels",
+    },
+];
+
+/// Where T and B come from.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Frame {
+    Matrix,
+    Normal,
+    Given,
+}
+
+/// Where Ks and Kt come from.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Constants {
+    Off,
+    Parameters,
+    Ports,
+}
+
+/// The switches, with what the setting says for those that are `auto`.
+#[derive(Clone, Copy, Debug)]
+struct Switches {
+    frame: Frame,
+    normalise: bool,
+    s_is_binormal: bool,
+    vertex_light: bool,
+    minus_t: bool,
+    q: bool,
+    constants: Constants,
+}
+
+impl Switches {
+    fn new(values: &Values) -> Self {
+        let nv = values.choice("setting") == "nv";
+        let of = |name, gx, of_nv| match values.choice(name) {
+            "auto" if nv => of_nv,
+            "auto" => gx,
+            given => given,
+        };
+        Self {
+            frame: match of("frame", "matrix", "normal") {
+                "matrix" => Frame::Matrix,
+                "normal" => Frame::Normal,
+                _ => Frame::Given,
+            },
+            normalise: of("normalise_basis", "off", "on") == "on",
+            s_is_binormal: of("s_vector", "tangent", "binormal") == "binormal",
+            vertex_light: values.choice("l_sign") == "vertex-light",
+            minus_t: of("t_sign", "plus", "minus") == "minus",
+            q: of("scale_q", "off", "on") == "on",
+            constants: match of("constants", "off", "parameters") {
+                "off" => Constants::Off,
+                "parameters" => Constants::Parameters,
+                _ => Constants::Ports,
+            },
+        }
+    }
+
+    /// True if displacements have a factor.
+    fn has_factor(self) -> bool {
+        self.q || self.constants != Constants::Off
+    }
+
+    /// Names of the input ports in order, those of a vector by their common part.
+    fn ports(self) -> Vec<&'static str> {
+        let mut names = match self.frame {
+            Frame::Matrix => vec!["m0", "m1", "m2", "tangent", "binormal"],
+            Frame::Normal => vec!["normal", "ct"],
+            Frame::Given => vec!["tangent", "binormal"],
+        };
+        names.extend(["light", "vertex", "s0", "t0"]);
+        if self.q {
+            names.extend(["q0", "r0"]);
+        }
+        if self.constants == Constants::Ports {
+            names.extend(["ks", "kt"]);
+        }
+        names
+    }
+}
+
+/// True if the port of this name is a vector.
+fn is_vector(name: &str) -> bool {
+    !["s0", "t0", "q0", "r0", "ks", "kt"].contains(&name)
+}
+
+/// Input ports by name.
+struct Ports(Vec<(&'static str, Vec<NodeId>)>);
+
+impl Ports {
+    fn new(b: &mut Builder, values: &Values, switches: Switches) -> Result<Self> {
+        let short =
+            if values.choice("input20") == "on" { Quantity::Float20 } else { Quantity::Number };
+        let component = component(values)?;
+        let position = super::dot::signed(values, "position_bits", "position_frac_bits")?;
+        let (matrix_bits, matrix_int) =
+            (values.bits("matrix_bits"), values.bits("matrix_int_bits"));
+        let matrix_frac = cast::signed_count(matrix_bits) - cast::signed_count(matrix_int) - 1;
+        let matrix = Format::signed(matrix_bits, matrix_frac)?;
+        let texture = texture(values)?;
+        let constant = number(1, values.bits("constant_frac_bits"))?;
+        let port = |name: &'static str| {
+            let (format, quantity) = match name {
+                "m0" | "m1" | "m2" => (matrix, short),
+                "light" => (position, short),
+                "vertex" => (position, Quantity::Number),
+                "s0" | "t0" | "q0" | "r0" => (texture, Quantity::Number),
+                "ks" | "kt" => (constant, Quantity::Number),
+                _ => (component, Quantity::Number),
+            };
+            let nodes = if is_vector(name) {
+                vector_ports(b, name, format, quantity).to_vec()
+            } else {
+                vec![b.input(name, format, quantity)]
+            };
+            (name, nodes)
+        };
+        Ok(Self(switches.ports().into_iter().map(port).collect()))
+    }
+
+    fn nodes(&self, name: &str) -> &[NodeId] {
+        &self.0.iter().find(|(known, _)| *known == name).expect("bug: a port of this setting").1
+    }
+
+    fn vector(&self, name: &str) -> [NodeId; 3] {
+        self.nodes(name).try_into().expect("bug: a vector")
+    }
+
+    fn number(&self, name: &str) -> NodeId {
+        self.nodes(name)[0]
+    }
+}
+
+/// Format of texture coordinates.
+fn texture(values: &Values) -> Result<Format> {
+    number(values.bits("texture_int_bits"), values.bits("texture_frac_bits"))
+}
+
+fn build(values: &Values) -> Result<Design> {
+    let switches = Switches::new(values);
+    let mut b = Builder::new("emboss");
+    let ports = Ports::new(&mut b, values, switches)?;
+    let mut root = Root::new(values)?;
+    let round = root.round;
+    let (t, binormal, flags) = basis(&mut b, &mut root, &ports, switches)?;
+
+    let (to, from) = if switches.vertex_light { ("vertex", "light") } else { ("light", "vertex") };
+    let (to, from) = (ports.vector(to), ports.vector(from));
+    let l = [0, 1, 2].map(|i| {
+        let difference = b.sub(to[i], from[i]);
+        b.name(difference, ["l_x", "l_y", "l_z"][i])
+    });
+    let Block { words, zero, .. } = block(&mut b, "l_block", l);
+    let l = narrowed(&mut b, "l_norm", words, root.norm_bits, round);
+
+    let frac_bits = cast::signed_count(values.bits("dot_frac_bits"));
+    let t_dot_l = dot(&mut b, "t_dot_l", t, l);
+    let t_dot_l = rounded(&mut b, t_dot_l, frac_bits, round);
+    b.name(t_dot_l, "t_l");
+    let l_dot_l = dot(&mut b, "l_dot_l", l, l);
+    let reciprocal = root.of_square(&mut b, "reciprocal_length", l_dot_l)?;
+    let b_dot_l = dot(&mut b, "b_dot_l", binormal, l);
+    let b_dot_l = rounded(&mut b, b_dot_l, frac_bits, round);
+    b.name(b_dot_l, "b_l");
+
+    let (of_s, of_t) = if switches.s_is_binormal {
+        ((b_dot_l, binormal), (t_dot_l, t))
+    } else {
+        ((t_dot_l, t), (b_dot_l, binormal))
+    };
+    let overflow: Overflow = values.choice("overflow").parse()?;
+    let mut sums = Vec::new();
+    for (axis, (dot, vector), minus) in [('s', of_s, false), ('t', of_t, switches.minus_t)] {
+        let vector_int = b.format(vector[0]).int_bits();
+        let displacement = displacement(
+            &mut b,
+            values,
+            switches,
+            &ports,
+            Factors { axis, dot, reciprocal, vector_int, minus },
+        )?;
+        b.output(&format!("d{axis}"), displacement);
+        let sum = b.add(ports.number(&format!("{axis}0")), displacement);
+        sums.push((format!("{axis}1"), b.narrow(sum, texture(values)?, round, overflow)));
+    }
+    for (name, sum) in sums {
+        b.output(&name, sum);
+    }
+    let degenerate = flags.into_iter().fold(zero, |any, flag| b.or(any, flag));
+    b.output("degenerate", degenerate);
+    if switches.q {
+        b.output("q1", ports.number("q0"));
+        b.output("r1", ports.number("r0"));
+    }
+    let tabulated = root.tabulated;
+    let netlist = b.build()?;
+    let mut names = vec!["ds", "dt", "s1", "t1", "degenerate"];
+    if switches.q {
+        names.extend(["q1", "r1"]);
+    }
+    let mut groups = Group::ports(&netlist, &names);
+    for group in &mut groups[..2] {
+        group.shape = Shape::Scaled { texels: Some(values.bits("texture_size")) };
+    }
+    let mut hard = hard_cases(&netlist);
+    hard.extend(extremes(&netlist));
+    Ok(Design {
+        values: values.clone(),
+        groups,
+        hard,
+        netlist: Arc::new(netlist),
+        golden: golden::<f64>,
+        golden_f32: golden::<f32>,
+        bounds: bounds(values, switches),
+        tabulated,
+        draw,
+    })
+}
+
+/// T and B in eye space, with a flag for each that is normalised: of a vector 0.
+fn basis(
+    b: &mut Builder,
+    root: &mut Root<'_>,
+    ports: &Ports,
+    switches: Switches,
+) -> Result<([NodeId; 3], [NodeId; 3], Vec<NodeId>)> {
+    if switches.frame == Frame::Normal {
+        let vectors = [ports.vector("normal"), ports.vector("ct")];
+        let (t, bn, zero) = frame(b, root, vectors, switches.normalise)?;
+        return Ok((t, bn, zero.into_iter().collect()));
+    }
+    let frac_bits = vector_frac_bits(root.values);
+    let mut flags = Vec::new();
+    let mut vectors = Vec::new();
+    for (port, name) in [("tangent", "t"), ("binormal", "b")] {
+        let v = ports.vector(port);
+        let exact = if switches.frame == Frame::Matrix {
+            let rows = [("m0", "x"), ("m1", "y"), ("m2", "z")];
+            rows.map(|(row, axis)| dot(b, &format!("{name}_{axis}"), ports.vector(row), v))
+        } else {
+            v
+        };
+        let vector = if switches.normalise {
+            // -2 to 2: 1 has a code.
+            let format = Format::signed((frac_bits + 2).unsigned_abs(), frac_bits)?;
+            let (unit, zero) = unit_vector(b, root, name, exact, format)?;
+            flags.push(zero);
+            unit
+        } else {
+            exact.map(|x| rounded(b, x, frac_bits, root.round))
+        };
+        if switches.frame == Frame::Matrix {
+            for (word, axis) in vector.iter().zip(["x", "y", "z"]) {
+                b.name(*word, &format!("{name}_eye_{axis}"));
+            }
+        }
+        vectors.push(vector);
+    }
+    Ok((vectors[0], vectors[1], flags))
+}
+
+/// What a displacement is made of.
+struct Factors {
+    axis: char,
+    dot: NodeId,
+    reciprocal: NodeId,
+    /// Whole bits of the vector's components.
+    vector_int: i32,
+    minus: bool,
+}
+
+/// A displacement: the dot product over |L|, times what else there is.
+fn displacement(
+    b: &mut Builder,
+    values: &Values,
+    switches: Switches,
+    ports: &Ports,
+    factors: Factors,
+) -> Result<NodeId> {
+    let Factors { axis, dot, reciprocal, vector_int, minus } = factors;
+    let round: Round = values.choice("rounding").parse()?;
+    let frac_bits = cast::signed_count(values.bits("texture_frac_bits"));
+    let mut exact = b.mul(dot, reciprocal);
+    // No more than the vector is long, which is below twice its largest component's limit.
+    let mut int_bits = vector_int + 1;
+    if switches.has_factor() {
+        let wide = Format::signed(
+            (int_bits + 1 + frac_bits + UNIT_GUARD_BITS).unsigned_abs(),
+            frac_bits + UNIT_GUARD_BITS,
+        )?;
+        let unit = b.narrow(exact, wide, round, Overflow::Saturate);
+        b.name(unit, &format!("d{axis}_unit"));
+        let factor = factor(b, values, switches, ports, axis)?;
+        int_bits += b.format(factor).int_bits();
+        exact = b.mul(unit, factor);
+    }
+    if minus {
+        exact = b.neg(exact);
+    }
+    let format = Format::signed((int_bits + 1 + frac_bits).unsigned_abs(), frac_bits)?;
+    let word = b.narrow(exact, format, round, Overflow::Saturate);
+    Ok(b.name(word, &format!("d{axis}")))
+}
+
+/// Extra fraction bits of a displacement before its factor.
+const UNIT_GUARD_BITS: i32 = 2;
+
+/// Ks or Kt, q, or their product.
+fn factor(
+    b: &mut Builder,
+    values: &Values,
+    switches: Switches,
+    ports: &Ports,
+    axis: char,
+) -> Result<NodeId> {
+    let name = if axis == 's' { "ks" } else { "kt" };
+    let frac_bits = values.bits("constant_frac_bits");
+    let constant = match switches.constants {
+        Constants::Off => None,
+        Constants::Ports => Some(ports.number(name)),
+        Constants::Parameters => {
+            let format = number(1, frac_bits)?;
+            let word = quantize(values.real(name), format, Round::HalfEven, Overflow::Saturate)?;
+            Some(b.constant(word.0, format))
+        }
+    };
+    let q = switches.q.then(|| ports.number("q0"));
+    Ok(match (constant, q) {
+        (Some(constant), Some(q)) => {
+            let product = b.mul(constant, q);
+            let round: Round = values.choice("rounding").parse()?;
+            let product = rounded(b, product, cast::signed_count(frac_bits), round);
+            b.name(product, &format!("{name}_q"))
+        }
+        (Some(only), None) | (None, Some(only)) => only,
+        (None, None) => panic!("bug: no factor"),
+    })
+}
+
+/// Bounds on displacements: see [`Errors`].
+fn bounds(values: &Values, switches: Switches) -> Bounds {
+    let bound = |what, quantities, bound: BoundFn| Bound { what, quantities, bound };
+    let mut bounds = vec![
+        bound("relative displacement", &["ds_relative", "dt_relative"], |v, w| {
+            Errors::both(v, w, Errors::relative)
+        }),
+        bound("displacement", &["ds", "dt"], |v, w| Errors::both(v, w, Errors::absolute)),
+        bound("displacement in texels", &["ds_texels", "dt_texels"], |v, w| {
+            f64::from(v.bits("texture_size")) * Errors::both(v, w, Errors::absolute)
+        }),
+    ];
+    if ends(values.choice("overflow")) {
+        bounds
+            .push(bound("coordinate", &["s1", "t1"], |v, w| Errors::both(v, w, Errors::absolute)));
+    }
+    let exact: &[&str] = if switches.q { &["degenerate", "q1", "r1"] } else { &["degenerate"] };
+    bounds.push(bound("flag and what is passed", exact, |_, _| 0.0));
+    Bounds::Stated(bounds)
+}
+
+/// The least vector, and the least factor, that a relative error is told of; below, it is told of
+/// this.
+const LEAST: f64 = 0.25;
+
+/// How far a displacement can be off.
+///
+/// With v the exact vector, u the direction of L and k the factor, the displacement is k v·u. In
+/// words: v' is off by `vector` and `vector_share |v|`; the block-normalised w', ½ long or longer,
+/// points along u' with |u' - u| <= `direction`; its reciprocal length is off by the share `length`
+/// and at most 2; the dot product is off by `dot`. So
+/// `d' - d = (1 + length)((v' - v)·u' + v·(u' - u)) + length v·u + 2 (1 + length) dot`.
+struct Errors {
+    /// The most that v can be long.
+    longest: f64,
+    /// Error of the displacement before its factor: a share of |v|, and what is left for v = 0.
+    share: f64,
+    rest: f64,
+    /// The factor, if there is one: its largest value, its error, and the rounding before it.
+    factor: Option<[f64; 3]>,
+    /// The last rounding.
+    last: f64,
+}
+
+impl Errors {
+    fn new(values: &Values, worst: &dyn Fn(&str) -> f64, axis: char) -> Self {
+        let switches = Switches::new(values);
+        let binormal = (axis == 's') == switches.s_is_binormal;
+        let rounding = rounding_ulp(values);
+        let ulp = |name: &str| 2f64.powi(-cast::signed_count(values.bits(name)));
+        // A share of |v|, the rest, the longest v.
+        let unit = |v: &Values| (unit_error(v, worst), 0.0, 1.0);
+        let (vector_share, vector, longest) = match (switches.frame, switches.normalise) {
+            (Frame::Matrix | Frame::Given, true) => unit(values),
+            (Frame::Normal, true) if binormal => unit(values),
+            // T = BN x N, as long as N.
+            (Frame::Normal, true) => {
+                (unit_error(values, worst), vector_rounding(values), longest())
+            }
+            (Frame::Matrix, false) => {
+                let limit = 2.0 * f64::from(values.bits("matrix_int_bits")).exp2();
+                (0.0, vector_rounding(values), 3.0 * 3f64.sqrt() * limit)
+            }
+            (Frame::Given, false) => (0.0, 0.0, longest()),
+            (Frame::Normal, false) if binormal => {
+                (0.0, vector_rounding(values), longest() * longest())
+            }
+            (Frame::Normal, false) => {
+                (0.0, (longest() + 1.0) * vector_rounding(values), longest().powi(3))
+            }
+        };
+        let length = length_error(values, worst);
+        let dot = rounding * ulp("dot_frac_bits");
+        let factor = switches.has_factor().then(|| {
+            let q = if switches.q { texture_limit(values) } else { 1.0 };
+            let (constant, error) = match switches.constants {
+                Constants::Off => (1.0, 0.0),
+                Constants::Parameters => (1.0, 0.5 * ulp("constant_frac_bits")),
+                Constants::Ports => (2.0, 0.0),
+            };
+            let product = switches.q && switches.constants != Constants::Off;
+            let product = if product { rounding * ulp("constant_frac_bits") } else { 0.0 };
+            let before = 2f64.powi(-UNIT_GUARD_BITS) * ulp("texture_frac_bits") * rounding;
+            [constant * q, error * q + product, before]
+        });
+        Self {
+            longest,
+            share: (1.0 + length) * (direction_error(values) + vector_share) + length,
+            rest: (1.0 + length) * (vector + 2.0 * dot),
+            factor,
+            last: rounding * ulp("texture_frac_bits"),
+        }
+    }
+
+    /// The larger one of both axes.
+    fn both(values: &Values, worst: &dyn Fn(&str) -> f64, of: fn(&Self) -> f64) -> f64 {
+        let [s, t] = ['s', 't'].map(|axis| of(&Self::new(values, worst, axis)));
+        s.max(t)
+    }
+
+    fn absolute(&self) -> f64 {
+        let unit = self.share * self.longest + self.rest;
+        match self.factor {
+            None => unit + self.last,
+            Some([most, error, before]) => {
+                (most + error) * (unit + before) + self.longest * error + self.last
+            }
+        }
+    }
+
+    /// Over |v| and the factor, each no less than [`LEAST`].
+    fn relative(&self) -> f64 {
+        let unit = self.share + self.rest / LEAST;
+        match self.factor {
+            None => unit + self.last / LEAST,
+            Some([_, error, before]) => {
+                (1.0 + error / LEAST) * (unit + before / LEAST)
+                    + error / LEAST
+                    + self.last / (LEAST * LEAST)
+            }
+        }
+    }
+}
+
+/// Texture coordinates are below this in magnitude.
+fn texture_limit(values: &Values) -> f64 {
+    f64::from(values.bits("texture_int_bits")).exp2()
+}
+
+/// The golden model. Scales are |v| and |k|, each no less than ¼, in product.
+fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
+    let switches = Switches::new(values);
+    let mut first = Vec::new();
+    let mut at = 0;
+    for name in switches.ports() {
+        first.push((name, at));
+        at += if is_vector(name) { 3 } else { 1 };
+    }
+    let port = |name: &str| first.iter().find(|(known, _)| *known == name).map(|(_, at)| *at);
+    let number = |name: &str, i: usize| inputs[port(name).expect("bug: a port")][i];
+    let vector = |name: &str, i: usize| {
+        let at = port(name).expect("bug: a port");
+        [inputs[at][i], inputs[at + 1][i], inputs[at + 2][i]]
+    };
+    let dot = |u: [F; 3], v: [F; 3]| u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+    let real = |x: f64| F::from(x).expect("bug: a float");
+    let least = real(LEAST);
+    let [ks, kt] = ["ks", "kt"].map(|name| real(values.real(name)));
+    let int_bits = cast::signed_count(values.bits("texture_int_bits"));
+    let frac_bits = cast::signed_count(values.bits("texture_frac_bits"));
+    let overflow = values.choice("overflow");
+    let mut row = vec![F::zero(); outputs.len()];
+    let scales = row.len() - 2;
+    for i in 0..inputs[0].len() {
+        let is_zero = |v: [F; 3]| v.iter().all(|x| *x == F::zero());
+        let mut degenerate = false;
+        let (t, b) = match switches.frame {
+            Frame::Normal => {
+                let (n, ct) = (vector("normal", i), vector("ct", i));
+                let (t, bn, zero) = golden_frame(n, ct, switches.normalise);
+                degenerate |= switches.normalise && zero;
+                (t, bn)
+            }
+            Frame::Matrix | Frame::Given => {
+                let [t, b] = ["tangent", "binormal"].map(|name| {
+                    let mut v = vector(name, i);
+                    if switches.frame == Frame::Matrix {
+                        v = ["m0", "m1", "m2"].map(|row| dot(vector(row, i), v));
+                    }
+                    if switches.normalise {
+                        degenerate |= is_zero(v);
+                        v = golden_unit(v);
+                    }
+                    v
+                });
+                (t, b)
+            }
+        };
+        let (light, vertex) = (vector("light", i), vector("vertex", i));
+        let mut l = [0, 1, 2].map(|axis| light[axis] - vertex[axis]);
+        degenerate |= is_zero(l);
+        if switches.vertex_light {
+            l = l.map(|x| -x);
+        }
+        let l = golden_unit(l);
+        let (of_s, of_t) = if switches.s_is_binormal { (b, t) } else { (t, b) };
+        let q = if switches.q { number("q0", i) } else { F::one() };
+        let [ks, kt] = match switches.constants {
+            Constants::Off => [F::one(); 2],
+            Constants::Parameters => [ks, kt],
+            Constants::Ports => [number("ks", i), number("kt", i)],
+        };
+        let sign = if switches.minus_t { -F::one() } else { F::one() };
+        for (at, (v, k, name)) in
+            [(of_s, ks * q, "s0"), (of_t, sign * kt * q, "t0")].into_iter().enumerate()
+        {
+            let displacement = k * dot(v, l);
+            row[at] = displacement;
+            let sum = number(name, i) + displacement;
+            row[at + 2] = ended_at(overflow, int_bits, frac_bits, sum);
+            let size = dot(v, v).sqrt().max(least);
+            let factor = if switches.has_factor() { k.abs().max(least) } else { F::one() };
+            row[scales + at] = size * factor;
+        }
+        row[4] = if degenerate { F::one() } else { F::zero() };
+        if switches.q {
+            row[5] = q;
+            row[6] = number("r0", i);
+        }
+        for (column, x) in outputs.iter_mut().zip(&row) {
+            column[i] = *x;
+        }
+    }
+}
+
+/// A vertex as real numbers, for ports of any setting.
+#[derive(Clone, Copy, Debug)]
+struct Vertex {
+    matrix: DMat3,
+    tangent: DVec3,
+    binormal: DVec3,
+    light: DVec3,
+    vertex: DVec3,
+    coordinates: [f64; 4],
+    constants: [f64; 2],
+}
+
+impl Vertex {
+    /// Value of an input port.
+    fn value(&self, port: &str) -> f64 {
+        let scalar = |names: &[&str], of: &[f64]| {
+            names.iter().position(|name| *name == port).map(|at| of[at])
+        };
+        let found = scalar(&["s0", "t0", "r0", "q0"], &self.coordinates)
+            .or_else(|| scalar(&["ks", "kt"], &self.constants));
+        if let Some(value) = found {
+            return value;
+        }
+        let (name, axis) = port.rsplit_once('_').expect("bug: a component");
+        let axis = ["x", "y", "z"].iter().position(|known| *known == axis).expect("bug: an axis");
+        let vector = match name {
+            "m0" | "m1" | "m2" => {
+                let row = ["m0", "m1", "m2"].iter().position(|known| *known == name);
+                self.matrix.row(row.expect("bug: a row"))
+            }
+            "tangent" | "ct" => self.tangent,
+            "binormal" | "normal" => self.binormal,
+            "light" => self.light,
+            "vertex" => self.vertex,
+            _ => panic!("bug: no port `{port}`"),
+        };
+        vector[axis]
+    }
+
+    /// A random one: a rotation times ½ to 2, half of them reflected; T and B at right angles or, one
+    /// in two, not, and then from ¾ to 5/4 long; the vertex within 1000 of the eye in each axis, the
+    /// light 2^-6 to 2^10 from it, all sizes alike.
+    fn random(next: &mut dyn FnMut() -> f64) -> Self {
+        let mut sphere = || {
+            let (z, turns) = (1.0 - 2.0 * next(), next());
+            let (sin, cos) = (turns * std::f64::consts::TAU).sin_cos();
+            let across = (1.0 - z * z).sqrt();
+            DVec3::new(across * cos, across * sin, z)
+        };
+        let (axis, tangent, other, direction) = (sphere(), sphere(), sphere(), sphere());
+        let rotation = DQuat::from_axis_angle(axis, std::f64::consts::TAU * next());
+        let scale = (2.0 * next() - 1.0).exp2();
+        let mirror = if next() < 0.5 { DVec3::new(1.0, 1.0, -1.0) } else { DVec3::ONE };
+        let right = tangent.cross(other).normalize_or(tangent.any_orthonormal_vector());
+        let (mut tangent, mut binormal) = (tangent, right);
+        if next() < 0.5 {
+            binormal = (right + tangent * (1.4 * next() - 0.7)).normalize() * (0.75 + 0.5 * next());
+            tangent *= 0.75 + 0.5 * next();
+        }
+        let vertex = DVec3::from_array([(); 3].map(|()| 2000.0 * next() - 1000.0));
+        let distance = (16.0 * next() - 6.0).exp2();
+        Self {
+            matrix: DMat3::from_quat(rotation) * DMat3::from_diagonal(mirror) * scale,
+            tangent,
+            binormal,
+            light: vertex + direction * distance,
+            vertex,
+            coordinates: [
+                32.0 * next() - 16.0,
+                32.0 * next() - 16.0,
+                2.0 * next() - 1.0,
+                0.5 + 1.5 * next(),
+            ],
+            constants: [2.0 * next() - 1.0, 2.0 * next() - 1.0],
+        }
+    }
+}
+
+/// Fills ports with random vertices.
+pub(super) fn draw(
+    design: &Design,
+    _: Sampler,
+    next: &mut dyn FnMut() -> f64,
+    columns: &mut [Vec<f64>],
+    count: usize,
+) {
+    columns.iter_mut().for_each(Vec::clear);
+    for _ in 0..count {
+        let vertex = Vertex::random(next);
+        for (at, column) in columns.iter_mut().enumerate() {
+            column.push(vertex.value(design.netlist.input_name(at)));
+        }
+    }
+}
+
+/// The named hard cases of a unit with the ports of vertices.
+pub(super) fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
+    let words = |vertex: &Vertex| -> Vec<i64> {
+        let word = |(port, id): (usize, &NodeId)| {
+            let value = vertex.value(netlist.input_name(port));
+            let format = netlist.node(*id).format;
+            let word = quantize(value, format, Round::HalfEven, Overflow::Saturate);
+            word.expect("bug: vertices are finite").0
+        };
+        netlist.inputs().iter().enumerate().map(word).collect()
+    };
+    let cases =
+        |name, list: Vec<Vertex>| HardCase { name, words: list.iter().map(words).collect() };
+    let ulp = |name: &str| {
+        let port = (0..netlist.inputs().len()).find(|port| netlist.input_name(*port) == name);
+        port.map(|port| netlist.node(netlist.inputs()[port]).format.ulp())
+    };
+    let far = 1e9; // past every position
+    let turn = DMat3::from_quat(DQuat::from_axis_angle(DVec3::new(0.6, 0.0, 0.8), 1.0));
+    let vertex = Vertex {
+        matrix: turn,
+        tangent: DVec3::new(0.48, 0.6, 0.64),
+        binormal: DVec3::new(0.8, 0.0, -0.6),
+        light: DVec3::new(3.0, -2.0, 5.0),
+        vertex: DVec3::new(-1.0, 4.0, 0.5),
+        coordinates: [0.25, 0.75, 0.0, 1.0],
+        constants: [1.0 / 256.0, 1.0 / 128.0],
+    };
+    let axes = [DVec3::X, DVec3::Y, DVec3::Z];
+    let mut list = Vec::new();
+    if let Some(lsb) = ulp("light_x") {
+        let places = [DVec3::ZERO, vertex.vertex, DVec3::splat(far), DVec3::splat(-far)];
+        let at = |light: DVec3, place: DVec3| Vertex { light, vertex: place, ..vertex };
+        list.push(cases("L = 0", places.map(|place| at(place, place)).to_vec()));
+        let short = axes.iter().flat_map(|axis| [*axis * lsb, -*axis * lsb]);
+        list.push(cases(
+            "L one LSB long",
+            short.map(|l| at(vertex.vertex + l, vertex.vertex)).collect(),
+        ));
+        let corners = (0..8).map(|bits| {
+            DVec3::from_array([0, 1, 2].map(|axis| if bits >> axis & 1 == 0 { far } else { -far }))
+        });
+        list.push(cases("the longest L", corners.map(|corner| at(corner, -corner)).collect()));
+        let uneven = axes.iter().flat_map(|axis| {
+            let tiny = (DVec3::ONE - *axis) * lsb;
+            [at(*axis * far + tiny, DVec3::ZERO), at(-*axis * far - tiny, DVec3::ZERO)]
+        });
+        list.push(cases("L with one huge and two tiny components", uneven.collect()));
+        let distances = (-6..=10).map(|k| f64::from(k).exp2());
+        let direction = DVec3::new(0.48, -0.6, 0.64);
+        list.push(cases(
+            "lights from 2^-6 to 2^10 away",
+            distances.map(|d| at(vertex.vertex + direction * d, vertex.vertex)).collect(),
+        ));
+        let mirror = DMat3::from_diagonal(DVec3::new(1.0, -1.0, 1.0));
+        let matrices = [0.0, 0.5, 1.0, 2.0].map(|scale| turn * scale);
+        let matrices = matrices.into_iter().chain([
+            turn * mirror,
+            mirror * 2.0,
+            DMat3::from_diagonal(DVec3::new(0.5, 2.0, 1.0)),
+        ]);
+        list.push(cases(
+            "matrix scaled by 0, ½, 1, 2, unevenly, and reflected",
+            matrices.map(|matrix| Vertex { matrix, ..vertex }).collect(),
+        ));
+        let ends = [(far, far), (-far, far), (far, -far), (-far, -far)];
+        let at_end = |(s, t): (f64, f64)| {
+            [vertex.light, -vertex.light].map(|light| Vertex {
+                coordinates: [s, t, s, t],
+                light,
+                ..vertex
+            })
+        };
+        list.push(cases(
+            "S0, T0 and q at the ends of their range",
+            ends.into_iter().flat_map(at_end).collect(),
+        ));
+    }
+    let lsb = ulp("tangent_x").or_else(|| ulp("ct_x")).expect("bug: one of T and CT is there");
+    let parallel = |binormal: DVec3| Vertex { binormal, ..vertex };
+    let t = vertex.tangent;
+    list.push(cases(
+        "T parallel to B, or N to CT",
+        [t, -t, t * 2.0, t * 0.5].map(parallel).to_vec(),
+    ));
+    list.push(cases(
+        "T parallel to B, or N to CT, but for one LSB",
+        axes.iter().flat_map(|axis| [t + *axis * lsb, t - *axis * lsb]).map(parallel).collect(),
+    ));
+    list.push(cases(
+        "T or B, N or CT 0, along axes, or of one LSB",
+        [DVec3::ZERO, DVec3::X, DVec3::NEG_Z, DVec3::Y * lsb, DVec3::ONE * lsb]
+            .into_iter()
+            .flat_map(|v| [Vertex { tangent: v, ..vertex }, Vertex { binormal: v, ..vertex }])
+            .collect(),
+    ));
+    list.push(cases(
+        "T, B exchanged",
+        vec![vertex, Vertex { tangent: vertex.binormal, binormal: vertex.tangent, ..vertex }],
+    ));
+    list
+}

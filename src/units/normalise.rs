@@ -1,0 +1,208 @@
+//! Block normalisation: a vector of words shifted up by one common number of places, until its
+//! largest component has no leading zero left.
+//!
+//! What comes of it doesn't depend on the vector's size, so positions may span a large range: the
+//! direction keeps as many bits next to a light as far away.
+
+use super::dot::{dot, draw_words, extremes, signed, vector_ports};
+use super::plan::{self, rounding_ulp};
+use super::rsqrt::Root;
+use super::{Bound, BoundFn, Bounds, Design, Group, Kind, Param, Unit, Values, divide};
+use crate::cast;
+use crate::error::Result;
+use crate::format::{Format, Overflow, Round};
+use crate::netlist::{Builder, NodeId, Quantity};
+use crate::op::Meaning;
+use crate::trig::Real;
+use std::sync::Arc;
+
+/// The unit.
+pub static NORMALISE: Unit = Unit {
+    name: "normalise",
+    summary: "block normalisation: three words shifted by the leading zeros of the largest",
+    source: "the light vector of seed 000 (US 6,980,218) in fixed point: a displacement doesn't depend on its length",
+    params: &[
+        Param {
+            kind: Kind::Int { min: 2, max: 32, auto: None },
+            help: "bits of the components, signed",
+            ..super::dot::V_BITS
+        },
+        Param { default: "8", ..super::dot::V_FRAC_BITS },
+        NORM_BITS,
+        plan::ROUNDING,
+    ],
+    golden_params: &["v_bits", "v_frac_bits"],
+    inputs: "v_x, v_y, v_z: the vector",
+    outputs: "x, y, z: v over the power of two that its largest component is just below (or the most negative word is); places: by how many the words were shifted up; degenerate: 1 for the zero vector, whose words and places are 0",
+    build,
+};
+
+pub(super) const NORM_BITS: Param = Param {
+    name: "norm_bits",
+    kind: Kind::Int { min: 2, max: 24, auto: None },
+    default: "18",
+    help: "bits of block-normalised words, from -1 to 1; the largest is ½ or more in magnitude",
+};
+
+/// A vector over a power of two.
+pub(super) struct Block {
+    /// Its words, from -1 to 1: signed, all of them fraction bits but the sign; exact.
+    pub(super) words: [NodeId; 3],
+    /// By how many places they were shifted up; means nothing for the zero vector.
+    places: NodeId,
+    /// Flag: the zero vector.
+    pub(super) zero: NodeId,
+}
+
+/// Shifts three words of one format up by their common leading zeros.
+pub(super) fn block(b: &mut Builder, name: &str, v: [NodeId; 3]) -> Block {
+    b.scope(name, |b| {
+        let format = b.format(v[0]);
+        assert!(v.iter().all(|x| b.format(*x) == format), "bug: components have one format");
+        let bits = format.bits();
+        // Leading zeros of the largest are those of all magnitudes together.
+        let [x, y, z] = v.map(|x| {
+            let magnitude = b.abs(x); // up to 2^(bits - 1), which has a code
+            b.slice(magnitude, 0, bits)
+        });
+        let any = b.or(x, y);
+        let any = b.or(any, z);
+        let largest = b.shift(any, -format.frac_bits());
+        b.means(largest, Meaning::Largest { x: v[0], y: v[1], z: v[2] });
+        b.name(largest, "largest");
+        let (_, count) = divide::normalise(b, any, 1);
+        let top = cast::signed_count(bits) - format.frac_bits();
+        let places = b.means(count, Meaning::Headroom { a: largest, top });
+        b.name(places, "places");
+        let zero = b.constant(0, Format::FLAG);
+        let zero = b.equal(largest, zero);
+        let signed = Format::signed(bits + 1, 0);
+        let signed = b.checked(signed);
+        let words = [0, 1, 2].map(|i| {
+            let sign = b.negative(v[i]);
+            let pattern = b.slice(v[i], 0, bits);
+            let mut word = b.concat(sign, pattern);
+            for k in (0..b.format(count).bits()).rev() {
+                let empty = b.slice(count, k, 1);
+                let low = b.slice(word, 0, bits + 1 - (1 << k));
+                let zeros = b.checked(Format::integer(1 << k));
+                let zeros = b.constant(0, zeros);
+                let shifted = b.concat(low, zeros);
+                word = b.mux(empty, shifted, word);
+            }
+            let word = b.modulo(word, signed);
+            let word = b.shift(word, -cast::signed_count(bits));
+            b.means(word, Meaning::Scaled { a: v[i], places, more: -top });
+            b.name(word, ["x", "y", "z"][i])
+        });
+        Block { words, places, zero }
+    })
+}
+
+/// The words in fewer bits: -1 to 1, the largest still ½ or more in magnitude.
+pub(super) fn narrowed(
+    b: &mut Builder,
+    name: &str,
+    words: [NodeId; 3],
+    norm_bits: u32,
+    round: Round,
+) -> [NodeId; 3] {
+    let format = Format::signed(norm_bits, cast::signed_count(norm_bits) - 1);
+    let format = b.checked(format);
+    [0, 1, 2].map(|i| {
+        let word = b.narrow(words[i], format, round, Overflow::Saturate);
+        b.name(word, &format!("{name}_{}", ["x", "y", "z"][i]))
+    })
+}
+
+/// Length of the difference of the narrowed direction to the exact one, both as unit vectors: no
+/// more than that of the words over the shorter length, which is ½ or more. Where 1 has no code, a
+/// word is off by up to an ulp.
+pub(super) fn direction_error(values: &Values) -> f64 {
+    let ulp = 2f64.powi(1 - cast::signed_count(values.bits("norm_bits")));
+    (3f64.sqrt() * ulp / 0.5).min(2.0)
+}
+
+/// A vector over its length, in a signed format that holds 1, and the flag for the zero vector,
+/// which stays 0: block normalisation, then a reciprocal root and a product for each component.
+pub(super) fn unit_vector(
+    b: &mut Builder,
+    root: &mut Root<'_>,
+    name: &str,
+    v: [NodeId; 3],
+    format: Format,
+) -> Result<([NodeId; 3], NodeId)> {
+    let Block { words, zero, .. } = block(b, name, v);
+    let words = narrowed(b, &format!("{name}_norm"), words, root.norm_bits, root.round);
+    let square = dot(b, &format!("{name}_square"), words, words);
+    let factor = root.of_square(b, &format!("{name}_length"), square)?;
+    let unit = words.map(|word| {
+        let exact = b.mul(word, factor); // -1 to 1, but for errors
+        b.narrow(exact, format, root.round, Overflow::Saturate)
+    });
+    for (word, axis) in unit.iter().zip(["x", "y", "z"]) {
+        b.name(*word, &format!("{name}_unit_{axis}"));
+    }
+    Ok((unit, zero))
+}
+
+fn build(values: &Values) -> Result<Design> {
+    let mut b = Builder::new("normalise");
+    let format = signed(values, "v_bits", "v_frac_bits")?;
+    let v = vector_ports(&mut b, "v", format, Quantity::Number);
+    let Block { words, places, zero } = block(&mut b, "block", v);
+    let round: Round = values.choice("rounding").parse()?;
+    let words = narrowed(&mut b, "norm", words, values.bits("norm_bits"), round);
+    for (word, name) in words.into_iter().zip(["x", "y", "z"]) {
+        b.output(name, word);
+    }
+    let none = b.constant(0, Format::FLAG);
+    let places = b.mux(zero, none, places);
+    b.output("places", places);
+    b.output("degenerate", zero);
+    let netlist = b.build()?;
+    let bound = |what, quantities, bound: BoundFn| Bound { what, quantities, bound };
+    Ok(Design {
+        values: values.clone(),
+        groups: Group::ports(&netlist, &["x", "y", "z", "places", "degenerate"]),
+        hard: extremes(&netlist),
+        netlist: Arc::new(netlist),
+        golden: golden::<f64>,
+        golden_f32: golden::<f32>,
+        bounds: Bounds::Stated(vec![
+            bound("component", &["x", "y", "z"], component_bound),
+            bound("count and flag", &["places", "degenerate"], |_, _| 0.0),
+        ]),
+        tabulated: Vec::new(),
+        draw: draw_words,
+    })
+}
+
+/// One rounding; where 1 is rounded to and has no code, an ulp.
+fn component_bound(values: &Values, _: &dyn Fn(&str) -> f64) -> f64 {
+    rounding_ulp(values).max(1.0) * 2f64.powi(1 - cast::signed_count(values.bits("norm_bits")))
+}
+
+fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
+    let two = F::one() + F::one();
+    let bits = cast::signed_count(values.bits("v_bits"));
+    let frac_bits = cast::signed_count(values.bits("v_frac_bits"));
+    for i in 0..inputs[0].len() {
+        let v = [inputs[0][i], inputs[1][i], inputs[2][i]];
+        let largest = v.iter().fold(F::zero(), |most, x| most.max(x.abs()));
+        let zero = largest == F::zero();
+        // 2^(exponent - 1) <= largest < 2^exponent
+        let (mantissa, shift, _) = largest.integer_decode();
+        let exponent = if zero {
+            bits - frac_bits
+        } else {
+            i32::from(shift) + cast::signed_count(u64::BITS - mantissa.leading_zeros())
+        };
+        for (to, x) in outputs.iter_mut().zip(v) {
+            to[i] = x / two.powi(exponent);
+        }
+        let places = bits - frac_bits - exponent;
+        outputs[3][i] = F::from(places).expect("bug: a small number");
+        outputs[4][i] = if zero { F::one() } else { F::zero() };
+    }
+}

@@ -1,0 +1,251 @@
+//! The reciprocal square root as a unit, and the one that units of vectors share.
+
+use super::plan::{self, rounding_ulp};
+use super::root::{self, newton_error, reciprocal_root};
+use super::{
+    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Shape, Tabulated, Unit, Values,
+};
+use crate::cast;
+use crate::error::Result;
+use crate::format::{Format, Overflow, Round};
+use crate::function::Function;
+use crate::lut::Scheme;
+use crate::netlist::{Builder, NodeId, Quantity};
+use crate::trig::Real;
+use std::sync::Arc;
+
+/// The unit.
+pub static RSQRT: Unit = Unit {
+    name: "rsqrt",
+    summary: "1/sqrt(a) by a table, a table with interpolation, or a table and a Newton step",
+    source: "the inverse square root unit of seed 000 (US 6,980,218, FIG. 8)",
+    params: &[
+        Param {
+            name: "input_bits",
+            kind: Kind::Int { min: 2, max: 32, auto: None },
+            default: "20",
+            help: "bits of a, unsigned",
+        },
+        Param {
+            name: "input_frac_bits",
+            kind: Kind::Int { min: 0, max: 32, auto: None },
+            default: "18",
+            help: "fraction bits of a",
+        },
+        Param {
+            name: "root_int_bits",
+            kind: Kind::Int { min: 1, max: 17, auto: None },
+            default: "9",
+            help: "the result saturates at 2^root_int_bits, and so does the golden",
+        },
+        ROOT_SCHEME,
+        ROOT_ADDR_BITS,
+        ROOT_FRAC_BITS,
+        plan::ROUNDING,
+    ],
+    golden_params: &["input_bits", "input_frac_bits", "root_int_bits", "root_frac_bits"],
+    inputs: "a: a number from 0",
+    outputs: "r: 1/sqrt(a), or 0 for 0; degenerate: 1 for 0",
+    build,
+};
+
+pub(super) const ROOT_SCHEME: Param = Param {
+    name: "root_scheme",
+    kind: Kind::Choice(&["linear", "direct", "newton"]),
+    default: "linear",
+    help: "reciprocal root: table with interpolation, table alone, or table and a Newton step",
+};
+
+pub(super) const ROOT_ADDR_BITS: Param = Param {
+    name: "root_addr_bits",
+    kind: Kind::Int { min: 2, max: 16, auto: None },
+    default: "9",
+    help: "address bits of its table",
+};
+
+pub(super) const ROOT_FRAC_BITS: Param = Param {
+    name: "root_frac_bits",
+    kind: Kind::Int { min: 2, max: 22, auto: None },
+    default: "18",
+    help: "fraction bits of the reciprocal root",
+};
+
+/// Guard bits of a Newton step, and of the operand's mantissa.
+const GUARD_BITS: u32 = 2;
+
+/// The reciprocal root of the parameters.
+pub(super) struct Root<'a> {
+    pub(super) values: &'a Values,
+    pub(super) round: Round,
+    /// Bits of the block-normalised words that it serves, if the unit has any.
+    pub(super) norm_bits: u32,
+    /// Its table, once there is a root.
+    pub(super) tabulated: Vec<Tabulated>,
+}
+
+impl<'a> Root<'a> {
+    pub(super) fn new(values: &'a Values) -> Result<Self> {
+        let has_words = values.iter().any(|(name, _)| name == "norm_bits");
+        Ok(Self {
+            values,
+            round: values.choice("rounding").parse()?,
+            norm_bits: if has_words { values.bits("norm_bits") } else { 0 },
+            tabulated: Vec::new(),
+        })
+    }
+
+    /// 1/sqrt of an unsigned word, below 2^int_bits; more saturates, 1/sqrt(0) among it.
+    pub(super) fn emit(
+        &mut self,
+        b: &mut Builder,
+        name: &str,
+        a: NodeId,
+        int_bits: u32,
+    ) -> Result<NodeId> {
+        let frac_bits = self.values.bits("root_frac_bits");
+        let output = Format::unsigned(int_bits + frac_bits, cast::signed_count(frac_bits))?;
+        let scheme = self.values.choice("root_scheme");
+        let addr_bits = self.values.bits("root_addr_bits");
+        let newton = (scheme == "newton").then_some(frac_bits + GUARD_BITS);
+        // A Newton step doubles the good bits: no more of them in the table than that.
+        let most = frac_bits + GUARD_BITS;
+        let table_bits = if newton.is_some() { most.min(addr_bits + 3) } else { most };
+        let kept_bits = kept_bits(self.values);
+        let tabulated = Tabulated {
+            name: "recip_root",
+            functions: vec![Function::RecipSqrt],
+            scheme: if scheme == "linear" { Scheme::Linear } else { Scheme::Direct },
+            addr_bits,
+            quarter_wave: false,
+            origin: 0.25,
+            output: Format::unsigned(table_bits + 2, cast::signed_count(table_bits))?, // to 2
+            round: self.round,
+            argument: root::argument(b.format(a), kept_bits)?,
+        };
+        let table = root::Table { spec: tabulated.spec(), kept_bits };
+        let root = reciprocal_root(b, name, a, output, self.round, &table, newton);
+        if self.tabulated.is_empty() {
+            self.tabulated.push(tabulated);
+        }
+        Ok(root)
+    }
+
+    /// 1/sqrt of the exact square of a block-normalised vector, ¼ to 3, after `dot_frac_bits` of it.
+    pub(super) fn of_square(
+        &mut self,
+        b: &mut Builder,
+        name: &str,
+        square: NodeId,
+    ) -> Result<NodeId> {
+        let frac_bits = self.values.bits("dot_frac_bits");
+        // ¼ has a code, so rounding keeps ¼ and above there.
+        let format = Format::unsigned(2 + frac_bits, cast::signed_count(frac_bits))?;
+        let square = b.narrow(square, format, self.round, Overflow::Saturate);
+        b.name(square, &format!("{name}_square"));
+        let root = self.emit(b, name, square, 2)?; // up to 2
+        Ok(b.name(root, name))
+    }
+}
+
+/// Bits of the operand's mantissa that are kept.
+fn kept_bits(values: &Values) -> u32 {
+    (values.bits("root_frac_bits") + GUARD_BITS).max(4)
+}
+
+/// Largest relative error of the reciprocal root before its one rounding.
+pub(super) fn root_error(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
+    let dropped = 4.0 * 2f64.powi(-cast::signed_count(kept_bits(values)));
+    let table = match values.choice("root_scheme") {
+        "newton" => {
+            let frac_bits = values.bits("root_frac_bits") + GUARD_BITS;
+            newton_error(worst("recip_root"), frac_bits, rounding_ulp(values))
+        }
+        _ => worst("recip_root"),
+    };
+    // What the mantissa's last bits are worth comes on top of what is known of the rest.
+    (1.0 + table) * (1.0 + dropped) - 1.0
+}
+
+/// Largest relative error of [`Root::of_square`] as the reciprocal of the length of its words.
+pub(super) fn length_error(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
+    let ulp = |name| rounding_ulp(values) * 2f64.powi(-cast::signed_count(values.bits(name)));
+    // The square is ¼ or more before and after its rounding; the root of it is rounded, and counts
+    // times the length, which is below sqrt(3).
+    (1.0 + 4.0 * ulp("dot_frac_bits")).sqrt() * (1.0 + root_error(values, worst)) - 1.0
+        + 3f64.sqrt() * ulp("root_frac_bits")
+}
+
+fn build(values: &Values) -> Result<Design> {
+    let mut b = Builder::new("rsqrt");
+    let frac_bits = cast::signed_count(values.bits("input_frac_bits"));
+    let a = Format::unsigned(values.bits("input_bits"), frac_bits)?;
+    let a = b.input("a", a, Quantity::Number);
+    let mut root = Root::new(values)?;
+    let r = root.emit(&mut b, "reciprocal_root", a, values.bits("root_int_bits"))?;
+    let zero = b.constant(0, Format::FLAG);
+    let degenerate = b.equal(a, zero);
+    let r = b.mux(degenerate, zero, r);
+    b.output("r", r);
+    b.output("degenerate", degenerate);
+    let tabulated = root.tabulated;
+    let netlist = b.build()?;
+    let mut groups = Group::ports(&netlist, &["r", "degenerate"]);
+    groups[0].shape = Shape::Scaled { texels: None };
+    let bound = |what, quantities, bound: BoundFn| Bound { what, quantities, bound };
+    Ok(Design {
+        values: values.clone(),
+        groups,
+        hard: hard_cases(netlist.node(netlist.inputs()[0]).format),
+        netlist: Arc::new(netlist),
+        golden: golden::<f64>,
+        golden_f32: golden::<f32>,
+        bounds: Bounds::Stated(vec![
+            bound("relative", &["r_relative"], |v, w| root_error(v, w) + last(v)),
+            bound("absolute", &["r"], |v, w| root_error(v, w) * largest(v) + last(v)),
+            bound("flag", &["degenerate"], |_, _| 0.0),
+        ]),
+        tabulated,
+        draw: super::dot::draw_words,
+    })
+}
+
+/// The last rounding; relative to 1 or more.
+fn last(values: &Values) -> f64 {
+    rounding_ulp(values) * 2f64.powi(-cast::signed_count(values.bits("root_frac_bits")))
+}
+
+/// The largest result.
+fn largest(values: &Values) -> f64 {
+    let of_one_lsb = 0.5 * f64::from(values.bits("input_frac_bits"));
+    of_one_lsb.min(f64::from(values.bits("root_int_bits"))).exp2()
+}
+
+/// The golden; its scale is the result, or 1 where that is less.
+fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
+    let two = F::one() + F::one();
+    let int_bits = cast::signed_count(values.bits("root_int_bits"));
+    let frac_bits = cast::signed_count(values.bits("root_frac_bits"));
+    let most = two.powi(int_bits) - two.powi(-frac_bits);
+    for (i, a) in inputs[0].iter().enumerate() {
+        let zero = *a == F::zero();
+        let r = if zero { F::zero() } else { (F::one() / a.sqrt()).min(most) };
+        outputs[0][i] = r;
+        outputs[1][i] = if zero { F::one() } else { F::zero() };
+        outputs[2][i] = r.max(F::one());
+    }
+}
+
+fn hard_cases(format: Format) -> Vec<HardCase> {
+    let rows = |words: Vec<i64>| -> Vec<Vec<i64>> {
+        words.into_iter().filter(|word| format.contains(*word)).map(|word| vec![word]).collect()
+    };
+    let powers = (0..format.bits()).flat_map(|k| [(1 << k) - 1, 1i64 << k, (1 << k) + 1]);
+    vec![
+        HardCase { name: "0", words: rows(vec![0]) },
+        HardCase { name: "powers of two, and one beside", words: rows(powers.collect()) },
+        HardCase {
+            name: "the largest words",
+            words: rows(vec![format.max_raw() - 1, format.max_raw()]),
+        },
+    ]
+}

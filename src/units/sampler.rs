@@ -1,0 +1,279 @@
+//! The sampler of the emboss family: texture coordinates to texels.
+//!
+//! A map of 2^log2_width by 2^log2_height texels covers coordinates 0 to 1 along each axis, and texel i of a
+//! row lies over i / width to (i + 1) / width, so that its centre is at (i + ½) / width, as in OpenGL.
+//! `nearest` gives the texel that a coordinate lies in. `bilinear` gives the two columns and the two rows whose
+//! centres are around it, and the part of the way from the first to the second: with u = s · width - ½,
+//! i0 = ⌊u⌋, i1 = i0 + 1, a = u - ⌊u⌋.
+//!
+//! Texels outside the map are found by `wrap` (the map repeats) or `clamp` (its border goes on), for
+//! each axis on its own. The position u is cut off, never rounded up, after `fraction_bits`, so texels are
+//! always those of the exact position. What that takes off, less than an ulp of the fractions, it takes off
+//! every sample, and differences of samples hardly see it.
+
+use super::{Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Unit, Values};
+use crate::cast;
+use crate::error::Result;
+use crate::format::{Format, Overflow, Round};
+use crate::netlist::{Builder, NodeId, Quantity};
+use crate::op::Meaning;
+use crate::trig::Real;
+use std::sync::Arc;
+
+/// The unit.
+pub static SAMPLER: Unit = Unit {
+    name: "sampler",
+    summary: "texels and fractions of texture coordinates, nearest or bilinear, wrapped or clamped",
+    source: "seed 000 (US 6,980,218), texture look-ups of the emboss; texel centres as in OpenGL",
+    params: PARAMS,
+    golden_params: &["filter", "address_s", "address_t", "int_bits", "log2_width", "log2_height"],
+    inputs: "s, t: texture coordinates, 0 to 1 over the map",
+    outputs: "i, j: column and row (nearest); or i0, i1, a and j0, j1, b: columns and rows around, and how far the sample is from the first to the second, 0 to 1 (bilinear)",
+    build,
+};
+
+pub(super) const FILTER: Param = Param {
+    name: "filter",
+    kind: Kind::Choice(&["nearest", "bilinear"]),
+    default: "bilinear",
+    help: "one texel of each sample, or four and their weights",
+};
+
+pub(super) const FRACTION_BITS: Param = Param {
+    name: "fraction_bits",
+    kind: Kind::Int { min: 1, max: 16, auto: None },
+    default: "8",
+    help: "bits of the fractions between texels (bilinear)",
+};
+
+const ADDRESS: Kind = Kind::Choice(&["wrap", "clamp"]);
+const LOG2_SIDE: Kind = Kind::Int { min: 1, max: 13, auto: None };
+
+static PARAMS: &[Param] = &[
+    FILTER,
+    Param {
+        name: "address_s",
+        kind: ADDRESS,
+        default: "wrap",
+        help: "beyond the map along s: it repeats, or its border goes on",
+    },
+    Param {
+        name: "address_t",
+        kind: ADDRESS,
+        default: "wrap",
+        help: "beyond the map along t, likewise",
+    },
+    Param {
+        name: "int_bits",
+        kind: Kind::Int { min: 0, max: 16, auto: None },
+        default: "4",
+        help: "integer bits of the coordinates, beside the sign",
+    },
+    Param {
+        name: "frac_bits",
+        kind: Kind::Int { min: 1, max: 30, auto: None },
+        default: "20",
+        help: "fraction bits of the coordinates",
+    },
+    Param {
+        name: "log2_width",
+        kind: LOG2_SIDE,
+        default: "9",
+        help: "the map has 2^log2_width columns",
+    },
+    Param {
+        name: "log2_height",
+        kind: LOG2_SIDE,
+        default: "9",
+        help: "the map has 2^log2_height rows",
+    },
+    FRACTION_BITS,
+];
+
+/// Coordinate, parameters of its axis, and names of the position and of what comes out.
+const AXES: [(&str, &str, &str, &str, [&str; 4]); 2] = [
+    ("s", "address_s", "log2_width", "u", ["i", "i0", "i1", "a"]),
+    ("t", "address_t", "log2_height", "v", ["j", "j0", "j1", "b"]),
+];
+
+fn build(values: &Values) -> Result<Design> {
+    let bilinear = values.choice("filter") == "bilinear";
+    let fraction_bits = values.bits("fraction_bits");
+    let frac_bits = values.bits("frac_bits");
+    let coordinate =
+        Format::signed(values.bits("int_bits") + frac_bits + 1, cast::signed_count(frac_bits))?;
+    let mut b = Builder::new("sampler");
+    let coordinates = AXES.map(|(name, ..)| b.input(name, coordinate, Quantity::Number));
+    let mut outputs = Vec::new();
+    for ((_, address, log2, position, names), coordinate) in AXES.into_iter().zip(coordinates) {
+        let side_bits = values.bits(log2);
+        let clamp = values.choice(address) == "clamp";
+        let found = b.scope(position, |b| -> Result<Vec<NodeId>> {
+            let scaled = b.shift(coordinate, cast::signed_count(side_bits));
+            let exact = if bilinear {
+                let half = b.checked(Format::unsigned(1, 1));
+                let half = b.constant(1, half);
+                b.sub(scaled, half)
+            } else {
+                scaled
+            };
+            // As many integer bits as the exact position has: nothing overflows.
+            let whole = b.format(exact).int_bits().unsigned_abs() + 1;
+            let first = b.narrow(exact, Format::signed(whole, 0)?, Round::Floor, Overflow::Wrap);
+            if first != exact {
+                b.means(first, Meaning::Floor(exact));
+            }
+            let texel = |b: &mut Builder, index| -> Result<NodeId> {
+                let address = Format::integer(side_bits)?;
+                if !clamp {
+                    return Ok(b.modulo(index, address));
+                }
+                let last = b.constant(address.max_raw(), address);
+                let inside = clamped(b, index, last);
+                Ok(b.modulo(inside, address))
+            };
+            if !bilinear {
+                return Ok(vec![texel(b, first)?]);
+            }
+            let one = b.constant(1, Format::FLAG);
+            let second = b.add(first, one);
+            let kept = Format::signed(whole + fraction_bits, cast::signed_count(fraction_bits))?;
+            let position = b.narrow(exact, kept, Round::Floor, Overflow::Wrap);
+            b.name(position, "position");
+            let fraction = b.modulo(position, Format::turns(fraction_bits)?); // 0 to 1
+            Ok(vec![texel(b, first)?, texel(b, second)?, fraction])
+        })?;
+        let names = if bilinear { &names[1..] } else { &names[..1] };
+        outputs.extend(names.iter().copied().zip(found));
+    }
+    for (name, node) in &outputs {
+        b.name(*node, name);
+        b.output(name, *node);
+    }
+    let names: Vec<&'static str> = outputs.iter().map(|(name, _)| *name).collect();
+    let netlist = b.build()?;
+    let bound = |what, quantities, bound: BoundFn| Bound { what, quantities, bound };
+    let bounds = if bilinear {
+        vec![
+            bound("texel", &["i0", "i1", "j0", "j1"], |_, _| 0.0),
+            bound("fraction", &["a", "b"], fraction_bound),
+        ]
+    } else {
+        vec![bound("texel", &["i", "j"], |_, _| 0.0)]
+    };
+    Ok(Design {
+        hard: hard_cases(values, coordinate),
+        values: values.clone(),
+        groups: Group::ports(&netlist, &names),
+        netlist: Arc::new(netlist),
+        golden: golden::<f64>,
+        golden_f32: golden::<f32>,
+        bounds: Bounds::Stated(bounds),
+        tabulated: Vec::new(),
+        draw,
+    })
+}
+
+/// A word kept within 0 to `last`, by a comparator and two multiplexers.
+pub(super) fn clamped(b: &mut Builder, word: NodeId, last: NodeId) -> NodeId {
+    let zero = b.constant(0, Format::FLAG);
+    let above = b.less(last, word);
+    let below = b.negative(word);
+    let most = b.mux(above, last, word);
+    b.mux(below, zero, most)
+}
+
+/// What is cut off the position: less than an ulp, and nothing if the coordinate has no more bits.
+fn fraction_bound(values: &Values, _: &dyn Fn(&str) -> f64) -> f64 {
+    let ulp = |bits: i64| 2f64.powi(-i32::try_from(bits).expect("bug: counts are small"));
+    let bits = |name| i64::from(values.bits(name));
+    let kept = bits("fraction_bits");
+    // The position has so many fraction bits; one for the half texel.
+    let side = bits("log2_width").min(bits("log2_height"));
+    let exact = (bits("frac_bits") - side).max(1);
+    if exact <= kept { 0.0 } else { ulp(kept) - ulp(exact) }
+}
+
+/// The golden model: floors and remainders of the exact position.
+fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
+    let bilinear = values.choice("filter") == "bilinear";
+    let per_axis = outputs.len() / 2;
+    for ((coordinates, columns), (_, address, log2, ..)) in
+        inputs.iter().zip(outputs.chunks_mut(per_axis)).zip(AXES)
+    {
+        let side = F::from(1u32 << values.bits(log2)).expect("bug: floats hold it");
+        let texel = |index: F| match values.choice(address) {
+            "clamp" => index.max(F::zero()).min(side - F::one()),
+            _ => index - side * (index / side).floor(),
+        };
+        for (i, s) in coordinates.iter().enumerate() {
+            if !bilinear {
+                columns[0][i] = texel((*s * side).floor());
+                continue;
+            }
+            let position = *s * side - F::from(0.5).expect("bug: floats hold it");
+            columns[0][i] = texel(position.floor());
+            columns[1][i] = texel(position.floor() + F::one());
+            columns[2][i] = position - position.floor();
+        }
+    }
+}
+
+/// Coordinates uniform over their range.
+fn draw(
+    design: &Design,
+    _: Sampler,
+    next: &mut dyn FnMut() -> f64,
+    columns: &mut [Vec<f64>],
+    count: usize,
+) {
+    let reach = 2f64.powi(cast::signed_count(design.values.bits("int_bits")));
+    columns.iter_mut().for_each(Vec::clear);
+    for _ in 0..count {
+        for column in &mut *columns {
+            column.push(reach * (2.0 * next() - 1.0));
+        }
+    }
+}
+
+/// The named hard cases.
+fn hard_cases(values: &Values, coordinate: Format) -> Vec<HardCase> {
+    let (min, max) = (coordinate.min_raw(), coordinate.max_raw());
+    let one = 1i64 << values.bits("frac_bits");
+    let near = |word: i64| [word - 2, word - 1, word, word + 1, word + 2];
+    // Words on both axes, one of them elsewhere too.
+    let cases = |name, words: Vec<i64>| HardCase {
+        name,
+        words: words
+            .into_iter()
+            .filter(|word| (min..=max).contains(word))
+            .flat_map(|word| [vec![word, word], vec![word, 0], vec![max / 3, word]])
+            .collect(),
+    };
+    let texels = |halves: i64| -> Vec<i64> {
+        let sides = ["log2_width", "log2_height"].map(|log2| values.bits(log2));
+        let at = |log2: u32| {
+            [0, 1, 2, 3, (1i64 << log2) - 2, (1i64 << log2) - 1].map(|texel| {
+                let halves = i128::from(2 * texel + halves) * i128::from(one);
+                cast::low_i64(halves >> (log2 + 1))
+            })
+        };
+        sides.into_iter().flat_map(at).flat_map(|word| [word, word - one]).flat_map(near).collect()
+    };
+    vec![
+        cases("centres of texels, and a word or two beside", texels(1)),
+        cases("borders between texels, and a word or two beside", texels(0)),
+        cases(
+            "ends of the map: 0 and ±1, and a word or two beside",
+            [0, one, -one].into_iter().flat_map(near).collect(),
+        ),
+        cases(
+            "the first and the last word, and a word or two beside",
+            [min, max].into_iter().flat_map(near).collect(),
+        ),
+        cases(
+            "far outside, on both sides",
+            [min / 2, max / 2, -3 * one, 3 * one].into_iter().flat_map(near).collect(),
+        ),
+    ]
+}
