@@ -176,9 +176,9 @@ const SETS: &[(&str, &[&str])] = &[
     ("rsqrt", &["root_scheme=newton", "root_addr_bits=2", "root_frac_bits=2", "input_bits=2"]),
     ("rsqrt", &["root_scheme=newton", "root_addr_bits=11", "root_frac_bits=22", "input_bits=32"]),
     ("rsqrt", &["root_int_bits=1", "rounding=toward-zero", "input_bits=9", "input_frac_bits=9"]),
-    ("cross", &[]),
+    ("cross_product", &[]),
     (
-        "cross",
+        "cross_product",
         &[
             "v_bits=3",
             "w_bits=2",
@@ -188,7 +188,7 @@ const SETS: &[(&str, &[&str])] = &[
             "out_frac_bits=0",
         ],
     ),
-    ("cross", &["v_bits=26", "w_bits=26", "out_bits=40", "out_frac_bits=26"]),
+    ("cross_product", &["v_bits=26", "w_bits=26", "out_bits=40", "out_frac_bits=26"]),
     ("basis", &[]),
     (
         "basis",
@@ -308,7 +308,7 @@ fn netlists_on_reals_are_the_goldens() {
         ("normalise", &[]),
         ("rsqrt", &["root_int_bits=17"]),
         ("rsqrt", &["root_scheme=newton", "root_int_bits=17"]),
-        ("cross", &[]),
+        ("cross_product", &[]),
         ("basis", &[]),
         ("emboss", &[]),
         ("emboss", &["normalise_basis=on"]),

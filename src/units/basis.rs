@@ -52,7 +52,7 @@ pub(super) const COMPONENT_BITS: Param = Param {
 pub(super) const GUARD_BITS: Param = Param {
     name: "guard_bits",
     kind: Kind::Int { min: 0, max: 8, auto: None },
-    default: "3",
+    default: "4",
     help: "extra fraction bits of the vectors that come of them",
 };
 
