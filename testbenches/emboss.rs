@@ -493,3 +493,31 @@ fn coordinates_saturate_or_wrap() {
         assert!(overflowed[s1.index()]);
     }
 }
+
+/// A sweep is led by the error in texels; where points differ in their words it is ranked end to end.
+#[test]
+fn sweeps_are_in_texels_and_see_what_inputs_are() {
+    let folder = tempfile::tempdir().unwrap();
+    let sweep = |name: &str, axes: &[&str]| {
+        let out = folder.path().join(name);
+        let mut command = assert_cmd::Command::cargo_bin("fixpath").unwrap();
+        command.args(["sweep", "emboss", "--samples", "3000", "--out"]).arg(&out);
+        for axis in axes {
+            command.args(["--axis", axis]);
+        }
+        let output = command.output().unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let csv = std::fs::read_to_string(out.join("sweep.csv")).unwrap();
+        assert!(
+            csv.contains("ds_texels_total_max_texel") && csv.contains("ds_relative_total_max_rel")
+        );
+        assert!(csv.contains("ds_texels_total_witness"));
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let told = sweep("roots", &["root_scheme=direct,newton", "root_addr_bits=4,8"]);
+    assert!(told.contains("ds_texels (total error)"), "{told}");
+    for axis in ["input20=off,on", "position_frac_bits=10,15", "component_bits=12,16"] {
+        let told = sweep(axis, &[axis]);
+        assert!(told.contains("ds_texels (end-to-end error)"), "{told}");
+    }
+}

@@ -27,6 +27,11 @@ const PROVED: &[&str] = &[
     "rotation_printed",
     "illumination",
     "kugler",
+    "dot",
+    "normalise",
+    "rsqrt",
+    "rsqrt_newton",
+    "cross_product",
 ];
 
 /// Tools take a design with the whole hard-case list, and each of them agrees.
