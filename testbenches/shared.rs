@@ -17,8 +17,21 @@ use std::sync::Arc;
 
 pub(crate) type Vector = [NodeId; 3];
 
-/// Names of a vector's components.
-const AXES: [&str; 3] = ["x", "y", "z"];
+/// The emboss unit with the light vector as the seed prints it.
+fn emboss(assignments: &[&str]) -> Design {
+    let assignments = [&["l_sign=vertex-light"], assignments].concat();
+    fixpath::units::emboss::EMBOSS.values(&assignments).unwrap().build().unwrap()
+}
+
+/// The datapath of seed 000, figure 8.
+pub(crate) fn emboss_netlist() -> Arc<Netlist> {
+    emboss(&[]).netlist
+}
+
+/// Its printed schedule.
+pub(crate) fn figure_8() -> Binding {
+    emboss(&[]).binding.unwrap()
+}
 
 /// A dot product of three as one part.
 fn dot(b: &mut Builder, name: &str, m: Vector, v: Vector) -> NodeId {
@@ -27,132 +40,6 @@ fn dot(b: &mut Builder, name: &str, m: Vector, v: Vector) -> NodeId {
         let sum = b.add(products[0], products[1]);
         b.add(sum, products[2])
     })
-}
-
-fn vector_input(b: &mut Builder, name: &str, format: Format) -> Vector {
-    AXES.map(|axis| b.input(&format!("{name}_{axis}"), format, Quantity::Number))
-}
-
-/// The datapath of seed 000, figure 8, in a small form: two transforms, a difference that is
-/// block-normalised, three dot products, an inverse root by table, displaced coordinates.
-pub(crate) fn emboss_like() -> Netlist {
-    let mut b = Builder::new("emboss_like");
-    let format = |bits, frac| Format::signed(bits, frac).unwrap();
-    let rows: [Vector; 3] =
-        [0, 1, 2].map(|row| vector_input(&mut b, &format!("m{row}"), format(10, 8)));
-    let t = vector_input(&mut b, "t", format(9, 8));
-    let bi = vector_input(&mut b, "b", format(9, 8));
-    let v = vector_input(&mut b, "v", format(12, 4));
-    let p = vector_input(&mut b, "p", format(12, 4));
-    let s0 = b.input("s0", format(12, 8), Quantity::Number);
-    let t0 = b.input("t0", format(12, 8), Quantity::Number);
-    let transformed = |b: &mut Builder, name: &str, of: Vector| {
-        let mut at = 0;
-        rows.map(|row| {
-            let axis = AXES[at];
-            at += 1;
-            let sum = dot(b, &format!("{name}_{axis}"), row, of);
-            let narrow = b.narrow(sum, format(11, 8), Round::HalfUp, Overflow::Saturate);
-            b.name(narrow, &format!("{name}e_{axis}"))
-        })
-    };
-    let te = transformed(&mut b, "t", t);
-    let be = transformed(&mut b, "b", bi);
-    let l = [0, 1, 2].map(|i| {
-        let difference = b.sub(v[i], p[i]);
-        b.name(difference, &format!("l_{}", AXES[i]))
-    });
-    // One common shift: leading zeros of all magnitudes together.
-    let magnitudes = l.map(|l| {
-        let magnitude = b.abs(l);
-        let integer = b.slice(magnitude, 0, 13);
-        b.narrow(integer, Format::integer(13).unwrap(), Round::Floor, Overflow::Wrap)
-    });
-    let any = b.or(magnitudes[0], magnitudes[1]);
-    let any = b.or(any, magnitudes[2]);
-    let zeros = b.leading_zeros(any);
-    let n = l.map(|l| {
-        let shifted = b.shift_left(l, zeros, 12);
-        let scaled = b.shift(shifted, -21);
-        b.narrow(scaled, format(11, 9), Round::Floor, Overflow::Saturate)
-    });
-    for (n, axis) in n.iter().zip(AXES) {
-        b.name(*n, &format!("n_{axis}"));
-    }
-    let tl = dot(&mut b, "tl", te, n);
-    let ll = dot(&mut b, "ll", n, n);
-    let bl = dot(&mut b, "bl", be, n);
-    let root = b.part(Part::ReciprocalRoot, "root", |b| {
-        let words: Vec<i64> =
-            (0..64).map(|i| (4096.0 / (f64::from(i) + 1.0).sqrt()) as i64).collect();
-        let column = Column {
-            name: "root".to_owned(),
-            format: Format::unsigned(13, 10).unwrap(),
-            words: Arc::from(words),
-        };
-        let table = Table { name: "root".to_owned(), addr_bits: 6, columns: vec![column] };
-        let table = b.table(table);
-        let address = b.slice(ll, 14, 6);
-        b.read(table, 0, address)
-    });
-    let ds = b.mul(tl, root);
-    let dt = b.mul(bl, root);
-    let (ds, dt) = (b.name(ds, "ds"), b.name(dt, "dt"));
-    let s1 = b.add(s0, ds);
-    let t1 = b.add(t0, dt);
-    b.output("s1", s1);
-    b.output("t1", t1);
-    b.build().unwrap()
-}
-
-/// The printed binding of figure 8 over [`emboss_like`].
-pub(crate) fn figure_8() -> Binding {
-    let unit =
-        |name: &str, title: &str, kind, latency, registered: &[bool], load: &str| BoundUnit {
-            name: name.to_owned(),
-            title: title.to_owned(),
-            kind,
-            latency,
-            registered: registered.to_vec(),
-            load: load.to_owned(),
-        };
-    let units = vec![
-        // The matrix rows come straight from matrix memory.
-        unit("dot1", "Vector Dot Unit #1", Kind::Dot, 9, &[false, true], "Load"),
-        unit("vfadder", "VFAdder", Kind::Adder, 0, &[], ""),
-        unit("dot2", "Vector Dot Unit #2", Kind::Dot, 0, &[true, true], "Ld"),
-        unit("root1", "Inverse Root", Kind::Root, 1, &[], ""),
-        unit("mul1", "Multiplier", Kind::Multiplier, 0, &[], ""),
-        unit("add1", "Adder", Kind::Adder, 0, &[], ""),
-    ];
-    let bound =
-        |label: &str, unit, cycle, result: &str, formula: &str, of: [&str; 2]| BoundOperation {
-            label: label.to_owned(),
-            unit,
-            cycle,
-            result: result.to_owned(),
-            formula: formula.to_owned(),
-            operands: of.map(str::to_owned).to_vec(),
-        };
-    let mut operations = Vec::new();
-    for (i, axis) in (0u32..).zip(AXES) {
-        let m = format!("M{i}");
-        let (t, b, l) = (format!("t_{axis}"), format!("b_{axis}"), format!("l_{axis}"));
-        let formula = |of: &str| format!("{m} · {of}");
-        operations.push(bound(&t, 0, Some(2 + i), &format!("Te{axis}"), &formula("T"), [&m, "T"]));
-        operations.push(bound(&b, 0, Some(6 + i), &format!("Be{axis}"), &formula("B"), [&m, "B"]));
-        let formula = format!("Ve{axis} − Lp{axis}");
-        operations.push(bound(&l, 1, Some(8 + i), &format!("L{axis}"), &formula, ["", ""]));
-    }
-    operations.push(bound("tl", 2, Some(15), "Te · L", "", ["Te", "L"]));
-    operations.push(bound("ll", 2, Some(16), "L²", "", ["L", "L"]));
-    operations.push(bound("bl", 2, Some(19), "Be · L", "", ["Be", "L"]));
-    operations.push(bound("root", 3, None, "1/‖L‖", "", ["", ""]));
-    operations.push(bound("ds", 4, None, "Δs", "", ["", ""]));
-    operations.push(bound("dt", 4, None, "Δt", "", ["", ""]));
-    operations.push(bound("s1", 5, None, "S1", "", ["", ""]));
-    operations.push(bound("t1", 5, None, "T1", "", ["", ""]));
-    Binding { interval: 8, units, operations }
 }
 
 /// Words for input ports: the ends of the format now and then.
@@ -205,7 +92,7 @@ pub(crate) fn share(kind: Kind, units: u32) -> Share {
 
 #[test]
 fn the_binding_of_figure_8_gives_the_reference() {
-    let netlist = Arc::new(emboss_like());
+    let netlist = emboss_netlist();
     let schedule = Schedule::bound(&netlist, Rom::Block, 6000, &figure_8()).unwrap();
     assert_eq!(schedule.interval(), 8);
     for seed in 0..20 {
@@ -215,7 +102,7 @@ fn the_binding_of_figure_8_gives_the_reference() {
 
 #[test]
 fn found_schedules_give_the_reference() {
-    let netlist = Arc::new(emboss_like());
+    let netlist = emboss_netlist();
     for dots in 1..=9 {
         for (mul, add, loads) in [(1, 1, false), (2, 5, true), (1, 2, true)] {
             let mut shares =
@@ -342,7 +229,7 @@ fn events(cell: &str) -> Vec<String> {
 
 #[test]
 fn the_printed_table_event_by_event() {
-    let netlist = Arc::new(emboss_like());
+    let netlist = emboss_netlist();
     let schedule = Schedule::bound(&netlist, Rom::Block, 6000, &figure_8()).unwrap();
     let rtl = Rtl::new(Arc::clone(&netlist), schedule);
     let table = Timetable::new(&rtl, Some(&figure_8()));
@@ -371,34 +258,16 @@ fn the_printed_table_event_by_event() {
     let counts = rtl.counts();
     let dots = ["dot1", "dot2"].map(|name| counts.units[name].datapath);
     assert_eq!(dots.map(|o| (o.multipliers, o.adders)), [(3, 2), (3, 2)]);
-    assert_eq!(counts.units["mul1"].datapath.multipliers, 1);
+    assert_eq!(counts.units["multiplier"].datapath.multipliers, 1);
     assert_eq!(counts.operators.datapath.multipliers, 7);
     assert_eq!(counts.operators.datapath.adders, 6);
     assert_eq!(netlist.counts().datapath.multipliers, 29);
 }
 
-/// [`emboss_like`] as a design, with the printed schedule; it has no golden to speak of.
-fn printed_design(assignments: &[&str]) -> Design {
-    let values = fixpath::units::rotation::ROTATION.values(assignments).unwrap();
-    let netlist = Arc::new(emboss_like());
-    Design {
-        values,
-        groups: Group::ports(&netlist, &["s1", "t1"]),
-        netlist,
-        golden: |_, _, _| (),
-        golden_f32: |_, _, _| (),
-        bounds: Bounds::Unstated("no golden"),
-        tabulated: Vec::new(),
-        hard: Vec::new(),
-        draw: |_, _, _, _, _| (),
-        binding: Some(figure_8()),
-    }
-}
-
 /// The waves name in each cycle what the table names, and hold the words that they say.
 #[test]
 fn waves_show_the_table() {
-    let design = printed_design(&["schedule=printed", "period_ps=6000"]);
+    let design = emboss(&["schedule=printed", "period_ps=6000"]);
     let netlist = &design.netlist;
     let mut random = Random::new(7);
     let rows: Vec<Vec<i64>> = (0..5).map(|_| stimulus(netlist, &mut random)).collect();
@@ -411,7 +280,7 @@ fn waves_show_the_table() {
     let read = ReadBack::open(&path);
     let period = read.times[2] - read.times[0];
     let at = |name: &str, cycle: usize| {
-        read.at(&format!("emboss_like.{name}"), cycle as u64 * period).to_owned()
+        read.at(&format!("emboss.{name}"), cycle as u64 * period).to_owned()
     };
     let latency = wave.rtl().schedule().latency() as usize;
     for cycle in 0..wave.cycles(rows.len()) as usize {
@@ -474,7 +343,7 @@ fn waves_show_the_table() {
             } else if now + 7 < wave.cycles(rows.len()) as usize {
                 assert_eq!(at(&name, now + 7), should, "{name} is held");
             }
-            let value = read.signals.get(&format!("emboss_like.{name}_value"));
+            let value = read.signals.get(&format!("emboss.{name}_value"));
             if let Some(changes) = value {
                 let (_, text) = changes.range(..=now as u64 * period).next_back().unwrap();
                 assert_eq!(text.parse::<f64>().unwrap(), format.value(reference[node.index()]));
@@ -487,7 +356,7 @@ fn waves_show_the_table() {
 
 #[test]
 fn an_interval_too_short_names_kind_operations_and_remedy() {
-    let netlist = emboss_like();
+    let netlist = emboss_netlist();
     let shared = |shares: Vec<Share>, interval| {
         let plan = Plan { shares, interval };
         Schedule::shared(&netlist, Rom::Block, 5000, &plan)
@@ -495,7 +364,7 @@ fn an_interval_too_short_names_kind_operations_and_remedy() {
     let error = shared(vec![share(Kind::Dot, 2)], Some(4)).unwrap_err().to_string();
     assert_eq!(
         error,
-        "parameter `interval` = `4`: legal is 5 or more: 9 operations (t_x, t_y, t_z, b_x, b_y, b_z, tl, ll, bl) \
+        "parameter `interval` = `4`: legal is 5 or more: 9 operations (t_x, t_y, t_z, b_x, b_y, b_z, t_dot_l, l_dot_l, b_dot_l) \
          share 2 units of kind dot (dot1, dot2); or share_dot=3"
     );
     // A longer one is taken; one more unit buys what it says.
@@ -533,24 +402,24 @@ fn a_hull_past_63_bits_names_the_unit_and_a_remedy() {
 
 #[test]
 fn bindings_that_are_wrong_say_how() {
-    let netlist = emboss_like();
+    let netlist = emboss_netlist();
     let wrong = |change: &dyn Fn(&mut Binding)| {
         let mut binding = figure_8();
         change(&mut binding);
         Schedule::bound(&netlist, Rom::Block, 6000, &binding).unwrap_err().to_string()
     };
     let early =
-        wrong(&|b| b.operations.iter_mut().find(|o| o.label == "tl").unwrap().cycle = Some(14));
+        wrong(&|b| b.operations.iter_mut().find(|o| o.label == "t_dot_l").unwrap().cycle = Some(14));
     assert_eq!(
         early,
-        "node `tl`: is bound to cycle 14, and `te_z` is there for cycle 15 at this period: \
+        "node `t_dot_l`: is bound to cycle 14, and `t_eye_z` is there for cycle 15 at this period: \
          bind it later, or raise period_ps"
     );
     let twice =
-        wrong(&|b| b.operations.iter_mut().find(|o| o.label == "ll").unwrap().cycle = Some(23));
+        wrong(&|b| b.operations.iter_mut().find(|o| o.label == "l_dot_l").unwrap().cycle = Some(23));
     assert_eq!(
         twice,
-        "node `ll`: sits in dot2 at the phase of `tl`: 8 cycles later it starts anew"
+        "node `l_dot_l`: sits in dot2 at the phase of `t_dot_l`: 8 cycles later it starts anew"
     );
     let unknown = wrong(&|b| b.operations[0].label = "t_w".to_owned());
     assert!(

@@ -55,8 +55,8 @@ pub struct BoundUnit {
     pub title: String,
     /// What it is.
     pub kind: Kind,
-    /// Cycles from issue to output.
-    pub latency: u32,
+    /// Cycles from issue to output; by the delay model if `None`.
+    pub latency: Option<u32>,
     /// Which sides have an operand register, which takes its word in the cycle before the issue. A
     /// side is the position of an operand in its node; an adder's first is the flag that tells sums
     /// from differences.
@@ -227,7 +227,7 @@ impl Schedule {
                     structure: structure.clone(),
                     wanted: Vec::new(),
                     names: vec![unit.name.clone()],
-                    latency: unit.latency,
+                    latency: 0,
                     registered: unit.registered.clone(),
                 });
                 if !group.structure.fits(structure) {
@@ -241,10 +241,11 @@ impl Schedule {
                 };
                 wanted.push(Wanted { operation: operation.clone(), group: groups.len(), fixed });
             }
-            match group {
-                Some(group) => groups.push(group),
-                None => return refuse("no operation sits in it".to_owned()),
-            }
+            let Some(mut group) = group else {
+                return refuse("no operation sits in it".to_owned());
+            };
+            group.latency = latency_of(netlist, rom, period_ps, &group, &wanted, unit.latency)?;
+            groups.push(group);
         }
         if let Some(load) =
             loads_of(&groups, &wanted).iter().find(|load| load.interval() > binding.interval)

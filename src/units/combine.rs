@@ -145,6 +145,7 @@ fn build(values: &Values) -> Result<Design> {
         }]),
         tabulated: Vec::new(),
         draw,
+        binding: None,
     })
 }
 

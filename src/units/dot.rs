@@ -182,6 +182,7 @@ fn build(values: &Values) -> Result<Design> {
         bounds: rounding_bounds(values, &["dot_product"]),
         tabulated: Vec::new(),
         draw: draw_words,
+        binding: None,
     })
 }
 

@@ -30,6 +30,7 @@ use crate::cast;
 use crate::error::Result;
 use crate::format::{Format, Overflow, Round, quantize};
 use crate::netlist::{Builder, Netlist, NodeId, Quantity};
+use crate::schedule::{Binding, BoundOperation, BoundUnit, Kind as Shared};
 use crate::trig::Real;
 use glam::{DMat3, DQuat, DVec3};
 use std::sync::Arc;
@@ -251,6 +252,12 @@ impl Switches {
         }
     }
 
+    /// True if the datapath is that of seed 000, whose schedule is printed.
+    fn is_printed(self) -> bool {
+        let as_printed = self.frame == Frame::Matrix && !self.normalise && !self.s_is_binormal;
+        as_printed && !self.minus_t && !self.has_factor()
+    }
+
     /// True if displacements have a factor.
     fn has_factor(self) -> bool {
         self.q || self.constants != Constants::Off
@@ -376,6 +383,7 @@ fn build(values: &Values) -> Result<Design> {
         )?;
         b.output(&format!("d{axis}"), displacement);
         let sum = b.add(ports.number(&format!("{axis}0")), displacement);
+        b.name(sum, &format!("{axis}1_sum"));
         sums.push((format!("{axis}1"), b.narrow(sum, texture(values)?, round, overflow)));
     }
     for (name, sum) in sums {
@@ -409,6 +417,7 @@ fn build(values: &Values) -> Result<Design> {
         bounds: bounds(values, switches),
         tabulated,
         draw,
+        binding: switches.is_printed().then(|| figure_8(switches)),
     })
 }
 
@@ -454,6 +463,61 @@ fn basis(
     Ok((vectors[0], vectors[1], flags))
 }
 
+/// The schedule that seed 000 prints for the hardware of its figure 8: cycles 1 to 19 are the
+/// seed's, what follows them comes as early as it can.
+fn figure_8(switches: Switches) -> Binding {
+    let unit =
+        |name: &str, title: &str, kind, latency, registered: &[bool], load: &str| BoundUnit {
+            name: name.to_owned(),
+            title: title.to_owned(),
+            kind,
+            latency,
+            registered: registered.to_vec(),
+            load: load.to_owned(),
+        };
+    let units = vec![
+        // The matrix rows come straight from matrix memory.
+        unit("dot1", "Vector Dot Unit #1", Shared::Dot, Some(9), &[false, true], "Load"),
+        unit("vfadder", "VFAdder", Shared::Adder, Some(0), &[], ""),
+        unit("dot2", "Vector Dot Unit #2", Shared::Dot, Some(0), &[true, true], "Ld"),
+        unit("inverse_root", "Inverse Root", Shared::Root, None, &[], ""),
+        unit("multiplier", "Multiplier", Shared::Multiplier, None, &[], ""),
+        unit("adder", "Adder", Shared::Adder, Some(0), &[], ""),
+    ];
+    let mut operations = Vec::new();
+    let mut bind = |label: &str, unit, cycle, result: &str, formula: &str, of: &[&str]| {
+        operations.push(BoundOperation {
+            label: label.to_owned(),
+            unit,
+            cycle,
+            result: result.to_owned(),
+            formula: formula.to_owned(),
+            operands: of.iter().map(|side| (*side).to_owned()).collect(),
+        });
+    };
+    for (i, axis) in (0u32..).zip(["x", "y", "z"]) {
+        let m = format!("M{i}");
+        for (name, vector, first) in [("t", "T", 2), ("b", "B", 6)] {
+            let formula = format!("{m} · {vector}");
+            let result = format!("{vector}e{axis}");
+            let cycle = Some(first + i);
+            bind(&format!("{name}_{axis}"), 0, cycle, &result, &formula, &[&m, vector]);
+        }
+        let (to, from) = if switches.vertex_light { ("Ve", "Lp") } else { ("Lp", "Ve") };
+        let formula = format!("{to}{axis} − {from}{axis}");
+        bind(&format!("l_{axis}"), 1, Some(8 + i), &format!("L{axis}"), &formula, &[]);
+    }
+    bind("t_dot_l", 2, Some(15), "Te · L", "", &["Te", "L"]);
+    bind("l_dot_l", 2, Some(16), "L²", "", &["L", "L"]);
+    bind("b_dot_l", 2, Some(19), "Be · L", "", &["Be", "L"]);
+    bind("reciprocal_length", 3, None, "1/‖L‖", "", &[]);
+    for axis in ["s", "t"] {
+        bind(&format!("d{axis}_product"), 4, None, &format!("Δ{axis}"), "", &[]);
+        bind(&format!("{axis}1_sum"), 5, None, &format!("{}1", axis.to_uppercase()), "", &[]);
+    }
+    Binding { interval: 8, units, operations }
+}
+
 /// What a displacement is made of.
 struct Factors {
     axis: char,
@@ -476,6 +540,7 @@ fn displacement(
     let round: Round = values.choice("rounding").parse()?;
     let frac_bits = cast::signed_count(values.bits("texture_frac_bits"));
     let mut exact = b.mul(dot, reciprocal);
+    b.name(exact, &format!("d{axis}_product"));
     // No more than the vector is long, which is below twice its largest component's limit.
     let mut int_bits = vector_int + 1;
     if switches.has_factor() {
@@ -609,7 +674,11 @@ impl Errors {
             let q = if switches.q { texture_limit(values) } else { 1.0 };
             let (constant, error) = match switches.constants {
                 Constants::Off => (1.0, 0.0),
-                Constants::Parameters => (1.0, 0.5 * ulp("constant_frac_bits")),
+                Constants::Parameters => {
+                    let real = values.real(if axis == 's' { "ks" } else { "kt" });
+                    let ulp = ulp("constant_frac_bits");
+                    (real.abs(), ((real / ulp).round() * ulp - real).abs())
+                }
                 Constants::Ports => (2.0, 0.0),
             };
             let product = switches.q && switches.constants != Constants::Off;

@@ -175,6 +175,7 @@ fn build(values: &Values) -> Result<Design> {
         ]),
         tabulated: Vec::new(),
         draw: draw_words,
+        binding: None,
     })
 }
 

@@ -206,6 +206,7 @@ fn build(values: &Values) -> Result<Design> {
         ]),
         tabulated,
         draw: super::dot::draw_words,
+        binding: None,
     })
 }
 

@@ -171,6 +171,7 @@ fn build(values: &Values) -> Result<Design> {
         bounds: Bounds::Stated(bounds),
         tabulated: Vec::new(),
         draw,
+        binding: None,
     })
 }
 
