@@ -255,6 +255,11 @@ fn the_printed_table_event_by_event() {
     for (result, unit) in [("1/‖L‖", 3), ("Δs", 4), ("Δt", 4), ("S1", 5), ("T1", 5)] {
         assert_eq!(table.names[unit].iter().filter(|name| name.result == result).count(), 1);
     }
+    // The delay FIFO of (S0, T0).
+    for port in ["s0", "t0"] {
+        let id = netlist.ids().find(|id| netlist.label(*id) == port).unwrap();
+        assert!(rtl.registers(id).count() >= 2, "{port} waits for its displacement");
+    }
     let counts = rtl.counts();
     let dots = ["dot1", "dot2"].map(|name| counts.units[name].datapath);
     assert_eq!(dots.map(|o| (o.multipliers, o.adders)), [(3, 2), (3, 2)]);
