@@ -28,5 +28,6 @@ mod scene;
 mod shading;
 mod specialise;
 mod specialised;
+mod texgen;
 mod verify;
 mod wave;

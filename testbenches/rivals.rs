@@ -275,7 +275,9 @@ fn recounted(netlist: &Netlist, stage: Option<bool>) -> [u64; 6] {
             continue;
         }
         let chain = chain(node.scope);
-        let Some(depth) = chain.iter().position(|scope| scope.part.is_some()) else {
+        // A dot product's operators are the datapath's own.
+        let apart = |part: Option<Part>| part.is_some_and(|part| part != Part::Dot);
+        let Some(depth) = chain.iter().position(|scope| apart(scope.part)) else {
             multipliers += u64::from(node.op == Op::Mul);
             adders += u64::from([Op::Add, Op::Sub, Op::AddSub].contains(&node.op));
             if let Op::Read { table, .. } = node.op {
@@ -289,7 +291,7 @@ fn recounted(netlist: &Netlist, stage: Option<bool>) -> [u64; 6] {
             Part::Scheme => lookups += u64::from(matches!(node.op, Op::Read { .. })),
             Part::Divider => _ = dividers.insert(name),
             Part::SquareRoot => _ = roots.insert(name),
-            Part::ReciprocalRoot => {}
+            Part::ReciprocalRoot | Part::Dot => {}
         }
     }
     let len = |set: &BTreeSet<String>| set.len() as u64;
