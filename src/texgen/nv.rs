@@ -392,13 +392,13 @@ pub struct State {
 }
 
 impl State {
-    /// The initial state.
+    /// The initial state, with a light and a unit at least.
     #[must_use]
     pub fn new(limits: Limits) -> Self {
         Self {
             active: 0,
-            units: vec![[INITIAL; 4]; usize::from(limits.texture_units)],
-            lights: vec![false; usize::from(limits.lights)],
+            units: vec![[INITIAL; 4]; usize::from(limits.texture_units.max(1))],
+            lights: vec![false; usize::from(limits.lights.max(1))],
             lighting: false,
         }
     }
