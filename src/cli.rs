@@ -6,6 +6,7 @@ mod demo;
 mod hardware;
 mod ladder;
 mod render;
+mod schedule;
 mod texgen;
 mod text;
 mod verify;
@@ -76,6 +77,11 @@ enum Command {
         #[arg(long)]
         dot: bool,
     },
+    /// Print a time-shared schedule: what sits in which unit in which cycle, and what that takes.
+    #[command(
+        after_help = "Cycles count from 1. A unit with operand registers loads in the cycle before it computes.\n\nExamples:\n  fixpath schedule bump -p schedule=shared -p share_mul=2 -p share_add=2\n  fixpath schedule illumination -p schedule=shared -p share_dot=1 -p interval=8 --json"
+    )]
+    Schedule(schedule::ScheduleArgs),
     /// Run a unit on a CSV of real inputs.
     #[command(
         after_help = "Input columns are named by port (see `fixpath list`); for rotation phi_a,theta_a,phi_n,theta_n.\nOutput: P_q and P_raw per input port, P, P_raw and P_golden per output port.\n\nExample:\n  fixpath eval rotation -p scheme=linear --in vectors.csv --out results.csv --angle degrees"
@@ -445,6 +451,7 @@ fn run(command: &Command) -> Result<bool> {
             };
             print(&run_sweep(&sweep, out, *fresh)?)?;
         }
+        Command::Schedule(args) => print(&schedule::run(args)?)?,
         Command::Hdl(args) => print(&hardware::run(args)?)?,
         Command::Verify(args) => {
             let (told, agree) = verify::run(args)?;

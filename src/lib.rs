@@ -72,6 +72,7 @@ pub mod specialise;
 mod srgb;
 pub mod sweep;
 pub mod texgen;
+pub mod timetable;
 pub mod trig;
 pub mod units;
 pub mod verify;

@@ -1,16 +1,42 @@
-//! Registers of the pipelined hardware, from netlist and schedule.
+//! Registers, phases, units and multiplexers of the hardware, from netlist and schedule.
 //!
-//! A [`Signal`] is a node's word as it is seen in a stage: the node's own logic in its own
-//! stage, a register in each later stage up to the last one that uses it. The cycle simulator,
-//! the waves and the emitted hardware all read this, so they can't disagree.
+//! A [`Signal`] is a node's word as it is seen in a stage. In its own stage it is the node's own
+//! logic; later it is a *hold register*. With an interval of I cycles, hold register k of a node
+//! in stage s takes its word at the edge that ends stage s + kI and keeps it for I cycles: it is
+//! seen in stages s + 1 + kI to s + (k + 1)I, and is named by the first of them. With I = 1 that
+//! is a shift register, and with more samples under way than one it is the delay FIFO. The cycle
+//! simulator, the waves and the emitted hardware all read this, so they can't disagree.
+//!
+//! # How the hardware of a schedule with an interval is put together
+//!
+//! * **Phase.** A counter of [`Rtl::phase_bits`] bits runs 0 to I - 1 and around, from reset on.
+//!   Inputs are taken in phase 0 only (that is `ready`), and what belongs to stage s happens in
+//!   phase s modulo I ([`Schedule::phase`](crate::schedule::Schedule::phase)).
+//! * **Free nodes** ([`Rtl::is_free`]) are logic as in a flat pipeline; operands are the signals
+//!   of [`Rtl::operand`]. Their words mean something in the phase of their stage.
+//! * **Hold registers** ([`Rtl::registers`]) load at the edge that ends the phase
+//!   [`Rtl::load_phase`], from [`Rtl::held`]. The output register of a free read on a clock has no
+//!   enable; it is the read itself, and its word is held like any other.
+//! * **Units** ([`Rtl::units`]) are flat pipelines of their own ([`Instance::rtl`]: interval 1, no
+//!   enables), on hull formats. Each port gets, by phase, one of its [`Case`]s, extended to the
+//!   port's format ([`shifted`](Case::left)): a plain multiplexer before the port, whose choice in
+//!   phases without a case is that of the first case, or, for a port with a register, what the
+//!   register loads at the edge that ends the phase (it keeps its word in all others).
+//! * **Results.** The word of a node inside a unit ([`Rtl::result`]) is the unit's output with its
+//!   low bits dropped and cut to the node's format. It is used by hold registers only.
+//! * **Valid.** Bit k of [`Rtl::valid_bits`] loads at the edges that end phase 0, bit 0 from
+//!   `valid_in`, the others from the bit before. Stage s > 0 holds data where bit (s - 1) / I is
+//!   set; `valid_out` is that for the latency, in the latency's phase: one cycle for each sample.
 
 use crate::cast;
-use crate::netlist::{Netlist, NodeId};
+use crate::format::{Format, addr_bits};
+use crate::netlist::{Counts, Netlist, NodeId};
 use crate::op::Op;
-use crate::schedule::Schedule;
+use crate::schedule::{Kind, Operand, Operation, Schedule, Unit};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// A node's word as seen in a stage.
+/// A node's word as seen in a stage; for a hold register the first in which it is seen.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, PartialOrd, Ord)]
 pub struct Signal {
     /// The node.
@@ -19,13 +45,133 @@ pub struct Signal {
     pub stage: u32,
 }
 
-/// The pipelined hardware of a netlist.
+/// The hardware of a netlist.
 #[derive(Clone, Debug)]
 pub struct Rtl {
     netlist: Arc<Netlist>,
     schedule: Schedule,
     /// Last stage in which a node's word is needed.
     last: Vec<u32>,
+    units: Vec<Instance>,
+    /// Unit and output that give the word of a node.
+    results: Vec<Option<UnitOutput>>,
+}
+
+/// A unit with what goes into it when.
+#[derive(Clone, Debug)]
+pub struct Instance {
+    /// Name: `dot1`.
+    pub name: String,
+    /// What it is.
+    pub kind: Kind,
+    /// Its own hardware: flat, on hull formats; port i of [`Instance::ports`] is input i, and
+    /// [`UnitOutput::output`] counts its outputs.
+    pub rtl: Arc<Rtl>,
+    /// What goes in.
+    pub ports: Vec<Port>,
+}
+
+/// A port of a unit.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Port {
+    /// Its format.
+    pub format: Format,
+    /// Side of the unit that it belongs to, from 0: which operand of its node it is.
+    pub side: usize,
+    /// Which of its operations' operands it takes.
+    pub place: usize,
+    /// True if a register takes the operand in the cycle before the issue.
+    pub registered: bool,
+    /// What it takes when, by phase; at least one.
+    pub cases: Vec<Case>,
+}
+
+/// What a port takes in a phase.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Case {
+    /// The phase: that of the issue, or of the load for a port with a register.
+    pub phase: u32,
+    /// Operation of the schedule's unit that it is for.
+    pub operation: usize,
+    /// What it takes.
+    pub source: Source,
+    /// Zeros that are put below the source's bits to align it with the port's format; above, the
+    /// word is extended by its own sign or by zeros.
+    pub left: u32,
+}
+
+/// Where an operand comes from.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Source {
+    /// A signal.
+    Signal(Signal),
+    /// A constant.
+    Constant {
+        /// The word.
+        raw: i64,
+        /// Its format.
+        format: Format,
+    },
+}
+
+/// Which output of which unit gives the word of a node.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct UnitOutput {
+    /// Position of the unit in [`Rtl::units`].
+    pub unit: usize,
+    /// Which of its outputs.
+    pub output: usize,
+    /// Low bits of the output that are dropped, all 0 when the word is taken; what is left is cut
+    /// to the node's format.
+    pub right: u32,
+}
+
+/// What the hardware really has.
+#[derive(Clone, PartialEq, Eq, Debug, serde::Serialize)]
+pub struct HardwareCounts {
+    /// Operators and tables, those of each unit once.
+    pub operators: Counts,
+    /// Operators by unit: its name and what it has.
+    pub units: BTreeMap<String, Counts>,
+    /// Bits of all hold registers.
+    pub hold_bits: u64,
+    /// Those of them in chains of two and more: delay FIFOs.
+    pub fifo_bits: u64,
+    /// Bits of operand registers at the ports of units.
+    pub operand_bits: u64,
+    /// Bits of registers inside units.
+    pub unit_bits: u64,
+    /// Bits of the phase counter.
+    pub phase_bits: u64,
+    /// All flip-flops, with valid bits and the output registers of reads on a clock.
+    pub register_bits: u64,
+    /// Multiplexers before units as choices between two words, in bits: a case more than one
+    /// at a port of b bits counts b.
+    pub multiplexer_bits: u64,
+}
+
+/// What happens to an operation in a cycle of its sample.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Event {
+    /// Stage: the cycle counted from the sample's entry.
+    pub stage: u32,
+    /// Position of the unit in [`Rtl::units`].
+    pub unit: usize,
+    /// Position of the operation in the unit.
+    pub operation: usize,
+    /// What happens.
+    pub action: Action,
+}
+
+/// What happens.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Action {
+    /// Operand registers of this side take a new word.
+    Load(usize),
+    /// It enters the unit.
+    Issue,
+    /// Its result is at the unit's output.
+    Out,
 }
 
 impl Rtl {
@@ -33,10 +179,20 @@ impl Rtl {
     #[must_use]
     pub fn new(netlist: Arc<Netlist>, schedule: Schedule) -> Self {
         let mut last: Vec<u32> = netlist.ids().map(|id| schedule.stage(id)).collect();
-        for id in netlist.ids() {
+        let mut see = |id: NodeId, at: u32| last[id.index()] = last[id.index()].max(at);
+        for id in netlist.ids().filter(|id| schedule.seat(*id).is_none()) {
             let at = schedule.operand_stage(&netlist, id);
             for operand in &netlist.node(id).operands {
-                last[operand.index()] = last[operand.index()].max(at);
+                see(*operand, at);
+            }
+        }
+        for unit in schedule.units() {
+            for port in &unit.ports {
+                for operation in &unit.operations {
+                    if let Operand::Node(id) = operation.operands[port.place] {
+                        see(id, operation.issue - u32::from(port.registered));
+                    }
+                }
             }
         }
         for output in netlist.outputs() {
@@ -48,7 +204,69 @@ impl Rtl {
                 last[id.index()] = schedule.stage(id);
             }
         }
-        Self { netlist, schedule, last }
+        let mut rtl = Self {
+            results: vec![None; netlist.nodes().len()],
+            netlist,
+            schedule,
+            last,
+            units: Vec::new(),
+        };
+        rtl.units = rtl.schedule.units().iter().map(|unit| rtl.instance(unit)).collect();
+        for (number, unit) in rtl.schedule.units().iter().enumerate() {
+            for operation in &unit.operations {
+                for (output, position) in unit.exports.iter().enumerate() {
+                    let node = operation.nodes[*position];
+                    let own = rtl.netlist.node(node).format;
+                    let hull = unit.netlist.node(unit.netlist.outputs()[output].node).format;
+                    let right = (hull.frac_bits() - own.frac_bits()).unsigned_abs();
+                    rtl.results[node.index()] = Some(UnitOutput { unit: number, output, right });
+                }
+            }
+        }
+        rtl
+    }
+
+    fn instance(&self, unit: &Unit) -> Instance {
+        let hardware = Arc::new(Self::new(Arc::clone(&unit.netlist), unit.pipeline.clone()));
+        let ports = unit.ports.iter().enumerate().map(|(number, port)| {
+            let format = unit.netlist.node(unit.netlist.inputs()[number]).format;
+            let operations = unit.operations.iter().enumerate();
+            let cases = operations.filter_map(|(at, operation)| {
+                if port.registered && self.is_loaded(unit, at, port.place) {
+                    return None;
+                }
+                let stage = operation.issue - u32::from(port.registered);
+                let (source, from) = match operation.operands[port.place] {
+                    Operand::Node(id) => {
+                        (Source::Signal(self.seen(id, stage)), self.netlist.node(id).format)
+                    }
+                    Operand::Constant { raw, format } => (Source::Constant { raw, format }, format),
+                };
+                let left = (format.frac_bits() - from.frac_bits()).unsigned_abs();
+                Some(Case { phase: self.schedule.phase(stage), operation: at, source, left })
+            });
+            let mut cases: Vec<Case> = cases.collect();
+            cases.sort_by_key(|case| case.phase);
+            Port { format, side: port.side, place: port.place, registered: port.registered, cases }
+        });
+        Instance { name: unit.name.clone(), kind: unit.kind, ports: ports.collect(), rtl: hardware }
+    }
+
+    /// True if the operand is in the port's register already: the operation of the same sample
+    /// that is issued there before takes it too.
+    fn is_loaded(&self, unit: &Unit, at: usize, place: usize) -> bool {
+        let now = &unit.operations[at];
+        // The one with the latest issue before this one, in this sample or an earlier one.
+        let interval = self.schedule.interval();
+        let before = unit.operations.iter().min_by_key(|other| {
+            let ago = (now.issue + interval - other.issue % interval - 1) % interval;
+            ago % interval
+        });
+        before.is_some_and(|before| {
+            before.issue < now.issue
+                && now.issue - before.issue < interval
+                && before.operands[place] == now.operands[place]
+        })
     }
 
     /// The datapath.
@@ -63,31 +281,89 @@ impl Rtl {
         &self.schedule
     }
 
-    /// Registers that carry a node's word to later stages, in order of their stages. The output
-    /// register of a read on a clock is not among them: it is the read itself.
-    pub fn registers(&self, node: NodeId) -> impl Iterator<Item = Signal> + use<> {
-        let first = self.schedule.stage(node) + 1;
-        (first..=self.last[node.index()]).map(move |stage| Signal { node, stage })
+    /// The units that operations share, in the order of the schedule's.
+    #[must_use]
+    pub fn units(&self) -> &[Instance] {
+        &self.units
     }
 
-    /// The signal that `user` takes its operand from; constants are seen at their own stage.
+    /// The operations of a unit, by their issue.
+    #[must_use]
+    pub fn operations(&self, unit: usize) -> &[Operation] {
+        &self.schedule.units()[unit].operations
+    }
+
+    /// Bits of the phase counter; 0 with an interval of 1.
+    #[must_use]
+    pub fn phase_bits(&self) -> u32 {
+        addr_bits(u64::from(self.schedule.interval()))
+    }
+
+    /// True if a node has logic of its own, and is not inside a unit.
+    #[must_use]
+    pub fn is_free(&self, node: NodeId) -> bool {
+        self.schedule.seat(node).is_none()
+    }
+
+    /// The unit's output that gives the word of a node; `None` for free nodes, and for nodes that
+    /// are only used inside their unit and have no signal here.
+    #[must_use]
+    pub fn result(&self, node: NodeId) -> Option<UnitOutput> {
+        self.results[node.index()]
+    }
+
+    /// Hold registers of a node, in order of their stages. The output register of a read on a
+    /// clock is not among them: it is the read itself.
+    pub fn registers(&self, node: NodeId) -> impl Iterator<Item = Signal> + use<> {
+        let first = self.schedule.stage(node) + 1;
+        let step = cast::index_of(i64::from(self.schedule.interval()));
+        (first..=self.last[node.index()]).step_by(step).map(move |stage| Signal { node, stage })
+    }
+
+    /// The phase whose last edge a hold register loads at.
+    ///
+    /// # Panics
+    /// If the signal is no register.
+    #[must_use]
+    pub fn load_phase(&self, register: Signal) -> u32 {
+        assert!(register.stage > self.schedule.stage(register.node), "bug: no register");
+        self.schedule.phase(register.stage - 1)
+    }
+
+    /// What a hold register loads: the node's own word, or the register before it.
+    ///
+    /// # Panics
+    /// If the signal is no register.
+    #[must_use]
+    pub fn held(&self, register: Signal) -> Signal {
+        let own = self.schedule.stage(register.node);
+        assert!(register.stage > own, "bug: no register");
+        let before = register.stage.saturating_sub(self.schedule.interval());
+        Signal { node: register.node, stage: before.max(own) }
+    }
+
+    /// The signal of a node's word in a stage from its own on; constants are seen at their own.
+    #[must_use]
+    pub fn seen(&self, node: NodeId, stage: u32) -> Signal {
+        let own = self.schedule.stage(node);
+        if stage == own || matches!(self.netlist.node(node).op, Op::Const { .. }) {
+            return Signal { node, stage: own };
+        }
+        let interval = self.schedule.interval();
+        let register = (stage - own - 1) / interval;
+        Signal { node, stage: own + 1 + register * interval }
+    }
+
+    /// The signal that a free `user` takes its operand from.
     #[must_use]
     pub fn operand(&self, user: NodeId, operand: NodeId) -> Signal {
-        let constant = matches!(self.netlist.node(operand).op, Op::Const { .. });
-        let stage = if constant {
-            self.schedule.stage(operand)
-        } else {
-            self.schedule.operand_stage(&self.netlist, user)
-        };
-        Signal { node: operand, stage }
+        self.seen(operand, self.schedule.operand_stage(&self.netlist, user))
     }
 
     /// The signal behind an output port.
     #[must_use]
     pub fn output(&self, node: NodeId) -> Signal {
-        let constant = matches!(self.netlist.node(node).op, Op::Const { .. });
-        let stage = if constant { self.schedule.stage(node) } else { self.schedule.latency() };
-        Signal { node, stage }
+        self.seen(node, self.schedule.latency())
     }
 
     /// Name of a signal in its scope, which the waves and the emitted hardware share: the node's
@@ -112,19 +388,119 @@ impl Rtl {
         }
     }
 
-    /// Flip-flops: bits of all registers, the output registers of reads on a clock, and the
-    /// valid bits.
+    /// Valid bits: one for each interval that a sample is under way.
+    #[must_use]
+    pub fn valid_bits(&self) -> u32 {
+        self.schedule.latency().div_ceil(self.schedule.interval())
+    }
+
+    /// Loads, issues and outs of the units in order of time.
+    #[must_use]
+    pub fn events(&self) -> Vec<Event> {
+        let mut events = Vec::new();
+        for (number, (unit, instance)) in self.schedule.units().iter().zip(&self.units).enumerate()
+        {
+            for (at, operation) in unit.operations.iter().enumerate() {
+                let mut add = |stage: u32, action: Action| {
+                    events.push(Event { stage, unit: number, operation: at, action });
+                };
+                let loads = |port: &&Port| {
+                    port.registered && port.cases.iter().any(|case| case.operation == at)
+                };
+                let mut sides: Vec<usize> =
+                    instance.ports.iter().filter(loads).map(|port| port.side).collect();
+                sides.sort_unstable();
+                sides.dedup();
+                sides.into_iter().for_each(|side| add(operation.issue - 1, Action::Load(side)));
+                add(operation.issue, Action::Issue);
+                add(operation.issue + unit.latency(), Action::Out);
+            }
+        }
+        events.sort_by_key(|event| (event.stage, event.unit));
+        events
+    }
+
+    /// Bits of registers that hold data: all but valid bits and phase counter.
+    fn data_bits(&self) -> u64 {
+        let of = |id: NodeId| {
+            let copies = self.registers(id).count()
+                + usize::from(self.schedule.is_clocked(&self.netlist, id));
+            u64::from(self.netlist.node(id).format.bits()) * cast::count_of(copies)
+        };
+        let own: u64 = self.netlist.ids().map(of).sum();
+        own + self.units.iter().map(|unit| unit.operand_bits() + unit.rtl.data_bits()).sum::<u64>()
+    }
+
+    /// Flip-flops: bits of all registers, the output registers of reads on a clock, the valid
+    /// bits, the phase counter, and all of that in units.
     #[must_use]
     pub fn register_bits(&self) -> u64 {
-        let data: u64 = self
-            .netlist
-            .ids()
-            .map(|id| {
-                let copies = self.registers(id).count()
-                    + usize::from(self.schedule.is_clocked(&self.netlist, id));
-                u64::from(self.netlist.node(id).format.bits()) * cast::count_of(copies)
-            })
-            .sum();
-        data + u64::from(self.schedule.latency())
+        self.data_bits() + u64::from(self.valid_bits()) + u64::from(self.phase_bits())
+    }
+
+    /// Counts what the hardware really has: what is shared counts once.
+    #[must_use]
+    pub fn counts(&self) -> HardwareCounts {
+        let bits = |node: NodeId, registers: usize| {
+            u64::from(self.netlist.node(node).format.bits()) * cast::count_of(registers)
+        };
+        let chains = || self.netlist.ids().map(|id| (id, self.registers(id).count()));
+        let units = self.units.iter().map(|unit| (unit.name.clone(), unit.rtl.netlist.counts()));
+        let mut parts: Vec<(&Netlist, &dyn Fn(NodeId) -> bool)> = Vec::new();
+        let (free, all) = (|id| self.is_free(id), |_| true);
+        parts.push((&self.netlist, &free));
+        for unit in &self.units {
+            parts.push((&unit.rtl.netlist, &all));
+        }
+        let multiplexed = self.units.iter().flat_map(|unit| &unit.ports);
+        HardwareCounts {
+            operators: Netlist::counts_over(&parts),
+            units: units.collect(),
+            hold_bits: chains().map(|(id, registers)| bits(id, registers)).sum(),
+            fifo_bits: chains()
+                .filter(|(_, registers)| *registers > 1)
+                .map(|(id, registers)| bits(id, registers))
+                .sum(),
+            operand_bits: self.units.iter().map(Instance::operand_bits).sum(),
+            unit_bits: self.units.iter().map(|unit| unit.rtl.data_bits()).sum(),
+            phase_bits: u64::from(self.phase_bits()),
+            register_bits: self.register_bits(),
+            multiplexer_bits: multiplexed
+                .map(|port| u64::from(port.format.bits()) * (port.sources() - 1))
+                .sum(),
+        }
+    }
+}
+
+impl Instance {
+    /// Bits of the registers at its ports.
+    #[must_use]
+    pub fn operand_bits(&self) -> u64 {
+        let registered = self.ports.iter().filter(|port| port.registered);
+        registered.map(|port| u64::from(port.format.bits())).sum()
+    }
+}
+
+impl Port {
+    /// Different words that it chooses from.
+    fn sources(&self) -> u64 {
+        let fresh = |(at, case): &(usize, &Case)| {
+            self.cases[..*at].iter().all(|other| other.source != case.source)
+        };
+        cast::count_of(self.cases.iter().enumerate().filter(fresh).count())
+    }
+
+    /// The case of a phase.
+    #[must_use]
+    pub fn case(&self, phase: u32) -> Option<&Case> {
+        self.cases.iter().find(|case| case.phase == phase)
+    }
+}
+
+impl Case {
+    /// A source's word at the port.
+    #[must_use]
+    pub fn shifted(&self, raw: i64) -> i64 {
+        raw << self.left
     }
 }

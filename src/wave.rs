@@ -173,7 +173,7 @@ impl<'a> Wave<'a> {
             netlist.name(),
             self.design
                 .values
-                .iter()
+                .told()
                 .map(|(name, value)| format!("{name}={value}"))
                 .collect::<Vec<_>>()
                 .join(" ")

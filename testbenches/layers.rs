@@ -14,7 +14,7 @@ const LAYERS: &[&[&str]] = &[
     &["lut"],
     &["schedule", "specialise", "picture", "scene"],
     &["rtl"],
-    &["units"],
+    &["units", "timetable"],
     &["sim", "hdl"],
     &["measure", "wave"],
     &["render"],

@@ -26,6 +26,7 @@ mod rivals;
 mod rotation;
 mod scene;
 mod shading;
+mod shared;
 mod specialise;
 mod specialised;
 mod texgen;

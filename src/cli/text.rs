@@ -121,7 +121,7 @@ pub(super) fn parameters(values: &Values) -> Value {
 }
 
 pub(super) fn parameter_line(values: &Values) -> String {
-    let pairs: Vec<String> = values.iter().map(|(name, value)| format!("{name}={value}")).collect();
+    let pairs: Vec<String> = values.told().map(|(name, value)| format!("{name}={value}")).collect();
     pairs.join(" ")
 }
 

@@ -132,17 +132,20 @@ fn header(design: &Design, rtl: &Rtl, figures: bool) -> Result<Vec<String>> {
         format!("{}: {}", unit.name, unit.summary),
         format!("made by fixpath {}; {}", env!("CARGO_PKG_VERSION"), unit.source),
     ];
-    let parameters = design.values.iter().map(|(name, value)| format!("{name}={value}"));
+    let parameters = design.values.told().map(|(name, value)| format!("{name}={value}"));
     lines.extend(wrapped("  ", parameters));
     let rom = match schedule.rom() {
         _ if rtl.netlist().tables().is_empty() => "no tables",
         Rom::Block => "tables read on the clock",
         Rom::Distributed => "tables read without a clock",
     };
+    let cycles = |n: u32| format!("{n} cycle{}", if n == 1 { "" } else { "s" });
     lines.push(match schedule.latency() {
         0 => format!("combinational; {rom}"),
-        1 => format!("latency 1 cycle, interval 1 cycle; {rom}"),
-        cycles => format!("latency {cycles} cycles, interval 1 cycle; {rom}"),
+        latency => {
+            let interval = cycles(schedule.interval());
+            format!("latency {}, interval {interval}; {rom}", cycles(latency))
+        }
     });
     if figures {
         lines.extend(error_figures(design)?);

@@ -21,6 +21,10 @@ use std::sync::Arc;
 
 pub(super) fn lower(rtl: &Arc<Rtl>, options: &Options) -> Result<Module> {
     let netlist = rtl.netlist();
+    if rtl.schedule().interval() > 1 || !rtl.units().is_empty() {
+        let text = "hardware of a time-shared schedule isn't emitted yet: take schedule=flat";
+        return Err(Error::usage(text.to_owned()));
+    }
     let name = options.name.clone().unwrap_or_else(|| netlist.name().to_owned());
     check_name(&name)?;
     let is_input = netlist.inputs().iter().any(|id| netlist.node(*id).name.as_ref() == Some(&name));

@@ -16,7 +16,7 @@ pub use builder::Builder;
 use crate::cast;
 use crate::format::{Format, Narrowing};
 use crate::op::{Meaning, Op};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::sync::Arc;
 
@@ -399,6 +399,16 @@ impl Netlist {
     /// As [`Netlist::counts`], of the nodes in some scopes; a table counts where it is read.
     #[must_use]
     pub fn counts_of(&self, counted: impl Fn(ScopeId) -> bool) -> Counts {
+        Self::counts_over(&[(self, &|id| counted(self.node(id).scope))])
+    }
+
+    /// As [`Netlist::counts`], of some nodes of several netlists that are one hardware: a table
+    /// that several read is one, with a port for each.
+    ///
+    /// # Panics
+    /// Never: parts are matched before.
+    #[must_use]
+    pub fn counts_over(netlists: &[(&Self, &dyn Fn(NodeId) -> bool)]) -> Counts {
         let mut counts = Counts {
             datapath: Operators::default(),
             schemes: Operators::default(),
@@ -412,14 +422,18 @@ impl Netlist {
             rom_bits: 0,
             rom_bits_dual_port: 0,
         };
-        let mut addresses: BTreeMap<TableId, BTreeSet<NodeId>> = BTreeMap::new();
-        let mut parts: BTreeSet<ScopeId> = BTreeSet::new();
-        for node in self.nodes.iter().filter(|node| counted(node.scope)) {
-            let operators = match self.part_of(node.scope) {
+        let mut tables: Vec<(&Table, BTreeSet<(usize, NodeId)>)> = Vec::new();
+        let mut parts: BTreeSet<(usize, ScopeId)> = BTreeSet::new();
+        let all = netlists.iter().enumerate().flat_map(|(n, (netlist, counted))| {
+            netlist.ids().filter(move |id| counted(*id)).map(move |id| (n, *netlist, id))
+        });
+        for (n, netlist, id) in all {
+            let node = netlist.node(id);
+            let operators = match netlist.part_of(node.scope) {
                 None => &mut counts.datapath,
                 Some((Part::Scheme, _)) => &mut counts.schemes,
                 Some((part, scope)) => {
-                    if parts.insert(scope) {
+                    if parts.insert((n, scope)) {
                         match part {
                             Part::Divider => counts.dividers += 1,
                             Part::SquareRoot => counts.square_roots += 1,
@@ -438,14 +452,20 @@ impl Netlist {
                 Op::Mux => operators.multiplexers += 1,
                 Op::LeadingZeros | Op::ShiftLeft { .. } => operators.shifters += 1,
                 Op::Narrow { round, overflow } => {
-                    let from = self.node(node.operands[0]).format;
+                    let from = netlist.node(node.operands[0]).format;
                     let hardware = Narrowing::new(from, node.format, round, overflow);
                     operators.narrows += 1;
                     operators.rounders += u64::from(hardware.rounds);
                 }
                 Op::Read { table, .. } => {
                     counts.reads += 1;
-                    addresses.entry(table).or_default().insert(node.operands[0]);
+                    let table = &netlist.tables[table.index()];
+                    let known = tables.iter().position(|(known, _)| *known == table);
+                    let at = known.unwrap_or_else(|| {
+                        tables.push((table, BTreeSet::new()));
+                        tables.len() - 1
+                    });
+                    tables[at].1.insert((n, node.operands[0]));
                 }
                 Op::Input
                 | Op::Const { .. }
@@ -458,12 +478,12 @@ impl Netlist {
                 | Op::Modulo => {}
             }
         }
-        for (table, at) in addresses {
+        for (table, at) in tables {
             let ports = cast::count_of(at.len());
             counts.tables += 1;
-            counts.rom_bits += self.tables[table.index()].rom_bits();
+            counts.rom_bits += table.rom_bits();
             counts.ports += ports;
-            counts.rom_bits_dual_port += self.tables[table.index()].rom_bits() * ports.div_ceil(2);
+            counts.rom_bits_dual_port += table.rom_bits() * ports.div_ceil(2);
         }
         counts
     }

@@ -320,6 +320,7 @@ static TIGHT: Unit = Unit {
             tabulated: Vec::new(),
             hard: Vec::new(),
             // Not near 0, where a vector has no direction.
+            binding: None,
             draw: |_, _, next, columns, count| {
                 columns[0] = (0..count).map(|_| 0.1 + 0.8 * next()).collect()
             },

@@ -96,6 +96,7 @@ fn build(values: &Values) -> Result<Design> {
         bounds: illumination::restricted(values, bounds),
         tabulated,
         draw: fragment::draw,
+        binding: None,
     })
 }
 

@@ -369,6 +369,7 @@ fn build(values: &Values) -> Result<Design> {
         bounds,
         tabulated,
         draw: fragment::draw,
+        binding: None,
     })
 }
 

@@ -163,6 +163,7 @@ fn build(values: &Values) -> Result<Design> {
         ),
         tabulated,
         draw: fragment::draw,
+        binding: None,
     })
 }
 

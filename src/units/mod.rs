@@ -27,7 +27,7 @@ pub use crate::function::Number;
 use crate::lut::{Scheme, Spec};
 use crate::netlist::{Netlist, NodeId};
 use crate::rtl::Rtl;
-use crate::schedule::{Depth, Rom, Schedule};
+use crate::schedule::{Binding, Depth, Kind as Shared, Plan, Rom, Schedule, Share};
 use std::f64::consts::TAU;
 use std::fmt;
 use std::sync::Arc;
@@ -134,7 +134,48 @@ pub static PIPELINE: &[Param] = &[
         default: "block",
         help: "table reads take a clock (block RAM) or none (distributed logic)",
     },
+    Param {
+        name: "schedule",
+        kind: Kind::Choice(&["flat", "shared", "printed"]),
+        default: "flat",
+        help: "flat: a sample a cycle; shared: operations share units by share_*; printed: as bound by hand, where a unit brings that",
+    },
+    Param {
+        name: "interval",
+        kind: Kind::Int { min: 1, max: 1024, auto: Some("as short as the units allow") },
+        default: "auto",
+        help: "cycles from one sample to the next with schedule=shared",
+    },
+    share("share_dot", "dot products of three: units for each structure, with schedule=shared"),
+    share("share_mul", "multipliers outside of parts: units, with schedule=shared"),
+    share("share_add", "adders outside of parts: units, with schedule=shared"),
+    share("share_table", "table schemes: units for each structure, with schedule=shared"),
+    share(
+        "share_root",
+        "roots and reciprocal roots: units for each structure, with schedule=shared",
+    ),
+    share("share_divide", "dividers: units for each structure, with schedule=shared"),
+    Param {
+        name: "share_latency",
+        kind: Kind::Int { min: 0, max: 64, auto: Some("by the delay model and period_ps") },
+        default: "auto",
+        help: "cycles from issue to output of each shared unit",
+    },
+    Param {
+        name: "share_loads",
+        kind: Kind::Choice(&["no", "yes"]),
+        default: "no",
+        help: "operands of shared units are registered in the cycle before the issue",
+    },
 ];
+
+/// Names of the parameters that only count with another schedule than the flat one.
+const SHARING: std::ops::RangeFrom<usize> = 3..;
+
+const fn share(name: &'static str, help: &'static str) -> Param {
+    let auto = Some("hardware for each use");
+    Param { name, kind: Kind::Int { min: 1, max: 1024, auto }, default: "auto", help }
+}
 
 impl Unit {
     /// The unit of this name.
@@ -265,6 +306,13 @@ impl Values {
         Ok(())
     }
 
+    /// As [`Values::iter`], without what only counts for shared units where none are.
+    pub fn told(&self) -> impl Iterator<Item = (&'static str, Value)> + '_ {
+        let flat = self.choice("schedule") == "flat";
+        let silent = |name: &str| PIPELINE[SHARING].iter().any(|param| param.name == name);
+        self.iter().filter(move |(name, _)| !flat || !silent(name))
+    }
+
     /// Pairs of name and value in the order of the parameters.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, Value)> + '_ {
         self.unit.all_params().map(|param| param.name).zip(self.values.iter().copied())
@@ -372,20 +420,63 @@ impl Design {
         self.values.unit().golden_params.iter().map(|name| self.values.get(name)).collect()
     }
 
-    /// The pipelined hardware that the pipeline parameters ask for.
+    /// The hardware that the pipeline parameters ask for.
     ///
     /// # Errors
-    /// If the latency asked for is too short.
+    /// If the latency or interval asked for is too short, a shared unit would have words over 63
+    /// bits, or parameters of one schedule are set for another.
     #[expect(clippy::missing_panics_doc, reason = "legal values are small")]
     pub fn rtl(&self) -> Result<Rtl> {
         let values = &self.values;
         let rom = if values.choice("rom") == "block" { Rom::Block } else { Rom::Distributed };
         let count = |n: i64| u32::try_from(n).expect("bug: legal values are small");
-        let depth = match (values.int("stages"), values.int("period_ps")) {
-            (Some(stages), _) => Depth::Stages(count(stages)),
-            (None, period) => Depth::Period(count(period.expect("bug: no auto here"))),
+        let period = count(values.int("period_ps").expect("bug: no auto here"));
+        let stages = values.int("stages").map(count);
+        let kind = values.choice("schedule");
+        // What is set must count.
+        let silent = |name: &str| match kind {
+            "flat" => name != "schedule",
+            "shared" => false,
+            _ => name != "schedule",
         };
-        let schedule = Schedule::pipeline(&self.netlist, rom, depth)?;
+        for param in &PIPELINE[SHARING] {
+            if silent(param.name) && values.get(param.name).to_string() != param.default {
+                let legal = format!(
+                    "{} with schedule={kind}; it counts with schedule=shared",
+                    param.default
+                );
+                return Err(values.refuse(param.name, &legal));
+            }
+        }
+        if kind != "flat" && stages.is_some() {
+            let legal = format!("auto with schedule={kind}: the schedule makes the latency");
+            return Err(values.refuse("stages", &legal));
+        }
+        let schedule = match kind {
+            "flat" => {
+                let depth = stages.map_or(Depth::Period(period), Depth::Stages);
+                Schedule::pipeline(&self.netlist, rom, depth)?
+            }
+            "shared" => {
+                let latency = values.int("share_latency").map(count);
+                let loads = values.choice("share_loads") == "yes";
+                let shares = Shared::ALL.iter().filter_map(|(kind, name)| {
+                    let units = values.int(&format!("share_{name}")).map(count)?;
+                    Some(Share { kind: *kind, units, latency, loads })
+                });
+                let interval = values.int("interval").map(count);
+                let plan = Plan { shares: shares.collect(), interval };
+                Schedule::shared(&self.netlist, rom, period, &plan)?
+            }
+            _ => {
+                let Some(binding) = &self.binding else {
+                    let legal =
+                        format!("flat or shared: {} has no printed schedule", values.unit().name);
+                    return Err(values.refuse("schedule", &legal));
+                };
+                Schedule::bound(&self.netlist, rom, period, binding)?
+            }
+        };
         Ok(Rtl::new(Arc::clone(&self.netlist), schedule))
     }
 }
@@ -631,4 +722,6 @@ pub struct Design {
     pub hard: Vec<HardCase>,
     /// Input sampler.
     pub draw: Draw,
+    /// A schedule given by hand, for `schedule=printed`.
+    pub binding: Option<Binding>,
 }

@@ -52,6 +52,7 @@ fn build(values: &Values) -> Result<Design> {
         bounds: Bounds::Stated(vec![tangent::bound(QUANTITIES)]),
         tabulated,
         draw: fragment::draw,
+        binding: None,
     })
 }
 

@@ -138,6 +138,7 @@ fn build(values: &Values) -> Result<Design> {
         bounds,
         tabulated,
         draw,
+        binding: None,
     })
 }
 

@@ -1,9 +1,23 @@
-//! When each node computes: a map from nodes to pipeline stages.
+//! When each node computes, and where: a map from nodes to cycles and, for shared operations,
+//! to units.
 //!
-//! Stage 0 works on the input ports; between stage s and s + 1 there is a register; output
-//! ports are registers at the stage that is the *latency*. A schedule never edits the netlist.
-//! It comes from the delay model below and a target period ([`Schedule::pipeline`]), or from
-//! stages given by hand ([`Schedule::from_stages`]).
+//! A *stage* is a cycle counted from the sample's entry: stage 0 works on the input ports;
+//! output ports are registers at the stage that is the *latency*. (Printed schedules count from
+//! 1.) A new sample may enter every *interval* cycles. Flat pipelining is the interval of 1 with
+//! nothing shared: between stage s and s + 1 there is a register. A schedule never edits the
+//! netlist. It comes from the delay model below and a target period ([`Schedule::pipeline`]),
+//! from stages given by hand ([`Schedule::from_stages`]), from numbers of units
+//! ([`Schedule::shared`]), or from units and cycles given by hand ([`Schedule::bound`]).
+//!
+//! # Sharing
+//!
+//! What shares a unit, and the unit's hardware, is in [`share`]; how cycles are found in
+//! [`place`]. A unit takes one operation a cycle, at its *issue*, and gives the result *latency*
+//! cycles later, at its *out*: that is the stage of the operation's nodes. Nodes inside are
+//! spread over the latency as evenly as the delay model can, and a latency of 0 is
+//! combinational. Operands come through a multiplexer at the issue, or into operand registers
+//! (*loads*) in the cycle before. **The output of a unit is used from hold registers only, from
+//! out + 1 on**, so that sharing can't make a combinational loop.
 //!
 //! # Delay model
 //!
@@ -21,6 +35,12 @@
 //! | table read without a clock | 700 + 350 an address bit past 6 |
 //! | table read with a clock | 400 before the edge, 1800 after it |
 //! | register, clock to output and set-up | 500 |
+
+pub mod place;
+pub mod share;
+
+pub use place::{Binding, BoundOperation, BoundUnit, Load, Plan, Share};
+pub use share::{Kind, Operand, Operation, Unit, UnitPort, name_of};
 
 use crate::cast;
 use crate::error::{Error, Result};
@@ -50,13 +70,20 @@ pub enum Depth {
     Stages(u32),
 }
 
-/// Stage of each node, and the latency.
+/// Stage of each node, the latency, the interval, and the units that are shared.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Schedule {
     stages: Vec<u32>,
     latency: u32,
     period_ps: u32,
     rom: Rom,
+    /// Cycles from one sample to the next.
+    interval: u32,
+    units: Vec<Unit>,
+    /// Units with the same number serve operations of one structure.
+    same: Vec<usize>,
+    /// Unit and operation that each node is in.
+    seated: Vec<Option<(usize, usize)>>,
 }
 
 impl Schedule {
@@ -118,7 +145,7 @@ impl Schedule {
         stages: Vec<u32>,
         latency: u32,
     ) -> Result<Self> {
-        let mut schedule = Self { stages, latency, period_ps: 0, rom };
+        let mut schedule = Self::flat(stages, latency, 0, rom);
         schedule.verify(netlist)?;
         schedule.period_ps = schedule.longest_ps(netlist) + REGISTER_PS;
         Ok(schedule)
@@ -136,10 +163,12 @@ impl Schedule {
         self.stage(id) - u32::from(self.is_clocked(netlist, id))
     }
 
-    /// True for a table read that takes a clock.
+    /// True for a table read that takes a clock; inside a unit that is the unit's affair.
     #[must_use]
     pub fn is_clocked(&self, netlist: &Netlist, id: NodeId) -> bool {
-        self.rom == Rom::Block && matches!(netlist.node(id).op, Op::Read { .. })
+        self.rom == Rom::Block
+            && matches!(netlist.node(id).op, Op::Read { .. })
+            && self.seat(id).is_none()
     }
 
     /// Cycles from inputs to outputs.
@@ -160,7 +189,46 @@ impl Schedule {
         self.rom
     }
 
-    fn greedy(netlist: &Netlist, rom: Rom, period_ps: u32) -> Self {
+    /// Cycles from one sample to the next.
+    #[must_use]
+    pub fn interval(&self) -> u32 {
+        self.interval
+    }
+
+    /// The phase of a stage: cycles modulo the interval.
+    #[must_use]
+    pub fn phase(&self, stage: u32) -> u32 {
+        stage % self.interval
+    }
+
+    /// The units that operations share.
+    #[must_use]
+    pub fn units(&self) -> &[Unit] {
+        &self.units
+    }
+
+    /// Position of the unit that a node sits in, and of the operation there.
+    #[must_use]
+    pub fn seat(&self, id: NodeId) -> Option<(usize, usize)> {
+        self.seated[id.index()]
+    }
+
+    /// A schedule without sharing.
+    fn flat(stages: Vec<u32>, latency: u32, period_ps: u32, rom: Rom) -> Self {
+        let seated = vec![None; stages.len()];
+        Self {
+            stages,
+            latency,
+            period_ps,
+            rom,
+            interval: 1,
+            units: Vec::new(),
+            same: Vec::new(),
+            seated,
+        }
+    }
+
+    pub(in crate::schedule) fn greedy(netlist: &Netlist, rom: Rom, period_ps: u32) -> Self {
         let available = period_ps.saturating_sub(REGISTER_PS);
         let mut stages: Vec<u32> = Vec::with_capacity(netlist.nodes().len());
         let mut arrivals: Vec<u32> = Vec::with_capacity(netlist.nodes().len());
@@ -198,7 +266,7 @@ impl Schedule {
             .map(|output| stages[output.node.index()] + 1)
             .max()
             .unwrap_or_default();
-        Self { stages, latency, period_ps: longest.saturating_add(REGISTER_PS), rom }
+        Self::flat(stages, latency, longest.saturating_add(REGISTER_PS), rom)
     }
 
     /// The longest path between registers.

@@ -1,0 +1,605 @@
+//! Finds stages: as early as the delay model allows, one operation of a unit in each phase.
+//!
+//! The netlist has no loops, so every operation finds a free phase within one interval: a
+//! schedule at the shortest interval that the units allow always exists.
+
+use super::share::{Hardware, Kind, Operand, Operation, Structure, Unit, operations};
+use super::{REGISTER_PS, ROM_OUTPUT_PS, ROM_SETUP_PS, Rom, Schedule, delay_ps};
+use crate::cast;
+use crate::error::{Error, Result};
+use crate::format::addr_bits;
+use crate::netlist::Netlist;
+use crate::op::Op;
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// Units of a kind that are shared.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Share {
+    /// What is shared.
+    pub kind: Kind,
+    /// Units for each structure of that kind.
+    pub units: u32,
+    /// Cycles from issue to output; by the delay model if `None`.
+    pub latency: Option<u32>,
+    /// True if operands are registered in the cycle before the issue.
+    pub loads: bool,
+}
+
+/// What to find a schedule for.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Plan {
+    /// What is shared; all else has hardware of its own.
+    pub shares: Vec<Share>,
+    /// Cycles from one sample to the next; as few as the units allow if `None`.
+    pub interval: Option<u32>,
+}
+
+/// A schedule given by hand: units, and which operation sits where and when.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Binding {
+    /// Cycles from one sample to the next.
+    pub interval: u32,
+    /// The units.
+    pub units: Vec<BoundUnit>,
+    /// What they serve.
+    pub operations: Vec<BoundOperation>,
+}
+
+/// A unit of a [`Binding`].
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct BoundUnit {
+    /// Name in hardware and waves: `dot1`.
+    pub name: String,
+    /// Name in the printed table: `Vector Dot Unit #1`.
+    pub title: String,
+    /// What it is.
+    pub kind: Kind,
+    /// Cycles from issue to output.
+    pub latency: u32,
+    /// Which sides have an operand register, which takes its word in the cycle before the issue.
+    pub registered: Vec<bool>,
+    /// Word for a load in the printed table: `Load`, `Ld`.
+    pub load: String,
+}
+
+/// An operation of a [`Binding`].
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct BoundOperation {
+    /// Label of its scope or node, as in the netlist.
+    pub label: String,
+    /// Which of the units.
+    pub unit: usize,
+    /// Printed cycle of its issue, from 1; as early as possible if `None`.
+    pub cycle: Option<u32>,
+    /// What it gives, in the printed table: `Tx`.
+    pub result: String,
+    /// What it does, in the printed table: `M0 · T`; nothing if there is no compute line.
+    pub formula: String,
+    /// What each side takes, in the printed table.
+    pub operands: Vec<String>,
+}
+
+/// Operations of one structure with the units that serve them.
+struct Group {
+    kind: Kind,
+    structure: Structure,
+    wanted: Vec<usize>,
+    names: Vec<String>,
+    latency: u32,
+    registered: Vec<bool>,
+}
+
+struct Wanted {
+    operation: Operation,
+    group: usize,
+    fixed: Option<u32>,
+}
+
+/// How many operations of a structure share how many units.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Load {
+    /// What they are.
+    pub kind: Kind,
+    /// Names of the operations.
+    pub operations: Vec<String>,
+    /// Names of the units.
+    pub units: Vec<String>,
+}
+
+impl Load {
+    /// The shortest interval that they allow.
+    #[must_use]
+    pub fn interval(&self) -> u32 {
+        self.interval_with(0)
+    }
+
+    /// The shortest interval that they would allow with so many units more.
+    #[must_use]
+    pub fn interval_with(&self, more: u32) -> u32 {
+        // Nodes have 32-bit ids, so there are no more operations, and no more units than these.
+        cast::id_of(self.operations.len()).div_ceil(cast::id_of(self.units.len()) + more)
+    }
+}
+
+/// Delay of a multiplexer of so many cases.
+fn mux_ps(cases: usize) -> u32 {
+    500 * addr_bits(cast::count_of(cases.max(1)))
+}
+
+impl Schedule {
+    /// Finds a schedule for shared units: as early as possible, the longest way to go first.
+    ///
+    /// # Errors
+    /// If the interval asked for is too short for the units, words of a unit would be wider
+    /// than 63 bits, or its latency is too short for tables that are read on a clock.
+    pub fn shared(netlist: &Netlist, rom: Rom, period_ps: u32, plan: &Plan) -> Result<Self> {
+        let kinds: Vec<Kind> = plan.shares.iter().map(|share| share.kind).collect();
+        let mut groups: Vec<Group> = Vec::new();
+        let mut wanted: Vec<Wanted> = Vec::new();
+        for share in &plan.shares {
+            let start = groups.len();
+            for (operation, structure) in operations(netlist, share.kind, &kinds) {
+                let known = groups[start..].iter().position(|g| g.structure.fits(&structure));
+                let group = known.map_or(groups.len(), |at| start + at);
+                if known.is_none() {
+                    groups.push(Group {
+                        kind: share.kind,
+                        structure: structure.clone(),
+                        wanted: Vec::new(),
+                        names: Vec::new(),
+                        latency: 0,
+                        registered: vec![share.loads; 4],
+                    });
+                }
+                merge(&mut groups[group].structure.exports, &structure.exports);
+                groups[group].wanted.push(wanted.len());
+                wanted.push(Wanted { operation, group, fixed: None });
+            }
+            // Units of one kind are numbered through.
+            let mut number = 0;
+            for group in &mut groups[start..] {
+                let units = group.wanted.len().min(cast::index_of(i64::from(share.units)));
+                for _ in 0..units {
+                    number += 1;
+                    group.names.push(format!("{}{number}", share.kind.name()));
+                }
+            }
+        }
+        for group in &mut groups {
+            let share = plan.shares.iter().find(|share| share.kind == group.kind);
+            let fixed = share.and_then(|share| share.latency);
+            group.latency = latency_of(netlist, rom, period_ps, group, &wanted, fixed)?;
+        }
+        let loads = loads_of(&groups, &wanted);
+        let shortest = loads.iter().map(Load::interval).max().unwrap_or(1);
+        let interval = plan.interval.unwrap_or(shortest);
+        if let Some(load) = loads.iter().find(|load| load.interval() > interval) {
+            return Err(too_short(load, interval));
+        }
+        loop {
+            let stuck = match place(netlist, rom, period_ps, interval, &groups, &wanted)? {
+                Placement::Done(placed) => {
+                    return finish(netlist, rom, interval, &groups, wanted, placed);
+                }
+                Placement::Stuck(operation) => operation,
+            };
+            // It would have to be done in two goes: it keeps hardware of its own.
+            groups.iter_mut().for_each(|group| group.wanted.retain(|at| *at != stuck));
+        }
+    }
+
+    /// Takes a binding by hand; what it doesn't bind is placed as early as possible.
+    ///
+    /// # Errors
+    /// If it names what isn't there, an operation sits in a unit of another structure, two sit
+    /// in one at the same phase, or an operand isn't there in time.
+    pub fn bound(netlist: &Netlist, rom: Rom, period_ps: u32, binding: &Binding) -> Result<Self> {
+        let mut groups: Vec<Group> = Vec::new();
+        let mut wanted: Vec<Wanted> = Vec::new();
+        let kinds: Vec<Kind> = binding.units.iter().map(|unit| unit.kind).collect();
+        for (number, unit) in binding.units.iter().enumerate() {
+            let refuse = |problem: String| Err(Error::node(unit.name.clone(), problem));
+            let there = operations(netlist, unit.kind, &kinds);
+            let mut group: Option<Group> = None;
+            for bound in binding.operations.iter().filter(|o| o.unit == number) {
+                let found = there.iter().find(|(o, _)| o.name == bound.label);
+                let Some((operation, structure)) = found else {
+                    let names: Vec<&str> = there.iter().map(|(o, _)| o.name.as_str()).collect();
+                    return refuse(format!(
+                        "there is no operation `{}` of this kind: there are {}",
+                        bound.label,
+                        names.join(", ")
+                    ));
+                };
+                let group = group.get_or_insert_with(|| Group {
+                    kind: unit.kind,
+                    structure: structure.clone(),
+                    wanted: Vec::new(),
+                    names: vec![unit.name.clone()],
+                    latency: unit.latency,
+                    registered: unit.registered.clone(),
+                });
+                if !group.structure.fits(structure) {
+                    return refuse(format!("`{}` has another structure", bound.label));
+                }
+                merge(&mut group.structure.exports, &structure.exports);
+                group.wanted.push(wanted.len());
+                let fixed = match bound.cycle {
+                    Some(0) => return refuse("printed cycles count from 1".to_owned()),
+                    cycle => cycle.map(|cycle| cycle - 1),
+                };
+                wanted.push(Wanted { operation: operation.clone(), group: groups.len(), fixed });
+            }
+            match group {
+                Some(group) => groups.push(group),
+                None => return refuse("no operation sits in it".to_owned()),
+            }
+        }
+        if let Some(load) =
+            loads_of(&groups, &wanted).iter().find(|load| load.interval() > binding.interval)
+        {
+            return Err(too_short(load, binding.interval));
+        }
+        match place(netlist, rom, period_ps, binding.interval, &groups, &wanted)? {
+            Placement::Done(placed) => {
+                finish(netlist, rom, binding.interval, &groups, wanted, placed)
+            }
+            Placement::Stuck(at) => Err(Error::node(
+                wanted[at].operation.name.clone(),
+                "can't be done in one go: something outside stands between its nodes".to_owned(),
+            )),
+        }
+    }
+
+    /// How the units are loaded, by structure: what the shortest interval comes from.
+    #[must_use]
+    pub fn loads(&self) -> Vec<Load> {
+        let mut loads: Vec<(usize, Load)> = Vec::new();
+        for (at, unit) in self.units.iter().enumerate() {
+            let names = unit.operations.iter().map(|o| o.name.clone());
+            let known = loads.iter_mut().find(|(first, _)| self.same[at] == self.same[*first]);
+            match known {
+                Some((_, load)) => {
+                    load.operations.extend(names);
+                    load.units.push(unit.name.clone());
+                }
+                None => loads.push((
+                    at,
+                    Load {
+                        kind: unit.kind,
+                        operations: names.collect(),
+                        units: vec![unit.name.clone()],
+                    },
+                )),
+            }
+        }
+        loads.into_iter().map(|(_, load)| load).collect()
+    }
+
+    /// The shortest interval that its units allow.
+    #[must_use]
+    pub fn shortest_interval(&self) -> u32 {
+        self.loads().iter().map(Load::interval).max().unwrap_or(1)
+    }
+}
+
+fn merge(exports: &mut Vec<usize>, more: &[usize]) {
+    exports.extend_from_slice(more);
+    exports.sort_unstable();
+    exports.dedup();
+}
+
+fn too_short(load: &Load, interval: u32) -> Error {
+    let needed = load.operations.len().div_ceil(cast::index_of(i64::from(interval)).max(1));
+    let text = format!(
+        "{} or more: {} operations ({}) share {} units of kind {} ({}); or share_{}={needed}",
+        load.interval(),
+        load.operations.len(),
+        load.operations.join(", "),
+        load.units.len(),
+        load.kind.name(),
+        load.units.join(", "),
+        load.kind.name(),
+    );
+    Error::parameter_value("interval", &interval.to_string(), text)
+}
+
+fn loads_of(groups: &[Group], wanted: &[Wanted]) -> Vec<Load> {
+    let load = |group: &Group| Load {
+        kind: group.kind,
+        operations: group.wanted.iter().map(|at| wanted[*at].operation.name.clone()).collect(),
+        units: group.names.clone(),
+    };
+    groups.iter().filter(|group| !group.wanted.is_empty()).map(load).collect()
+}
+
+fn hardware(
+    netlist: &Netlist,
+    name: &str,
+    group: &Group,
+    operations: &[&Operation],
+) -> Result<Hardware> {
+    let registered = |side: usize| group.registered.get(side).copied().unwrap_or(false);
+    Hardware::new(netlist, name, group.kind, &group.structure, operations, &registered)
+}
+
+/// Latency of a group's units: as given, or what the delay model takes for this period.
+fn latency_of(
+    netlist: &Netlist,
+    rom: Rom,
+    period_ps: u32,
+    group: &Group,
+    wanted: &[Wanted],
+    fixed: Option<u32>,
+) -> Result<u32> {
+    let all: Vec<&Operation> = group.wanted.iter().map(|at| &wanted[*at].operation).collect();
+    let name = group.names.join(", ");
+    let hardware = hardware(netlist, group.kind.name(), group, &all)?;
+    let latency = fixed.unwrap_or_else(|| {
+        let registered = hardware.ports.iter().all(|port| port.registered);
+        let mux = if registered { 0 } else { mux_ps(all.len().div_ceil(group.names.len())) };
+        Schedule::greedy(&hardware.netlist, rom, period_ps.saturating_sub(mux)).latency() - 1
+    });
+    hardware.pipeline(&name, rom, latency)?;
+    Ok(latency)
+}
+
+enum Placement {
+    Done(Placed),
+    /// An operation that waits for itself.
+    Stuck(usize),
+}
+
+struct Placed {
+    stages: Vec<u32>,
+    /// Unit in its group and issue of each wanted operation.
+    seats: Vec<(usize, u32)>,
+    longest_ps: u32,
+}
+
+fn place(
+    netlist: &Netlist,
+    rom: Rom,
+    period_ps: u32,
+    interval: u32,
+    groups: &[Group],
+    wanted: &[Wanted],
+) -> Result<Placement> {
+    let nodes = netlist.nodes().len();
+    let available = period_ps.saturating_sub(REGISTER_PS);
+    let bound: Vec<usize> = groups.iter().flat_map(|group| group.wanted.clone()).collect();
+    // Items: free nodes by their index, operations after them.
+    let mut item: Vec<usize> = (0..nodes).collect();
+    for at in &bound {
+        wanted[*at].operation.nodes.iter().for_each(|id| item[id.index()] = nodes + at);
+    }
+    let mut users: Vec<Vec<usize>> = vec![Vec::new(); nodes + wanted.len()];
+    let mut missing = vec![0usize; nodes + wanted.len()];
+    for id in netlist.ids() {
+        for operand in &netlist.node(id).operands {
+            let (from, to) = (item[operand.index()], item[id.index()]);
+            if from != to {
+                users[from].push(to);
+                missing[to] += 1;
+            }
+        }
+    }
+    // The way to the outputs that is still to go.
+    let mut heights = vec![0u32; nodes];
+    for id in netlist.ids().rev() {
+        let own = heights[id.index()].saturating_add(delay_ps(netlist, id));
+        heights[id.index()] = own;
+        for operand in &netlist.node(id).operands {
+            heights[operand.index()] = heights[operand.index()].max(own);
+        }
+    }
+    let height = |item: usize| match item.checked_sub(nodes) {
+        None => heights[item],
+        Some(at) => {
+            let ids = wanted[at].operation.nodes.iter();
+            ids.map(|id| heights[id.index()]).max().unwrap_or(0)
+        }
+    };
+    let width = cast::index_of(i64::from(interval));
+    let mut taken: Vec<Vec<Vec<Option<usize>>>> =
+        groups.iter().map(|group| vec![vec![None; width]; group.names.len()]).collect();
+    let phase = |cycle: u32| cast::index_of(i64::from(cycle % interval));
+    for at in &bound {
+        if let Some(issue) = wanted[*at].fixed {
+            let slot = &mut taken[wanted[*at].group][0][phase(issue)];
+            if let Some(other) = slot.replace(*at) {
+                let problem = format!(
+                    "sits in {} at the phase of `{}`: {} cycles later it starts anew",
+                    groups[wanted[*at].group].names[0], wanted[other].operation.name, interval
+                );
+                return Err(Error::node(wanted[*at].operation.name.clone(), problem));
+            }
+        }
+    }
+
+    let mut stages = vec![0u32; nodes];
+    let mut arrivals = vec![0u32; nodes];
+    let mut seats = vec![(0usize, 0u32); wanted.len()];
+    let mut longest = 0u32;
+    let mut done = vec![false; nodes + wanted.len()];
+    let mut ready: BinaryHeap<(u32, Reverse<usize>)> = (0..nodes)
+        .filter(|index| item[*index] == *index && missing[*index] == 0)
+        .chain(bound.iter().map(|at| nodes + at).filter(|item| missing[*item] == 0))
+        .map(|item| (height(item), Reverse(item)))
+        .collect();
+    while let Some((_, Reverse(now))) = ready.pop() {
+        done[now] = true;
+        if let Some(at) = now.checked_sub(nodes) {
+            let (operation, group) = (&wanted[at].operation, &groups[wanted[at].group]);
+            let share = group.wanted.len().div_ceil(group.names.len());
+            let mut earliest = 0;
+            let mut late = None;
+            for (place, operand) in operation.operands.iter().enumerate() {
+                let side = group.structure.sides[place];
+                let registered = group.registered.get(side).copied().unwrap_or(false);
+                let first = match *operand {
+                    Operand::Constant { .. } => 0,
+                    // The output of a unit is there from hold registers only.
+                    Operand::Node(id) if item[id.index()] >= nodes => stages[id.index()] + 1,
+                    Operand::Node(id) => {
+                        let arrival = arrivals[id.index()];
+                        let fits = arrival == 0
+                            || registered && arrival.saturating_add(mux_ps(share)) <= available;
+                        stages[id.index()] + u32::from(!fits)
+                    }
+                };
+                let first = first + u32::from(registered);
+                if first > earliest {
+                    (earliest, late) = (first, Some(*operand));
+                }
+            }
+            let free = |unit: usize, issue: u32| {
+                taken[wanted[at].group][unit][phase(issue)].is_none_or(|known| known == at)
+            };
+            let (unit, issue) = match wanted[at].fixed {
+                Some(issue) if issue < earliest => {
+                    let operand = match late {
+                        Some(Operand::Node(id)) => netlist.label(id),
+                        Some(Operand::Constant { .. }) | None => "its operand".to_owned(),
+                    };
+                    let problem = format!(
+                        "is bound to cycle {}, and `{operand}` is there for cycle {} at this period: \
+                         bind it later, or raise period_ps",
+                        issue + 1,
+                        earliest + 1
+                    );
+                    return Err(Error::node(operation.name.clone(), problem));
+                }
+                Some(issue) => (0, issue),
+                None => (earliest..earliest + interval)
+                    .find_map(|issue| {
+                        let unit = (0..group.names.len()).find(|unit| free(*unit, issue));
+                        unit.map(|unit| (unit, issue))
+                    })
+                    .expect("bug: the interval has a phase for each operation"),
+            };
+            taken[wanted[at].group][unit][phase(issue)] = Some(at);
+            seats[at] = (unit, issue);
+            for (place, operand) in operation.operands.iter().enumerate() {
+                let side = group.structure.sides[place];
+                let registered = group.registered.get(side).copied().unwrap_or(false);
+                if let Operand::Node(id) = *operand
+                    && registered
+                    && stages[id.index()] + 1 == issue
+                    && item[id.index()] < nodes
+                {
+                    longest = longest.max(arrivals[id.index()].saturating_add(mux_ps(share)));
+                }
+            }
+            for id in &operation.nodes {
+                stages[id.index()] = issue + group.latency;
+            }
+        } else {
+            let id = netlist.id_at(now);
+            let node = netlist.node(id);
+            let (mut stage, mut arrival) = (0, 0);
+            for operand in &node.operands {
+                let shared = item[operand.index()] >= nodes;
+                let s = stages[operand.index()] + u32::from(shared);
+                let a = if shared { 0 } else { arrivals[operand.index()] };
+                if s > stage {
+                    (stage, arrival) = (s, a);
+                } else if s == stage {
+                    arrival = arrival.max(a);
+                }
+            }
+            let clocked = rom == Rom::Block && matches!(node.op, Op::Read { .. });
+            let delay = if clocked { ROM_SETUP_PS } else { delay_ps(netlist, id) };
+            // What starts at a register may be as slow as it is; nothing shorter can be done.
+            if arrival > 0 && delay > 0 && arrival.saturating_add(delay) > available {
+                (stage, arrival) = (stage + 1, 0);
+            }
+            arrival += delay;
+            longest = longest.max(arrival);
+            if clocked {
+                (stage, arrival) = (stage + 1, ROM_OUTPUT_PS);
+                longest = longest.max(arrival);
+            }
+            stages[now] = stage;
+            arrivals[now] = arrival;
+        }
+        for user in &users[now] {
+            missing[*user] -= 1;
+            if missing[*user] == 0 {
+                ready.push((height(*user), Reverse(*user)));
+            }
+        }
+    }
+    match bound.iter().find(|at| !done[nodes + **at]) {
+        Some(stuck) => Ok(Placement::Stuck(*stuck)),
+        None => Ok(Placement::Done(Placed { stages, seats, longest_ps: longest })),
+    }
+}
+
+/// Makes the units.
+fn finish(
+    netlist: &Netlist,
+    rom: Rom,
+    interval: u32,
+    groups: &[Group],
+    wanted: Vec<Wanted>,
+    placed: Placed,
+) -> Result<Schedule> {
+    let mut units: Vec<Unit> = Vec::new();
+    let mut same: Vec<usize> = Vec::new();
+    let mut longest = placed.longest_ps;
+    let mut seated = vec![None; netlist.nodes().len()];
+    for (number, group) in groups.iter().enumerate() {
+        for (unit, name) in group.names.iter().enumerate() {
+            let mut operations: Vec<Operation> = Vec::new();
+            for at in group.wanted.iter().filter(|at| placed.seats[**at].0 == unit) {
+                let mut operation = wanted[*at].operation.clone();
+                operation.issue = placed.seats[*at].1;
+                operations.push(operation);
+            }
+            if operations.is_empty() {
+                continue;
+            }
+            operations.sort_by_key(|operation| operation.issue);
+            let all: Vec<&Operation> = operations.iter().collect();
+            let hardware = hardware(netlist, name, group, &all)?;
+            let pipeline = hardware.pipeline(name, rom, group.latency)?;
+            let registered = hardware.ports.iter().all(|port| port.registered);
+            let mux = if registered { 0 } else { mux_ps(operations.len()) };
+            longest = longest.max((pipeline.period_ps() - REGISTER_PS).saturating_add(mux));
+            for (at, operation) in operations.iter().enumerate() {
+                for id in &operation.nodes {
+                    seated[id.index()] = Some((units.len(), at));
+                }
+            }
+            units.push(Unit {
+                name: name.clone(),
+                kind: group.kind,
+                netlist: hardware.netlist,
+                pipeline,
+                ports: hardware.ports,
+                exports: group.structure.exports.clone(),
+                positions: hardware.positions,
+                operations,
+            });
+            same.push(number);
+        }
+    }
+    let latency = netlist
+        .outputs()
+        .iter()
+        .map(|output| placed.stages[output.node.index()] + 1)
+        .max()
+        .unwrap_or_default();
+    Ok(Schedule {
+        stages: placed.stages,
+        latency,
+        period_ps: longest.saturating_add(REGISTER_PS),
+        rom,
+        interval,
+        units,
+        same,
+        seated,
+    })
+}

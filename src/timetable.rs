@@ -1,0 +1,182 @@
+//! A time-shared schedule as a table: a row for each cycle, a column for each unit.
+//!
+//! The layout is that of seed 000's table. Cycles count from 1. In the cell of a unit stand, in
+//! this order and with `; ` between them:
+//!
+//! * `Out X` in the cycle of the output, for a unit with operand registers or a latency;
+//! * `X = …` in the cycle of the issue, where that is not the cycle of an `Out X`;
+//! * `Load A, B` in the cycle in which operand registers take a new word, by sides. A side without
+//!   registers prints nothing, and neither does one that keeps its word.
+//!
+//! Names are those of a [`Binding`] by hand, or else the netlist's.
+
+use crate::netlist::Netlist;
+use crate::op::Op;
+use crate::rtl::{Action, Rtl};
+use crate::schedule::{Binding, Kind, Operand, Operation, name_of};
+use serde::Serialize;
+
+/// A schedule as a table.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Timetable {
+    /// Heading of each unit's column.
+    pub titles: Vec<String>,
+    /// Rows from cycle 1 on; one cell for each unit.
+    pub rows: Vec<Vec<String>>,
+    /// How each unit's operations are called.
+    pub names: Vec<Vec<Name>>,
+}
+
+/// How an operation is called.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Name {
+    /// What it gives.
+    pub result: String,
+    /// What it does.
+    pub formula: String,
+    /// What it takes on each side.
+    pub operands: Vec<String>,
+}
+
+impl Timetable {
+    /// Lays out the schedule of some hardware; `binding` is the one by hand that it is from.
+    #[must_use]
+    pub fn new(rtl: &Rtl, binding: Option<&Binding>) -> Self {
+        let netlist = rtl.netlist();
+        let (mut titles, mut loads, mut names) = (Vec::new(), Vec::new(), Vec::new());
+        for (number, unit) in rtl.units().iter().enumerate() {
+            let by_hand = binding.and_then(|b| {
+                let position = b.units.iter().position(|known| known.name == unit.name)?;
+                Some((b, position))
+            });
+            titles.push(
+                by_hand.map_or_else(|| unit.name.clone(), |(b, at)| b.units[at].title.clone()),
+            );
+            loads.push(by_hand.map_or("Load", |(b, at)| b.units[at].load.as_str()));
+            let name = |operation: &Operation| {
+                by_hand
+                    .and_then(|(b, at)| {
+                        b.operations.iter().find(|o| o.unit == at && o.label == operation.name)
+                    })
+                    .map_or_else(
+                        || Name::of(netlist, rtl, number, operation),
+                        |known| Name {
+                            result: known.result.clone(),
+                            formula: known.formula.clone(),
+                            operands: known.operands.clone(),
+                        },
+                    )
+            };
+            names.push(rtl.operations(number).iter().map(name).collect::<Vec<Name>>());
+        }
+        let events = rtl.events();
+        let last = events.iter().map(|event| event.stage).max();
+        let mut rows: Vec<Vec<String>> = Vec::new();
+        for stage in 0..last.map_or(0, |last| last + 1) {
+            let row = rtl.units().iter().enumerate().map(|(number, unit)| {
+                let here = events.iter().filter(|e| e.stage == stage && e.unit == number);
+                let (mut outs, mut issues, mut sides) = (Vec::new(), Vec::new(), Vec::new());
+                let latency = unit.rtl.schedule().latency();
+                let spoken = latency > 0 || unit.ports.iter().any(|port| port.registered);
+                for event in here {
+                    let name = &names[number][event.operation];
+                    match event.action {
+                        Action::Out if spoken => outs.push(format!("Out {}", name.result)),
+                        Action::Issue if latency > 0 || !spoken => {
+                            issues.push(format!("{} = {}", name.result, name.formula));
+                        }
+                        Action::Out | Action::Issue => {}
+                        Action::Load(side) => {
+                            sides.extend(name.operands.get(side).cloned());
+                        }
+                    }
+                }
+                let mut cell = outs;
+                cell.extend(issues);
+                if !sides.is_empty() {
+                    cell.push(format!("{} {}", loads[number], sides.join(", ")));
+                }
+                cell.join("; ")
+            });
+            rows.push(row.collect());
+        }
+        Self { titles, rows, names }
+    }
+}
+
+impl Name {
+    fn of(netlist: &Netlist, rtl: &Rtl, unit: usize, operation: &Operation) -> Self {
+        let sides = rtl.schedule().units()[unit].ports.iter().map(|port| port.side).max();
+        let ports = &rtl.schedule().units()[unit].ports;
+        let operands: Vec<String> = (0..=sides.unwrap_or(0))
+            .map(|side| {
+                let places = ports.iter().filter(|port| port.side == side);
+                let names = places.map(|port| match operation.operands[port.place] {
+                    Operand::Node(id) => name_of(netlist, id),
+                    Operand::Constant { raw, format } => format.value(raw).to_string(),
+                });
+                vector_name(&names.collect::<Vec<String>>())
+            })
+            .collect();
+        let told: Vec<&str> =
+            operands.iter().map(String::as_str).filter(|name| !name.is_empty()).collect();
+        let op = netlist.node(operation.nodes[0]).op;
+        let formula = match rtl.units()[unit].kind {
+            Kind::Dot => told.join(" · "),
+            Kind::Multiplier => told.join(" × "),
+            Kind::Adder => {
+                // The flag that tells sums from differences is side 0.
+                let terms = &told[told.len().saturating_sub(2)..];
+                terms.join(match op {
+                    Op::Sub => " − ",
+                    Op::AddSub => " ± ",
+                    Op::Input
+                    | Op::Const { .. }
+                    | Op::Add
+                    | Op::Mul
+                    | Op::Neg
+                    | Op::Abs
+                    | Op::And
+                    | Op::Or
+                    | Op::Xor
+                    | Op::Equal
+                    | Op::Less
+                    | Op::Mux
+                    | Op::Slice { .. }
+                    | Op::Concat
+                    | Op::Shift { .. }
+                    | Op::LeadingZeros
+                    | Op::ShiftLeft { .. }
+                    | Op::Read { .. }
+                    | Op::Modulo
+                    | Op::Narrow { .. } => " + ",
+                })
+            }
+            kind @ (Kind::Table | Kind::Root | Kind::Divider) => {
+                format!("{}({})", kind.name(), told.join(", "))
+            }
+        };
+        Self { result: operation.name.clone(), formula, operands }
+    }
+}
+
+/// `t` of `t_x`, `t_y`, `t_z`; else the different names in a row.
+fn vector_name(names: &[String]) -> String {
+    let mut fresh: Vec<&str> = Vec::new();
+    for name in names {
+        if !fresh.contains(&name.as_str()) {
+            fresh.push(name);
+        }
+    }
+    let stem = |name: &str| {
+        let stem = name.strip_suffix(['x', 'y', 'z', '0', '1', '2'])?;
+        Some(stem.trim_end_matches('_').to_owned()).filter(|stem| !stem.is_empty())
+    };
+    let stems: Vec<Option<String>> = fresh.iter().map(|name| stem(name)).collect();
+    match stems.first() {
+        Some(Some(first)) if fresh.len() > 1 && stems.iter().all(|s| s.as_ref() == Some(first)) => {
+            first.clone()
+        }
+        Some(_) | None => fresh.join(", "),
+    }
+}

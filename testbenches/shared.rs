@@ -1,0 +1,375 @@
+//! Time-shared schedules: every schedule gives the reference's words, in the cycle it says.
+
+use crate::engines::{Random, random_netlist_within};
+use fixpath::format::{Format, Overflow, Round};
+use fixpath::netlist::{Builder, Column, Netlist, NodeId, Part, Quantity, Table};
+use fixpath::rtl::Rtl;
+use fixpath::schedule::{
+    Binding, BoundOperation, BoundUnit, Depth, Kind, Plan, Rom, Schedule, Share,
+};
+use fixpath::sim::cycle::Cycle;
+use fixpath::timetable::Timetable;
+use std::collections::VecDeque;
+use std::sync::Arc;
+
+pub(crate) type Vector = [NodeId; 3];
+
+/// Names of a vector's components.
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// A dot product of three as one part.
+fn dot(b: &mut Builder, name: &str, m: Vector, v: Vector) -> NodeId {
+    b.part(Part::Dot, name, |b| {
+        let products = [b.mul(m[0], v[0]), b.mul(m[1], v[1]), b.mul(m[2], v[2])];
+        let sum = b.add(products[0], products[1]);
+        b.add(sum, products[2])
+    })
+}
+
+fn vector_input(b: &mut Builder, name: &str, format: Format) -> Vector {
+    AXES.map(|axis| b.input(&format!("{name}_{axis}"), format, Quantity::Number))
+}
+
+/// The datapath of seed 000, figure 8, in a small form: two transforms, a difference that is
+/// block-normalised, three dot products, an inverse root by table, displaced coordinates.
+pub(crate) fn emboss_like() -> Netlist {
+    let mut b = Builder::new("emboss_like");
+    let format = |bits, frac| Format::signed(bits, frac).unwrap();
+    let rows: [Vector; 3] =
+        [0, 1, 2].map(|row| vector_input(&mut b, &format!("m{row}"), format(10, 8)));
+    let t = vector_input(&mut b, "t", format(9, 8));
+    let bi = vector_input(&mut b, "b", format(9, 8));
+    let v = vector_input(&mut b, "v", format(12, 4));
+    let p = vector_input(&mut b, "p", format(12, 4));
+    let s0 = b.input("s0", format(12, 8), Quantity::Number);
+    let t0 = b.input("t0", format(12, 8), Quantity::Number);
+    let transformed = |b: &mut Builder, name: &str, of: Vector| {
+        let mut at = 0;
+        rows.map(|row| {
+            let axis = AXES[at];
+            at += 1;
+            let sum = dot(b, &format!("{name}_{axis}"), row, of);
+            let narrow = b.narrow(sum, format(11, 8), Round::HalfUp, Overflow::Saturate);
+            b.name(narrow, &format!("{name}e_{axis}"))
+        })
+    };
+    let te = transformed(&mut b, "t", t);
+    let be = transformed(&mut b, "b", bi);
+    let l = [0, 1, 2].map(|i| {
+        let difference = b.sub(v[i], p[i]);
+        b.name(difference, &format!("l_{}", AXES[i]))
+    });
+    // One common shift: leading zeros of all magnitudes together.
+    let magnitudes = l.map(|l| {
+        let magnitude = b.abs(l);
+        let integer = b.slice(magnitude, 0, 13);
+        b.narrow(integer, Format::integer(13).unwrap(), Round::Floor, Overflow::Wrap)
+    });
+    let any = b.or(magnitudes[0], magnitudes[1]);
+    let any = b.or(any, magnitudes[2]);
+    let zeros = b.leading_zeros(any);
+    let n = l.map(|l| {
+        let shifted = b.shift_left(l, zeros, 12);
+        let scaled = b.shift(shifted, -21);
+        b.narrow(scaled, format(11, 9), Round::Floor, Overflow::Saturate)
+    });
+    for (n, axis) in n.iter().zip(AXES) {
+        b.name(*n, &format!("n_{axis}"));
+    }
+    let tl = dot(&mut b, "tl", te, n);
+    let ll = dot(&mut b, "ll", n, n);
+    let bl = dot(&mut b, "bl", be, n);
+    let root = b.part(Part::ReciprocalRoot, "root", |b| {
+        let words: Vec<i64> =
+            (0..64).map(|i| (4096.0 / (f64::from(i) + 1.0).sqrt()) as i64).collect();
+        let column = Column {
+            name: "root".to_owned(),
+            format: Format::unsigned(13, 10).unwrap(),
+            words: Arc::from(words),
+        };
+        let table = Table { name: "root".to_owned(), addr_bits: 6, columns: vec![column] };
+        let table = b.table(table);
+        let address = b.slice(ll, 14, 6);
+        b.read(table, 0, address)
+    });
+    let ds = b.mul(tl, root);
+    let dt = b.mul(bl, root);
+    let (ds, dt) = (b.name(ds, "ds"), b.name(dt, "dt"));
+    let s1 = b.add(s0, ds);
+    let t1 = b.add(t0, dt);
+    b.output("s1", s1);
+    b.output("t1", t1);
+    b.build().unwrap()
+}
+
+/// The printed binding of figure 8 over [`emboss_like`].
+pub(crate) fn figure_8() -> Binding {
+    let unit =
+        |name: &str, title: &str, kind, latency, registered: &[bool], load: &str| BoundUnit {
+            name: name.to_owned(),
+            title: title.to_owned(),
+            kind,
+            latency,
+            registered: registered.to_vec(),
+            load: load.to_owned(),
+        };
+    let units = vec![
+        // The matrix rows come straight from matrix memory.
+        unit("dot1", "Vector Dot Unit #1", Kind::Dot, 9, &[false, true], "Load"),
+        unit("vfadder", "VFAdder", Kind::Adder, 0, &[], ""),
+        unit("dot2", "Vector Dot Unit #2", Kind::Dot, 0, &[true, true], "Ld"),
+        unit("root1", "Inverse Root", Kind::Root, 1, &[], ""),
+        unit("mul1", "Multiplier", Kind::Multiplier, 0, &[], ""),
+        unit("add1", "Adder", Kind::Adder, 0, &[], ""),
+    ];
+    let bound =
+        |label: &str, unit, cycle, result: &str, formula: &str, of: [&str; 2]| BoundOperation {
+            label: label.to_owned(),
+            unit,
+            cycle,
+            result: result.to_owned(),
+            formula: formula.to_owned(),
+            operands: of.map(str::to_owned).to_vec(),
+        };
+    let mut operations = Vec::new();
+    for (i, axis) in (0u32..).zip(AXES) {
+        let m = format!("M{i}");
+        let (t, b, l) = (format!("t_{axis}"), format!("b_{axis}"), format!("l_{axis}"));
+        let formula = |of: &str| format!("{m} · {of}");
+        operations.push(bound(&t, 0, Some(2 + i), &format!("Te{axis}"), &formula("T"), [&m, "T"]));
+        operations.push(bound(&b, 0, Some(6 + i), &format!("Be{axis}"), &formula("B"), [&m, "B"]));
+        let formula = format!("Ve{axis} − Lp{axis}");
+        operations.push(bound(&l, 1, Some(8 + i), &format!("L{axis}"), &formula, ["", ""]));
+    }
+    operations.push(bound("tl", 2, Some(15), "Te · L", "", ["Te", "L"]));
+    operations.push(bound("ll", 2, Some(16), "L²", "", ["L", "L"]));
+    operations.push(bound("bl", 2, Some(19), "Be · L", "", ["Be", "L"]));
+    operations.push(bound("root", 3, None, "1/‖L‖", "", ["", ""]));
+    operations.push(bound("ds", 4, None, "Δs", "", ["", ""]));
+    operations.push(bound("dt", 4, None, "Δt", "", ["", ""]));
+    operations.push(bound("s1", 5, None, "S1", "", ["", ""]));
+    operations.push(bound("t1", 5, None, "T1", "", ["", ""]));
+    Binding { interval: 8, units, operations }
+}
+
+/// Words for input ports: the ends of the format now and then.
+pub(crate) fn stimulus(netlist: &Netlist, random: &mut Random) -> Vec<i64> {
+    let word = |id: &NodeId| random.word(netlist.node(*id).format);
+    netlist.inputs().iter().map(word).collect()
+}
+
+/// Feeds a sample each interval, with a gap here and there and other words outside phase 0, and
+/// compares each valid result with the reference, and the cycle it comes in.
+pub(crate) fn check(netlist: &Arc<Netlist>, schedule: &Schedule, seed: u64) -> Result<(), String> {
+    let mut random = Random::new(seed);
+    let (latency, interval) = (schedule.latency(), schedule.interval());
+    let mut cycle = Cycle::new(Arc::new(Rtl::new(Arc::clone(netlist), schedule.clone())));
+    let mut expected: VecDeque<(u64, Vec<i64>)> = VecDeque::new();
+    let samples = 12;
+    for at in 0..u64::from(latency) + samples * u64::from(interval) {
+        let words = stimulus(netlist, &mut random);
+        let offered = at < samples * u64::from(interval) && random.chance(80);
+        let ready = at % u64::from(interval) == 0;
+        cycle.settle(&words, offered);
+        if cycle.ready() != ready {
+            return Err(format!("cycle {at}: ready is {}", cycle.ready()));
+        }
+        if offered && ready {
+            let (reference, _) = netlist.eval(&words);
+            let outputs = netlist.outputs().iter().map(|o| reference[o.node.index()]).collect();
+            expected.push_back((at + u64::from(latency), outputs));
+        }
+        let should = expected.front().filter(|(when, _)| *when == at).map(|(_, words)| words);
+        let got = cycle.outputs();
+        if got.as_ref() != should {
+            return Err(format!("cycle {at}: {got:?}, and should be {should:?}"));
+        }
+        if got.is_some() {
+            expected.pop_front();
+        }
+        cycle.clock();
+    }
+    if expected.is_empty() {
+        Ok(())
+    } else {
+        Err(format!("{} results are missing", expected.len()))
+    }
+}
+
+pub(crate) fn share(kind: Kind, units: u32) -> Share {
+    Share { kind, units, latency: None, loads: false }
+}
+
+#[test]
+fn the_binding_of_figure_8_gives_the_reference() {
+    let netlist = Arc::new(emboss_like());
+    let schedule = Schedule::bound(&netlist, Rom::Block, 6000, &figure_8()).unwrap();
+    assert_eq!(schedule.interval(), 8);
+    for seed in 0..20 {
+        check(&netlist, &schedule, seed).unwrap();
+    }
+}
+
+#[test]
+fn found_schedules_give_the_reference() {
+    let netlist = Arc::new(emboss_like());
+    for dots in 1..=9 {
+        for (mul, add, loads) in [(1, 1, false), (2, 5, true), (1, 2, true)] {
+            let mut shares =
+                vec![share(Kind::Dot, dots), share(Kind::Multiplier, mul), share(Kind::Adder, add)];
+            shares.push(share(Kind::Root, 1));
+            shares.iter_mut().for_each(|share| share.loads = loads);
+            let plan = Plan { shares, interval: None };
+            let schedule = Schedule::shared(&netlist, Rom::Block, 5000, &plan).unwrap();
+            let shortest = 9u32.div_ceil(dots).max(2u32.div_ceil(mul)).max(5u32.div_ceil(add));
+            assert_eq!(schedule.interval(), shortest, "{dots} dot units");
+            check(&netlist, &schedule, u64::from(dots)).unwrap();
+        }
+    }
+}
+
+/// Random netlists, with dot products among their operations.
+fn with_dots(seed: u64) -> Netlist {
+    let mut random = Random::new(seed);
+    let mut b = Builder::new("dots");
+    let mut nodes: Vec<NodeId> = (0..5)
+        .map(|i| {
+            let bits = 2 + random.below(6) as u32;
+            let frac = random.within(-1, 4) as i32;
+            let format = Format::new(random.chance(60), bits, frac).unwrap();
+            b.input(&format!("in{i}"), format, Quantity::Number)
+        })
+        .collect();
+    for i in 0..3 + random.below(8) {
+        let mut pick = || nodes[random.below(nodes.len())];
+        let (m, v) = ([pick(), pick(), pick()], [pick(), pick(), pick()]);
+        let sum = match i % 3 {
+            0 | 1 => dot(&mut b, &format!("d{i}"), m, v),
+            _ => {
+                let product = b.mul(m[0], v[0]);
+                b.sub(product, v[1])
+            }
+        };
+        let format = Format::new(random.chance(60), 2 + random.below(6) as u32, 2).unwrap();
+        let round = random.pick(Round::ALL);
+        let narrow = b.narrow(sum, format, round, random.pick(Overflow::ALL));
+        nodes.extend([sum, narrow].into_iter().filter(|id| b.format(*id).bits() < 16));
+    }
+    for (i, node) in nodes.iter().rev().take(3).enumerate() {
+        b.output(&format!("out{i}"), *node);
+    }
+    b.build().unwrap()
+}
+
+fn random_plan(random: &mut Random) -> Plan {
+    let mut shares = Vec::new();
+    for (kind, _) in Kind::ALL {
+        if random.chance(60) {
+            let latency = random.chance(50).then(|| random.below(5) as u32);
+            let units = 1 + random.below(3) as u32;
+            shares.push(Share { kind: *kind, units, latency, loads: random.chance(40) });
+        }
+    }
+    let interval = random.chance(40).then(|| 1 + random.below(20) as u32);
+    Plan { shares, interval }
+}
+
+#[test]
+fn random_netlists_under_random_plans() {
+    let (mut checked, mut shared, mut latest) = (0, 0, 0);
+    for seed in 0..600 {
+        let mut random = Random::new(seed ^ 0xabcd);
+        let netlist = Arc::new(if random.chance(50) {
+            with_dots(seed)
+        } else {
+            random_netlist_within(seed, 4 + random.below(40), random.pick(&[6, 8, 12]))
+        });
+        let plan = random_plan(&mut random);
+        let rom = random.pick(&[Rom::Block, Rom::Distributed]);
+        let period = random.pick(&[100, 2000, 4000, 8000]);
+        let schedule = match Schedule::shared(&netlist, rom, period, &plan) {
+            Ok(schedule) => schedule,
+            Err(why) => {
+                let why = why.to_string();
+                let known = [
+                    "would need words of",
+                    "or more: ",
+                    "can't have a latency of",
+                    "bits and words have at most",
+                ];
+                assert!(known.iter().any(|text| why.contains(text)), "seed {seed}: {why}");
+                continue;
+            }
+        };
+        checked += 1;
+        shared += u32::from(schedule.units().iter().any(|unit| unit.operations.len() > 1));
+        latest = latest.max(schedule.latency() / schedule.interval());
+        if let Err(why) = check(&netlist, &schedule, seed) {
+            panic!("seed {seed}, {rom}, {period} ps, {plan:?}: {why}\n{}", netlist.to_text());
+        }
+        let flat = Schedule::pipeline(&netlist, rom, Depth::Period(period)).unwrap();
+        check(&netlist, &flat, seed).unwrap();
+    }
+    assert!(checked > 300 && shared > 200 && latest >= 3, "{checked} {shared} {latest}");
+}
+
+/// Rows of the seed's table: cycle and the cells of its three units.
+pub(crate) fn printed() -> Vec<(usize, [String; 3])> {
+    let lines = include_str!("figure_8.txt").lines().filter(|line| !line.starts_with('#'));
+    let row = |line: &str| {
+        let line = line.split('#').next().unwrap();
+        let cells: Vec<String> = line.split('|').map(|cell| cell.trim().to_owned()).collect();
+        let [cycle, dot1, adder, dot2] = cells.try_into().unwrap();
+        (cycle.parse().unwrap(), [dot1, adder, dot2])
+    };
+    lines.map(row).collect()
+}
+
+/// `Out X`, `X = Y` and each name of a load, one by one.
+fn events(cell: &str) -> Vec<String> {
+    let parts = cell.split("; ").filter(|part| !part.is_empty());
+    let events = parts.flat_map(|part| match part.split_once(' ') {
+        Some((load @ ("Ld" | "Load"), names)) => {
+            names.split(", ").map(|name| format!("{load} {name}")).collect()
+        }
+        _ => vec![part.to_owned()],
+    });
+    events.collect()
+}
+
+#[test]
+fn the_printed_table_event_by_event() {
+    let netlist = Arc::new(emboss_like());
+    let schedule = Schedule::bound(&netlist, Rom::Block, 6000, &figure_8()).unwrap();
+    let rtl = Rtl::new(Arc::clone(&netlist), schedule);
+    let table = Timetable::new(&rtl, Some(&figure_8()));
+    let columns = ["Vector Dot Unit #1", "VFAdder", "Vector Dot Unit #2"];
+    let rows = printed();
+    assert_eq!(
+        rows.iter().map(|(cycle, _)| *cycle).collect::<Vec<_>>(),
+        (1..=19).collect::<Vec<_>>()
+    );
+    let mut compared = 0;
+    for (at, title) in columns.iter().enumerate() {
+        let column = table.titles.iter().position(|known| known == title).unwrap();
+        for (cycle, cells) in &rows {
+            let (should, got) = (events(&cells[at]), events(&table.rows[cycle - 1][column]));
+            assert_eq!(got, should, "cycle {cycle}, {title}");
+            compared += should.len();
+        }
+        // Nothing of these units comes after the last printed cycle.
+        assert!(table.rows[19..].iter().all(|row| row[column].is_empty()), "{title}");
+    }
+    assert_eq!(compared, 24);
+    // What the figure shows after it: inverse root, one multiplier, one adder.
+    for (result, unit) in [("1/‖L‖", 3), ("Δs", 4), ("Δt", 4), ("S1", 5), ("T1", 5)] {
+        assert_eq!(table.names[unit].iter().filter(|name| name.result == result).count(), 1);
+    }
+    let counts = rtl.counts();
+    let dots = ["dot1", "dot2"].map(|name| counts.units[name].datapath);
+    assert_eq!(dots.map(|o| (o.multipliers, o.adders)), [(3, 2), (3, 2)]);
+    assert_eq!(counts.units["mul1"].datapath.multipliers, 1);
+    assert_eq!(counts.operators.datapath.multipliers, 7);
+    assert_eq!(counts.operators.datapath.adders, 6);
+    assert_eq!(netlist.counts().datapath.multipliers, 29);
+}
