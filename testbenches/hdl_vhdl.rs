@@ -3,8 +3,8 @@
 use crate::committed::COMMITTED;
 use crate::engines::random_netlist;
 use crate::hdl::{
-    Ended, PLACES, emit, emit_with, every_operation, fails, faulty_vectors, figure_8_rtl, little, put,
-    replaced, some_rtl, some_shared, tool,
+    Ended, PLACES, emit, emit_with, every_operation, fails, faulty_vectors, figure_8_rtl, little,
+    put, replaced, some_rtl, some_shared, tool,
 };
 use fixpath::format::{Format, Overflow, Round};
 use fixpath::hdl::Tables;

@@ -4,8 +4,8 @@
 use crate::engines::{Random, random_netlist, random_netlist_within};
 use crate::hdl::{little_shared, some_rtl};
 use crate::shared::{emboss_like, figure_8, random_plan, with_dots};
-use fixpath::format::{Format, Overflow, Round, narrow};
 use expect_test::expect_file;
+use fixpath::format::{Format, Overflow, Round, narrow};
 use fixpath::hdl::{
     Bit, Bitwise, Driver, Expr, Item, Module, Next, Operand, Options, Register, RomTable, Tables,
     Verilog, Vhdl, View, WordId,
