@@ -149,6 +149,7 @@ int main(int argc, char** argv) {
         if (dut.ready != (phase == 0) && ++mismatches <= kShown) {
             printf("mismatch: vector %" PRIu64 " ready expected %d got %d\n", sent, phase == 0, dut.ready);
         }
+
         const Entry& out = pipe[(head + kLatency) % (kLatency + 1)];
         if (dut.valid_out != out.valid && ++mismatches <= kShown) {
             printf("mismatch: vector %" PRIu64 " valid_out expected %d got %d\n", out.valid ? out.number : sent,

@@ -143,6 +143,7 @@ int main(int argc, char** argv) {
         dut.rst = reset;
         dut.clk = 0;
         dut.eval();
+
         const Entry& out = pipe[(head + kLatency) % (kLatency + 1)];
         if (dut.valid_out != out.valid && ++mismatches <= kShown) {
             printf("mismatch: vector %" PRIu64 " valid_out expected %d got %d\n", out.valid ? out.number : sent,
