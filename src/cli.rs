@@ -643,7 +643,7 @@ fn write_wave(
     let window = options.cycles.clone();
     let wave = Wave::new(design, options)?;
     let latency = u64::from(wave.rtl().schedule().latency());
-    let end = cast::count_of(samples.len()) + latency;
+    let end = wave.cycles(samples.len());
     if let Some(window) = window.filter(|window| window.start >= end) {
         return Err(Error::usage(format!(
             "cycles {}..{} are past the end: there are {end}",

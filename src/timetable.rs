@@ -8,7 +8,7 @@
 //! * `Load A, B` in the cycle in which operand registers take a new word, by sides. A side without
 //!   registers prints nothing, and neither does one that keeps its word.
 //!
-//! Names are those of a [`Binding`] by hand, or else the netlist's.
+//! Names are those of a [`Binding`] by hand, or else the netlist's; a side without a name isn't told.
 
 use crate::netlist::Netlist;
 use crate::op::Op;
@@ -87,7 +87,8 @@ impl Timetable {
                         }
                         Action::Out | Action::Issue => {}
                         Action::Load(side) => {
-                            sides.extend(name.operands.get(side).cloned());
+                            let told = name.operands.get(side).filter(|name| !name.is_empty());
+                            sides.extend(told.cloned());
                         }
                     }
                 }
@@ -108,8 +109,13 @@ impl Name {
     fn of(netlist: &Netlist, rtl: &Rtl, unit: usize, operation: &Operation) -> Self {
         let sides = rtl.schedule().units()[unit].ports.iter().map(|port| port.side).max();
         let ports = &rtl.schedule().units()[unit].ports;
+        let adder = rtl.units()[unit].kind == Kind::Adder;
         let operands: Vec<String> = (0..=sides.unwrap_or(0))
             .map(|side| {
+                // The flag that tells sums from differences: the sign in the formula does.
+                if adder && side == 0 {
+                    return String::new();
+                }
                 let places = ports.iter().filter(|port| port.side == side);
                 let names = places.map(|port| match operation.operands[port.place] {
                     Operand::Node(id) => name_of(netlist, id),
@@ -124,34 +130,30 @@ impl Name {
         let formula = match rtl.units()[unit].kind {
             Kind::Dot => told.join(" · "),
             Kind::Multiplier => told.join(" × "),
-            Kind::Adder => {
-                // The flag that tells sums from differences is side 0.
-                let terms = &told[told.len().saturating_sub(2)..];
-                terms.join(match op {
-                    Op::Sub => " − ",
-                    Op::AddSub => " ± ",
-                    Op::Input
-                    | Op::Const { .. }
-                    | Op::Add
-                    | Op::Mul
-                    | Op::Neg
-                    | Op::Abs
-                    | Op::And
-                    | Op::Or
-                    | Op::Xor
-                    | Op::Equal
-                    | Op::Less
-                    | Op::Mux
-                    | Op::Slice { .. }
-                    | Op::Concat
-                    | Op::Shift { .. }
-                    | Op::LeadingZeros
-                    | Op::ShiftLeft { .. }
-                    | Op::Read { .. }
-                    | Op::Modulo
-                    | Op::Narrow { .. } => " + ",
-                })
-            }
+            Kind::Adder => told.join(match op {
+                Op::Sub => " − ",
+                Op::AddSub => " ± ",
+                Op::Input
+                | Op::Const { .. }
+                | Op::Add
+                | Op::Mul
+                | Op::Neg
+                | Op::Abs
+                | Op::And
+                | Op::Or
+                | Op::Xor
+                | Op::Equal
+                | Op::Less
+                | Op::Mux
+                | Op::Slice { .. }
+                | Op::Concat
+                | Op::Shift { .. }
+                | Op::LeadingZeros
+                | Op::ShiftLeft { .. }
+                | Op::Read { .. }
+                | Op::Modulo
+                | Op::Narrow { .. } => " + ",
+            }),
             kind @ (Kind::Table | Kind::Root | Kind::Divider) => {
                 format!("{}({})", kind.name(), told.join(", "))
             }

@@ -65,6 +65,44 @@ fn units_and_parameters_are_checked_and_the_nearest_is_named() {
 }
 
 #[test]
+fn a_shared_schedule_is_printed_and_its_figures_agree() {
+    let set = ["-p", "schedule=shared", "-p", "share_mul=1", "-p", "share_add=2"];
+    let with = |more: &[&'static str]| {
+        let args: Vec<&str> =
+            ["schedule", "illumination"].iter().chain(&set).chain(more).copied().collect();
+        run(&args)
+    };
+    let (code, text, _) = with(&[]);
+    assert_eq!(code, 0);
+    assert!(text.contains("Cycle #") && text.contains("what one more unit would buy"), "{text}");
+    let (_, json, _) = with(&["--json"]);
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    // Two products on one multiplier, 13 sums on two adders.
+    assert_eq!(json["interval_cycles"], 7);
+    assert_eq!(json["operators"]["multipliers"], 1);
+    assert_eq!(json["operators"]["adders"], 2);
+    assert!(text.contains("interval 7 cycles (shortest for these units: 7)"), "{text}");
+    let units = json["units"].as_array().unwrap();
+    let issued: usize = units.iter().map(|u| u["operations"].as_array().unwrap().len()).sum();
+    assert_eq!((units.len(), issued), (3, 15));
+    for (unit, title) in units.iter().zip(json["table"]["units"].as_array().unwrap()) {
+        assert_eq!(unit["title"], *title);
+        let column = json["table"]["units"].as_array().unwrap().iter().position(|t| t == title);
+        for operation in unit["operations"].as_array().unwrap() {
+            let row = operation["issue_cycle"].as_u64().unwrap() as usize - 1;
+            let cell = json["table"]["rows"][row][column.unwrap()].as_str().unwrap();
+            assert!(cell.contains(operation["formula"].as_str().unwrap()), "{cell}: {operation}");
+        }
+    }
+    let (code, _, stderr) = with(&["-p", "interval=6"]);
+    assert_eq!(code, 2);
+    assert!(
+        stderr.contains("parameter `interval` = `6`: legal is 7 or more: 13 operations"),
+        "{stderr}"
+    );
+}
+
+#[test]
 fn words_past_63_bits_are_refused_with_the_node() {
     let args = ["-p", "variant=corrected", "-p", "frac_bits=32", "-p", "guard_bits=8"];
     refused(

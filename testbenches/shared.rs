@@ -1,6 +1,7 @@
 //! Time-shared schedules: every schedule gives the reference's words, in the cycle it says.
 
 use crate::engines::{Random, random_netlist_within};
+use crate::wave::ReadBack;
 use fixpath::format::{Format, Overflow, Round};
 use fixpath::netlist::{Builder, Column, Netlist, NodeId, Part, Quantity, Table};
 use fixpath::rtl::Rtl;
@@ -9,6 +10,8 @@ use fixpath::schedule::{
 };
 use fixpath::sim::cycle::Cycle;
 use fixpath::timetable::Timetable;
+use fixpath::units::{Bounds, Design, Group};
+use fixpath::wave::{Options, Wave};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -365,6 +368,11 @@ fn the_printed_table_event_by_event() {
     for (result, unit) in [("1/‖L‖", 3), ("Δs", 4), ("Δt", 4), ("S1", 5), ("T1", 5)] {
         assert_eq!(table.names[unit].iter().filter(|name| name.result == result).count(), 1);
     }
+    // The delay FIFO of (S0, T0).
+    for port in ["s0", "t0"] {
+        let id = netlist.ids().find(|id| netlist.label(*id) == port).unwrap();
+        assert!(rtl.registers(id).count() >= 2, "{port} waits for its displacement");
+    }
     let counts = rtl.counts();
     let dots = ["dot1", "dot2"].map(|name| counts.units[name].datapath);
     assert_eq!(dots.map(|o| (o.multipliers, o.adders)), [(3, 2), (3, 2)]);
@@ -372,4 +380,265 @@ fn the_printed_table_event_by_event() {
     assert_eq!(counts.operators.datapath.multipliers, 7);
     assert_eq!(counts.operators.datapath.adders, 6);
     assert_eq!(netlist.counts().datapath.multipliers, 29);
+}
+
+/// [`emboss_like`] as a design, with the printed schedule; it has no golden to speak of.
+fn printed_design(assignments: &[&str]) -> Design {
+    let values = fixpath::units::rotation::ROTATION.values(assignments).unwrap();
+    let netlist = Arc::new(emboss_like());
+    Design {
+        values,
+        groups: Group::ports(&netlist, &["s1", "t1"]),
+        netlist,
+        golden: |_, _, _| (),
+        golden_f32: |_, _, _| (),
+        bounds: Bounds::Unstated("no golden"),
+        tabulated: Vec::new(),
+        hard: Vec::new(),
+        draw: |_, _, _, _, _| (),
+        binding: Some(figure_8()),
+    }
+}
+
+/// The waves name in each cycle what the table names, and hold the words that they say.
+#[test]
+fn waves_show_the_table() {
+    let design = printed_design(&["schedule=printed", "period_ps=6000"]);
+    let netlist = &design.netlist;
+    let mut random = Random::new(7);
+    let rows: Vec<Vec<i64>> = (0..5).map(|_| stimulus(netlist, &mut random)).collect();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("emboss.vcd");
+    let wave = Wave::new(&design, Options::default()).unwrap();
+    wave.write(&rows, &mut std::fs::File::create(&path).unwrap(), &path).unwrap();
+    wave.write_gtkw(&path, &mut std::fs::File::create(path.with_extension("gtkw")).unwrap())
+        .unwrap();
+    let read = ReadBack::open(&path);
+    let period = read.times[2] - read.times[0];
+    let at = |name: &str, cycle: usize| {
+        read.at(&format!("emboss_like.{name}"), cycle as u64 * period).to_owned()
+    };
+    let latency = wave.rtl().schedule().latency() as usize;
+    for cycle in 0..wave.cycles(rows.len()) as usize {
+        assert_eq!(at("phase", cycle), format!("{:03b}", cycle % 8));
+        assert_eq!(at("ready", cycle) == "1", cycle % 8 == 0);
+        assert_eq!(at("valid_in", cycle) == "1", cycle % 8 == 0 && cycle < 8 * rows.len());
+        let out = cycle.checked_sub(latency).is_some_and(|since| since % 8 == 0);
+        assert_eq!(at("valid_out", cycle) == "1", out, "cycle {cycle}");
+    }
+    // The events of the table, at its cycles, for each sample.
+    let tight =
+        |text: &str| text.replace(' ', "").replace('·', "*").replace('−', "-").replace('²', "^2");
+    let mut seen = 0;
+    for sample in 0..rows.len() {
+        for (cycle, cells) in printed() {
+            let now = cycle - 1 + 8 * sample;
+            for (unit, cell) in ["dot1", "vfadder", "dot2"].iter().zip(&cells) {
+                let loads = events(cell)
+                    .iter()
+                    .filter_map(|e| e.strip_prefix("Ld ").or(e.strip_prefix("Load ")).map(tight))
+                    .collect::<Vec<_>>();
+                if !loads.is_empty() {
+                    assert_eq!(at(&format!("units.{unit}.load"), now), loads.join(","), "{cycle}");
+                    seen += 1;
+                }
+                for event in cell.split("; ") {
+                    if let Some(name) = event.strip_prefix("Out ") {
+                        assert_eq!(at(&format!("units.{unit}.out"), now), tight(name), "{cycle}");
+                        seen += 1;
+                    } else if event.contains('=') {
+                        assert_eq!(
+                            at(&format!("units.{unit}.issue"), now),
+                            tight(event),
+                            "{cycle}"
+                        );
+                        seen += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert_eq!(seen, 23 * rows.len());
+    // Words that are shown are the reference's of their sample.
+    let mut compared = 0;
+    for (name, node, stage) in wave.signals() {
+        let format = netlist.node(node).format;
+        for (sample, words) in rows.iter().enumerate() {
+            let (reference, _) = netlist.eval(words);
+            let should = format!(
+                "{:0width$b}",
+                format.pattern(reference[node.index()]),
+                width = format.bits() as usize
+            );
+            let now = stage as usize + 8 * sample;
+            assert_eq!(at(&name, now), should, "{name} of sample {sample}");
+            let is_own = stage == wave.rtl().schedule().stage(node);
+            let next = at(&name, now + 1);
+            if is_own {
+                assert!(next.chars().all(|c| c == 'x'), "{name}: {next} after its phase");
+            } else if now + 7 < wave.cycles(rows.len()) as usize {
+                assert_eq!(at(&name, now + 7), should, "{name} is held");
+            }
+            let value = read.signals.get(&format!("emboss_like.{name}_value"));
+            if let Some(changes) = value {
+                let (_, text) = changes.range(..=now as u64 * period).next_back().unwrap();
+                assert_eq!(text.parse::<f64>().unwrap(), format.value(reference[node.index()]));
+            }
+            compared += 1;
+        }
+    }
+    assert!(compared > 200, "{compared}");
+}
+
+#[test]
+fn an_interval_too_short_names_kind_operations_and_remedy() {
+    let netlist = emboss_like();
+    let shared = |shares: Vec<Share>, interval| {
+        let plan = Plan { shares, interval };
+        Schedule::shared(&netlist, Rom::Block, 5000, &plan)
+    };
+    let error = shared(vec![share(Kind::Dot, 2)], Some(4)).unwrap_err().to_string();
+    assert_eq!(
+        error,
+        "parameter `interval` = `4`: legal is 5 or more: 9 operations (t_x, t_y, t_z, b_x, b_y, b_z, tl, ll, bl) \
+         share 2 units of kind dot (dot1, dot2); or share_dot=3"
+    );
+    // A longer one is taken; one more unit buys what it says.
+    let schedule = shared(vec![share(Kind::Dot, 2), share(Kind::Adder, 1)], Some(11)).unwrap();
+    assert_eq!((schedule.interval(), schedule.shortest_interval()), (11, 5));
+    let loads: Vec<(u32, u32)> =
+        schedule.loads().iter().map(|load| (load.interval(), load.interval_with(1))).collect();
+    assert_eq!(loads, [(5, 3), (5, 3)]);
+    let read = Share { latency: Some(0), ..share(Kind::Root, 1) };
+    let error = shared(vec![read], None).unwrap_err().to_string();
+    assert_eq!(
+        error,
+        "unit `root1` can't have a latency of 0 cycles: 1 reads on a clock follow each other there; \
+         give more, or rom=distributed"
+    );
+}
+
+#[test]
+fn a_hull_past_63_bits_names_the_unit_and_a_remedy() {
+    let mut b = Builder::new("wide");
+    let fine = b.input("fine", Format::signed(40, 39).unwrap(), Quantity::Number);
+    let large = b.input("large", Format::signed(40, 0).unwrap(), Quantity::Number);
+    let small = b.input("small", Format::signed(4, 0).unwrap(), Quantity::Number);
+    let (p, q) = (b.mul(fine, small), b.mul(large, small));
+    b.output("p", p);
+    b.output("q", q);
+    let plan = Plan { shares: vec![share(Kind::Multiplier, 1)], interval: None };
+    let error = Schedule::shared(&b.build().unwrap(), Rom::Block, 5000, &plan).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "unit `mul`, shared by p, q, would need words of 79 bits and words have at most 63: \
+         narrow its operands, or leave share_mul=auto"
+    );
+}
+
+#[test]
+fn bindings_that_are_wrong_say_how() {
+    let netlist = emboss_like();
+    let wrong = |change: &dyn Fn(&mut Binding)| {
+        let mut binding = figure_8();
+        change(&mut binding);
+        Schedule::bound(&netlist, Rom::Block, 6000, &binding).unwrap_err().to_string()
+    };
+    let early =
+        wrong(&|b| b.operations.iter_mut().find(|o| o.label == "tl").unwrap().cycle = Some(14));
+    assert_eq!(
+        early,
+        "node `tl`: is bound to cycle 14, and `te_z` is there for cycle 15 at this period: \
+         bind it later, or raise period_ps"
+    );
+    let twice =
+        wrong(&|b| b.operations.iter_mut().find(|o| o.label == "ll").unwrap().cycle = Some(23));
+    assert_eq!(
+        twice,
+        "node `ll`: sits in dot2 at the phase of `tl`: 8 cycles later it starts anew"
+    );
+    let unknown = wrong(&|b| b.operations[0].label = "t_w".to_owned());
+    assert!(
+        unknown
+            .starts_with("node `dot1`: there is no operation `t_w` of this kind: there are t_x, "),
+        "{unknown}"
+    );
+    let short = wrong(&|b| b.interval = 5);
+    assert!(
+        short.starts_with("parameter `interval` = `5`: legal is 6 or more: 6 operations"),
+        "{short}"
+    );
+}
+
+#[test]
+fn parameters_that_do_not_count_are_refused() {
+    let error = |set: &[&str]| {
+        let design = fixpath::units::rotation::ROTATION.values(set).unwrap().build().unwrap();
+        design.rtl().unwrap_err().to_string()
+    };
+    assert_eq!(
+        error(&["share_mul=2"]),
+        "parameter `share_mul` = `2`: legal is auto with schedule=flat; it counts with schedule=shared"
+    );
+    assert_eq!(
+        error(&["schedule=printed"]),
+        "parameter `schedule` = `printed`: legal is flat or shared: rotation has no printed schedule"
+    );
+    assert_eq!(
+        error(&["schedule=shared", "stages=4"]),
+        "parameter `stages` = `4`: legal is auto with schedule=shared: the schedule makes the latency"
+    );
+}
+
+/// Units at their committed settings, shared as far as they can be.
+#[test]
+fn every_unit_shared() {
+    for unit in fixpath::units::UNITS {
+        for rom in ["block", "distributed"] {
+            let set = ["schedule=shared", "share_add=2", "share_mul=1", "share_table=1"];
+            let mut set: Vec<String> = set.iter().map(|s| (*s).to_owned()).collect();
+            set.push(format!("rom={rom}"));
+            let design = unit.values(&set).unwrap().build().unwrap();
+            let rtl = match design.rtl() {
+                Ok(rtl) => rtl,
+                Err(why) => {
+                    assert!(why.to_string().contains("bits and words have at most 63"), "{why}");
+                    continue;
+                }
+            };
+            check(&design.netlist, rtl.schedule(), 3)
+                .unwrap_or_else(|why| panic!("{}: {why}", unit.name));
+        }
+    }
+}
+
+/// A `narrow` that may not overflow tells which node of which operation did, on valid data only.
+#[test]
+fn a_forbidden_overflow_in_a_shared_unit_names_the_node() {
+    let mut b = Builder::new("forbidden");
+    let format = Format::signed(6, 0).unwrap();
+    let inputs = [0, 1].map(|i| b.input(&format!("in{i}"), format, Quantity::Number));
+    for (i, input) in inputs.iter().enumerate() {
+        let narrow = b.part(Part::Dot, &format!("d{i}"), |b| {
+            let product = b.mul(*input, *input);
+            let format = Format::signed(8, 0).unwrap();
+            let narrow = b.narrow(product, format, Round::Floor, Overflow::Error);
+            b.name(narrow, "square")
+        });
+        b.output(&format!("out{i}"), narrow);
+    }
+    let netlist = Arc::new(b.build().unwrap());
+    let plan = Plan { shares: vec![share(Kind::Dot, 1)], interval: None };
+    let schedule = Schedule::shared(&netlist, Rom::Block, 5000, &plan).unwrap();
+    assert_eq!(schedule.interval(), 2);
+    let run = |valid: bool| {
+        let mut cycle = Cycle::new(Arc::new(Rtl::new(Arc::clone(&netlist), schedule.clone())));
+        for at in 0..12 {
+            cycle.settle(&[3, 31], valid && at % 2 == 0);
+            cycle.clock();
+        }
+        cycle.forbidden_overflow().map(|id| netlist.label(id))
+    };
+    assert_eq!(run(true), Some("d1.square".to_owned()));
+    assert_eq!(run(false), None);
 }

@@ -150,7 +150,7 @@ fn json_of(design: &Design, rows: &[Row], yosys: &str) -> Value {
 
 /// True for the unit that [`DEVIATIONS`] were measured over.
 fn is_measured(rtl: &Rtl) -> bool {
-    rtl.netlist().name() == "rotation"
+    rtl.netlist().name() == "rotation" && rtl.units().is_empty()
 }
 
 /// The estimate for every target, for `show`.

@@ -22,8 +22,7 @@ pub(super) struct ScheduleArgs {
 pub(super) fn run(args: &ScheduleArgs) -> Result<String> {
     let design = args.unit.design()?;
     let rtl = design.rtl()?;
-    let by_hand = design.binding.as_ref().filter(|_| design.values.choice("schedule") == "printed");
-    let table = Timetable::new(&rtl, by_hand);
+    let table = Timetable::new(&rtl, design.printed());
     Ok(if args.json {
         pretty(&as_json(&design, &rtl, &table))
     } else {
@@ -48,7 +47,8 @@ fn operators(counts: &Counts) -> Vec<(&'static str, u64)> {
     ]
 }
 
-fn told(counts: &Counts) -> String {
+/// What there is some of, in words.
+pub(super) fn told(counts: &Counts) -> String {
     let some = operators(counts).into_iter().filter(|(_, count)| *count > 0);
     let text: Vec<String> = some.map(|(name, count)| format!("{count} {name}")).collect();
     if text.is_empty() { "wires".to_owned() } else { text.join(", ") }
@@ -124,8 +124,8 @@ fn as_text(design: &Design, rtl: &Rtl, table: &Timetable) -> String {
         .into_iter()
         .map(|u| {
             vec![
-                u.name,
-                u.title,
+                u.name.clone(),
+                if u.title == u.name { String::new() } else { u.title },
                 u.latency.to_string(),
                 format!("{} of {}", u.operations, schedule.interval()),
                 format!("{:.0} %", 100.0 * u.used),
@@ -136,16 +136,7 @@ fn as_text(design: &Design, rtl: &Rtl, table: &Timetable) -> String {
         })
         .collect();
     text.push_str(&text::table(
-        &[
-            "name",
-            "",
-            ">latency",
-            ">phases used",
-            ">",
-            ">operand bits",
-            ">bits inside",
-            "operators",
-        ],
+        &["unit", "", ">latency", ">phases", ">used", ">operand bits", ">bits inside", "operators"],
         &rows,
     ));
     text.push_str("\nwhat one more unit would buy\n");
@@ -176,7 +167,7 @@ fn as_text(design: &Design, rtl: &Rtl, table: &Timetable) -> String {
     let _ = writeln!(text, "\nhardware: {}", told(&counts.operators));
     let _ = writeln!(
         text,
-        "  {} flip-flops: {} in hold registers ({} of them in delay FIFOs), {} in operand registers, {} inside units, {} for the phase; {} multiplexer bits before units",
+        "  {} flip-flops: {} in hold registers ({} of them in delay FIFOs), {} in operand registers, {} inside units, {} for the phase, the rest valid bits and reads on a clock; {} multiplexer bits before units",
         counts.register_bits,
         counts.hold_bits,
         counts.fifo_bits,

@@ -283,6 +283,17 @@ pub(super) fn show(design: &Design) -> Result<String> {
     let sizes: Vec<String> =
         stage_sizes(netlist, schedule).iter().map(ToString::to_string).collect();
     let _ = writeln!(text, "  nodes per stage: {}", sizes.join(" "));
+    if schedule.interval() > 1 || !rtl.units().is_empty() {
+        let _ = writeln!(
+            text,
+            "  time-shared: a sample every {} cycles, {} units for {} operations; the operators above are the \
+             netlist's, the hardware has {}; `fixpath schedule` shows it all",
+            schedule.interval(),
+            rtl.units().len(),
+            schedule.units().iter().map(|unit| unit.operations.len()).sum::<usize>(),
+            super::schedule::told(&rtl.counts().operators),
+        );
+    }
     text.push_str(&super::cost::estimates(&rtl));
     text.push('\n');
     text.push_str(&netlist.to_text());
@@ -322,11 +333,13 @@ pub(super) fn show_json(design: &Design) -> Result<Value> {
         "table_schemes": tables(design)?,
         "pipeline": {
             "latency_cycles": schedule.latency(),
+            "interval_cycles": schedule.interval(),
             "flip_flops": rtl.register_bits(),
             "model_period_ps": schedule.period_ps(),
             "rom": schedule.rom().to_string(),
             "nodes_per_stage": stage_sizes(netlist, schedule),
         },
+        "hardware": rtl.counts(),
         "cost_estimate": super::cost::estimates_json(&rtl),
         "nodes": netlist.ids().map(node).collect::<Vec<_>>(),
         "outputs": netlist.outputs().iter().map(|o| json!({"name": o.name, "node": o.node.index()})).collect::<Vec<_>>(),

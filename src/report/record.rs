@@ -389,6 +389,13 @@ impl Measured {
             counts.insert("latency_cycles".to_owned(), rtl.schedule().latency().into());
             counts.insert("flip_flops".to_owned(), rtl.register_bits().into());
             counts.insert("model_period_ps".to_owned(), rtl.schedule().period_ps().into());
+            // The netlist's operators share units: what the hardware has stands beside them.
+            if !rtl.units().is_empty() {
+                counts.insert("interval_cycles".to_owned(), rtl.schedule().interval().into());
+                for (name, count) in flat(&rtl.counts().operators) {
+                    counts.insert(format!("hardware_{name}"), count);
+                }
+            }
         }
         Self {
             input_ports: inputs.collect(),

@@ -57,7 +57,9 @@ pub struct BoundUnit {
     pub kind: Kind,
     /// Cycles from issue to output.
     pub latency: u32,
-    /// Which sides have an operand register, which takes its word in the cycle before the issue.
+    /// Which sides have an operand register, which takes its word in the cycle before the issue. A
+    /// side is the position of an operand in its node; an adder's first is the flag that tells sums
+    /// from differences.
     pub registered: Vec<bool>,
     /// Word for a load in the printed table: `Load`, `Ld`.
     pub load: String,
@@ -76,7 +78,7 @@ pub struct BoundOperation {
     pub result: String,
     /// What it does, in the printed table: `M0 · T`; nothing if there is no compute line.
     pub formula: String,
-    /// What each side takes, in the printed table.
+    /// What each side takes, in the printed table; what is empty isn't told.
     pub operands: Vec<String>,
 }
 
@@ -156,6 +158,14 @@ impl Schedule {
                 groups[group].wanted.push(wanted.len());
                 wanted.push(Wanted { operation, group, fixed: None });
             }
+            // What shares with none keeps hardware of its own, unless it is all there is.
+            if groups.len() > start + 1 {
+                for group in &mut groups[start..] {
+                    if group.wanted.len() == 1 {
+                        group.wanted.clear();
+                    }
+                }
+            }
             // Units of one kind are numbered through.
             let mut number = 0;
             for group in &mut groups[start..] {
@@ -166,7 +176,7 @@ impl Schedule {
                 }
             }
         }
-        for group in &mut groups {
+        for group in groups.iter_mut().filter(|group| !group.wanted.is_empty()) {
             let share = plan.shares.iter().find(|share| share.kind == group.kind);
             let fixed = share.and_then(|share| share.latency);
             group.latency = latency_of(netlist, rom, period_ps, group, &wanted, fixed)?;

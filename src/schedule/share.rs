@@ -325,7 +325,8 @@ fn dot_of(netlist: &Netlist, scope: ScopeId) -> Option<(Part, ScopeId)> {
     found
 }
 
-/// Label of a node; one without a name is called by the only one that it goes into, or its port.
+/// Label of a node; one without a name is called by the port or by the rounding (with moved
+/// binary points before it) that alone it goes into.
 #[must_use]
 pub fn name_of(netlist: &Netlist, id: NodeId) -> String {
     let mut at = id;
@@ -338,7 +339,11 @@ pub fn name_of(netlist: &Netlist, id: NodeId) -> String {
             .skip(at.index())
             .filter(|user| netlist.node(*user).operands.contains(&at));
         match (users.next(), users.next()) {
-            (Some(user), None) => at = user,
+            (Some(user), None)
+                if matches!(netlist.node(user).op, Op::Narrow { .. } | Op::Shift { .. }) =>
+            {
+                at = user;
+            }
             (None | Some(_), None | Some(_)) => return netlist.label(id),
         }
     }

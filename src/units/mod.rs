@@ -420,6 +420,12 @@ impl Design {
         self.values.unit().golden_params.iter().map(|name| self.values.get(name)).collect()
     }
 
+    /// The schedule by hand, if the parameters ask for it.
+    #[must_use]
+    pub fn printed(&self) -> Option<&Binding> {
+        self.binding.as_ref().filter(|_| self.values.choice("schedule") == "printed")
+    }
+
     /// The hardware that the pipeline parameters ask for.
     ///
     /// # Errors
@@ -434,11 +440,7 @@ impl Design {
         let stages = values.int("stages").map(count);
         let kind = values.choice("schedule");
         // What is set must count.
-        let silent = |name: &str| match kind {
-            "flat" => name != "schedule",
-            "shared" => false,
-            _ => name != "schedule",
-        };
+        let silent = |name: &str| kind != "shared" && name != "schedule";
         for param in &PIPELINE[SHARING] {
             if silent(param.name) && values.get(param.name).to_string() != param.default {
                 let legal = format!(

@@ -7,6 +7,12 @@
 //! only their value. Angles are in degrees there, and their errors are
 //! taken modulo a turn. In stage s, cycle t shows the sample that entered at cycle t - s;
 //! what no data has reached yet is `x`.
+//!
+//! With a time-shared schedule, a word in its own stage is shown in its phase only and is `x` in
+//! the others; the hold register of a word, `name_sN`, shows it for the whole interval. A node inside a
+//! unit has only that. Phase and units stand in [`units`].
+
+mod units;
 
 use crate::cast;
 use crate::error::{Error, Result};
@@ -15,12 +21,14 @@ use crate::op::Op;
 use crate::output;
 use crate::rtl::{Rtl, Signal};
 use crate::sim::cycle::Cycle;
+use crate::timetable::Timetable;
 use crate::units::Design;
 use std::collections::{BTreeSet, VecDeque};
 use std::io::{self, Write};
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
+use units::UnitCodes;
 use vcd::{IdCode, ReferenceIndex, TimescaleUnit, Value, VarType};
 
 /// What to put into a wave.
@@ -74,6 +82,7 @@ impl Trace {
 pub struct Wave<'a> {
     design: &'a Design,
     rtl: Arc<Rtl>,
+    table: Timetable,
     traces: Vec<Trace>,
     options: Options,
     period_ps: u64,
@@ -123,7 +132,8 @@ impl<'a> Wave<'a> {
         }
         let target = design.values.int("period_ps").expect("bug: no auto here");
         let period_ps = u64::from(rtl.schedule().period_ps()).max(target.unsigned_abs());
-        Ok(Self { design, rtl, traces, options, period_ps: period_ps.next_multiple_of(2) })
+        let table = Timetable::new(&rtl, design.printed());
+        Ok(Self { design, rtl, table, traces, options, period_ps: period_ps.next_multiple_of(2) })
     }
 
     /// The hardware that it shows.
@@ -144,7 +154,15 @@ impl<'a> Wave<'a> {
         self.traces.is_empty()
     }
 
-    /// Simulates one sample per cycle and writes the VCD; runs on until the last result is out.
+    /// Cycles until the last of so many samples is out.
+    #[must_use]
+    pub fn cycles(&self, samples: usize) -> u64 {
+        let interval = u64::from(self.rtl.schedule().interval());
+        let last = cast::count_of(samples).saturating_sub(1) * interval;
+        last + u64::from(self.rtl.schedule().latency()) + u64::from(samples > 0)
+    }
+
+    /// Simulates one sample per interval and writes the VCD; runs on until the last result is out.
     ///
     /// # Errors
     /// If `to` can't be written; `path` names it. If a `narrow` under overflow mode `error`
@@ -181,19 +199,22 @@ impl<'a> Wave<'a> {
         writer.timescale(1, TimescaleUnit::PS)?;
         let mut codes = Codes::declare(&mut writer, self)?;
 
-        let total = cast::count_of(samples.len()) + u64::from(latency);
+        let total = self.cycles(samples.len());
+        let interval = u64::from(self.rtl.schedule().interval());
         let window = self.options.cycles.clone().unwrap_or(0..total);
         let mut cycle = Cycle::new(Arc::clone(&self.rtl));
         // Real values of the samples in the pipeline, the latest first.
-        let depth = cast::index_of(i64::from(latency)) + 1;
+        let depth = cast::index_of_u32(latency + self.rtl.schedule().interval());
         let mut ideals: VecDeque<Option<Ideal>> = VecDeque::with_capacity(depth + 1);
         let idle = vec![0; netlist.inputs().len()];
         let mut first = true;
         for at in 0..total.min(window.end) {
-            let sample = usize::try_from(at).ok().and_then(|at| samples.get(at));
+            let ready = at % interval == 0;
+            let number = usize::try_from(at / interval).ok().filter(|_| ready);
+            let sample = number.and_then(|number| samples.get(number));
             cycle.settle(sample.unwrap_or(&idle), sample.is_some());
             // Twins are only evaluated for samples that can be seen.
-            let seen = at + u64::from(latency) >= window.start;
+            let seen = at + u64::from(latency) + interval > window.start;
             ideals.push_front(sample.filter(|_| seen).map(|words| self.ideal(words)));
             ideals.truncate(depth);
             if at >= window.start {
@@ -252,18 +273,56 @@ impl<'a> Wave<'a> {
         let zoom = -(cast::f64_of_count(self.period_ps).log2() + 1.0);
         writeln!(to, "*{zoom:.6} 0 {}", "-1 ".repeat(26).trim_end())?;
         writeln!(to, "@28\n{unit}.clk\n{unit}.rst\n{unit}.valid_in\n{unit}.valid_out")?;
+        self.write_units(to)?;
         let is_input = |trace: &Trace| netlist.node(trace.signal.node).op == Op::Input;
         self.write_group("input ports", is_input, to)?;
         let latency = self.rtl.schedule().latency();
         let title = format!("output ports, {latency} cycles later");
         self.write_group(&title, |trace| trace.port.is_some(), to)?;
+        let shared = self.rtl.schedule().interval() > 1;
+        let is_held = |trace: &Trace| {
+            shared && trace.signal.stage > self.rtl.schedule().stage(trace.signal.node)
+        };
         for stage in 0..=latency {
             let inner = |trace: &Trace| {
-                trace.signal.stage == stage && trace.port.is_none() && !is_input(trace)
+                trace.signal.stage == stage
+                    && trace.port.is_none()
+                    && !is_input(trace)
+                    && !is_held(trace)
             };
             self.write_group(&format!("stage {stage}"), inner, to)?;
         }
+        let held = |trace: &Trace| is_held(trace) && trace.port.is_none();
+        self.write_group("hold registers", held, to)?;
         writeln!(to, "[pattern_trace] 1\n[pattern_trace] 0")
+    }
+
+    /// Phase, and the strings and words of each unit.
+    fn write_units(&self, to: &mut dyn Write) -> io::Result<()> {
+        let unit = self.rtl.netlist().name();
+        if self.rtl.phase_bits() > 0 {
+            let top = self.rtl.phase_bits() - 1;
+            let range = if top > 0 { format!("[{top}:0]") } else { String::new() };
+            writeln!(to, "@200\n-phase: inputs are taken in phase 0")?;
+            writeln!(to, "@28\n{unit}.ready\n@24\n{unit}.phase{range}")?;
+        }
+        for (instance, title) in self.rtl.units().iter().zip(&self.table.titles) {
+            let title = if *title == instance.name {
+                title.clone()
+            } else {
+                format!("{title} ({})", instance.name)
+            };
+            writeln!(to, "@200\n-{title}")?;
+            let path = format!("{unit}.{}.{}", units::SCOPE, instance.name);
+            for name in units::strings(instance) {
+                let color = if name == "issue" { 2 } else { 3 };
+                writeln!(to, "@20\n[color] {color}\n{path}.{name}")?;
+            }
+            for (name, format) in units::words(instance) {
+                write_gtkw_word(&format!("{path}.{name}"), format, 6, to)?;
+            }
+        }
+        Ok(())
     }
 
     fn write_group(
@@ -287,23 +346,7 @@ impl<'a> Wave<'a> {
         let (format, dots) = (node.format, path_text(netlist, trace));
         let port = trace.port.is_some() || node.op == Op::Input;
         let color = if port { 2 } else { 3 };
-        // GTKWave counts anew from 0 where the declared top index is not above 0.
-        let range = if top_index(format) > 0 {
-            format!("[{}:{}]", top_index(format), -format.frac_bits())
-        } else {
-            format!("[{}:0]", format.bits() - 1)
-        };
-        // Fixed-point shift of the decimal display; signed or not.
-        if format.bits() == 1 {
-            writeln!(to, "@28\n[color] {color}\n{dots}{}", trace.name)?;
-        } else if format.frac_bits() > 0 {
-            let flags = if format.is_signed() { "40000420" } else { "40000024" };
-            writeln!(to, "@{flags}\n[fpshift_count] {}\n[color] {color}", format.frac_bits())?;
-            writeln!(to, "{dots}{}{range}", trace.name)?;
-        } else {
-            let flags = if format.is_signed() { "420" } else { "24" };
-            writeln!(to, "@{flags}\n[color] {color}\n{dots}{}{range}", trace.name)?;
-        }
+        write_gtkw_word(&format!("{dots}{}", trace.name), format, color, to)?;
         let [value, _, arith_error, golden, total_error] = trace.names();
         if trace.quantity == Quantity::Turns && (1..5).contains(&trace.twins) {
             writeln!(to, "@20\n[color] {color}\n{dots}{value}")?;
@@ -323,6 +366,32 @@ impl<'a> Wave<'a> {
             3 => writeln!(to, "@20\n[color] 1\n{dots}{arith_error}"),
             _ => Ok(()),
         }
+    }
+}
+
+/// A word with its fixed-point shift in the save file.
+fn write_gtkw_word(
+    name: &str,
+    format: crate::format::Format,
+    color: u8,
+    to: &mut dyn Write,
+) -> io::Result<()> {
+    // GTKWave counts anew from 0 where the declared top index is not above 0.
+    let range = if top_index(format) > 0 {
+        format!("[{}:{}]", top_index(format), -format.frac_bits())
+    } else {
+        format!("[{}:0]", format.bits() - 1)
+    };
+    // Fixed-point shift of the decimal display; signed or not.
+    if format.bits() == 1 {
+        writeln!(to, "@28\n[color] {color}\n{name}")
+    } else if format.frac_bits() > 0 {
+        let flags = if format.is_signed() { "40000420" } else { "40000024" };
+        writeln!(to, "@{flags}\n[fpshift_count] {}\n[color] {color}", format.frac_bits())?;
+        writeln!(to, "{name}{range}")
+    } else {
+        let flags = if format.is_signed() { "420" } else { "24" };
+        writeln!(to, "@{flags}\n[color] {color}\n{name}{range}")
     }
 }
 
@@ -392,13 +461,25 @@ fn all_traces(rtl: &Rtl, options: &Options) -> Vec<Trace> {
         if !is_shown && !options.all {
             continue;
         }
-        traces.push(trace(own, path.clone(), name, None));
-        if options.all {
-            for register in rtl.registers(id) {
+        // A unit's output is one operation's word after another: the hold register shows it.
+        let mut own_twins = rtl.is_free(id);
+        if own_twins {
+            traces.push(trace(own, path.clone(), name, None));
+        }
+        let shown = match (options.all, rtl.schedule().interval()) {
+            (true, _) => usize::MAX,
+            (false, 1) => usize::from(!own_twins),
+            (false, _) => 1,
+        };
+        if shown > 0 {
+            for register in rtl.registers(id).take(shown) {
                 let is_output = netlist.outputs().iter().any(|o| rtl.output(o.node) == register);
                 if !is_output {
                     let mut copy = trace(register, path.clone(), rtl.local_name(register), None);
-                    copy.twins = 0;
+                    if own_twins {
+                        copy.twins = 0;
+                    }
+                    own_twins = true;
                     traces.push(copy);
                 }
             }
@@ -418,6 +499,7 @@ struct Codes {
     last_valid: [Option<bool>; 2],
     words: Vec<(IdCode, Option<Option<i64>>)>,
     twins: Vec<Vec<(IdCode, Option<f64>)>>,
+    units: Option<UnitCodes>,
     started: bool,
 }
 
@@ -434,8 +516,10 @@ impl Codes {
             last_valid: [None; 2],
             words: Vec::new(),
             twins: Vec::new(),
+            units: None,
             started: false,
         };
+        codes.units = UnitCodes::declare(writer, &wave.rtl)?;
         let mut order: Vec<usize> = (0..wave.traces.len()).collect();
         order.sort_by(|a, b| wave.traces[*a].path.cmp(&wave.traces[*b].path));
         let placeholder = codes.clk;
@@ -483,7 +567,7 @@ impl Codes {
             writer.change_scalar(self.rst, false)?;
             self.started = true;
         }
-        let valid = [cycle.valid(0), cycle.valid(wave.rtl.schedule().latency())];
+        let valid = [cycle.is_data(0), cycle.is_data(wave.rtl.schedule().latency())];
         for ((code, now), last) in
             [self.valid_in, self.valid_out].into_iter().zip(valid).zip(&mut self.last_valid)
         {
@@ -494,14 +578,20 @@ impl Codes {
         }
         for ((trace, word), twins) in wave.traces.iter().zip(&mut self.words).zip(&mut self.twins) {
             let node = netlist.node(trace.signal.node);
-            let known = cycle.known(trace.signal.stage);
+            let schedule = wave.rtl.schedule();
+            let stage = trace.signal.stage;
+            // In its own stage a word means something in its phase; a register holds it.
+            let is_own = stage == schedule.stage(trace.signal.node);
+            let ago =
+                (cycle.phase() + schedule.interval() - schedule.phase(stage)) % schedule.interval();
+            let known = cycle.known(stage) && !(is_own && ago > 0);
             let now = known.then(|| cycle.word(trace.signal));
             if word.1 != Some(now) {
                 word.1 = Some(now);
                 change_word(writer, word.0, node.format, now)?;
             }
-            let stage = cast::index_of(i64::from(trace.signal.stage));
-            let (Some(now), Some(Some(ideal))) = (now, ideals.get(stage)) else { continue };
+            let entered = cast::index_of_u32(stage + ago);
+            let (Some(now), Some(Some(ideal))) = (now, ideals.get(entered)) else { continue };
             let scale = trace.scale();
             let value = node.format.value(now) * scale;
             let ideal_value = ideal.nodes[trace.signal.node.index()] * scale;
@@ -521,6 +611,9 @@ impl Codes {
                     writer.change_real(twin.0, shown)?;
                 }
             }
+        }
+        if let Some(units) = &mut self.units {
+            units.change(writer, &wave.rtl, &wave.table, cycle)?;
         }
         Ok(())
     }
