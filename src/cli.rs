@@ -7,6 +7,7 @@ mod hardware;
 mod ladder;
 mod render;
 mod schedule;
+mod texgen;
 mod text;
 mod verify;
 
@@ -203,6 +204,9 @@ enum Command {
         after_help = "Examples:\n  fixpath render sphere --out sphere\n  fixpath render scene.toml --pipelines exact-polar -p angle_bits=12 -p scheme=linear --out pictures\n  fixpath render plane --ladder --out ladder\n  fixpath render sphere --ladder=8,12,16 --pipelines exact-polar,exact-cartesian -p scheme=linear --exponents 8,64 --out ladder\n  fixpath render lettering-raised --pipelines emboss-gx,emboss-nv --out emboss\n  fixpath render light-orbit --pipelines emboss-gx --out frames"
     )]
     Render(render::RenderArgs),
+    /// Check calls of a texture-coordinate interface: GXSetTexCoordGen, GL_NV_texgen_emboss.
+    #[command(after_help = texgen::HELP)]
+    Texgen(texgen::TexgenArgs),
     /// Measure, waves, hardware and a sweep of built-in settings, in under half a minute.
     #[command(after_help = "Example:\n  fixpath demo --out demo_out")]
     Demo {
@@ -460,6 +464,11 @@ fn run(command: &Command) -> Result<bool> {
             let (told, same) = render::run(args)?;
             print(&told)?;
             return Ok(same);
+        }
+        Command::Texgen(args) => {
+            let (told, broken) = texgen::run(args)?;
+            print(&told)?;
+            return broken.map_or(Ok(true), Err);
         }
         Command::Demo { out } => return demo::run(out),
     }

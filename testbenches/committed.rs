@@ -14,6 +14,11 @@ pub(crate) const COMMITTED: &[(&str, &str, &[&str])] = &[
     ("rotation_exact_polar_table", "rotation", &["output=polar-table"]),
     ("rotation_corrected", "rotation", &["variant=corrected"]),
     ("rotation_printed", "rotation", &["variant=printed"]),
+    (
+        "rotation_corrected_shared",
+        "rotation",
+        &["variant=corrected", "schedule=shared", "share_mul=1"],
+    ),
     ("illumination", "illumination", &[]),
     ("bump", "bump", &[]),
     ("peercy", "peercy", &[]),

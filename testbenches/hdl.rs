@@ -2,7 +2,8 @@
 //! testbenches fail where they should.
 
 use crate::engines::{random_netlist, random_netlist_of, random_words};
-use crate::lower::badly_named;
+use crate::lower::{badly_named, shared_rtl};
+use crate::shared::{emboss_like, figure_8};
 use crate::wave::ReadBack;
 use fixpath::emit::vectors::Vectors;
 use fixpath::format::{Format, Overflow, Round};
@@ -10,7 +11,7 @@ use fixpath::hdl::{LANGUAGES, Module, Options, Tables, Verilog, testbench};
 use fixpath::netlist::{Builder, Column, Netlist, Quantity, Table};
 use fixpath::op::Op;
 use fixpath::rtl::{Rtl, Signal};
-use fixpath::schedule::{Depth, Rom, Schedule};
+use fixpath::schedule::{Depth, Kind, Plan, Rom, Schedule, Share};
 use fixpath::sim::cycle::Cycle;
 use fixpath::units::rotation::ROTATION;
 use fixpath::wave::{self, Wave};
@@ -154,6 +155,133 @@ fn no_tool_warns_of_random_netlists() {
         // Verilator folds constants through wires, and says where a comparison is then a
         // constant. Random netlists compare constants; the units don't.
         lints(folder, &module, &["-Wno-UNSIGNED", "-Wno-CMPCONST"], &format!("seed {seed}"));
+    });
+}
+
+/// The printed binding of seed 000.
+pub(crate) fn figure_8_rtl() -> Arc<Rtl> {
+    let netlist = Arc::new(emboss_like());
+    let schedule = Schedule::bound(&netlist, Rom::Block, 6000, &figure_8()).unwrap();
+    Arc::new(Rtl::new(netlist, schedule))
+}
+
+/// Hardware that shares, of some seeds: the first so many that a schedule is found for.
+pub(crate) fn some_shared(count: usize) -> Vec<(u64, Arc<Rtl>)> {
+    let found = (0u64..).filter_map(|seed| Some((seed, shared_rtl(seed)?)));
+    found.filter(|(_, rtl)| rtl.schedule().interval() > 1).take(count).collect()
+}
+
+#[test]
+#[ignore = "needs iverilog, verilator and yosys: testbenches/run installs them"]
+fn shared_hardware_in_icarus_and_without_a_warning() {
+    let mut runs = some_shared(40);
+    runs.push((0, figure_8_rtl()));
+    runs.into_par_iter().for_each(|(seed, rtl)| {
+        let folder = tempfile::tempdir().unwrap();
+        let module = emit(&rtl, place(seed), 400, folder.path());
+        let what = format!("shared, seed {seed}");
+        let folder = passes(folder, &format!("{}_icarus.mk", module.name), 400, &what);
+        lints(folder, &module, &["-Wno-UNSIGNED", "-Wno-CMPCONST"], &what);
+    });
+}
+
+#[test]
+#[ignore = "needs verilator: testbenches/run installs it"]
+fn shared_hardware_in_verilator() {
+    let mut runs = some_shared(3);
+    runs.push((0, figure_8_rtl()));
+    runs.into_par_iter().for_each(|(seed, rtl)| {
+        let folder = tempfile::tempdir().unwrap();
+        let module = emit(&rtl, place(seed), 5000, folder.path());
+        let make = format!("{}_verilator.mk", module.name);
+        let ended = tool(folder.path(), "make", &["-s", "-f", &make]);
+        if !ended.well || ended.last() != "PASS 5000 vectors" {
+            give_up(folder, &format!("shared, seed {seed}"), &ended);
+        }
+    });
+}
+
+/// One product serves three: registers at its ports, two cycles inside, a delay FIFO beside it.
+pub(crate) fn little_shared() -> Arc<Rtl> {
+    let format = Format::signed(6, 4).unwrap();
+    let mut b = Builder::new("little");
+    let [x, y] = ["x", "y"].map(|name| b.input(name, format, Quantity::Number));
+    let square = b.mul(x, x);
+    b.name(square, "square");
+    let narrow = b.narrow(square, format, Round::HalfUp, Overflow::Saturate);
+    b.name(narrow, "narrow");
+    let cube = b.mul(narrow, x);
+    b.name(cube, "cube");
+    let both = b.mul(narrow, y);
+    b.name(both, "both");
+    let sum = b.add(cube, both);
+    b.output("sum", sum);
+    b.output("passed", y);
+    let netlist = Arc::new(b.build().unwrap());
+    let shares = vec![Share { kind: Kind::Multiplier, units: 1, latency: Some(2), loads: true }];
+    let plan = Plan { shares, interval: None };
+    let schedule = Schedule::shared(&netlist, Rom::Block, 5000, &plan).unwrap();
+    Arc::new(Rtl::new(netlist, schedule))
+}
+
+#[test]
+#[ignore = "needs iverilog and verilator: testbenches/run installs them"]
+fn faults_of_shared_hardware_are_found() {
+    let right = Module::new(&little_shared(), &Options::default()).unwrap();
+    assert!(right.interval == 3, "{}", right.interval);
+    let source = right.file(&Verilog).text;
+    let load = source.lines().find(|line| line.contains("if (ce & phase_1)")).unwrap();
+    let early = load.replace("phase_1", "phase_0");
+    let choice = source.lines().find(|line| line.contains("mul1_in1_next =")).unwrap();
+    let other = choice.replacen("phase_", "!phase_", 1);
+    [
+        ("a load in another phase", replaced(&source, load, &early), " expected"),
+        ("another choice", replaced(&source, choice, &other), " expected"),
+        (
+            "a phase that no reset clears",
+            replaced(&source, "if (rst) phase <= 2'h0;", "if (rst && ce) phase <= 2'h0;"),
+            "ready expected",
+        ),
+        (
+            "a counter that a stall doesn't hold up",
+            replaced(&source, "else if (ce) phase <= ", "else phase <= "),
+            "ready expected",
+        ),
+        (
+            "inputs taken in any phase",
+            replaced(&source, "else if (ce & phase_0) valid_s1", "else if (ce) valid_s1"),
+            "valid_out expected",
+        ),
+        ("always ready", replaced(&source, "ready = phase_0", "ready = 1'b1"), "ready expected"),
+        (
+            "valid for all of an interval",
+            replaced(
+                &source,
+                &format!("valid_out = {} & ", right.valid.0),
+                &format!("valid_out = {} | 0 & ", right.valid.0),
+            ),
+            "valid_out expected",
+        ),
+    ]
+    .into_par_iter()
+    .for_each(|(what, text, says)| {
+        let folder = tempfile::tempdir().unwrap();
+        emit(&little_shared(), None, 300, folder.path());
+        for make in ["little_icarus.mk", "little_verilator.mk"] {
+            fs::write(folder.path().join("little.v"), &source).unwrap();
+            let ended = tool(folder.path(), "make", &["-s", "-f", make]);
+            assert_eq!(ended.last(), "PASS 300 vectors", "{make}");
+            let _ = fs::remove_file(folder.path().join("little_tb.vvp"));
+            let _ = fs::remove_dir_all(folder.path().join("obj_little"));
+            fs::write(folder.path().join("little.v"), &text).unwrap();
+            // Warnings stop no build here.
+            let makefile = folder.path().join(make);
+            let mut lines = fs::read_to_string(&makefile).unwrap();
+            lines = lines.replace("-Wall --Mdir", "-Wno-fatal --Mdir");
+            fs::write(&makefile, lines).unwrap();
+            let ended = tool(folder.path(), "make", &["-s", "-f", make]);
+            fails(&ended, 2, &format!("{what}, {make}"), says);
+        }
     });
 }
 

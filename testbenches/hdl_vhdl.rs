@@ -3,8 +3,8 @@
 use crate::committed::COMMITTED;
 use crate::engines::random_netlist;
 use crate::hdl::{
-    Ended, emit, emit_with, every_operation, fails, faulty_vectors, little, put, replaced,
-    some_rtl, tool,
+    Ended, PLACES, emit, emit_with, every_operation, fails, faulty_vectors, figure_8_rtl, little,
+    put, replaced, some_rtl, some_shared, tool,
 };
 use fixpath::format::{Format, Overflow, Round};
 use fixpath::hdl::Tables;
@@ -43,6 +43,19 @@ fn random_netlists_in_ghdl() {
             [Some(Tables::Inline), Some(Tables::Files), Some(Tables::Case)][(seed % 3) as usize];
         emit(&some_rtl(&netlist, seed / 3), tables, 400, folder.path());
         check(folder, "random", 400, &format!("seed {seed}"));
+    }
+}
+
+#[test]
+#[ignore = "needs ghdl: testbenches/run installs it"]
+fn shared_hardware_in_ghdl() {
+    let mut runs = some_shared(20);
+    runs.push((0, figure_8_rtl()));
+    for (seed, rtl) in runs {
+        let folder = tempfile::tempdir().unwrap();
+        let tables = PLACES[seed as usize % PLACES.len()];
+        let module = emit(&rtl, tables, 400, folder.path());
+        check(folder, &module.name, 400, &format!("shared, seed {seed}"));
     }
 }
 

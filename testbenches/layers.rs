@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 /// From the top down. Modules on one line don't name each other, but for those of `FRIENDS`.
 const LAYERS: &[&[&str]] = &[
     &["cast", "error", "output", "simd"],
-    &["outside"],
-    &["format"],
+    &["outside", "document"],
+    &["format", "texgen"],
     &["function", "trig", "srgb"],
     &["op", "netlist"],
     &["lut"],

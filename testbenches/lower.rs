@@ -1,12 +1,14 @@
 //! Lowered hardware against the reference, without any tool: an interpreter of the language-neutral
 //! form that knows nothing of how it came about, only what its definitions say.
 
-use crate::engines::{Random, random_netlist};
-use crate::hdl::some_rtl;
+use crate::engines::{Random, random_netlist, random_netlist_within};
+use crate::hdl::{little_shared, some_rtl};
+use crate::shared::{emboss_like, figure_8, random_plan, with_dots};
+use expect_test::expect_file;
 use fixpath::format::{Format, Overflow, Round, narrow};
 use fixpath::hdl::{
-    Bit, Bitwise, Driver, Expr, Item, Module, Next, Operand, Options, RomTable, Tables, View,
-    WordId,
+    Bit, Bitwise, Driver, Expr, Item, Module, Next, Operand, Options, Register, RomTable, Tables,
+    Verilog, Vhdl, View, WordId,
 };
 use fixpath::netlist::{Builder, Column, Netlist, NodeId, Quantity, Table};
 use fixpath::rtl::{Rtl, Signal};
@@ -43,8 +45,8 @@ pub(crate) struct Machine<'a> {
     words: Vec<u128>,
     rows: BTreeMap<WordId, Vec<bool>>,
     tables: Vec<Vec<Vec<bool>>>,
-    /// Valid bit of each stage.
-    valid: Vec<bool>,
+    /// Valid input and valid bits, by name.
+    valid: BTreeMap<String, bool>,
 }
 
 impl<'a> Machine<'a> {
@@ -62,19 +64,13 @@ impl<'a> Machine<'a> {
                 Item::Assign(id, Expr::Read(table, _)) => Some((*id, *table)),
                 Item::Assign(..) | Item::Scope(_) => None,
             });
-            let clocked = stage.registers.iter().filter_map(|(id, next)| match next {
-                Next::Read(table, _) => Some((*id, *table)),
+            let clocked = stage.registers.iter().filter_map(|register| match register.next {
+                Next::Read(table, _) => Some((register.word, table)),
                 Next::Word(_) => None,
             });
             rows.extend(assigned.chain(clocked).map(|(id, table)| (id, tables[table][0].clone())));
         }
-        Self {
-            words: words.collect(),
-            rows,
-            tables,
-            valid: vec![false; module.latency as usize + 1],
-            module,
-        }
+        Self { words: words.collect(), rows, tables, valid: BTreeMap::new(), module }
     }
 
     fn whole(&self, id: WordId) -> u128 {
@@ -217,7 +213,7 @@ impl<'a> Machine<'a> {
         for (id, raw) in module.inputs.iter().zip(inputs) {
             self.words[id.index()] = module.word(*id).format.unwrap().pattern(*raw).into();
         }
-        self.valid[0] = valid;
+        self.valid.insert("valid_in".to_owned(), valid);
         for item in module.stages.iter().flat_map(|stage| &stage.items) {
             match item {
                 Item::Scope(_) => {}
@@ -232,23 +228,40 @@ impl<'a> Machine<'a> {
 
     /// A clock edge.
     pub(crate) fn clock(&mut self, enable: bool, reset: bool) {
-        if enable {
-            let registers = self.module.stages.iter().flat_map(|stage| &stage.registers);
-            let mut words = Vec::new();
-            let mut rows = Vec::new();
-            for (id, next) in registers {
-                match next {
-                    Next::Word(from) => words.push((*id, self.whole(*from))),
-                    Next::Read(table, address) => rows.push((*id, self.row(*table, *address))),
-                }
+        let loads = |flag: Option<Bit>| enable && flag.is_none_or(|flag| self.bit(flag));
+        let mut words = Vec::new();
+        let mut rows = Vec::new();
+        for register in self.module.stages.iter().flat_map(|stage| &stage.registers) {
+            let Register { word, next, load, reset: cleared } = *register;
+            match next {
+                _ if cleared && reset => words.push((word, 0)),
+                _ if !loads(load) => {}
+                Next::Word(from) => words.push((word, self.whole(from))),
+                Next::Read(table, address) => rows.push((word, self.row(table, address))),
             }
-            words.into_iter().for_each(|(id, word)| self.words[id.index()] = word);
-            self.rows.extend(rows);
-            self.valid.rotate_right(1);
         }
-        if reset {
-            self.valid.fill(false);
+        let mut valid = Vec::new();
+        for bit in self.module.stages.iter().filter_map(|stage| stage.valid.as_ref()) {
+            if reset {
+                valid.push((bit.to.clone(), false));
+            } else if loads(bit.load) {
+                valid.push((bit.to.clone(), self.valid.get(&bit.from) == Some(&true)));
+            }
         }
+        words.into_iter().for_each(|(id, word)| self.words[id.index()] = word);
+        self.rows.extend(rows);
+        self.valid.extend(valid);
+    }
+
+    /// Whether the outputs are valid.
+    pub(crate) fn valid_out(&self) -> bool {
+        let (bit, flag) = &self.module.valid;
+        self.valid.get(bit) == Some(&true) && flag.is_none_or(|flag| self.bit(flag))
+    }
+
+    /// Whether the module takes its inputs at the next edge.
+    pub(crate) fn ready(&self) -> bool {
+        self.module.ready.is_none_or(|flag| self.bit(flag))
     }
 
     /// Patterns at the output ports.
@@ -272,7 +285,7 @@ fn combinational(netlist: Netlist) -> (Arc<Netlist>, Module) {
 /// module that is a signal is compared with the reference of the sample that it belongs to.
 fn stream(rtl: &Arc<Rtl>, module: &Module, seed: u64) {
     let netlist = rtl.netlist();
-    let latency = module.latency as usize;
+    let (latency, interval) = (module.latency as usize, module.interval as usize);
     let mut random = Random::new(seed ^ 0xfeed);
     let mut machine = Machine::new(module);
     let by_name: BTreeMap<&str, usize> =
@@ -285,6 +298,11 @@ fn stream(rtl: &Arc<Rtl>, module: &Module, seed: u64) {
     for id in netlist.ids() {
         let mut all = vec![Signal { node: id, stage: rtl.schedule().stage(id) }];
         all.extend(rtl.registers(id));
+        // Inside a unit only what it gives is a signal.
+        if !rtl.is_free(id) && rtl.result(id).is_none() {
+            assert!(all.len() == 1 && module.signal(all[0]).is_none(), "seed {seed}: {all:?}");
+            continue;
+        }
         let missing = all.iter().find(|signal| module.signal(**signal).is_none());
         assert!(missing.is_none(), "seed {seed}: {missing:?}");
     }
@@ -293,17 +311,28 @@ fn stream(rtl: &Arc<Rtl>, module: &Module, seed: u64) {
     let mut seen = 0;
     let reset_at = latency + 4 + random.below(8);
     let mut reset_done = latency == 0;
-    let cycles = 2 * latency + 24;
-    let mut at = 0;
+    let cycles = 2 * latency + 24 * interval;
+    // The counter starts anywhere.
+    if interval > 1 {
+        machine.clock(false, true);
+    }
+    let (mut at, mut phase) = (0, 0);
     while at < cycles {
         let words: Vec<i64> =
             netlist.inputs().iter().map(|id| random.word(netlist.node(*id).format)).collect();
         let valid = random.below(8) > 0;
         machine.settle(&words, valid);
-        flight.push_front((netlist.eval(&words).0, valid));
+        assert_eq!(machine.ready(), phase == 0, "seed {seed}, cycle {at}: ready");
+        // What is there in other phases isn't taken.
+        flight.push_front((netlist.eval(&words).0, valid && phase == 0));
         for (signal, index) in &signals {
-            // A constant is the same for every sample.
-            let Some((reference, _)) = flight.get(signal.stage as usize) else { continue };
+            // A constant is the same for every sample; a word is that of a sample in the phase of
+            // its stage, and in a hold register for all of an interval.
+            let own = rtl.schedule().stage(signal.node) as usize;
+            let first = signal.stage as usize;
+            let seen = if first == own { first..first + 1 } else { first..first + interval };
+            let mine = seen.clone().find(|stage| stage % interval == phase);
+            let Some((reference, _)) = mine.and_then(|stage| flight.get(stage)) else { continue };
             let format = netlist.node(signal.node).format;
             let word = &module.words[*index];
             let is = machine.words[*index];
@@ -313,7 +342,7 @@ fn stream(rtl: &Arc<Rtl>, module: &Module, seed: u64) {
         }
         let out = flight.get(latency);
         let valid_out = out.is_some_and(|(_, valid)| *valid);
-        assert_eq!(machine.valid[latency], valid_out, "seed {seed}, cycle {at}: valid");
+        assert_eq!(machine.valid_out(), valid_out, "seed {seed}, cycle {at}: valid");
         if let Some((reference, true)) = out {
             let should = |(port, is): (usize, u128)| {
                 let output = &netlist.outputs()[port];
@@ -332,11 +361,17 @@ fn stream(rtl: &Arc<Rtl>, module: &Module, seed: u64) {
             flight.pop_front();
         } else {
             at += 1;
-            flight.truncate(latency + 1);
+            phase = (phase + 1) % interval;
+            flight.truncate(latency + interval + 1);
         }
         if reset {
             reset_done = true;
+            phase = 0;
             flight.iter_mut().for_each(|(_, valid)| *valid = false);
+            // Where the phase jumps, no word belongs to a sample of before.
+            if interval > 1 {
+                flight.clear();
+            }
         }
     }
     assert!(seen > 0 && reset_done, "seed {seed}: {seen} samples came out");
@@ -1037,8 +1072,18 @@ fn check_promises(rtl: &Arc<Rtl>, module: &Module) {
             .iter()
             .filter_map(|(name, id)| (module.word(*id).name != *name).then_some(name.as_str())),
     );
-    let valids: Vec<String> = (1..=module.latency).map(|stage| format!("valid_s{stage}")).collect();
+    let valids: Vec<String> = (1..=module.latency)
+        .step_by(module.interval as usize)
+        .map(|stage| format!("valid_s{stage}"))
+        .collect();
+    let bits = module.stages.iter().filter_map(|stage| stage.valid.as_ref());
+    assert_eq!(bits.map(|valid| valid.to.clone()).collect::<Vec<_>>(), valids);
+    assert_eq!(valids.len(), rtl.valid_bits() as usize);
     taken.extend(valids.iter().map(String::as_str));
+    assert_eq!(module.ready.is_some(), module.interval > 1);
+    if module.ready.is_some() {
+        taken.push("ready");
+    }
     for name in taken {
         assert!(names.insert(name), "{name} is there twice");
         assert!(!KEYWORDS.contains(&name), "{name} is a keyword");
@@ -1065,24 +1110,46 @@ fn check_promises(rtl: &Arc<Rtl>, module: &Module) {
     };
     let whole = |id: WordId| (id, 0, module.word(id).bits);
     module.inputs.iter().for_each(|id| define(*id, &mut defined, &[Driver::Input]));
-    assert_eq!(module.stages.len(), module.latency as usize + 1);
+    let flat = module.interval == 1 && rtl.units().is_empty();
+    if flat {
+        assert_eq!(module.stages.len(), module.latency as usize + 1);
+        assert!(module.stages.last().unwrap().registers.is_empty());
+    }
+    // Ports that are registers are declared by the head.
+    let ports: BTreeSet<WordId> = module
+        .outputs
+        .iter()
+        .map(|(_, id)| *id)
+        .filter(|id| !flat && module.word(*id).driver == Driver::OutputRegister)
+        .collect();
+    let mut declared: BTreeSet<WordId> = BTreeSet::new();
     for stage in &module.stages {
+        assert!(!flat || stage.declared.is_empty() && stage.registers.iter().all(|r| !r.reset));
+        declared.extend(stage.declared.iter().copied());
+        let mut known: BTreeSet<WordId> = &(&declared | &ports) | &defined;
         for item in &stage.items {
             let Item::Assign(id, expr) = item else { continue };
             for part in reads(module, expr) {
-                use_bits(part, &defined);
+                use_bits(part, &known);
             }
             define(*id, &mut defined, &[Driver::Logic]);
+            known.insert(*id);
         }
-        let mut next = defined.clone();
-        for (id, from) in &stage.registers {
-            let (Next::Word(from) | Next::Read(_, from)) = *from;
-            use_bits(whole(from), &defined);
-            define(*id, &mut next, &[Driver::Register, Driver::OutputRegister]);
+        for Register { word, next, load, .. } in &stage.registers {
+            let (Next::Word(from) | Next::Read(_, from)) = *next;
+            use_bits(whole(from), &known);
+            if let Some(flag) = load {
+                use_bits((flag.word, flag.bit, 1), &known);
+            }
+            define(*word, &mut defined, &[Driver::Register, Driver::OutputRegister]);
         }
-        defined = next;
+        if let Some(flag) = stage.valid.as_ref().and_then(|valid| valid.load) {
+            use_bits((flag.word, flag.bit, 1), &known);
+        }
     }
-    assert!(module.stages.last().unwrap().registers.is_empty());
+    for flag in [module.ready, module.valid.1].into_iter().flatten() {
+        use_bits((flag.word, flag.bit, 1), &defined);
+    }
     for (port, (name, id)) in module.outputs.iter().enumerate() {
         use_bits(whole(*id), &defined);
         let word = module.word(*id);
@@ -1116,6 +1183,52 @@ fn check_ports(rtl: &Arc<Rtl>, module: &Module) {
     assert_eq!(given, inputs);
     let given: Vec<&str> = module.outputs.iter().map(|(name, _)| name.as_str()).collect();
     assert_eq!(given, outputs);
+}
+
+/// Hardware of a schedule that shares, of a netlist that a seed makes.
+pub(crate) fn shared_rtl(seed: u64) -> Option<Arc<Rtl>> {
+    let mut random = Random::new(seed ^ 0xabcd);
+    let netlist = Arc::new(if random.chance(50) {
+        with_dots(seed)
+    } else {
+        random_netlist_within(seed, 4 + random.below(40), random.pick(&[6, 8, 12]))
+    });
+    let plan = random_plan(&mut random);
+    let rom = random.pick(&[Rom::Block, Rom::Distributed]);
+    let period = random.pick(&[100, 2000, 4000, 8000]);
+    let schedule = Schedule::shared(&netlist, rom, period, &plan).ok()?;
+    Some(Arc::new(Rtl::new(netlist, schedule)))
+}
+
+#[test]
+fn shared_hardware_with_stalls_and_a_reset() {
+    let (mut streamed, mut units, mut longest) = (0, 0, 0);
+    for rtl in (0..400).filter_map(shared_rtl) {
+        let module = module(&rtl);
+        check_promises(&rtl, &module);
+        check_ports(&rtl, &module);
+        stream(&rtl, &module, streamed);
+        streamed += 1;
+        units += rtl.units().len();
+        longest = longest.max(module.interval);
+    }
+    assert!(streamed > 200 && units > 200 && longest > 8, "{streamed} {units} {longest}");
+    let figure_8 = Schedule::bound(&Arc::new(emboss_like()), Rom::Block, 6000, &figure_8());
+    let rtl = Arc::new(Rtl::new(Arc::new(emboss_like()), figure_8.unwrap()));
+    let module = module(&rtl);
+    check_promises(&rtl, &module);
+    for seed in 0..5 {
+        stream(&rtl, &module, seed);
+    }
+}
+
+/// What the outside simulators take in `hdl.rs` reads like this.
+#[test]
+fn a_small_shared_module_as_text() {
+    let options = Options { header: vec!["under test".to_owned()], ..Options::default() };
+    let module = Module::new(&little_shared(), &options).unwrap();
+    expect_file!["shared_little.v"].assert_eq(&module.file(&Verilog).text);
+    expect_file!["shared_little.vhd"].assert_eq(&module.file(&Vhdl).text);
 }
 
 #[test]

@@ -119,7 +119,7 @@ fn found_schedules_give_the_reference() {
 }
 
 /// Random netlists, with dot products among their operations.
-fn with_dots(seed: u64) -> Netlist {
+pub(crate) fn with_dots(seed: u64) -> Netlist {
     let mut random = Random::new(seed);
     let mut b = Builder::new("dots");
     let mut nodes: Vec<NodeId> = (0..5)
@@ -151,7 +151,7 @@ fn with_dots(seed: u64) -> Netlist {
     b.build().unwrap()
 }
 
-fn random_plan(random: &mut Random) -> Plan {
+pub(crate) fn random_plan(random: &mut Random) -> Plan {
     let mut shares = Vec::new();
     for (kind, _) in Kind::ALL {
         if random.chance(60) {

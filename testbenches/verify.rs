@@ -76,12 +76,6 @@ fn committed_settings_agree_in_every_tool() {
     }
 }
 
-/// Parameters of a unit and of its flat pipeline; the schedules of `testbenches/shared.rs` are apart.
-fn drawn_params(unit: &'static Unit) -> impl Iterator<Item = &'static fixpath::units::Param> {
-    let pipeline = fixpath::units::PIPELINE.iter();
-    unit.params.iter().chain(pipeline.take_while(|param| param.name != "schedule"))
-}
-
 /// A value for each parameter, legal alone: the ends of ranges, and any.
 fn random_assignments(unit: &'static Unit, random: &mut Random) -> Vec<String> {
     let assignment = |param: &fixpath::units::Param| {
@@ -99,6 +93,9 @@ fn random_assignments(unit: &'static Unit, random: &mut Random) -> Vec<String> {
                     name if name.ends_with("addr_bits") => max.min(11),
                     "period_ps" => 10_000,
                     "stages" => 20,
+                    // Most of the time some are shared.
+                    name if name.starts_with("share_") => max.min(4),
+                    "interval" => max.min(40),
                     _ => max,
                 };
                 let any = min + random.below((max - min + 1) as usize) as i64;
@@ -107,7 +104,16 @@ fn random_assignments(unit: &'static Unit, random: &mut Random) -> Vec<String> {
         };
         format!("{}={value}", param.name)
     };
-    drawn_params(unit).map(assignment).collect()
+    let mut set: Vec<String> = unit.all_params().map(assignment).collect();
+    // What is only for a schedule that isn't drawn would be refused.
+    let shared = set.iter().any(|set| set == "schedule=shared");
+    if !shared {
+        set.retain(|set| !set.starts_with("share_") && !set.starts_with("interval="));
+    }
+    if !set.iter().any(|set| set == "schedule=flat") {
+        set.retain(|set| !set.starts_with("stages="));
+    }
+    set
 }
 
 /// Legal sets of parameters that are drawn with a seed, each with its design.
@@ -160,7 +166,14 @@ fn choices_of(unit: &'static Unit) -> BTreeSet<String> {
             Kind::Int { .. } | Kind::Real { .. } => Vec::new(),
         }
     };
-    drawn_params(unit).flat_map(of).collect()
+    let mut choices: BTreeSet<String> = unit.all_params().flat_map(of).collect();
+    // Of a schedule that is printed the unit's defaults have one, or none has.
+    let printed = "schedule=printed";
+    let has = unit.values(&[printed]).and_then(|values| values.build()?.rtl());
+    if has.is_err() {
+        choices.remove(printed);
+    }
+    choices
 }
 
 #[test]

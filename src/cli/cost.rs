@@ -56,7 +56,7 @@ impl TargetArg {
 struct Row {
     target: Target,
     synthesis: Synthesis,
-    estimate: Cost,
+    estimate: Option<Cost>,
     clock: Clock,
 }
 
@@ -80,7 +80,7 @@ pub(super) fn run(args: &CostArgs) -> Result<String> {
         bar.println(format!("{}: counted", target.name()));
         let clock = route(&module, target, synthesis.cost, period_ps, limit)?;
         bar.println(format!("{}: done", target.name()));
-        Ok(Row { target, estimate: cost::of_module(&module, target), synthesis, clock })
+        Ok(Row { target, estimate: cost::of_module(&module, target).ok(), synthesis, clock })
     };
     let rows: Result<Vec<Row>> = targets.par_iter().map(row).collect();
     bar.finish_and_clear();
@@ -117,7 +117,9 @@ fn told(design: &Design, rows: &[Row], yosys: &str) -> String {
     for row in rows {
         let name = row.target.name();
         cells.push(figures(name, &format!("Yosys {yosys}"), row.synthesis.cost, clock(&row.clock)));
-        cells.push(figures("", "estimate", row.estimate, String::new()));
+        if let Some(estimate) = row.estimate {
+            cells.push(figures("", "estimate", estimate, String::new()));
+        }
     }
     text.push_str(&text::table(
         &["target", "", ">LUTs", ">flip-flops", ">block RAMs", ">DSPs", "clock"],

@@ -20,8 +20,10 @@
 
 use super::{Cost, Target};
 use crate::cast;
-use crate::error::Result;
-use crate::hdl::{Bit, Expr, Item, Module, Next, Operand, Options, RomTable, View, WordId};
+use crate::error::{Error, Result};
+use crate::hdl::{
+    Bit, Expr, Item, Module, Next, Operand, Options, Register, RomTable, View, WordId,
+};
 use crate::rtl::Rtl;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -29,17 +31,22 @@ use std::sync::Arc;
 /// Estimates what hardware costs on a target.
 ///
 /// # Errors
-/// If the module would be too large to be made.
+/// As [`of_module`], or if the module would be too large to be made.
 pub fn estimate(rtl: &Arc<Rtl>, target: Target) -> Result<Cost> {
-    let module = Module::new(rtl, &Options::default())?;
-    Ok(of_module(&module, target))
+    of_module(&Module::new(rtl, &Options::default())?, target)
 }
 
 /// Estimates what a module costs on a target.
-#[must_use]
-pub fn of_module(module: &Module, target: Target) -> Cost {
+///
+/// # Errors
+/// If it is time-shared: the rules know no registers with an enable, and no circles through them.
+pub fn of_module(module: &Module, target: Target) -> Result<Cost> {
+    if module.stages.iter().any(|stage| !stage.declared.is_empty()) {
+        let text = "time-shared hardware isn't estimated: `fixpath cost` asks Yosys";
+        return Err(Error::usage(text.to_owned()));
+    }
     let graph = Graph::new(module);
-    Count::new(&graph, module, target.rules()).cost()
+    Ok(Count::new(&graph, module, target.rules()).cost())
 }
 
 /// A bit.
@@ -152,7 +159,7 @@ impl Graph {
                     graph.words[id.index()] = graph.expr(module, *id, expr);
                 }
             }
-            for (id, next) in &stage.registers {
+            for Register { word: id, next, .. } in &stage.registers {
                 graph.words[id.index()] = match next {
                     Next::Word(from) => {
                         let from = graph.words[from.index()].clone();

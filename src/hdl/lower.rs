@@ -4,27 +4,29 @@
 //! All arithmetic is modulo two to the bits of the result, on operands that are extended to
 //! them: with formats that hold every result that is exact, and no language's own rules of
 //! signs and widths come into play.
+//!
+//! A flat pipeline is its stages, one after the other. A time-shared one has before them the
+//! phase counter and the declarations of what is used before it is driven (hold registers and
+//! results of units), and after them each unit: multiplexers, its own stages, results. Its hold
+//! registers load in their phase. All of it is stages and registers; a flat pipeline has no phase.
 
 use super::{
-    Bit, Bitwise, Driver, Expr, Item, Module, Next, Operand, Options, RomTable, Stage, View, WORDS,
-    Word, WordId, check_name, new_word_id, place_tables, refuse_size,
+    Bit, Bitwise, Driver, Expr, Item, Module, Next, Operand, Options, READY, Register, RomTable,
+    Stage, Valid, View, WORDS, Word, WordId, check_name, new_word_id, place_tables, refuse_size,
+    valid_bit,
 };
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::format::{Format, Narrowing, Overflow, Round, bit_len, narrow};
 use crate::hdl::names::Names;
-use crate::netlist::{NodeId, TableId};
+use crate::netlist::{NodeId, Table, TableId};
 use crate::op::Op;
-use crate::rtl::{Rtl, Signal};
+use crate::rtl::{Port, Rtl, Signal, Source};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 pub(super) fn lower(rtl: &Arc<Rtl>, options: &Options) -> Result<Module> {
     let netlist = rtl.netlist();
-    if rtl.schedule().interval() > 1 || !rtl.units().is_empty() {
-        let text = "hardware of a time-shared schedule isn't emitted yet: take schedule=flat";
-        return Err(Error::usage(text.to_owned()));
-    }
     let name = options.name.clone().unwrap_or_else(|| netlist.name().to_owned());
     check_name(&name)?;
     let is_input = netlist.inputs().iter().any(|id| netlist.node(*id).name.as_ref() == Some(&name));
@@ -34,86 +36,106 @@ pub(super) fn lower(rtl: &Arc<Rtl>, options: &Options) -> Result<Module> {
     }
     let tables_in = place_tables(rtl, options.tables)?;
     let latency = rtl.schedule().latency();
+    let interval = rtl.schedule().interval();
     let mut names = Names::default();
     names.take(&name);
-    let stages = usize::try_from(latency).expect("bug: 32 bits fit") + 1;
+    if interval > 1 {
+        names.take(READY);
+    }
+    let clocked = |rtl: &Rtl| {
+        let netlist = rtl.netlist();
+        netlist.ids().any(|id| rtl.schedule().is_clocked(netlist, id))
+    };
     let mut lowering = Lowering {
-        rtl,
+        at: Context {
+            rtl: Arc::clone(rtl),
+            prefix: String::new(),
+            signals: BTreeMap::new(),
+            roms: BTreeMap::new(),
+            rows: BTreeMap::new(),
+        },
         names,
         stage: 0,
         scope: String::new(),
-        roms: BTreeMap::new(),
         columns: BTreeMap::new(),
-        rows: BTreeMap::new(),
+        flags: BTreeMap::new(),
         module: Module {
             name,
             header: options.header.clone(),
             latency,
-            block_rom: netlist.ids().any(|id| rtl.schedule().is_clocked(netlist, id)),
+            interval,
+            block_rom: clocked(rtl) || rtl.units().iter().any(|unit| clocked(&unit.rtl)),
             words: Vec::new(),
             inputs: Vec::new(),
             outputs: Vec::new(),
             tables: Vec::new(),
             tables_in,
-            stages: vec![Stage::default(); stages],
+            stages: Vec::new(),
+            ready: None,
+            valid: ("valid_in".to_owned(), None),
             signals: BTreeMap::new(),
         },
     };
     lowering.ports();
-    lowering.tables();
-    for stage in 0..=latency {
-        lowering.stage(stage);
-        let words = lowering.module.words.len();
-        if words > WORDS {
-            let remedy = "take fewer stages or smaller units";
-            return Err(refuse_size(
-                "wires and registers",
-                cast::count_of(words),
-                cast::count_of(WORDS),
-                remedy,
-            ));
-        }
+    let roms = lowering.tables();
+    lowering.phases();
+    lowering.declarations();
+    lowering.stages(roms[0].clone())?;
+    for (number, roms) in roms.into_iter().skip(1).enumerate() {
+        lowering.unit(number, roms)?;
     }
     lowering.finish();
     Ok(lowering.module)
 }
 
-struct Lowering<'a> {
-    rtl: &'a Arc<Rtl>,
+/// Hardware that is being lowered: the whole, or the inside of a unit.
+struct Context {
+    rtl: Arc<Rtl>,
+    /// What its names begin with.
+    prefix: String,
+    /// Word of each of its signals.
+    signals: BTreeMap<Signal, WordId>,
+    /// Position of each of its tables in the module.
+    roms: BTreeMap<TableId, usize>,
+    /// Word of a row by table, address and stage.
+    rows: BTreeMap<(TableId, Signal, u32), WordId>,
+}
+
+struct Lowering {
+    at: Context,
     names: Names,
     module: Module,
     /// Stage that statements go to.
     stage: usize,
     /// Scope of the latest statement.
     scope: String,
-    /// Position of each table in the module.
-    roms: BTreeMap<TableId, usize>,
-    /// Least bit of each column in its table's rows.
-    columns: BTreeMap<(TableId, u32), u32>,
-    /// Word of a row by table, address and stage.
-    rows: BTreeMap<(TableId, Signal, u32), WordId>,
+    /// Least bit of each column in its table's rows, by the table's position in the module.
+    columns: BTreeMap<(usize, u32), u32>,
+    /// Flags that are set in some phases.
+    flags: BTreeMap<Vec<u32>, Bit>,
 }
 
-impl Lowering<'_> {
+impl Lowering {
     fn ports(&mut self) {
-        let netlist = Arc::clone(self.rtl.netlist());
+        let rtl = Arc::clone(&self.at.rtl);
+        let netlist = rtl.netlist();
         for id in netlist.inputs() {
             let signal = Signal { node: *id, stage: 0 };
-            let wanted = self.rtl.local_name(signal);
+            let wanted = rtl.local_name(signal);
             let format = netlist.node(*id).format;
             let word = self.node_word(&wanted, format, Driver::Input);
             self.module.inputs.push(word);
-            self.module.signals.insert(signal, word);
+            self.at.signals.insert(signal, word);
         }
         // Outputs have their names before anything inside; registers of their own are made now.
         for output in netlist.outputs() {
-            let signal = self.rtl.output(output.node);
-            let register = self.rtl.registers(output.node).any(|register| register == signal);
-            let known = self.module.signals.contains_key(&signal);
+            let signal = rtl.output(output.node);
+            let register = rtl.registers(output.node).any(|register| register == signal);
+            let known = self.at.signals.contains_key(&signal);
             if register && !known {
                 let format = netlist.node(output.node).format;
                 let word = self.node_word(&output.name, format, Driver::OutputRegister);
-                self.module.signals.insert(signal, word);
+                self.at.signals.insert(signal, word);
                 let name = self.module.word(word).name.clone();
                 self.module.outputs.push((name, word));
             } else {
@@ -124,37 +146,283 @@ impl Lowering<'_> {
         }
     }
 
-    fn finish(&mut self) {
-        let netlist = Arc::clone(self.rtl.netlist());
-        for (port, output) in netlist.outputs().iter().enumerate() {
-            let word = self.module.signals[&self.rtl.output(output.node)];
-            self.module.outputs[port].1 = word;
-            self.use_bits(word, 0, u32::MAX);
+    /// Opens a stage of the module.
+    fn open(&mut self, title: String) {
+        self.stage = self.module.stages.len();
+        self.module.stages.push(Stage { title, ..Stage::default() });
+        self.scope.clear();
+    }
+
+    /// The phase counter, where there is more than one phase.
+    fn phases(&mut self) {
+        let interval = self.module.interval;
+        if interval == 1 {
+            return;
+        }
+        self.open("phase".to_owned());
+        let bits = self.at.rtl.phase_bits();
+        let phase = self.word("phase", bits, false, 0, Driver::Register);
+        self.module.stages[self.stage].declared.push(phase);
+        let literal = |number: u32| Operand::Literal { pattern: number.into(), bits };
+        let more = Expr::Add(self.resized(phase, bits), literal(1));
+        let mut next = self.plain(phase, "more", bits, more);
+        if !interval.is_power_of_two() {
+            let last = Expr::Equal(self.resized(phase, bits), literal(interval - 1));
+            let last = self.flag(phase, "last", last);
+            let cases = vec![(last, literal(0))];
+            let around = Expr::Choose { cases, default: self.resized(next, bits) };
+            next = self.plain(phase, "next", bits, around);
+        }
+        self.use_bits(next, 0, u32::MAX);
+        for number in self.phases_at_work() {
+            let is = Expr::Equal(self.resized(phase, bits), literal(number));
+            let word = self.word(&format!("phase_{number}"), 1, false, 0, Driver::Logic);
+            self.assign(word, is);
+            self.flags.insert(vec![number], Bit { word, bit: 0 });
+        }
+        self.module.stages[self.stage].registers.push(Register {
+            word: phase,
+            next: Next::Word(next),
+            load: None,
+            reset: true,
+        });
+        let ready = self.flags[&vec![0]];
+        self.use_bits(ready.word, ready.bit, 1);
+        self.module.ready = Some(ready);
+    }
+
+    /// Phases that something depends on.
+    fn phases_at_work(&self) -> BTreeSet<u32> {
+        let rtl = &self.at.rtl;
+        let loads = rtl.netlist().ids().flat_map(|id| rtl.registers(id));
+        let ports = rtl.units().iter().flat_map(|unit| &unit.ports);
+        let several = ports.filter(|port| port.registered || port.cases.len() > 1);
+        let mut phases: BTreeSet<u32> = loads.map(|register| rtl.load_phase(register)).collect();
+        phases.extend(several.flat_map(|port| port.cases.iter().map(|case| case.phase)));
+        phases.extend([0, rtl.schedule().phase(rtl.schedule().latency())]);
+        phases
+    }
+
+    /// The flag of some phases in ascending order; none if they are all that there are.
+    fn during(&mut self, phases: &[u32]) -> Option<Bit> {
+        if phases.len() == cast::index_of_u32(self.module.interval) {
+            return None;
+        }
+        if let Some(flag) = self.flags.get(phases) {
+            return Some(*flag);
+        }
+        let (last, before) = phases.split_last().expect("bug: some phase");
+        let before = self.during(before).expect("bug: fewer phases than there are");
+        let last = self.flags[&vec![*last]];
+        let numbers: Vec<String> = phases.iter().map(u32::to_string).collect();
+        let wanted = format!("phase_{}", numbers.join("_"));
+        let word = self.word(&wanted, 1, false, 0, Driver::Logic);
+        self.assign(word, Expr::Bitwise(Bitwise::Or, before.word, last.word));
+        let flag = Bit { word, bit: 0 };
+        self.flags.insert(phases.to_vec(), flag);
+        Some(flag)
+    }
+
+    /// Hold registers and results of units: multiplexers come before what drives them.
+    fn declarations(&mut self) {
+        let rtl = Arc::clone(&self.at.rtl);
+        if rtl.units().is_empty() {
+            return;
+        }
+        self.open("hold registers and results of units".to_owned());
+        let netlist = rtl.netlist();
+        for id in netlist.ids() {
+            let format = netlist.node(id).format;
+            if rtl.result(id).is_some() {
+                let signal = Signal { node: id, stage: rtl.schedule().stage(id) };
+                let word = self.node_word(&self.flat_name(signal), format, Driver::Logic);
+                self.at.signals.insert(signal, word);
+                self.module.stages[self.stage].declared.push(word);
+            }
+            for register in rtl.registers(id) {
+                if !self.at.signals.contains_key(&register) {
+                    let wanted = self.flat_name(register);
+                    let word = self.node_word(&wanted, format, Driver::Register);
+                    self.at.signals.insert(register, word);
+                    self.module.stages[self.stage].declared.push(word);
+                }
+            }
         }
     }
 
-    /// Tables with the columns that are read.
-    fn tables(&mut self) {
-        let netlist = Arc::clone(self.rtl.netlist());
-        let mut read: BTreeMap<TableId, BTreeSet<u32>> = BTreeMap::new();
-        for node in netlist.nodes() {
-            if let Op::Read { table, column } = node.op {
-                read.entry(table).or_default().insert(column);
+    /// All stages of the hardware at hand.
+    fn stages(&mut self, roms: BTreeMap<TableId, usize>) -> Result<()> {
+        self.at.roms = roms;
+        for stage in 0..=self.at.rtl.schedule().latency() {
+            self.open(match self.at.prefix.trim_end_matches('_') {
+                "" => format!("stage {stage}"),
+                unit => format!("{unit}, stage {stage}"),
+            });
+            self.stage(stage);
+            let words = self.module.words.len();
+            if words > WORDS {
+                let remedy = "take fewer stages or smaller units";
+                return Err(refuse_size(
+                    "wires and registers",
+                    cast::count_of(words),
+                    cast::count_of(WORDS),
+                    remedy,
+                ));
             }
+        }
+        Ok(())
+    }
+
+    /// A unit: what goes in when, its inside, and what it gives.
+    fn unit(&mut self, number: usize, roms: BTreeMap<TableId, usize>) -> Result<()> {
+        let rtl = Arc::clone(&self.at.rtl);
+        let unit = &rtl.units()[number];
+        self.open(format!("what {} takes", unit.name));
+        let ports: Vec<WordId> = unit
+            .ports
+            .iter()
+            .enumerate()
+            .map(|(at, port)| self.port(&format!("{}_in{at}", unit.name), port))
+            .collect();
+        let inside = Context {
+            rtl: Arc::clone(&unit.rtl),
+            prefix: format!("{}_", unit.name),
+            signals: unit
+                .rtl
+                .netlist()
+                .inputs()
+                .iter()
+                .zip(ports)
+                .map(|(id, word)| (Signal { node: *id, stage: 0 }, word))
+                .collect(),
+            roms: BTreeMap::new(),
+            rows: BTreeMap::new(),
+        };
+        let whole = std::mem::replace(&mut self.at, inside);
+        self.stages(roms)?;
+        let inside = std::mem::replace(&mut self.at, whole);
+        self.open(format!("what {} gives", unit.name));
+        for id in rtl.netlist().ids() {
+            let Some(result) = rtl.result(id).filter(|result| result.unit == number) else {
+                continue;
+            };
+            let node = unit.rtl.netlist().outputs()[result.output].node;
+            let from = inside.signals[&unit.rtl.output(node)];
+            let to = self.at.signals[&Signal { node: id, stage: rtl.schedule().stage(id) }];
+            let bits = self.module.word(to).bits;
+            let view = View { word: from, lo: result.right, zeros: 0, bits };
+            self.assign(to, Expr::Copy(Operand::View(view)));
+        }
+        Ok(())
+    }
+
+    /// The word at a port of a unit: of what it takes in each phase.
+    fn port(&mut self, name: &str, port: &Port) -> WordId {
+        let operands: Vec<Operand> = port
+            .cases
+            .iter()
+            .map(|case| match case.source {
+                Source::Signal(signal) => Operand::View(View {
+                    word: self.at.signals[&signal],
+                    lo: 0,
+                    zeros: case.left,
+                    bits: port.format.bits(),
+                }),
+                Source::Constant { raw, .. } => Operand::Literal {
+                    pattern: port.format.pattern(case.shifted(raw)).into(),
+                    bits: port.format.bits(),
+                },
+            })
+            .collect();
+        // One choice for each operand, the first where nothing else is asked for.
+        let mut choices: Vec<(Operand, Vec<u32>)> = Vec::new();
+        for (case, operand) in port.cases.iter().zip(operands) {
+            match choices.iter_mut().find(|(known, _)| *known == operand) {
+                Some((_, phases)) => phases.push(case.phase),
+                None => choices.push((operand, vec![case.phase])),
+            }
+        }
+        let default = choices.remove(0).0;
+        let mut cases = Vec::new();
+        for (operand, phases) in choices {
+            let flag = self.during(&phases).expect("bug: the first has a phase too");
+            cases.push((flag, operand));
+        }
+        let expr =
+            if cases.is_empty() { Expr::Copy(default) } else { Expr::Choose { cases, default } };
+        if !port.registered {
+            let word = self.node_word(name, port.format, Driver::Logic);
+            self.assign(word, expr);
+            return word;
+        }
+        let register = self.node_word(name, port.format, Driver::Register);
+        let next = self.node_word(&format!("{name}_next"), port.format, Driver::Logic);
+        self.assign(next, expr);
+        self.use_bits(next, 0, u32::MAX);
+        let mut phases: Vec<u32> = port.cases.iter().map(|case| case.phase).collect();
+        phases.dedup();
+        let load = self.during(&phases);
+        if let Some(flag) = load {
+            self.use_bits(flag.word, flag.bit, 1);
+        }
+        let next = Next::Word(next);
+        let register = Register { word: register, next, load, reset: false };
+        self.module.stages[self.stage].registers.push(register);
+        register.word
+    }
+
+    fn finish(&mut self) {
+        let netlist = Arc::clone(self.at.rtl.netlist());
+        for (port, output) in netlist.outputs().iter().enumerate() {
+            let word = self.at.signals[&self.at.rtl.output(output.node)];
+            self.module.outputs[port].1 = word;
+            self.use_bits(word, 0, u32::MAX);
+        }
+        // Of phases that nothing happens in no flag is left, and of stages no title.
+        if self.module.interval > 1 {
+            self.module.stages.retain(|stage| !stage.is_empty());
+        }
+        self.module.signals = std::mem::take(&mut self.at.signals);
+    }
+
+    /// Tables with the columns that are read; for the whole and for each unit, the position of
+    /// each of its tables in the module. What several read is one table.
+    fn tables(&mut self) -> Vec<BTreeMap<TableId, usize>> {
+        let whole = Arc::clone(&self.at.rtl);
+        let mut read: Vec<(Table, BTreeSet<u32>)> = Vec::new();
+        let mut all = Vec::new();
+        for rtl in [&whole].into_iter().chain(whole.units().iter().map(|unit| &unit.rtl)) {
+            let netlist = rtl.netlist();
+            let mut own: BTreeMap<TableId, BTreeSet<u32>> = BTreeMap::new();
+            for id in netlist.ids().filter(|id| rtl.is_free(*id)) {
+                if let Op::Read { table, column } = netlist.node(id).op {
+                    own.entry(table).or_default().insert(column);
+                }
+            }
+            let mut roms = BTreeMap::new();
+            for (id, columns) in own {
+                let table = &netlist.tables()[id.index()];
+                let known = read.iter().position(|(known, _)| known == table);
+                let at = known.unwrap_or_else(|| {
+                    read.push((table.clone(), BTreeSet::new()));
+                    read.len() - 1
+                });
+                read[at].1.extend(columns);
+                roms.insert(id, at);
+            }
+            all.push(roms);
         }
         // Files are named by titles, so no two tables may share one.
         let mut titles = Names::default();
-        for (id, columns) in read {
-            let table = &netlist.tables()[id.index()];
+        for (at, (table, columns)) in read.into_iter().enumerate() {
             let index = |column: u32| usize::try_from(column).expect("bug: small");
             let formats = columns.iter().map(|c| table.columns[index(*c)].format.bits());
             let row_bits: u32 = formats.sum();
             let mut lo = row_bits;
             for column in &columns {
                 lo -= table.columns[index(*column)].format.bits();
-                self.columns.insert((id, *column), lo);
+                self.columns.insert((at, *column), lo);
             }
-            self.roms.insert(id, self.module.tables.len());
             let title = titles.take(&table.name);
             self.module.tables.push(RomTable {
                 name: self.names.take(&format!("{title}_rom")),
@@ -164,50 +432,76 @@ impl Lowering<'_> {
                 columns: columns.iter().map(|c| table.columns[index(*c)].clone()).collect(),
             });
         }
+        all
     }
 
     fn stage(&mut self, stage: u32) {
-        self.stage = usize::try_from(stage).expect("bug: 32 bits fit");
-        self.scope.clear();
-        let netlist = Arc::clone(self.rtl.netlist());
-        let schedule = self.rtl.schedule();
+        let rtl = Arc::clone(&self.at.rtl);
+        let netlist = rtl.netlist();
+        let schedule = rtl.schedule();
         for id in netlist.ids() {
-            if schedule.stage(id) == stage && netlist.node(id).op != Op::Input {
+            let own = rtl.is_free(id) && netlist.node(id).op != Op::Input;
+            if own && schedule.stage(id) == stage {
                 self.node(id);
             }
         }
         // Registers at the end of this stage.
         for id in netlist.ids() {
-            let clocked = schedule.is_clocked(&netlist, id);
+            let clocked = schedule.is_clocked(netlist, id);
             if clocked && schedule.stage(id) == stage + 1 {
                 self.row_register(id);
             }
-            for register in self.rtl.registers(id).filter(|register| register.stage == stage + 1) {
-                let from = self.module.signals[&Signal { node: id, stage }];
-                let word = match self.module.signals.get(&register) {
-                    Some(port) => *port,
+            for register in rtl.registers(id).filter(|register| register.stage == stage + 1) {
+                let from = self.at.signals[&rtl.held(register)];
+                let word = match self.at.signals.get(&register) {
+                    Some(declared) => *declared,
                     None => {
                         let wanted = self.flat_name(register);
                         let format = netlist.node(id).format;
                         let word = self.node_word(&wanted, format, Driver::Register);
-                        self.module.signals.insert(register, word);
+                        self.at.signals.insert(register, word);
                         word
                     }
                 };
                 self.use_bits(from, 0, u32::MAX);
-                self.module.stages[self.stage].registers.push((word, Next::Word(from)));
+                let load = self.load(rtl.load_phase(register));
+                let next = Next::Word(from);
+                let register = Register { word, next, load, reset: false };
+                self.module.stages[self.stage].registers.push(register);
+            }
+        }
+        // A valid bit beside them, one for each interval; units have none.
+        let valid = self.at.prefix.is_empty() && stage < schedule.latency();
+        if valid && schedule.phase(stage) == 0 {
+            let to = valid_bit(cast::index_of_u32(stage) + 1);
+            let from = std::mem::replace(&mut self.module.valid.0, to.clone());
+            let load = self.load(0);
+            self.module.stages[self.stage].valid = Some(Valid { from, to, load });
+            if stage + schedule.interval() >= schedule.latency() {
+                self.module.valid.1 = self.load(schedule.phase(schedule.latency()));
             }
         }
     }
 
+    /// The flag of a phase at whose end something happens.
+    fn load(&mut self, phase: u32) -> Option<Bit> {
+        // The inside of a unit works in every phase.
+        let flat = self.at.rtl.schedule().interval() == 1;
+        let flag = if flat { None } else { self.during(&[phase]) };
+        if let Some(flag) = flag {
+            self.use_bits(flag.word, flag.bit, 1);
+        }
+        flag
+    }
+
     /// Scope and local name in one.
     fn flat_name(&self, signal: Signal) -> String {
-        let netlist = self.rtl.netlist();
+        let netlist = self.at.rtl.netlist();
         let mut path = netlist.scope_path(netlist.node(signal.node).scope).join("_");
         if !path.is_empty() {
             path.push('_');
         }
-        path + &self.rtl.local_name(signal)
+        self.at.prefix.clone() + &path + &self.at.rtl.local_name(signal)
     }
 
     fn node_word(&mut self, wanted: &str, format: Format, driver: Driver) -> WordId {
@@ -303,37 +597,39 @@ impl Lowering<'_> {
 
     /// The word that `user` takes operand `i` from.
     fn operand(&self, user: NodeId, i: usize) -> WordId {
-        let operand = self.rtl.netlist().node(user).operands[i];
-        self.module.signals[&self.rtl.operand(user, operand)]
+        let operand = self.at.rtl.netlist().node(user).operands[i];
+        self.at.signals[&self.at.rtl.operand(user, operand)]
     }
 
     fn address(&self, read: NodeId) -> Signal {
-        self.rtl.operand(read, self.rtl.netlist().node(read).operands[0])
+        self.at.rtl.operand(read, self.at.rtl.netlist().node(read).operands[0])
     }
 
     /// The register that a read on a clock goes through, one for all columns of an address.
     fn row_register(&mut self, read: NodeId) {
-        let Op::Read { table, .. } = self.rtl.netlist().node(read).op else { return };
+        let Op::Read { table, .. } = self.at.rtl.netlist().node(read).op else { return };
         let address = self.address(read);
-        let key = (table, address, self.rtl.schedule().stage(read));
-        if self.rows.contains_key(&key) {
+        let key = (table, address, self.at.rtl.schedule().stage(read));
+        if self.at.rows.contains_key(&key) {
             return;
         }
-        let rom = self.roms[&table];
-        let from = self.module.signals[&address];
+        let rom = self.at.roms[&table];
+        let from = self.at.signals[&address];
         let row = self.row_word(rom, Driver::Register);
         self.use_bits(from, 0, u32::MAX);
-        self.module.stages[self.stage].registers.push((row, Next::Read(rom, from)));
-        self.rows.insert(key, row);
+        let register =
+            Register { word: row, next: Next::Read(rom, from), load: None, reset: false };
+        self.module.stages[self.stage].registers.push(register);
+        self.at.rows.insert(key, row);
     }
 
     fn row_word(&mut self, rom: usize, driver: Driver) -> WordId {
-        let wanted = format!("{}_row", self.module.tables[rom].title);
+        let wanted = format!("{}{}_row", self.at.prefix, self.module.tables[rom].title);
         self.word(&wanted, self.module.tables[rom].row_bits, false, 0, driver)
     }
 
     fn node(&mut self, id: NodeId) {
-        let netlist = Arc::clone(self.rtl.netlist());
+        let netlist = Arc::clone(self.at.rtl.netlist());
         let node = netlist.node(id);
         let scope = netlist.scope_path(node.scope).join(".");
         if scope != self.scope {
@@ -341,18 +637,18 @@ impl Lowering<'_> {
             self.module.stages[self.stage].items.push(Item::Scope(scope));
         }
         let out = node.format;
-        let stage = self.rtl.schedule().stage(id);
+        let stage = self.at.rtl.schedule().stage(id);
         let signal = Signal { node: id, stage };
         let wanted = self.flat_name(signal);
         let word = self.node_word(&wanted, out, Driver::Logic);
-        self.module.signals.insert(signal, word);
+        self.at.signals.insert(signal, word);
         let expr = self.expr(id, word);
         self.assign(word, expr);
     }
 
     /// Logic of a node; helpers that it takes come first.
     fn expr(&mut self, id: NodeId, word: WordId) -> Expr {
-        let netlist = Arc::clone(self.rtl.netlist());
+        let netlist = Arc::clone(self.at.rtl.netlist());
         let node = netlist.node(id);
         let out = node.format;
         let bits = out.bits();
@@ -440,19 +736,19 @@ impl Lowering<'_> {
             }
             Op::Read { table, column } => {
                 let address = self.address(id);
-                let rom = self.roms[&table];
-                let key = (table, address, self.rtl.schedule().stage(id));
-                let row = match self.rows.get(&key) {
+                let rom = self.at.roms[&table];
+                let key = (table, address, self.at.rtl.schedule().stage(id));
+                let row = match self.at.rows.get(&key) {
                     Some(row) => *row,
                     None => {
                         let row = self.row_word(rom, Driver::Logic);
-                        let read = Expr::Read(rom, self.module.signals[&address]);
+                        let read = Expr::Read(rom, self.at.signals[&address]);
                         self.assign(row, read);
-                        self.rows.insert(key, row);
+                        self.at.rows.insert(key, row);
                         row
                     }
                 };
-                let lo = self.columns[&(table, column)];
+                let lo = self.columns[&(rom, column)];
                 Expr::Copy(Operand::View(View { word: row, lo, zeros: 0, bits }))
             }
             Op::Narrow { round, overflow } => {

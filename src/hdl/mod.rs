@@ -244,13 +244,67 @@ pub enum Item {
     Assign(WordId, Expr),
 }
 
-/// What happens between two clock edges.
+/// What drives a register.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Register {
+    /// Its word.
+    pub word: WordId,
+    /// What it takes.
+    pub next: Next,
+    /// The flag that it takes it under; at each edge if `None`.
+    pub load: Option<Bit>,
+    /// True if the reset clears it.
+    pub reset: bool,
+}
+
+/// A valid bit, which the reset clears.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Valid {
+    /// Name of what it takes: the port or another valid bit.
+    pub from: String,
+    /// Its name.
+    pub to: String,
+    /// The flag that it takes it under; at each edge if `None`.
+    pub load: Option<Bit>,
+}
+
+/// Some logic, and the registers behind it.
 #[derive(Clone, Debug, Default)]
 pub struct Stage {
+    /// What it is.
+    pub title: String,
+    /// Words that are used before they are driven.
+    pub declared: Vec<WordId>,
     /// Logic in order.
     pub items: Vec<Item>,
     /// Registers that take their words at its end.
-    pub registers: Vec<(WordId, Next)>,
+    pub registers: Vec<Register>,
+    /// The valid bit beside them.
+    pub valid: Option<Valid>,
+}
+
+impl Stage {
+    /// True if there is nothing in it.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        let statement = |item: &Item| matches!(item, Item::Assign(..));
+        self.declared.is_empty()
+            && !self.items.iter().any(statement)
+            && self.registers.is_empty()
+            && self.valid.is_none()
+    }
+
+    /// Registers in groups that take their words under the same flag, in the order of their first.
+    fn groups(&self) -> Vec<(Option<Bit>, Vec<&Register>)> {
+        let mut groups: Vec<(Option<Bit>, Vec<&Register>)> = Vec::new();
+        for register in self.registers.iter().filter(|register| !register.reset) {
+            match groups.iter_mut().find(|(load, _)| *load == register.load) {
+                Some((_, group)) => group.push(register),
+                None => groups.push((register.load, vec![register])),
+            }
+        }
+        groups
+    }
 }
 
 /// A read-only table; a row is its columns side by side.
@@ -313,6 +367,8 @@ pub struct Module {
     pub header: Vec<String>,
     /// Cycles from inputs to outputs; 0 is combinational, without clock, reset and enable.
     pub latency: u32,
+    /// Cycles from one vector to the next; with more than one there is an output `ready`.
+    pub interval: u32,
     /// True if tables are read on the clock.
     pub block_rom: bool,
     /// All words.
@@ -325,8 +381,13 @@ pub struct Module {
     pub tables: Vec<RomTable>,
     /// Where their words stand.
     pub tables_in: Tables,
-    /// Stages from the inputs on; one more than there are registers in a row.
+    /// Stages from the inputs on; one more than there are registers in a row. A time-shared
+    /// module has others before and after them.
     pub stages: Vec<Stage>,
+    /// The flag of the cycles at whose end inputs are taken; all of them if `None`.
+    pub ready: Option<Bit>,
+    /// Name of the valid bit of the outputs, and the flag of the cycles in which it is theirs.
+    pub valid: (String, Option<Bit>),
     /// Word of each signal of the hardware.
     signals: BTreeMap<Signal, WordId>,
 }
@@ -351,6 +412,9 @@ impl Port<'_> {
         self.is_output && self.word.is_some_and(|word| word.name == self.name)
     }
 }
+
+/// Port that says when a time-shared module takes its inputs.
+const READY: &str = "ready";
 
 /// The most table rows on a line.
 const ROWS_A_LINE: usize = 4;
@@ -410,6 +474,9 @@ impl Module {
             ports.push(bit("ce", false, "the pipeline stands still without"));
         }
         ports.push(bit("valid_in", false, ""));
+        if self.ready.is_some() {
+            ports.push(bit(READY, true, "inputs are taken at this edge"));
+        }
         let inputs = self.inputs.iter().map(|id| self.word(*id));
         ports.extend(inputs.map(|word| port(word.name.as_str(), false, word)));
         ports.push(bit("valid_out", true, ""));

@@ -103,6 +103,7 @@ pub(super) fn render(
         header => module.header,
         title => module.header.first(),
         latency => module.latency,
+        interval => module.interval,
         reference => reference_name(module),
         vectors => vectors_file(module),
         tables => module.table_file_names(),

@@ -4,10 +4,11 @@
 //! contexts decide nothing. Words keep the binary point as their least index.
 
 use super::{
-    Bit, Bitwise, Driver, Expr, File, Item, Language, Module, Next, Operand, ROWS_A_LINE, RomTable,
-    Tables, View, Word, WordId, testbench, valid_bit,
+    Bit, Bitwise, Driver, Expr, File, Item, Language, Module, Next, Operand, READY, ROWS_A_LINE,
+    Register, RomTable, Stage, Tables, Valid, View, Word, WordId, testbench,
 };
 use crate::cast;
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 /// Verilog-2005.
@@ -45,8 +46,11 @@ impl Language for Verilog {
         for table in &module.tables {
             rom(module, table, &mut text);
         }
-        for (number, stage) in module.stages.iter().enumerate() {
-            let _ = writeln!(text, "\n    // ---- stage {number} ----");
+        let declared: BTreeSet<WordId> =
+            module.stages.iter().flat_map(|stage| stage.declared.iter().copied()).collect();
+        for stage in &module.stages {
+            let _ = writeln!(text, "\n    // ---- {} ----", stage.title);
+            declarations(module, stage, &mut text);
             for item in &stage.items {
                 match item {
                     Item::Scope(path) if path.is_empty() => text.push_str("    // (unit)\n"),
@@ -56,17 +60,16 @@ impl Language for Verilog {
                     Item::Assign(id, expr) => {
                         let word = module.word(*id);
                         let value = Printer { module }.expr(expr, word);
-                        let _ = writeln!(
-                            text,
-                            "    wire {}{} = {value};{}",
-                            shape(word),
-                            word.name,
-                            comment(word)
-                        );
+                        let _ = if declared.contains(id) {
+                            writeln!(text, "    assign {} = {value};", word.name)
+                        } else {
+                            let (shape, note) = (shape(word), comment(word));
+                            writeln!(text, "    wire {shape}{} = {value};{note}", word.name)
+                        };
                     }
                 }
             }
-            registers(module, number, &mut text);
+            registers(module, stage, &declared, &mut text);
         }
         text.push('\n');
         for (port, id) in &module.outputs {
@@ -77,6 +80,9 @@ impl Language for Verilog {
         }
         if module.latency == 0 {
             text.push_str("    assign valid_out = valid_in;\n");
+        }
+        if let Some(ready) = module.ready {
+            let _ = writeln!(text, "    assign {READY} = {};", Printer { module }.bit(ready));
         }
         unused(module, &mut text);
         text.push_str("endmodule\n");
@@ -168,39 +174,66 @@ fn rom(module: &Module, table: &RomTable, text: &mut String) {
     text.push_str("    end\n");
 }
 
+/// Words that are used before they are driven.
+fn declarations(module: &Module, stage: &Stage, text: &mut String) {
+    for id in &stage.declared {
+        let word = module.word(*id);
+        let kind = if word.driver == Driver::Logic { "wire" } else { "reg" };
+        let _ = writeln!(text, "    {kind} {}{};{}", shape(word), word.name, comment(word));
+    }
+}
+
 /// Registers between a stage and the next, and the valid bit.
-fn registers(module: &Module, stage: usize, text: &mut String) {
-    if stage + 1 == module.stages.len() {
+fn registers(module: &Module, stage: &Stage, declared: &BTreeSet<WordId>, text: &mut String) {
+    if stage.registers.is_empty() && stage.valid.is_none() {
         return;
     }
     text.push('\n');
-    let registers = &module.stages[stage].registers;
-    for (id, _) in registers {
+    for Register { word: id, .. } in &stage.registers {
         let word = module.word(*id);
-        if word.driver != Driver::OutputRegister {
+        if word.driver != Driver::OutputRegister && !declared.contains(id) {
             let _ = writeln!(text, "    reg {}{};{}", shape(word), word.name, comment(word));
         }
     }
-    if !registers.is_empty() {
-        text.push_str("    always @(posedge clk)\n        if (ce) begin\n");
-        for (id, next) in registers {
-            let name = &module.word(*id).name;
-            let from = match next {
-                Next::Word(from) => module.word(*from).name.clone(),
-                Next::Read(table, address) => Printer { module }.read(*table, *address),
-            };
-            let _ = writeln!(text, "            {name} <= {from};");
+    let printer = Printer { module };
+    let enable = |load: &Option<Bit>| match load {
+        Some(flag) => format!("ce & {}", printer.bit(*flag)),
+        None => "ce".to_owned(),
+    };
+    let taken = |next: &Next| match next {
+        Next::Word(from) => module.word(*from).name.clone(),
+        Next::Read(table, address) => printer.read(*table, *address),
+    };
+    for (load, group) in stage.groups() {
+        let _ = writeln!(text, "    always @(posedge clk)\n        if ({}) begin", enable(&load));
+        for register in group {
+            let name = &module.word(register.word).name;
+            let _ = writeln!(text, "            {name} <= {};", taken(&register.next));
         }
         text.push_str("        end\n");
     }
+    for register in stage.registers.iter().filter(|register| register.reset) {
+        let word = module.word(register.word);
+        let _ = writeln!(
+            text,
+            "    always @(posedge clk)\n        if (rst) {0} <= {1};\n        else if ({2}) {0} <= {3};",
+            word.name,
+            literal(0, word.bits),
+            enable(&register.load),
+            taken(&register.next)
+        );
+    }
+    let Some(Valid { from, to, load }) = &stage.valid else { return };
     let _ = writeln!(
         text,
-        "    reg {1};\n    always @(posedge clk)\n        if (rst) {1} <= 1'b0;\n        else if (ce) {1} <= {0};",
-        valid_bit(stage),
-        valid_bit(stage + 1)
+        "    reg {to};\n    always @(posedge clk)\n        if (rst) {to} <= 1'b0;\n        else if ({}) {to} <= {from};",
+        enable(load)
     );
-    if stage + 2 == module.stages.len() {
-        let _ = writeln!(text, "    assign valid_out = {};", valid_bit(stage + 1));
+    if *to == module.valid.0 {
+        let _ = match module.valid.1 {
+            None => writeln!(text, "    assign valid_out = {to};"),
+            Some(flag) => writeln!(text, "    assign valid_out = {to} & {};", printer.bit(flag)),
+        };
     }
 }
 

@@ -5,8 +5,8 @@
 //! when it cuts a signed number it keeps the sign instead of the low bits: cuts are slices.
 
 use super::{
-    Bit, Bitwise, Driver, Expr, File, Item, Language, Module, Next, Operand, ROWS_A_LINE, RomTable,
-    Tables, View, Word, WordId, testbench, valid_bit,
+    Bit, Bitwise, Driver, Expr, File, Item, Language, Module, Next, Operand, READY, ROWS_A_LINE,
+    Register, RomTable, Stage, Tables, Valid, View, Word, WordId, testbench,
 };
 use crate::cast;
 use std::collections::BTreeSet;
@@ -47,8 +47,8 @@ impl Language for Vhdl {
         let _ = writeln!(text, "\narchitecture rtl of {} is", module.name);
         declarations(module, &mut text);
         text.push_str("begin\n");
-        for (number, stage) in module.stages.iter().enumerate() {
-            let _ = writeln!(text, "\n    -- ---- stage {number} ----");
+        for stage in &module.stages {
+            let _ = writeln!(text, "\n    -- ---- {} ----", stage.title);
             for item in &stage.items {
                 match item {
                     Item::Scope(path) if path.is_empty() => text.push_str("    -- (unit)\n"),
@@ -62,7 +62,7 @@ impl Language for Vhdl {
                     }
                 }
             }
-            registers(module, number, &mut text);
+            registers(module, stage, &mut text);
         }
         text.push('\n');
         for (port, id) in &module.outputs {
@@ -71,7 +71,15 @@ impl Language for Vhdl {
                 let _ = writeln!(text, "    {port} <= {};", word.name);
             }
         }
-        let _ = writeln!(text, "    valid_out <= {};", valid_bit(module.stages.len() - 1));
+        let printer = Printer { module };
+        if let Some(ready) = module.ready {
+            let _ = writeln!(text, "    {READY} <= {};", printer.bit(ready));
+        }
+        let valid = &module.valid.0;
+        let _ = match module.valid.1 {
+            None => writeln!(text, "    valid_out <= {valid};"),
+            Some(flag) => writeln!(text, "    valid_out <= {valid} and {};", printer.bit(flag)),
+        };
         text.push_str("end architecture;\n");
         text
     }
@@ -137,24 +145,29 @@ fn declarations(module: &Module, text: &mut String) {
         let _ =
             writeln!(text, "    signal {} : {}{ZERO};{}", word.name, shape(word), comment(word));
     };
+    let declared: BTreeSet<WordId> =
+        module.stages.iter().flat_map(|stage| stage.declared.iter().copied()).collect();
     for (number, stage) in module.stages.iter().enumerate() {
         let last = number + 1 == module.stages.len();
         if !(last && stage.items.is_empty()) {
-            let _ = writeln!(text, "    -- stage {number}");
+            let _ = writeln!(text, "    -- {}", stage.title);
+        }
+        for id in &stage.declared {
+            declare(text, *id);
         }
         for item in &stage.items {
             match item {
-                Item::Assign(id, _) => declare(text, *id),
-                Item::Scope(_) => {}
+                Item::Assign(id, _) if !declared.contains(id) => declare(text, *id),
+                Item::Assign(..) | Item::Scope(_) => {}
             }
         }
-        for (id, _) in &stage.registers {
-            if module.word(*id).driver != Driver::OutputRegister {
-                declare(text, *id);
+        for Register { word, .. } in &stage.registers {
+            if module.word(*word).driver != Driver::OutputRegister && !declared.contains(word) {
+                declare(text, *word);
             }
         }
-        if !last {
-            let _ = writeln!(text, "    signal {} : std_logic;", valid_bit(number + 1));
+        if let Some(valid) = &stage.valid {
+            let _ = writeln!(text, "    signal {} : std_logic;", valid.to);
         }
     }
 }
@@ -238,36 +251,48 @@ fn rom(module: &Module, table: &RomTable, text: &mut String) {
 }
 
 /// Registers between a stage and the next, and the valid bit.
-fn registers(module: &Module, stage: usize, text: &mut String) {
-    if stage + 1 == module.stages.len() {
+fn registers(module: &Module, stage: &Stage, text: &mut String) {
+    if stage.registers.is_empty() && stage.valid.is_none() {
         return;
     }
     text.push_str("\n    process (clk)\n    begin\n        if rising_edge(clk) then\n");
-    let registers = &module.stages[stage].registers;
-    if !registers.is_empty() {
-        text.push_str("            if ce = '1' then\n");
-        for (id, next) in registers {
-            let name = &module.word(*id).name;
-            let from = match next {
-                Next::Word(from) => module.word(*from).name.clone(),
-                Next::Read(table, address) => Printer { module }.read(*table, *address),
-            };
-            let _ = writeln!(text, "                {name} <= {from};");
+    let printer = Printer { module };
+    let enable = |load: &Option<Bit>| match load {
+        Some(flag) => format!("ce = '1' and {} = '1'", printer.bit(*flag)),
+        None => "ce = '1'".to_owned(),
+    };
+    let taken = |next: &Next| match next {
+        Next::Word(from) => module.word(*from).name.clone(),
+        Next::Read(table, address) => printer.read(*table, *address),
+    };
+    for (load, group) in stage.groups() {
+        let _ = writeln!(text, "            if {} then", enable(&load));
+        for register in group {
+            let name = &module.word(register.word).name;
+            let _ = writeln!(text, "                {name} <= {};", taken(&register.next));
         }
         text.push_str("            end if;\n");
     }
-    let (from, to) = (valid_bit(stage), valid_bit(stage + 1));
-    let _ = write!(
-        text,
-        "            if rst = '1' then
-                {to} <= '0';
-            elsif ce = '1' then
+    let mut cleared = |to: &str, zero: &str, load: &Option<Bit>, from: &str| {
+        let enable = enable(load);
+        let _ = write!(
+            text,
+            "            if rst = '1' then
+                {to} <= {zero};
+            elsif {enable} then
                 {to} <= {from};
             end if;
-        end if;
-    end process;
 "
-    );
+        );
+    };
+    for register in stage.registers.iter().filter(|register| register.reset) {
+        let name = &module.word(register.word).name;
+        cleared(name, "(others => '0')", &register.load, &taken(&register.next));
+    }
+    if let Some(Valid { from, to, load }) = &stage.valid {
+        cleared(to, "'0'", load, from);
+    }
+    text.push_str("        end if;\n    end process;\n");
 }
 
 fn literal(pattern: u128, bits: u32) -> String {

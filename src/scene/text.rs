@@ -9,6 +9,7 @@ use super::{
     Scene,
 };
 use crate::cast;
+use crate::document::Document;
 use crate::error::{Error, Result};
 use glam::DVec3;
 use serde::Deserialize;
@@ -177,15 +178,9 @@ enum Scale {
 
 /// Reads a scene; `path` names it in messages, and files are relative to its folder.
 pub(super) fn read(text: &str, path: &Path) -> Result<Scene> {
-    let reader = Reader { text, path };
-    let scene: SceneText = toml::from_str(text).map_err(|why| {
-        let span = why.span().unwrap_or_default();
-        // As who writes a scene would say it.
-        let message = why.message().trim_end().replace("expected i64", "expected a whole number");
-        let message = message.replace("expected f64", "expected a number");
-        let message = message.replace("expected an array of length 3", "expected three numbers");
-        reader.fail(&span, format!("{message} in `{}`", reader.line_text(span.start)))
-    })?;
+    let document = Document { text, path };
+    let reader = Reader { document };
+    let scene: SceneText = document.parse()?;
     let image = reader.image(&scene.image)?;
     let camera = reader.camera(scene.camera.as_ref())?;
     let lights = reader.lights(&scene.light)?;
@@ -245,25 +240,14 @@ pub(super) fn read(text: &str, path: &Path) -> Result<Scene> {
 
 const MATERIAL: Material = Material { ambient: 0.1, diffuse: 0.7, specular: 0.2, exponent: 32 };
 
-/// The text, to say where something is wrong.
+/// The file, to say where something is wrong.
 struct Reader<'a> {
-    text: &'a str,
-    path: &'a Path,
+    document: Document<'a>,
 }
 
 impl Reader<'_> {
     fn fail(&self, span: &Range<usize>, problem: String) -> Error {
-        let before = &self.text.as_bytes()[..span.start.min(self.text.len())];
-        let line = 1 + before.iter().filter(|byte| **byte == b'\n').count();
-        Error::line(self.path, cast::count_of(line), problem)
-    }
-
-    /// The line around a byte, not too long, nothing in it that a terminal would act on.
-    fn line_text(&self, at: usize) -> String {
-        let number = self.text.bytes().take(at).filter(|byte| *byte == b'\n').count();
-        let line = self.text.lines().nth(number).unwrap_or_default().trim();
-        let end = if line.chars().nth(60).is_some() { "…" } else { "" };
-        line.chars().take(60).filter(|c| !c.is_control()).collect::<String>() + end
+        self.document.fail(span, problem)
     }
 
     fn real(
@@ -582,7 +566,7 @@ impl Reader<'_> {
 
     /// A path relative to the scene's folder.
     fn beside(&self, file: &Path) -> PathBuf {
-        self.path.parent().unwrap_or(Path::new("")).join(file)
+        self.document.path.parent().unwrap_or(Path::new("")).join(file)
     }
 }
 

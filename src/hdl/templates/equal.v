@@ -1,5 +1,6 @@
 // {{ name }} against {{ reference }}, its combinational reference, which gets what went in
-// {{ latency }} cycles ago. `differ` must stay 0 once that many cycles have passed.
+// {{ latency }} cycles ago. `differ` must stay 0 once that many cycles have passed{% if interval > 1 %}: results are
+// there {{ latency }} cycles after inputs that were taken, and only then{% endif %}.
 module {{ name }}_equal (
     input  wire clk,
     input  wire valid_in,
@@ -8,7 +9,10 @@ module {{ name }}_equal (
 {%- endfor %}
     output wire differ
 );
-    wire [{{ input_bits }}:0] past_0 = {valid_in{% for port in inputs %}, port_{{ port.name }}{% endfor %}};
+{%- if interval > 1 %}
+    wire ready;
+{%- endif %}
+    wire [{{ input_bits }}:0] past_0 = {valid_in{% if interval > 1 %} & ready{% endif %}{% for port in inputs %}, port_{{ port.name }}{% endfor %}};
 {%- for stage in range(latency) %}
     reg [{{ input_bits }}:0] past_{{ stage + 1 }};
     always @(posedge clk) past_{{ stage + 1 }} <= past_{{ stage }};
@@ -27,6 +31,9 @@ module {{ name }}_equal (
         .clk(clk), .rst(1'b0), .ce(1'b1),
 {%- endif %}
         .valid_in(valid_in), .valid_out(flag_dut)
+{%- if interval > 1 %},
+        .ready(ready)
+{%- endif %}
 {%- for port in inputs + outputs %},
         .{{ port.name }}(port_{{ port.name }})
 {%- endfor %}
@@ -41,5 +48,5 @@ module {{ name }}_equal (
 {%- endfor %}
     );
     assign differ = flag_dut != flag_reference
-{%- for port in outputs %} || port_{{ port.name }} != reference_{{ port.name }}{% endfor %};
+{%- for port in outputs %} || {% if interval > 1 %}flag_dut && {% endif %}port_{{ port.name }} != reference_{{ port.name }}{% endfor %};
 endmodule

@@ -16,6 +16,9 @@ static constexpr int kInputs = {{ inputs | length }};
 static constexpr int kOutputs = {{ outputs | length }};
 static constexpr int kFields = kInputs + kOutputs;
 static constexpr int kLatency = {{ latency }};
+{%- if interval > 1 %}
+static constexpr int kInterval = {{ interval }};
+{%- endif %}
 static constexpr uint64_t kShown = 10;  // of the mismatches
 static const char* const kNames[] = { {%- for port in outputs %}"{{ port.name }}"{{ ", " if not loop.last }}{% endfor -%} };
 
@@ -89,6 +92,9 @@ int main(int argc, char** argv) {
     int head = 0;
     // What a reset forgot goes in again.
     std::deque<Entry> again;
+{%- if interval > 1 %}
+    int phase = 0;  // as the module should count it
+{%- endif %}
     uint64_t sent = 0, checked = 0, mismatches = 0;
     uint64_t random = 0x9e3779b97f4a7c15u;
     bool more = true, cut = false, reset_done = kLatency == 0;
@@ -110,10 +116,10 @@ int main(int argc, char** argv) {
         random ^= random << 17;
         // Which cycles stall and which are gaps is no function of the words.
         // A reset comes while the pipeline is full, during a stall, which doesn't hold it up.
-        const bool reset = !reset_done && sent > kLatency;
+        const bool reset = !reset_done && sent{% if interval > 1 %} * kInterval{% endif %} > kLatency{% if interval > 1 %} && phase == kInterval / 2{% endif %};
         reset_done = reset_done || reset;
         const bool ce = kLatency == 0 || (!reset && (random & 15) != 0);
-        const bool gap = (random >> 4 & 15) == 0;
+        const bool gap = {% if interval > 1 %}phase != 0 || {% endif %}(random >> 4 & 15) == 0;
         Entry& in = pipe[head];
         if (!in.valid && !gap && !again.empty()) {
             in = again.front();
@@ -122,7 +128,7 @@ int main(int argc, char** argv) {
             in.valid = more = vectors.read(in.words, cut);
             if (in.valid) in.number = sent++;
         }
-        dut.valid_in = in.valid;
+        dut.valid_in = in.valid{% if interval > 1 %} || (phase != 0 && (random >> 8 & 1) != 0){% endif %};
 {%- for port in inputs %}
         put(dut.{{ port.name }}, (in.valid ? in.words[{{ loop.index0 }}] : ~in.words[{{ loop.index0 }}]) & UINT64_C({{ port.mask }}));
 {%- endfor %}
@@ -132,6 +138,11 @@ int main(int argc, char** argv) {
         dut.clk = 0;
 {%- endif %}
         dut.eval();
+{%- if interval > 1 %}
+        if (dut.ready != (phase == 0) && ++mismatches <= kShown) {
+            printf("mismatch: vector %" PRIu64 " ready expected %d got %d\n", sent, phase == 0, dut.ready);
+        }
+{%- endif %}
 
         const Entry& out = pipe[(head + kLatency) % (kLatency + 1)];
         if (dut.valid_out != out.valid && ++mismatches <= kShown) {
@@ -153,7 +164,13 @@ int main(int argc, char** argv) {
             // The oldest entry becomes the newest.
             head = (head + kLatency) % (kLatency + 1);
             pipe[head].valid = false;
+{%- if interval > 1 %}
+            phase = (phase + 1) % kInterval;
+{%- endif %}
         }
+{%- if interval > 1 %}
+        if (reset) phase = 0;
+{%- endif %}
         for (int stage = kLatency; reset && stage > 0; --stage) {
             Entry& forgotten = pipe[(head + stage) % (kLatency + 1)];
             if (forgotten.valid) again.push_back(forgotten);

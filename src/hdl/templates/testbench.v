@@ -3,11 +3,14 @@
 //
 // Self-checking testbench of {{ name }}. It reads {{ vectors }}: per line the words of the
 // inputs, then of the expected outputs, in hexadecimal. First all vectors go straight through,
-// one a cycle; then, after a reset in mid-stream, the first {{ again }} go again with stalls and
+// one {% if interval > 1 %}each {{ interval }} cycles, when it is ready, and between them what isn't to be taken{% else %}a cycle{% endif %}; then, after a reset in mid-stream, the first {{ again }} go again with stalls and
 // gaps. Every bit of every output and the latency are compared. The last line says PASS or
 // FAIL, and a failure ends with a status that isn't 0. With +vcd it writes {{ name }}_tb.vcd.
 module {{ name }}_tb;
     localparam LATENCY = {{ latency }};
+{%- if interval > 1 %}
+    localparam INTERVAL = {{ interval }};
+{%- endif %}
     localparam VECTORS = {{ count }};
     localparam SHOWN = 10; // of the mismatches
 
@@ -16,6 +19,9 @@ module {{ name }}_tb;
     reg ce = 1'b1;
     reg valid_in = 1'b0;
     wire valid_out;
+{%- if interval > 1 %}
+    wire ready;
+{%- endif %}
     // No port can have a name that stands here for something else.
 {%- for port in inputs %}
     reg {{ port.shape }}port_{{ port.name }};
@@ -29,6 +35,9 @@ module {{ name }}_tb;
         .clk(clk), .rst(rst), .ce(ce),
 {%- endif %}
         .valid_in(valid_in), .valid_out(valid_out)
+{%- if interval > 1 %},
+        .ready(ready)
+{%- endif %}
 {%- for port in inputs + outputs -%}
         ,
         .{{ port.name }}(port_{{ port.name }})
@@ -42,6 +51,9 @@ module {{ name }}_tb;
 
     integer file, fields, sent, checked, mismatches, passed, i;
     reg more, stalls, reset_done, started;
+{%- if interval > 1 %}
+    integer phase; // as the module should count it
+{%- endif %}
     reg [31:0] lfsr; // decides on stalls and gaps
 {%- for port in inputs + outputs %}
     reg {{ port.shape }}next_{{ port.name }};
@@ -57,6 +69,9 @@ module {{ name }}_tb;
         lfsr = 32'h2545f491;
         mismatches = 0;
         passed = 0;
+{%- if interval > 1 %}
+        phase = 0;
+{%- endif %}
         stalls = 1'b0;
         started = 1'b0; // nothing is known before the first edge under reset
         for (i = 0; i <= LATENCY; i = i + 1) valid[i] = 1'b0;
@@ -106,6 +121,13 @@ module {{ name }}_tb;
                 if (mismatches <= SHOWN)
                     $display("mismatch: vector %0d valid_out expected %b got %b", checked, valid[LATENCY], valid_out);
             end
+{%- if interval > 1 %}
+            if (started && ready !== (phase == 0)) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= SHOWN)
+                    $display("mismatch: vector %0d ready expected %b got %b", sent, phase == 0, ready);
+            end
+{%- endif %}
             // Each word counts once: in the cycle after which the pipeline moves on.
             if (ce && valid[LATENCY]) begin
 {%- for port in outputs %}
@@ -129,6 +151,10 @@ module {{ name }}_tb;
                 if (ce) expected[i] = expected[i - 1];
                 if (ce) number[i] = number[i - 1];
             end
+{%- if interval > 1 %}
+            if (rst) phase = 0;
+            else if (ce) phase = (phase + 1) % INTERVAL;
+{%- endif %}
         end
     endtask
 
@@ -138,9 +164,9 @@ module {{ name }}_tb;
             lfsr = {lfsr[30:0], lfsr[31] ^ lfsr[21] ^ lfsr[1] ^ lfsr[0]};
             rst <= 1'b0;
             ce <= !(stalls && lfsr[2:0] == 3'd0);
-            if (ce) begin
+            if (ce{% if interval > 1 %} || !valid[0]{% endif %}) begin
                 valid[0] = 1'b0;
-                if (more && !(stalls && lfsr[5:3] == 3'd0)) begin
+                if ({% if interval > 1 %}phase == 0 && {% endif %}more && !(stalls && lfsr[5:3] == 3'd0)) begin
                     read_vector;
                     if (more) begin
                         valid[0] = 1'b1;
@@ -150,13 +176,13 @@ module {{ name }}_tb;
                         if (stalls && sent == {{ again }}) more = 1'b0;
                     end
                 end
-                valid_in <= valid[0];
+                valid_in <= valid[0]{% if interval > 1 %} || (phase != 0 && lfsr[6]){% endif %};
 {%- for port in inputs %}
                 port_{{ port.name }} <= valid[0] ? next_{{ port.name }} : {{ port.bits }}'bx;
 {%- endfor %}
             end
             // A reset in mid-stream, which a stall doesn't hold up: what is on its way is forgotten.
-            if (stalls && !reset_done && sent == {{ again }} / 2) begin
+            if (stalls && !reset_done && sent == {{ again }} / 2{% if interval > 1 %} && phase == INTERVAL / 2{% endif %}) begin
                 rst <= 1'b1;
                 ce <= 1'b0;
                 reset_done = 1'b1;

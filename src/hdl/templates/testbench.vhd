@@ -3,7 +3,7 @@
 --
 -- Self-checking testbench of {{ name }}. It reads {{ vectors }}: per line the words of the
 -- inputs, then of the expected outputs, in hexadecimal. First all vectors go straight through,
--- one a cycle; then, after a reset in mid-stream, the first {{ again }} go again with stalls and
+-- one {% if interval > 1 %}each {{ interval }} cycles, when it is ready, and between them what isn't to be taken{% else %}a cycle{% endif %}; then, after a reset in mid-stream, the first {{ again }} go again with stalls and
 -- gaps. Every bit of every output and the latency are compared. The last line says PASS or
 -- FAIL, and a failure ends with a status that isn't 0, of which GHDL says a line more. With
 -- --vcd=FILE, GHDL writes waves.
@@ -17,6 +17,9 @@ end entity;
 
 architecture test of {{ name }}_tb is
     constant latency : natural := {{ latency }};
+{%- if interval > 1 %}
+    constant interval : natural := {{ interval }};
+{%- endif %}
     constant shown : natural := 10; -- of the mismatches
 
     -- Each port has its name after dut_, so that it can't be one that is used here.
@@ -25,6 +28,9 @@ architecture test of {{ name }}_tb is
     signal ce : std_logic := '1';
     signal valid_in : std_logic := '0';
     signal valid_out : std_logic;
+{%- if interval > 1 %}
+    signal ready : std_logic;
+{%- endif %}
 {%- for port in inputs %}
     signal dut_{{ port.name }} : {{ port.shape }} := (others => '0');
 {%- endfor %}
@@ -50,6 +56,9 @@ begin
             clk => clk, rst => rst, ce => ce,
 {%- endif %}
             valid_in => valid_in, valid_out => valid_out
+{%- if interval > 1 %},
+            ready => ready
+{%- endif %}
 {%- for port in inputs + outputs -%}
             ,
             {{ port.name }} => dut_{{ port.name }}
@@ -71,6 +80,10 @@ begin
         constant count : natural := {{ count }};
         variable sent, checked, mismatches, passed : natural := 0;
         variable more, stalls, reset_done, started : boolean := false;
+{%- if interval > 1 %}
+        variable phase : natural := 0; -- as the module should count it
+        variable should_be_ready : std_logic;
+{%- endif %}
         variable lfsr : unsigned(31 downto 0) := 32x"2545f491"; -- decides on stalls and gaps
 {%- for port in inputs + outputs %}
         variable next_{{ port.name }} : std_logic_vector({{ port.bits - 1 }} downto 0) := (others => '0');
@@ -138,6 +151,16 @@ begin
                 mismatch("vector " & to_string(checked) & " valid_out expected "
                     & to_string(valid(latency)) & " got " & to_string(valid_out));
             end if;
+{%- if interval > 1 %}
+            should_be_ready := '0';
+            if phase = 0 then
+                should_be_ready := '1';
+            end if;
+            if started and ready /= should_be_ready then
+                mismatch("vector " & to_string(sent) & " ready expected "
+                    & to_string(should_be_ready) & " got " & to_string(ready));
+            end if;
+{%- endif %}
             -- Each word counts once: in the cycle after which the pipeline moves on.
             if ce = '1' and valid(latency) = '1' then
 {%- for port in outputs %}
@@ -161,6 +184,13 @@ begin
                     number(i) := number(i - 1);
                 end if;
             end loop;
+{%- if interval > 1 %}
+            if rst = '1' then
+                phase := 0;
+            elsif ce = '1' then
+                phase := (phase + 1) mod interval;
+            end if;
+{%- endif %}
         end procedure;
 
         -- What goes in after this edge: words stay where the pipeline stood still.
@@ -172,9 +202,9 @@ begin
             if stalls and lfsr(2 downto 0) = 0 then
                 ce <= '0';
             end if;
-            if ce = '1' then
+            if ce = '1'{% if interval > 1 %} or valid(0) = '0'{% endif %} then
                 valid(0) := '0';
-                if more and not (stalls and lfsr(5 downto 3) = 0) then
+                if {% if interval > 1 %}phase = 0 and {% endif %}more and not (stalls and lfsr(5 downto 3) = 0) then
                     read_vector;
                     if more then
                         valid(0) := '1';
@@ -189,6 +219,11 @@ begin
                     end if;
                 end if;
                 valid_in <= valid(0);
+{%- if interval > 1 %}
+                if phase /= 0 and lfsr(6) = '1' then
+                    valid_in <= '1';
+                end if;
+{%- endif %}
                 -- A gap carries the opposite of the latest word.
                 if valid(0) = '1' then
 {%- for port in inputs %}
@@ -201,7 +236,7 @@ begin
                 end if;
             end if;
             -- A reset in mid-stream, which a stall doesn't hold up: what is on its way is forgotten.
-            if stalls and not reset_done and sent = {{ again }} / 2 then
+            if stalls and not reset_done and sent = {{ again }} / 2{% if interval > 1 %} and phase = interval / 2{% endif %} then
                 rst <= '1';
                 ce <= '0';
                 reset_done := true;

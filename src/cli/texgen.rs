@@ -1,0 +1,190 @@
+//! `fixpath texgen`: calls of a texture-coordinate interface, and what they configure.
+
+use super::text;
+use crate::document::Document;
+use crate::error::{Error, Result};
+use crate::texgen::{Calls, Outcome, Setting};
+use clap::Args;
+use serde_json::{Value, json};
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+/// Ends with a file that shows every kind of call.
+pub(super) const HELP: &str = "\
+Each call is checked against the rules of its interface; one that breaks a rule changes nothing and
+is told with its line. Texture units whose coordinates the extension leaves undefined are told with
+every condition that fails. Exit code 2 if there is any of these.
+
+Examples:
+  fixpath texgen calls.toml
+  fixpath texgen calls.toml --json
+
+calls.toml, with one emboss coordinate in each interface:
+  [[gx]]
+  call = \"SetTexCoordGen\"          # GXSetTexCoordGen; names with or without GX_, GX_TG_
+  dst_coord = \"TEXCOORD0\"          # TEXCOORD0 to TEXCOORD7
+  func = \"MTX2x4\"                  # MTX2x4, MTX3x4, BUMP0 to BUMP7, SRTG
+  src_param = \"TEX0\"               # POS, NRM, BINRM, TANGENT, TEX0…, TEXCOORD0…, COLOR0…
+  mat_idx = \"TEXMTX3\"              # TEXMTX0 to TEXMTX9, IDENTITY, or a row
+
+  [[gx]]
+  call = \"LoadRegister\"            # the same by a register word: BUMP0 from TEXCOORD0
+  dst_coord = \"TEXCOORD1\"
+  word = 0x290
+
+  [limits]                         # of [[nv]]; these are the defaults
+  lights = 8
+  texture_units = 4
+
+  [[nv]]
+  call = \"ActiveTexture\"
+  texture = \"TEXTURE1\"             # emboss takes odd units only
+
+  [[nv]]
+  call = \"TexGen\"                  # so for S, T, R and Q
+  coord = \"S\"
+  pname = \"TEXTURE_GEN_MODE\"       # or EMBOSS_LIGHT_NV, EMBOSS_CONSTANT_NV
+  param = \"EMBOSS_MAP_NV\"          # or LIGHT0, 0.0078125
+
+  [[nv]]
+  call = \"Enable\"                  # or Disable; so for S, T, R and Q
+  cap = \"TEXTURE_GEN_S\"            # or LIGHTING, LIGHT0
+
+  [[nv]]
+  call = \"GetTexGen\"
+  coord = \"S\"
+  pname = \"EMBOSS_LIGHT_NV\"";
+
+#[derive(Args)]
+pub(super) struct TexgenArgs {
+    /// TOML file with calls in order.
+    #[arg(value_name = "FILE.toml")]
+    file: PathBuf,
+    /// As JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+/// Makes the calls; returns what to tell, and what is wrong in all.
+pub(super) fn run(args: &TexgenArgs) -> Result<(String, Option<Error>)> {
+    let path = args.file.as_path();
+    let read = std::fs::read_to_string(path);
+    let toml = read.map_err(|why| Error::io(path, "can't read", why))?;
+    let document = Document { text: &toml, path };
+    let calls = Calls::parse(&toml, path)?;
+    if calls.is_empty() {
+        let problem =
+            "no calls: each is a table `[[gx]]` or `[[nv]]`; `fixpath texgen --help` shows some";
+        return Err(Error::file(path, problem.to_owned()));
+    }
+    let outcome = calls.run();
+    let told = if args.json {
+        super::pretty(&json_of(&document, &outcome))
+    } else {
+        told(&document, &outcome)
+    };
+    let problems = outcome.problems();
+    let wrong = (problems > 0).then(|| {
+        let what = if problems == 1 { "problem" } else { "problems" };
+        Error::file(path, format!("{problems} {what} in these calls"))
+    });
+    Ok((told, wrong))
+}
+
+fn told(document: &Document<'_>, outcome: &Outcome) -> String {
+    let mut told = String::new();
+    for api in [Setting::Gx, Setting::Nv] {
+        let events = outcome.events.iter().filter(|event| event.api == api);
+        let cells: Vec<Vec<String>> = events
+            .map(|event| {
+                let effect = match &event.outcome {
+                    Ok(effect) => effect.clone(),
+                    Err(refused) => format!("REFUSED: {}", refused.message),
+                };
+                let line = document.line(&event.span).to_string();
+                vec![event.number.to_string(), line, event.call.clone(), effect]
+            })
+            .collect();
+        if !cells.is_empty() {
+            let _ = writeln!(told, "{api}");
+            told.push_str(&text::table(&[">#", ">line", "call", "effect"], &cells));
+        }
+        if api == Setting::Gx {
+            if let Some(broken) = &outcome.unfinished {
+                let _ = writeln!(told, "  at the end: REFUSED: {broken}");
+            }
+            for register in &outcome.registers {
+                let _ = writeln!(
+                    told,
+                    "  register {:#06x} = {:#010x}  {}",
+                    register.address, register.word, register.name
+                );
+            }
+        }
+        for emboss in outcome.emboss.iter().filter(|emboss| emboss.setting == api) {
+            let _ = writeln!(told, "  emboss: {emboss}");
+        }
+        if api == Setting::Nv {
+            for undefined in &outcome.undefined {
+                let coords: Vec<String> =
+                    undefined.coords.iter().map(|coord| format!("{coord:?}")).collect();
+                let _ = writeln!(
+                    told,
+                    "  UNDEFINED: {} of texture unit {}",
+                    coords.join(", "),
+                    undefined.unit
+                );
+                for condition in &undefined.conditions {
+                    let _ = writeln!(told, "    {condition}");
+                }
+            }
+        }
+    }
+    told
+}
+
+fn json_of(document: &Document<'_>, outcome: &Outcome) -> Value {
+    let calls: Vec<Value> = outcome
+        .events
+        .iter()
+        .map(|event| {
+            let mut call = json!({
+                "api": event.api,
+                "number": event.number,
+                "line": document.line(&event.span),
+                "call": event.call,
+            });
+            match &event.outcome {
+                Ok(effect) => call["effect"] = json!(effect),
+                Err(refused) => {
+                    call["refused"] = json!(refused.message);
+                    call["gl_error"] = json!(refused.gl_error);
+                }
+            }
+            call
+        })
+        .collect();
+    let undefined: Vec<Value> = outcome
+        .undefined
+        .iter()
+        .map(|undefined| {
+            let conditions: Vec<String> =
+                undefined.conditions.iter().map(ToString::to_string).collect();
+            json!({
+                "texture_unit": undefined.unit,
+                "coordinates": undefined.coords,
+                "conditions": conditions,
+            })
+        })
+        .collect();
+    json!({
+        "tool": "fixpath",
+        "version": env!("CARGO_PKG_VERSION"),
+        "calls": calls,
+        "unfinished": outcome.unfinished.as_ref().map(ToString::to_string),
+        "registers": outcome.registers,
+        "emboss": outcome.emboss,
+        "undefined": undefined,
+        "problems": outcome.problems(),
+    })
+}

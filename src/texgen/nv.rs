@@ -1,0 +1,604 @@
+//! The state of `GL_NV_texgen_emboss` (seed 002): texture units, their generation of coordinates, and
+//! the lights that it needs.
+//!
+//! [`State`] is what calls build up; one that OpenGL answers with an error is refused and leaves it as it
+//! was. The values of coordinates whose mode is EMBOSS_MAP_NV are defined only if all four
+//! coordinates of the unit have that mode and are enabled, S and T name the same light, and that light
+//! and lighting are enabled: [`State::emboss`] gives a configuration, or every condition that fails.
+//!
+//! From the seed: tokens, errors, initial values (EYE_LINEAR, 1.0, LIGHT0, for each of four coordinates
+//! of each unit), odd units only, conditions. From OpenGL 1.2 and ARB_multitexture, on which it builds:
+//! the other modes, that SPHERE_MAP is refused for R and Q, that everything is disabled at the start,
+//! and that a unit or a light out of range is INVALID_ENUM.
+
+use super::{Emboss, Setting};
+use crate::cast;
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// What an implementation has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Limits {
+    /// MAX_LIGHTS; 8, the least that OpenGL allows, if not given.
+    pub lights: u8,
+    /// MAX_TEXTURE_UNITS; 4 if not given.
+    pub texture_units: u8,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self { lights: 8, texture_units: 4 }
+    }
+}
+
+/// A call, as a TOML table with its name under `call`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(tag = "call", deny_unknown_fields)]
+pub enum Call {
+    /// Chooses the unit that later calls are about.
+    #[serde(alias = "glActiveTexture", alias = "glActiveTextureARB")]
+    ActiveTexture {
+        /// TEXTUREi.
+        texture: String,
+    },
+    /// Sets a parameter of a coordinate.
+    #[serde(alias = "glTexGend", alias = "glTexGenf", alias = "glTexGeni")]
+    TexGen {
+        /// S, T, R or Q.
+        coord: String,
+        /// TEXTURE_GEN_MODE, EMBOSS_LIGHT_NV or EMBOSS_CONSTANT_NV.
+        pname: String,
+        /// A token or a number.
+        param: Param,
+    },
+    /// Tells a parameter of a coordinate.
+    #[serde(alias = "glGetTexGendv", alias = "glGetTexGenfv", alias = "glGetTexGeniv")]
+    GetTexGen {
+        /// S, T, R or Q.
+        coord: String,
+        /// As above.
+        pname: String,
+    },
+    /// Enables LIGHTING, LIGHTi or TEXTURE_GEN_S, T, R, Q.
+    #[serde(alias = "glEnable")]
+    Enable {
+        /// What.
+        cap: String,
+    },
+    /// Disables it.
+    #[serde(alias = "glDisable")]
+    Disable {
+        /// What.
+        cap: String,
+    },
+}
+
+/// What a parameter is set to.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(untagged, expecting = "param is a number or the name of a token")]
+pub enum Param {
+    /// A whole number.
+    Integer(i64),
+    /// A number.
+    Number(f64),
+    /// A token by its name.
+    Token(String),
+}
+
+/// A coordinate of a unit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum Coord {
+    /// The first.
+    S,
+    /// The second.
+    T,
+    /// The third.
+    R,
+    /// The divisor of the others.
+    Q,
+}
+
+/// How a coordinate is generated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "SCREAMING_SNAKE_CASE")]
+pub enum Mode {
+    /// A plane in eye coordinates.
+    EyeLinear,
+    /// A plane in the object's coordinates.
+    ObjectLinear,
+    /// A reflection.
+    SphereMap,
+    /// Emboss.
+    EmbossMapNv,
+}
+
+/// A parameter of a coordinate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Pname {
+    Mode,
+    Light,
+    Constant,
+}
+
+/// What can be enabled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Cap {
+    Lighting,
+    Light(u8),
+    TexGen(Coord),
+}
+
+/// A call that OpenGL answers with an error: INVALID_ENUM, every one of them, or one that no program in C
+/// could make.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Broken {
+    /// A name or a number that is no such token.
+    #[error("INVALID_ENUM: {argument} `{given}`: legal is {legal}")]
+    Token {
+        /// The argument.
+        argument: &'static str,
+        /// What was given.
+        given: String,
+        /// Its values.
+        legal: &'static str,
+    },
+    /// Emboss of an even unit.
+    #[error("INVALID_ENUM: {token} with texture unit {unit} active: only odd units take it")]
+    EvenUnit {
+        /// What was asked for.
+        token: &'static str,
+        /// The active unit.
+        unit: u8,
+    },
+    /// A light or a constant for R or Q.
+    #[error("INVALID_ENUM: {token} of coordinate {coord:?}: only S and T take it")]
+    RightCoord {
+        /// The parameter.
+        token: &'static str,
+        /// The coordinate.
+        coord: Coord,
+    },
+    /// A light that isn't there.
+    #[error("INVALID_ENUM: LIGHT{given}: i of LIGHTi is from 0 to MAX_LIGHTS - 1 = {last}")]
+    Light {
+        /// Its number.
+        given: i64,
+        /// The last light.
+        last: u8,
+    },
+    /// A unit that isn't there.
+    #[error(
+        "INVALID_ENUM: TEXTURE{given}: i of TEXTUREi is from 0 to MAX_TEXTURE_UNITS - 1 = {last}"
+    )]
+    Unit {
+        /// Its number.
+        given: i64,
+        /// The last unit.
+        last: u8,
+    },
+    /// A reflection of R or Q.
+    #[error("INVALID_ENUM: SPHERE_MAP of coordinate {coord:?}: only S and T take it")]
+    SphereMap {
+        /// The coordinate.
+        coord: Coord,
+    },
+    /// A constant that is no number, or none that can be multiplied by.
+    #[error(
+        "EMBOSS_CONSTANT_NV = {given}: legal is a finite number, such as 1 over the width of the texture"
+    )]
+    Constant {
+        /// What was given.
+        given: String,
+    },
+}
+
+impl Broken {
+    /// The error that `glGetError` gives.
+    #[must_use]
+    pub fn gl_error(&self) -> Option<&'static str> {
+        match self {
+            Self::Constant { .. } => None,
+            Self::Token { .. } | Self::EvenUnit { .. } | Self::RightCoord { .. } => {
+                Some("INVALID_ENUM")
+            }
+            Self::Light { .. } | Self::Unit { .. } | Self::SphereMap { .. } => Some("INVALID_ENUM"),
+        }
+    }
+}
+
+/// A condition that fails, so that the result is undefined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Condition {
+    /// Not all four coordinates are of the mode.
+    #[error(
+        "TEXTURE_GEN_MODE of {coord:?} is {mode}: all of S, T, R and Q have to be EMBOSS_MAP_NV"
+    )]
+    Mode {
+        /// Which one isn't.
+        coord: Coord,
+        /// What it is.
+        mode: Mode,
+    },
+    /// Not all four coordinates are enabled.
+    #[error("TEXTURE_GEN_{coord:?} is disabled: it has to be enabled for all of S, T, R and Q")]
+    Disabled {
+        /// Which one isn't.
+        coord: Coord,
+    },
+    /// S and T name different lights.
+    #[error("EMBOSS_LIGHT_NV of S is LIGHT{s} and of T is LIGHT{t}: they have to be the same")]
+    Lights {
+        /// That of S.
+        s: u8,
+        /// That of T.
+        t: u8,
+    },
+    /// The light is off.
+    #[error("LIGHT{light} is disabled: the light of emboss has to be enabled")]
+    LightOff {
+        /// Its number.
+        light: u8,
+    },
+    /// Lighting is off.
+    #[error("LIGHTING is disabled: it has to be enabled")]
+    LightingOff,
+}
+
+/// A unit whose coordinates are undefined, and why.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Undefined {
+    /// The texture unit.
+    pub unit: u8,
+    /// Those of its coordinates whose mode is EMBOSS_MAP_NV.
+    pub coords: Vec<Coord>,
+    /// Every condition that fails.
+    pub conditions: Vec<Condition>,
+}
+
+impl fmt::Display for Mode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let known = Self::ALL.iter().find(|(mode, ..)| mode == self);
+        write!(f, "{}", known.expect("bug: every mode has a name").1)
+    }
+}
+
+impl fmt::Display for Param {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Integer(number) => write!(f, "{number}"),
+            Self::Number(number) => write!(f, "{number}"),
+            Self::Token(name) => write!(f, "{name}"),
+        }
+    }
+}
+
+impl fmt::Display for Call {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::ActiveTexture { texture } => write!(f, "glActiveTexture({texture})"),
+            Self::TexGen { coord, pname, param } => {
+                write!(f, "glTexGen({coord}, {pname}, {param})")
+            }
+            Self::GetTexGen { coord, pname } => write!(f, "glGetTexGen({coord}, {pname})"),
+            Self::Enable { cap } => write!(f, "glEnable({cap})"),
+            Self::Disable { cap } => write!(f, "glDisable({cap})"),
+        }
+    }
+}
+
+/// A name without its `GL_`.
+fn bare(text: &str) -> &str {
+    text.strip_prefix("GL_").unwrap_or(text)
+}
+
+/// The number after a word, which may be negative; the largest or smallest if it is past those.
+fn numbered(text: &str, word: &str) -> Option<i64> {
+    let number = text.strip_prefix(word)?;
+    let digits = number.strip_prefix('-').unwrap_or(number);
+    if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
+        return None;
+    }
+    let extreme = if number.starts_with('-') { i64::MIN } else { i64::MAX };
+    Some(number.parse().unwrap_or(extreme))
+}
+
+impl Coord {
+    const ALL: [(Self, &'static str); 4] =
+        [(Self::S, "S"), (Self::T, "T"), (Self::R, "R"), (Self::Q, "Q")];
+
+    fn parse(text: &str) -> Result<Self, Broken> {
+        let known = Self::ALL.iter().find(|(_, name)| *name == bare(text));
+        known.map(|(coord, _)| *coord).ok_or_else(|| Broken::Token {
+            argument: "coord",
+            given: text.to_owned(),
+            legal: "S, T, R or Q",
+        })
+    }
+
+    fn index(self) -> usize {
+        Self::ALL.iter().position(|(coord, _)| *coord == self).expect("bug: every one is listed")
+    }
+}
+
+impl Mode {
+    const ALL: [(Self, &'static str, i64); 4] = [
+        (Self::EyeLinear, "EYE_LINEAR", 0x2400),
+        (Self::ObjectLinear, "OBJECT_LINEAR", 0x2401),
+        (Self::SphereMap, "SPHERE_MAP", 0x2402),
+        (Self::EmbossMapNv, "EMBOSS_MAP_NV", 0x855f),
+    ];
+
+    fn parse(param: &Param) -> Result<Self, Broken> {
+        let known = Self::ALL.iter().find(|(_, name, number)| match param {
+            Param::Token(text) => *name == bare(text),
+            Param::Integer(given) => number == given,
+            Param::Number(given) => cast::f64_of(*number) == *given,
+        });
+        known.map(|(mode, ..)| *mode).ok_or_else(|| Broken::Token {
+            argument: "TEXTURE_GEN_MODE",
+            given: param.to_string(),
+            legal: "EYE_LINEAR, OBJECT_LINEAR, SPHERE_MAP or EMBOSS_MAP_NV",
+        })
+    }
+}
+
+impl Pname {
+    fn parse(text: &str) -> Result<Self, Broken> {
+        match bare(text) {
+            "TEXTURE_GEN_MODE" => Ok(Self::Mode),
+            "EMBOSS_LIGHT_NV" => Ok(Self::Light),
+            "EMBOSS_CONSTANT_NV" => Ok(Self::Constant),
+            _ => Err(Broken::Token {
+                argument: "pname",
+                given: text.to_owned(),
+                legal: "TEXTURE_GEN_MODE, EMBOSS_LIGHT_NV or EMBOSS_CONSTANT_NV",
+            }),
+        }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Mode => "TEXTURE_GEN_MODE",
+            Self::Light => "EMBOSS_LIGHT_NV",
+            Self::Constant => "EMBOSS_CONSTANT_NV",
+        }
+    }
+}
+
+/// A coordinate's state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Generation {
+    mode: Mode,
+    enabled: bool,
+    constant: f64,
+    light: u8,
+}
+
+/// Table 6.14 as the extension changes it.
+const INITIAL: Generation =
+    Generation { mode: Mode::EyeLinear, enabled: false, constant: 1.0, light: 0 };
+
+/// The number of LIGHT0.
+const LIGHT0: i64 = 0x4000;
+
+/// The state of all texture units, and of the lights.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    active: u8,
+    units: Vec<[Generation; 4]>,
+    lights: Vec<bool>,
+    lighting: bool,
+}
+
+impl State {
+    /// The initial state, with a light and a unit at least.
+    #[must_use]
+    pub fn new(limits: Limits) -> Self {
+        Self {
+            active: 0,
+            units: vec![[INITIAL; 4]; usize::from(limits.texture_units.max(1))],
+            lights: vec![false; usize::from(limits.lights.max(1))],
+            lighting: false,
+        }
+    }
+
+    fn light(&self, given: i64) -> Result<u8, Broken> {
+        let light =
+            u8::try_from(given).ok().filter(|light| usize::from(*light) < self.lights.len());
+        let last = u8::try_from(self.lights.len() - 1).expect("bug: limits are bytes");
+        light.ok_or(Broken::Light { given, last })
+    }
+
+    fn cap(&self, text: &str) -> Result<Cap, Broken> {
+        let name = bare(text);
+        if let Some(light) = numbered(name, "LIGHT") {
+            return Ok(Cap::Light(self.light(light)?));
+        }
+        let coord = name.strip_prefix("TEXTURE_GEN_").and_then(|coord| Coord::parse(coord).ok());
+        match (name, coord) {
+            ("LIGHTING", _) => Ok(Cap::Lighting),
+            (_, Some(coord)) => Ok(Cap::TexGen(coord)),
+            (_, None) => Err(Broken::Token {
+                argument: "cap",
+                given: text.to_owned(),
+                legal: "LIGHTING, LIGHTi, TEXTURE_GEN_S, TEXTURE_GEN_T, TEXTURE_GEN_R or TEXTURE_GEN_Q",
+            }),
+        }
+    }
+
+    fn enable(&mut self, text: &str, on: bool) -> Result<String, Broken> {
+        let cap = self.cap(text)?;
+        let is = if on { "enabled" } else { "disabled" };
+        Ok(match cap {
+            Cap::Lighting => {
+                self.lighting = on;
+                format!("LIGHTING {is}")
+            }
+            Cap::Light(light) => {
+                self.lights[usize::from(light)] = on;
+                format!("LIGHT{light} {is}")
+            }
+            Cap::TexGen(coord) => {
+                self.generation_mut(coord).enabled = on;
+                format!("unit {}: TEXTURE_GEN_{coord:?} {is}", self.active)
+            }
+        })
+    }
+
+    fn generation_mut(&mut self, coord: Coord) -> &mut Generation {
+        &mut self.units[usize::from(self.active)][coord.index()]
+    }
+
+    fn told(&self, coord: Coord, pname: Pname) -> String {
+        let generation = self.units[usize::from(self.active)][coord.index()];
+        let value = match pname {
+            Pname::Mode => generation.mode.to_string(),
+            Pname::Light => format!("LIGHT{}", generation.light),
+            Pname::Constant => generation.constant.to_string(),
+        };
+        format!("unit {}: {} of {coord:?} = {value}", self.active, pname.name())
+    }
+
+    fn texgen(&mut self, coord: Coord, pname: Pname, param: &Param) -> Result<(), Broken> {
+        let (unit, even) = (self.active, self.active.is_multiple_of(2));
+        if pname != Pname::Mode {
+            let token = pname.name();
+            if even {
+                return Err(Broken::EvenUnit { token, unit });
+            }
+            if matches!(coord, Coord::R | Coord::Q) {
+                return Err(Broken::RightCoord { token, coord });
+            }
+        }
+        match pname {
+            Pname::Mode => {
+                let mode = Mode::parse(param)?;
+                if mode == Mode::EmbossMapNv && even {
+                    return Err(Broken::EvenUnit { token: "EMBOSS_MAP_NV", unit });
+                }
+                if mode == Mode::SphereMap && matches!(coord, Coord::R | Coord::Q) {
+                    return Err(Broken::SphereMap { coord });
+                }
+                self.generation_mut(coord).mode = mode;
+            }
+            Pname::Light => {
+                let number = match param {
+                    Param::Token(name) => numbered(bare(name), "LIGHT"),
+                    Param::Integer(token) => Some(token.saturating_sub(LIGHT0)),
+                    Param::Number(_) => None,
+                };
+                let number = number.ok_or_else(|| Broken::Token {
+                    argument: "EMBOSS_LIGHT_NV",
+                    given: param.to_string(),
+                    legal: "LIGHTi",
+                })?;
+                self.generation_mut(coord).light = self.light(number)?;
+            }
+            Pname::Constant => {
+                let number = match param {
+                    Param::Integer(number) => Some(cast::f64_of(*number)),
+                    Param::Number(number) => Some(*number),
+                    Param::Token(_) => None,
+                };
+                let finite = number.filter(|number| number.is_finite());
+                let given = param.to_string();
+                self.generation_mut(coord).constant = finite.ok_or(Broken::Constant { given })?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes a call; tells what it did.
+    ///
+    /// # Errors
+    /// If OpenGL answers it with an error; the state stays as it was.
+    #[expect(clippy::missing_panics_doc, reason = "limits are bytes")]
+    pub fn call(&mut self, call: &Call) -> Result<String, Broken> {
+        match call {
+            Call::ActiveTexture { texture } => {
+                let given = numbered(bare(texture), "TEXTURE").ok_or_else(|| Broken::Token {
+                    argument: "texture",
+                    given: texture.clone(),
+                    legal: "TEXTUREi",
+                })?;
+                let unit = u8::try_from(given).ok();
+                let unit = unit.filter(|unit| usize::from(*unit) < self.units.len());
+                let last = u8::try_from(self.units.len() - 1).expect("bug: limits are bytes");
+                self.active = unit.ok_or(Broken::Unit { given, last })?;
+                Ok(format!("texture unit {} is active", self.active))
+            }
+            Call::TexGen { coord, pname, param } => {
+                let (coord, pname) = (Coord::parse(coord)?, Pname::parse(pname)?);
+                self.texgen(coord, pname, param)?;
+                Ok(self.told(coord, pname))
+            }
+            Call::GetTexGen { coord, pname } => {
+                Ok(self.told(Coord::parse(coord)?, Pname::parse(pname)?))
+            }
+            Call::Enable { cap } => self.enable(cap, true),
+            Call::Disable { cap } => self.enable(cap, false),
+        }
+    }
+
+    /// Every condition of a unit that fails.
+    fn conditions(&self, unit: &[Generation; 4]) -> Vec<Condition> {
+        let mut failing = Vec::new();
+        let coords = || Coord::ALL.iter().map(|(coord, _)| *coord).zip(unit);
+        for (coord, generation) in coords() {
+            let mode = generation.mode;
+            if mode != Mode::EmbossMapNv {
+                failing.push(Condition::Mode { coord, mode });
+            }
+        }
+        for (coord, generation) in coords() {
+            if !generation.enabled {
+                failing.push(Condition::Disabled { coord });
+            }
+        }
+        let (s, t) = (unit[0].light, unit[1].light);
+        if s != t {
+            failing.push(Condition::Lights { s, t });
+        }
+        let named = if s == t { vec![s] } else { vec![s, t] };
+        let off = named.into_iter().filter(|light| !self.lights[usize::from(*light)]);
+        failing.extend(off.map(|light| Condition::LightOff { light }));
+        if !self.lighting {
+            failing.push(Condition::LightingOff);
+        }
+        failing
+    }
+
+    /// For each texture unit with a coordinate of mode EMBOSS_MAP_NV the configuration of the emboss
+    /// unit, or why its coordinates are undefined.
+    ///
+    /// The seed calls all coordinates of that mode undefined, enabled or not.
+    #[must_use]
+    pub fn emboss(&self) -> Vec<Result<Emboss, Undefined>> {
+        let mut found = Vec::new();
+        for (number, unit) in (0_u8..).zip(&self.units) {
+            let coords: Vec<Coord> = Coord::ALL
+                .iter()
+                .filter(|(coord, _)| unit[coord.index()].mode == Mode::EmbossMapNv)
+                .map(|(coord, _)| *coord)
+                .collect();
+            if coords.is_empty() {
+                continue;
+            }
+            let conditions = self.conditions(unit);
+            found.push(if conditions.is_empty() {
+                Ok(Emboss {
+                    setting: Setting::Nv,
+                    light: u32::from(unit[0].light),
+                    source: u32::from(number - 1), // Even units never get that mode.
+                    destination: u32::from(number),
+                    ks: unit[0].constant,
+                    kt: unit[1].constant,
+                })
+            } else {
+                Err(Undefined { unit: number, coords, conditions })
+            });
+        }
+        found
+    }
+}

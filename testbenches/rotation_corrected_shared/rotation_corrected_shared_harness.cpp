@@ -1,0 +1,193 @@
+// rotation: turns a direction in polar form into the frame of a surface normal
+// made by fixpath 0.1.0; seed 001 (Lee et al.), section 3.1 and Fig. 7
+//   variant=corrected output=auto angle_bits=16 table_addr_bits=10 scheme=direct quarter_wave=off
+//   frac_bits=16 int_bits=1 guard_bits=2 rounding=half-up overflow=saturate sincos_addr_bits=auto
+//   asin_addr_bits=auto recip_addr_bits=auto atan_addr_bits=auto prop_addr_bits=auto
+//   recip_int_bits=8 atan_int_bits=auto quadrants=full cordic_iterations=auto period_ps=5000
+//   stages=auto rom=block schedule=shared interval=auto share_dot=auto share_mul=1 share_add=auto
+//   share_table=auto share_root=auto share_divide=auto share_latency=auto share_loads=no
+// latency 13 cycles, interval 3 cycles; tables read on the clock
+// absolute errors against the golden of the quantised inputs, over 65536 random inputs
+// (sampler sphere, seed 1), and the input words of the worst:
+//   angle: mean 2.96e-1 rad, at most 1.03e0 rad at phi_a=63191 theta_a=16419 phi_n=6223 theta_n=16703
+//   dot: mean 2.93e-1, at most 9.83e-1 at phi_a=63191 theta_a=16419 phi_n=6223 theta_n=16703
+//   x: mean 1.90e-1, at most 7.70e-1 at phi_a=34757 theta_a=16352 phi_n=57388 theta_n=19960
+//   y: mean 6.21e-2, at most 2.97e-1 at phi_a=12448 theta_a=16689 phi_n=28272 theta_n=16284
+//   z: mean 1.80e-1, at most 7.54e-1 at phi_a=46723 theta_a=16419 phi_n=40254 theta_n=12730
+// no bound is stated: asin, 1/sin and 1/cos have infinite slopes, which no word length bounds; each table's own error is stated
+//
+// Verilator's harness of rotation_corrected_shared: feeds vectors from a file, or from the standard input if
+// there is none, with stalls and gaps now and then and a reset in mid-stream, and compares every
+// bit of every output and the latency. The last line says PASS or FAIL; the status is 0 or 1.
+#include "Vrotation_corrected_shared.h"
+#include "verilated.h"
+#include <cinttypes>
+#include <cstdint>
+#include <cstdio>
+#include <deque>
+#include <vector>
+
+static constexpr int kInputs = 4;
+static constexpr int kOutputs = 2;
+static constexpr int kFields = kInputs + kOutputs;
+static constexpr int kLatency = 13;
+static constexpr int kInterval = 3;
+static constexpr uint64_t kShown = 10;  // of the mismatches
+static const char* const kNames[] = {"phi", "theta"};
+
+// Hexadecimal words, 6 a line.
+class Vectors {
+  public:
+    explicit Vectors(FILE* file) : file_(file), buffer_(1 << 16) {}
+
+    // False at the end; `cut` if it comes in the middle of a line.
+    bool read(uint64_t* words, bool& cut) {
+        for (int field = 0; field < kFields; ++field) {
+            int c = next();
+            while (c == ' ' || c == '\n' || c == '\r') c = next();
+            if (c < 0) {
+                cut = field > 0;
+                return false;
+            }
+            uint64_t word = 0;
+            for (; c > ' '; c = next()) {
+                const int digit = c <= '9' ? c - '0' : (c | 32) - 'a' + 10;
+                if (digit < 0 || digit > 15) {
+                    cut = true;
+                    return false;
+                }
+                word = word << 4 | static_cast<uint64_t>(digit);
+            }
+            words[field] = word;
+        }
+        return true;
+    }
+
+  private:
+    int next() {
+        if (at_ == end_) {
+            at_ = 0;
+            end_ = fread(buffer_.data(), 1, buffer_.size(), file_);
+            if (end_ == 0) return -1;
+        }
+        return static_cast<unsigned char>(buffer_[at_++]);
+    }
+
+    FILE* file_;
+    std::vector<char> buffer_;
+    size_t at_ = 0;
+    size_t end_ = 0;
+};
+
+struct Entry {
+    bool valid = false;
+    uint64_t number = 0;
+    uint64_t words[kFields] = {};
+};
+
+template <typename Port>
+static void put(Port& port, uint64_t word) {
+    port = static_cast<Port>(word);
+}
+
+int main(int argc, char** argv) {
+    FILE* const file = argc > 1 ? fopen(argv[1], "rb") : stdin;
+    if (!file) {
+        printf("FAIL: %s can't be read\n", argv[1]);
+        return 1;
+    }
+    VerilatedContext context;
+    Vrotation_corrected_shared dut{&context};
+    Vectors vectors(file);
+
+    // What should come out, moving beside the pipeline; the newest at `head`.
+    std::vector<Entry> pipe(kLatency + 1);
+    int head = 0;
+    // What a reset forgot goes in again.
+    std::deque<Entry> again;
+    int phase = 0;  // as the module should count it
+    uint64_t sent = 0, checked = 0, mismatches = 0;
+    uint64_t random = 0x9e3779b97f4a7c15u;
+    bool more = true, cut = false, reset_done = kLatency == 0;
+
+    dut.rst = 1;
+    dut.ce = 0;
+    dut.valid_in = 0;
+    dut.clk = 0;
+    dut.eval();
+    dut.clk = 1;
+    dut.eval();
+    dut.rst = 0;
+
+    while (checked < sent || more) {
+        random ^= random << 13;
+        random ^= random >> 7;
+        random ^= random << 17;
+        // Which cycles stall and which are gaps is no function of the words.
+        // A reset comes while the pipeline is full, during a stall, which doesn't hold it up.
+        const bool reset = !reset_done && sent * kInterval > kLatency && phase == kInterval / 2;
+        reset_done = reset_done || reset;
+        const bool ce = kLatency == 0 || (!reset && (random & 15) != 0);
+        const bool gap = phase != 0 || (random >> 4 & 15) == 0;
+        Entry& in = pipe[head];
+        if (!in.valid && !gap && !again.empty()) {
+            in = again.front();
+            again.pop_front();
+        } else if (!in.valid && !gap && more) {
+            in.valid = more = vectors.read(in.words, cut);
+            if (in.valid) in.number = sent++;
+        }
+        dut.valid_in = in.valid || (phase != 0 && (random >> 8 & 1) != 0);
+        put(dut.phi_a, (in.valid ? in.words[0] : ~in.words[0]) & UINT64_C(0xffff));
+        put(dut.theta_a, (in.valid ? in.words[1] : ~in.words[1]) & UINT64_C(0xffff));
+        put(dut.phi_n, (in.valid ? in.words[2] : ~in.words[2]) & UINT64_C(0xffff));
+        put(dut.theta_n, (in.valid ? in.words[3] : ~in.words[3]) & UINT64_C(0xffff));
+        dut.ce = ce;
+        dut.rst = reset;
+        dut.clk = 0;
+        dut.eval();
+        if (dut.ready != (phase == 0) && ++mismatches <= kShown) {
+            printf("mismatch: vector %" PRIu64 " ready expected %d got %d\n", sent, phase == 0, dut.ready);
+        }
+
+        const Entry& out = pipe[(head + kLatency) % (kLatency + 1)];
+        if (dut.valid_out != out.valid && ++mismatches <= kShown) {
+            printf("mismatch: vector %" PRIu64 " valid_out expected %d got %d\n", out.valid ? out.number : sent,
+                   out.valid, dut.valid_out);
+        }
+        if (ce && out.valid) {
+            const uint64_t got[] = {static_cast<uint64_t>(dut.phi), static_cast<uint64_t>(dut.theta)};
+            for (int i = 0; i < kOutputs; ++i) {
+                const uint64_t expected = out.words[kInputs + i];
+                if (got[i] != expected && ++mismatches <= kShown) {
+                    printf("mismatch: vector %" PRIu64 " %s expected %" PRIx64 " got %" PRIx64 "\n", out.number,
+                           kNames[i], expected, got[i]);
+                }
+            }
+            ++checked;
+        }
+        if (ce) {
+            // The oldest entry becomes the newest.
+            head = (head + kLatency) % (kLatency + 1);
+            pipe[head].valid = false;
+            phase = (phase + 1) % kInterval;
+        }
+        if (reset) phase = 0;
+        for (int stage = kLatency; reset && stage > 0; --stage) {
+            Entry& forgotten = pipe[(head + stage) % (kLatency + 1)];
+            if (forgotten.valid) again.push_back(forgotten);
+            forgotten.valid = false;
+        }
+        dut.clk = 1;
+        dut.eval();
+    }
+    dut.final();
+    if (cut) printf("mismatch: the vectors are cut short after vector %" PRIu64 "\n", sent);
+    if (sent == 0) printf("mismatch: there is no vector\n");
+    if (cut || sent == 0 || mismatches > 0) {
+        printf("FAIL %" PRIu64 " mismatches in %" PRIu64 " vectors\n", mismatches, checked);
+        return 1;
+    }
+    printf("PASS %" PRIu64 " vectors\n", checked);
+    return 0;
+}

@@ -1,0 +1,803 @@
+//! The two texture-coordinate interfaces: every rule is broken once, and its message pinned.
+
+use assert_cmd::Command;
+use fixpath::texgen::gx::{Function, IDENTITY, MATRIX_ROWS, Source, TexCoords, TexGen};
+use fixpath::texgen::{Calls, Outcome};
+use proptest::prelude::*;
+use std::fs;
+
+fn run(toml: &str) -> Outcome {
+    Calls::parse(toml, "calls.toml".as_ref()).unwrap_or_else(|why| panic!("{why}\n{toml}")).run()
+}
+
+/// `GXSetTexCoordGen`, arguments in the order of the seed.
+fn set(arguments: &[&str; 4]) -> String {
+    let [dst, func, src, mat] = arguments;
+    format!(
+        "[[gx]]\ncall = \"SetTexCoordGen\"\ndst_coord = \"{dst}\"\nfunc = \"{func}\"\nsrc_param = \"{src}\"\nmat_idx = \"{mat}\"\n"
+    )
+}
+
+fn gx(calls: &[[&str; 4]]) -> Outcome {
+    run(&calls.iter().map(set).collect::<String>())
+}
+
+const BASE: [&str; 4] = ["TEXCOORD0", "MTX2x4", "TEX0", "TEXMTX3"];
+const BUMP: [&str; 4] = ["TEXCOORD1", "BUMP0", "TEXCOORD0", "IDENTITY"];
+
+/// Expects every call but the last to hold, and the last to say `message` and to change nothing.
+fn gx_refuses(calls: &[[&str; 4]], message: &str) {
+    let outcome = gx(calls);
+    let (last, before) = outcome.events.split_last().unwrap();
+    assert!(before.iter().all(|event| event.outcome.is_ok()), "{outcome:?}");
+    assert_eq!(last.outcome.as_ref().unwrap_err().message, message, "{calls:?}");
+    assert_eq!(outcome.problems(), 1, "{calls:?}");
+    let without = gx(&calls[..calls.len() - 1]);
+    assert_eq!(outcome.registers, without.registers, "{calls:?}");
+    assert_eq!(outcome.emboss, without.emboss, "{calls:?}");
+}
+
+/// The example that the seed prints, and its words.
+#[test]
+fn the_seeds_example_configures_the_emboss_unit() {
+    let outcome = gx(&[
+        ["GX_TEXCOORD0", "GX_TG_MTX2x4", "GX_TG_TEX0", "GX_TEXMTX3"],
+        ["GX_TEXCOORD1", "GX_TG_BUMP0", "GX_TG_TEXCOORD0", "GX_IDENTITY"],
+    ]);
+    assert_eq!(outcome.problems(), 0);
+    let words: Vec<(u16, u32)> = outcome.registers.iter().map(|r| (r.address, r.word)).collect();
+    // Rows 39 and 60; two coordinates; texture row 5; emboss of coordinate 0 by light 0.
+    let expected = [
+        (0x1018, 39 << 6 | 60 << 12),
+        (0x1019, 0),
+        (0x103f, 2),
+        (0x1040, 5 << 7),
+        (0x1041, 5 << 7 | 1 << 4),
+    ];
+    assert_eq!(words, expected);
+    assert_eq!(outcome.emboss.len(), 1);
+    let told = "setting=gx light=0 source=0 destination=1 ks=1 kt=1";
+    assert_eq!(outcome.emboss[0].to_string(), told);
+}
+
+#[test]
+fn each_light_is_a_function_and_several_follow_one_base() {
+    let mut calls = vec![BASE];
+    let numbers = ["1", "2", "3", "4", "5", "6", "7"];
+    let names: Vec<(String, String)> =
+        numbers.iter().map(|i| (format!("TEXCOORD{i}"), format!("BUMP{i}"))).collect();
+    calls.extend(names.iter().map(|(to, func)| [to, func, "TEXCOORD0", "IDENTITY"]));
+    let outcome = gx(&calls);
+    assert_eq!(outcome.problems(), 0, "{outcome:?}");
+    let lights: Vec<(u32, u32)> = outcome.emboss.iter().map(|e| (e.destination, e.light)).collect();
+    assert_eq!(lights, (1..8).map(|i| (i, i)).collect::<Vec<_>>());
+    // One after the other: the source is then a displaced coordinate itself.
+    let chain = gx(&[BASE, BUMP, ["TEXCOORD2", "BUMP7", "TEXCOORD1", "IDENTITY"]]);
+    assert_eq!(chain.problems(), 0);
+    assert_eq!((chain.emboss[1].source, chain.emboss[1].light), (1, 7));
+}
+
+#[test]
+fn every_rule_of_a_single_coordinate_has_its_message() {
+    let cases: &[([&str; 4], &str)] = &[
+        (
+            ["TEXCOORD8", "MTX2x4", "TEX0", "TEXMTX0"],
+            "dst_coord TEXCOORD8: legal is TEXCOORD0 to TEXCOORD7",
+        ),
+        (
+            ["TEXCORD0", "MTX2x4", "TEX0", "TEXMTX0"],
+            "dst_coord `TEXCORD0`, did you mean `TEXCOORD0`: legal is TEXCOORD0 to TEXCOORD7",
+        ),
+        (
+            ["TEXCOORD0", "BUMP8", "TEX0", "IDENTITY"],
+            "func BUMP8: legal is BUMP0 to BUMP7, one for each of eight lights",
+        ),
+        (
+            ["TEXCOORD0", "MTX4x4", "TEX0", "TEXMTX0"],
+            "func `MTX4x4`, did you mean `MTX2x4`: legal is MTX2x4, MTX3x4, BUMP0 to BUMP7, SRTG",
+        ),
+        (["TEXCOORD0", "MTX2x4", "TEX8", "TEXMTX0"], "src_param TEX8: legal is TEX0 to TEX7"),
+        (
+            ["TEXCOORD0", "MTX2x4", "TEXCOORD7", "TEXMTX0"],
+            "src_param TEXCOORD7: legal is TEXCOORD0 to TEXCOORD6",
+        ),
+        (
+            ["TEXCOORD0", "SRTG", "COLOR2", "TEXMTX0"],
+            "src_param COLOR2: legal is COLOR0 and COLOR1",
+        ),
+        (
+            ["TEXCOORD0", "MTX2x4", "NORMAL", "TEXMTX0"],
+            "src_param `NORMAL`: legal is POS, NRM, BINRM, TANGENT, TEX0 to TEX7, TEXCOORD0 to TEXCOORD6, COLOR0, COLOR1",
+        ),
+        (
+            ["TEXCOORD0", "MTX2x4", "TEX0", "TEXMTX10"],
+            "mat_idx TEXMTX10: legal is TEXMTX0 to TEXMTX9",
+        ),
+        (
+            ["TEXCOORD0", "MTX2x4", "TEX0", "IDENTITIY"],
+            "mat_idx `IDENTITIY`, did you mean `IDENTITY`: legal is TEXMTX0 to TEXMTX9, IDENTITY or a row from 0 to 63",
+        ),
+        (
+            ["TEXCOORD0", "MTX3x4", "COLOR0", "TEXMTX0"],
+            "MTX3x4 from COLOR0: a matrix transforms an attribute of the vertex, POS, NRM, BINRM, TANGENT or TEX0 to TEX7",
+        ),
+        (
+            ["TEXCOORD1", "MTX2x4", "TEXCOORD0", "TEXMTX0"],
+            "MTX2x4 from TEXCOORD0: a matrix transforms an attribute of the vertex, POS, NRM, BINRM, TANGENT or TEX0 to TEX7",
+        ),
+        (
+            ["TEXCOORD1", "BUMP3", "TEX0", "IDENTITY"],
+            "BUMP3 from TEX0: emboss displaces an already generated coordinate, TEXCOORD0 to TEXCOORD6",
+        ),
+        (
+            ["TEXCOORD0", "SRTG", "TEX0", "IDENTITY"],
+            "SRTG from TEX0: coordinates from lighting channels come from COLOR0 or COLOR1",
+        ),
+    ];
+    for (call, message) in cases {
+        gx_refuses(&[*call], message);
+    }
+    gx_refuses(
+        &[BASE, ["TEXCOORD1", "BUMP0", "TEXCOORD0", "TEXMTX1"]],
+        "BUMP0 with matrix TEXMTX1: no matrix is used for a displaced coordinate, give IDENTITY",
+    );
+    for (row, legal) in [("64", false), ("-1", false), ("63", true), ("0", true)] {
+        let outcome = run(&set(&["TEXCOORD0", "MTX2x4", "TEX0", "x"]).replace("\"x\"", row));
+        let refused = outcome.events[0].outcome.as_ref().err().map(|why| why.message.clone());
+        let message = format!("mat_idx {row}: legal is a row from 0 to 63");
+        assert_eq!(refused, (!legal).then_some(message));
+    }
+}
+
+#[test]
+fn every_rule_between_coordinates_has_its_message() {
+    for (to, from) in
+        [("TEXCOORD0", "TEXCOORD0"), ("TEXCOORD1", "TEXCOORD1"), ("TEXCOORD1", "TEXCOORD6")]
+    {
+        gx_refuses(
+            &[BASE, [to, "BUMP0", from, "IDENTITY"]],
+            &format!(
+                "{to} from {from}: coordinates are generated in order of their numbers, so that emboss takes one with a lower number than its own"
+            ),
+        );
+    }
+    gx_refuses(
+        &[BUMP],
+        "TEXCOORD1 from TEXCOORD0, which no call has set: set the base coordinate first",
+    );
+    gx_refuses(
+        &[BASE, ["TEXCOORD2", "BUMP0", "TEXCOORD0", "IDENTITY"]],
+        "TEXCOORD2 from TEXCOORD0: base and displaced coordinate are numbered n and n + 1, and TEXCOORD1 between them is not set",
+    );
+    gx_refuses(
+        &[
+            BASE,
+            ["TEXCOORD1", "MTX3x4", "NRM", "TEXMTX0"],
+            ["TEXCOORD2", "BUMP0", "TEXCOORD0", "IDENTITY"],
+        ],
+        "TEXCOORD2 from TEXCOORD0: base and displaced coordinate are numbered n and n + 1, and TEXCOORD1 between them is MTX3x4 of something else",
+    );
+    let order = "transformed coordinates (MTX2x4, MTX3x4) come first, then bump coordinates, then those from lighting channels (SRTG)";
+    gx_refuses(
+        &[BASE, BUMP, ["TEXCOORD2", "MTX2x4", "TEX1", "TEXMTX0"]],
+        &format!("TEXCOORD2 (MTX2x4) after TEXCOORD1 (BUMP0): {order}"),
+    );
+    let color = ["TEXCOORD0", "SRTG", "COLOR0", "IDENTITY"];
+    gx_refuses(
+        &[color, ["TEXCOORD1", "MTX3x4", "POS", "TEXMTX0"]],
+        &format!("TEXCOORD1 (MTX3x4) after TEXCOORD0 (SRTG): {order}"),
+    );
+    gx_refuses(&[color, BUMP], &format!("TEXCOORD1 (BUMP0) after TEXCOORD0 (SRTG): {order}"));
+    // What stands may not be changed so that another rule breaks.
+    gx_refuses(&[BASE, BUMP, color], &format!("TEXCOORD1 (BUMP0) after TEXCOORD0 (SRTG): {order}"));
+    gx_refuses(
+        &[
+            BASE,
+            BUMP,
+            ["TEXCOORD2", "BUMP1", "TEXCOORD0", "IDENTITY"],
+            ["TEXCOORD1", "MTX2x4", "TEX1", "TEXMTX0"],
+        ],
+        "TEXCOORD2 from TEXCOORD0: base and displaced coordinate are numbered n and n + 1, and TEXCOORD1 between them is MTX2x4 of something else",
+    );
+}
+
+#[test]
+fn a_gap_is_told_once_all_calls_are_made() {
+    let above = ["TEXCOORD3", "SRTG", "COLOR1", "IDENTITY"];
+    let outcome = gx(&[BASE, above]);
+    assert!(outcome.events.iter().all(|event| event.outcome.is_ok()));
+    let message = "TEXCOORD1 is not set, and TEXCOORD3 is: number coordinates from 0 without a gap";
+    assert_eq!(outcome.unfinished.as_ref().unwrap().to_string(), message);
+    assert_eq!(outcome.problems(), 1);
+    // Filled from above to below, nothing is left to tell.
+    let fill = |to| [to, "MTX2x4", "TEX1", "TEXMTX1"];
+    assert_eq!(gx(&[above, fill("TEXCOORD2"), fill("TEXCOORD1"), BASE]).problems(), 0);
+}
+
+/// Every legal way to generate a coordinate.
+fn all_generated() -> Vec<TexGen> {
+    let sources = [Source::Pos, Source::Nrm, Source::Binrm, Source::Tangent]
+        .into_iter()
+        .chain((0..=u8::MAX).map(Source::Tex))
+        .chain((0..=u8::MAX).map(Source::TexCoord))
+        .chain((0..=u8::MAX).map(Source::Color));
+    let functions = [Function::Mtx2x4, Function::Mtx3x4, Function::Srtg]
+        .into_iter()
+        .chain((0..=u8::MAX).map(Function::Bump));
+    let functions: Vec<Function> = functions.collect();
+    let mut all = Vec::new();
+    for source in sources {
+        for function in &functions {
+            for matrix in [0, 30, IDENTITY, MATRIX_ROWS - 1, MATRIX_ROWS, u8::MAX] {
+                all.extend(TexGen::new(*function, source, matrix));
+            }
+        }
+    }
+    all
+}
+
+#[test]
+fn register_words_hold_every_legal_coordinate() {
+    let all = all_generated();
+    // 2 matrices from 12 attributes, 2 colours, at 4 rows; 8 lights over 7 coordinates with IDENTITY.
+    assert_eq!(all.len(), (2 * 12 + 2) * 4 + 8 * 7);
+    for generated in all {
+        assert_eq!(TexGen::unpack(generated.pack(), generated.matrix()), Ok(generated));
+    }
+}
+
+#[test]
+fn register_words_are_legal_or_refused_over_every_field() {
+    let legal = (0..1_u32 << 18).filter(|word| match TexGen::unpack(*word, IDENTITY) {
+        Ok(generated) => {
+            assert_eq!(generated.pack(), *word, "{generated:?}");
+            true
+        }
+        Err(why) => {
+            assert!(why.to_string().contains(": "), "{why}");
+            false
+        }
+    });
+    assert_eq!(legal.count(), 2 * 12 + 2 + 8 * 7);
+}
+
+#[test]
+fn every_field_of_a_register_word_is_checked() {
+    let cases = [
+        (0x0000_0001 | 5 << 7, "word 0x00000281: bits 0 (unused) are 1, legal is 0 here"),
+        (
+            5 << 7 | 1 << 2,
+            "word 0x00000284: bits 2-3 (form of the input) are 1, legal is 1 for vectors, 0 for all else",
+        ),
+        (
+            0,
+            "word 0x00000000: bits 2-3 (form of the input) are 0, legal is 1 for vectors, 0 for all else",
+        ),
+        (
+            5 << 7 | 2 << 2,
+            "word 0x00000288: bits 2-3 (form of the input) are 2, legal is 1 for vectors, 0 for all else",
+        ),
+        (5 << 7 | 4 << 4, "word 0x000002c0: bits 4-6 (kind) are 4, legal is 0 to 3"),
+        (13 << 7, "word 0x00000680: bits 7-11 (row of the source) are 13, legal is 0 to 12"),
+        (
+            6 << 7 | 1 << 4,
+            "word 0x00000310: bits 7-11 (row of the source) are 6, legal is 5 with emboss",
+        ),
+        (
+            5 << 7 | 1 << 4 | 7 << 12,
+            "word 0x00007290: bits 12-14 (displaced coordinate) are 7, legal is 0 to 6",
+        ),
+        (
+            5 << 7 | 1 << 12,
+            "word 0x00001280: bits 12-14 (displaced coordinate) are 1, legal is 0 here",
+        ),
+        (5 << 7 | 3 << 15, "word 0x00018280: bits 15-17 (light of emboss) are 3, legal is 0 here"),
+        (5 << 7 | 1 << 4 | 1 << 1, "word 0x00000292: bits 1 (projection) are 1, legal is 0 here"),
+        (5 << 7 | 1 << 18, "word 0x00040280: bits 18-31 (unused) are 1, legal is 0 here"),
+        (5 << 7 | 1 << 31, "word 0x80000280: bits 18-31 (unused) are 8192, legal is 0 here"),
+        (
+            5 << 7 | 2 << 4,
+            "SRTG from TEX0: coordinates from lighting channels come from COLOR0 or COLOR1",
+        ),
+        (
+            2 << 7,
+            "MTX2x4 from COLOR0: a matrix transforms an attribute of the vertex, POS, NRM, BINRM, TANGENT or TEX0 to TEX7",
+        ),
+    ];
+    for (word, message) in cases {
+        assert_eq!(TexGen::unpack(word, IDENTITY).unwrap_err().to_string(), message);
+        let toml =
+            format!("[[gx]]\ncall = \"LoadRegister\"\ndst_coord = \"TEXCOORD0\"\nword = {word}\n");
+        assert_eq!(run(&toml).events[0].outcome.as_ref().unwrap_err().message, message);
+    }
+}
+
+proptest! {
+    #[test]
+    fn any_word_is_refused_or_packs_again(word: u32, matrix: u8) {
+        if let Ok(generated) = TexGen::unpack(word, matrix) {
+            prop_assert_eq!(generated.pack(), word);
+        }
+    }
+
+    /// Whatever is set, in whatever order: all rules hold over what stands.
+    #[test]
+    fn no_order_of_calls_leaves_a_broken_rule(
+        calls in proptest::collection::vec((0..8_u8, 0..4_usize, 0..8_u8, 0..7_u8), 0..40)
+    ) {
+        let mut state = TexCoords::default();
+        for (to, kind, light, from) in calls {
+            let (function, source) = match kind {
+                0 => (Function::Mtx2x4, Source::Tex(from)),
+                1 | 2 => (Function::Bump(light), Source::TexCoord(from)),
+                _ => (Function::Srtg, Source::Color(from % 2)),
+            };
+            let _ = state.set(to, TexGen::new(function, source, IDENTITY).unwrap());
+        }
+        let set: Vec<(u8, TexGen)> = state.iter().collect();
+        let kind = |generated: &TexGen| match generated.function() {
+            Function::Mtx2x4 | Function::Mtx3x4 => 0,
+            Function::Bump(_) => 1,
+            Function::Srtg => 2,
+        };
+        prop_assert!(set.is_sorted_by_key(|(_, generated)| kind(generated)));
+        for (to, generated) in &set {
+            if let Source::TexCoord(from) = generated.source() {
+                prop_assert!(from < *to && state.get(from).is_some());
+                prop_assert!((from + 1..*to).all(|i| state.get(i).is_some_and(|is| kind(&is) == 1)));
+            }
+        }
+    }
+}
+
+/// One call of the NV interface from `name key=value …`; numbers stay numbers.
+fn nv_call(line: &str) -> String {
+    let mut words = line.split_whitespace();
+    let mut toml = format!("[[nv]]\ncall = \"{}\"\n", words.next().unwrap());
+    for word in words {
+        let (key, value) = word.split_once('=').unwrap();
+        let number = key == "param" && (value.parse::<f64>().is_ok() || value.starts_with("0x"));
+        toml +=
+            &if number { format!("{key} = {value}\n") } else { format!("{key} = \"{value}\"\n") };
+    }
+    toml
+}
+
+fn nv(calls: &str) -> Outcome {
+    run(&calls.lines().filter(|line| !line.trim().is_empty()).map(nv_call).collect::<String>())
+}
+
+/// All that is needed for a defined result in unit 1.
+const DEFINED: &str = "
+    ActiveTexture texture=TEXTURE1
+    TexGen coord=S pname=TEXTURE_GEN_MODE param=EMBOSS_MAP_NV
+    TexGen coord=T pname=TEXTURE_GEN_MODE param=EMBOSS_MAP_NV
+    TexGen coord=R pname=TEXTURE_GEN_MODE param=EMBOSS_MAP_NV
+    TexGen coord=Q pname=TEXTURE_GEN_MODE param=EMBOSS_MAP_NV
+    Enable cap=TEXTURE_GEN_S
+    Enable cap=TEXTURE_GEN_T
+    Enable cap=TEXTURE_GEN_R
+    Enable cap=TEXTURE_GEN_Q
+    Enable cap=LIGHTING
+    Enable cap=LIGHT0
+";
+
+#[test]
+fn a_texture_unit_with_all_conditions_met_configures_the_emboss_unit() {
+    let outcome = nv(DEFINED);
+    assert_eq!(outcome.problems(), 0, "{outcome:?}");
+    let told = "setting=nv light=0 source=0 destination=1 ks=1 kt=1";
+    assert_eq!(outcome.emboss[0].to_string(), told);
+    let set = "
+        TexGen coord=S pname=EMBOSS_CONSTANT_NV param=0.0078125
+        TexGen coord=T pname=GL_EMBOSS_CONSTANT_NV param=-2
+        TexGen coord=S pname=EMBOSS_LIGHT_NV param=GL_LIGHT7
+        TexGen coord=GL_T pname=EMBOSS_LIGHT_NV param=0x4007
+        Enable cap=GL_LIGHT7
+        Disable cap=LIGHT0
+    ";
+    let outcome = nv(&format!("{DEFINED}{set}"));
+    assert_eq!(outcome.problems(), 0, "{outcome:?}");
+    let told = "setting=nv light=7 source=0 destination=1 ks=0.0078125 kt=-2";
+    assert_eq!(outcome.emboss[0].to_string(), told);
+    let third = DEFINED.replace("TEXTURE1", "TEXTURE3");
+    assert_eq!(nv(&third).emboss[0].source, 2);
+    // Tokens by their numbers, as the extension lists them.
+    let numbers = DEFINED.replace("EMBOSS_MAP_NV", "0x855F");
+    assert_eq!(nv(&numbers).emboss, nv(DEFINED).emboss);
+}
+
+#[test]
+fn initial_values_are_those_of_the_state_table() {
+    for unit in 0..4 {
+        for coord in ["S", "T", "R", "Q"] {
+            for (pname, value) in [
+                ("TEXTURE_GEN_MODE", "EYE_LINEAR"),
+                ("EMBOSS_CONSTANT_NV", "1"),
+                ("EMBOSS_LIGHT_NV", "LIGHT0"),
+            ] {
+                let outcome = nv(&format!(
+                    "ActiveTexture texture=TEXTURE{unit}\nGetTexGen coord={coord} pname={pname}"
+                ));
+                let told = outcome.events[1].outcome.as_ref().unwrap();
+                assert_eq!(*told, format!("unit {unit}: {pname} of {coord} = {value}"));
+            }
+        }
+    }
+}
+
+#[test]
+fn every_error_of_the_extension_has_its_message() {
+    let odd = "ActiveTexture texture=TEXTURE1\n";
+    let even = "ActiveTexture texture=TEXTURE2\n";
+    let cases = [
+        (
+            even,
+            "TexGen coord=S pname=TEXTURE_GEN_MODE param=EMBOSS_MAP_NV",
+            "INVALID_ENUM: EMBOSS_MAP_NV with texture unit 2 active: only odd units take it",
+        ),
+        (
+            even,
+            "TexGen coord=Q pname=TEXTURE_GEN_MODE param=0x855F",
+            "INVALID_ENUM: EMBOSS_MAP_NV with texture unit 2 active: only odd units take it",
+        ),
+        (
+            even,
+            "TexGen coord=S pname=EMBOSS_CONSTANT_NV param=0.5",
+            "INVALID_ENUM: EMBOSS_CONSTANT_NV with texture unit 2 active: only odd units take it",
+        ),
+        (
+            even,
+            "TexGen coord=T pname=EMBOSS_LIGHT_NV param=LIGHT1",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV with texture unit 2 active: only odd units take it",
+        ),
+        (
+            odd,
+            "TexGen coord=R pname=EMBOSS_CONSTANT_NV param=0.5",
+            "INVALID_ENUM: EMBOSS_CONSTANT_NV of coordinate R: only S and T take it",
+        ),
+        (
+            odd,
+            "TexGen coord=Q pname=EMBOSS_CONSTANT_NV param=0.5",
+            "INVALID_ENUM: EMBOSS_CONSTANT_NV of coordinate Q: only S and T take it",
+        ),
+        (
+            odd,
+            "TexGen coord=R pname=EMBOSS_LIGHT_NV param=LIGHT1",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV of coordinate R: only S and T take it",
+        ),
+        (
+            odd,
+            "TexGen coord=Q pname=EMBOSS_LIGHT_NV param=LIGHT1",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV of coordinate Q: only S and T take it",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=EMBOSS_LIGHT_NV param=LIGHT8",
+            "INVALID_ENUM: LIGHT8: i of LIGHTi is from 0 to MAX_LIGHTS - 1 = 7",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=EMBOSS_LIGHT_NV param=LIGHT-1",
+            "INVALID_ENUM: LIGHT-1: i of LIGHTi is from 0 to MAX_LIGHTS - 1 = 7",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=EMBOSS_LIGHT_NV param=0x3fff",
+            "INVALID_ENUM: LIGHT-1: i of LIGHTi is from 0 to MAX_LIGHTS - 1 = 7",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=EMBOSS_LIGHT_NV param=1.5",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV `1.5`: legal is LIGHTi",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=EMBOSS_LIGHT_NV param=LAMP0",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV `LAMP0`: legal is LIGHTi",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=EMBOSS_CONSTANT_NV param=LIGHT0",
+            "EMBOSS_CONSTANT_NV = LIGHT0: legal is a finite number, such as 1 over the width of the texture",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=EMBOSS_CONSTANT_NV param=inf",
+            "EMBOSS_CONSTANT_NV = inf: legal is a finite number, such as 1 over the width of the texture",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=EMBOSS_CONSTANT_NV param=nan",
+            "EMBOSS_CONSTANT_NV = NaN: legal is a finite number, such as 1 over the width of the texture",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=TEXTURE_GEN_MODE param=EMBOSS_NV",
+            "INVALID_ENUM: TEXTURE_GEN_MODE `EMBOSS_NV`: legal is EYE_LINEAR, OBJECT_LINEAR, SPHERE_MAP or EMBOSS_MAP_NV",
+        ),
+        (
+            odd,
+            "TexGen coord=R pname=TEXTURE_GEN_MODE param=SPHERE_MAP",
+            "INVALID_ENUM: SPHERE_MAP of coordinate R: only S and T take it",
+        ),
+        (
+            odd,
+            "TexGen coord=U pname=TEXTURE_GEN_MODE param=SPHERE_MAP",
+            "INVALID_ENUM: coord `U`: legal is S, T, R or Q",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=OBJECT_PLANE param=1",
+            "INVALID_ENUM: pname `OBJECT_PLANE`: legal is TEXTURE_GEN_MODE, EMBOSS_LIGHT_NV or EMBOSS_CONSTANT_NV",
+        ),
+        (
+            odd,
+            "GetTexGen coord=S pname=EYE_PLANE",
+            "INVALID_ENUM: pname `EYE_PLANE`: legal is TEXTURE_GEN_MODE, EMBOSS_LIGHT_NV or EMBOSS_CONSTANT_NV",
+        ),
+        (
+            odd,
+            "ActiveTexture texture=TEXTURE4",
+            "INVALID_ENUM: TEXTURE4: i of TEXTUREi is from 0 to MAX_TEXTURE_UNITS - 1 = 3",
+        ),
+        (odd, "ActiveTexture texture=unit1", "INVALID_ENUM: texture `unit1`: legal is TEXTUREi"),
+        (
+            odd,
+            "Enable cap=LIGHT8",
+            "INVALID_ENUM: LIGHT8: i of LIGHTi is from 0 to MAX_LIGHTS - 1 = 7",
+        ),
+        (
+            odd,
+            "Disable cap=TEXTURE_GEN_U",
+            "INVALID_ENUM: cap `TEXTURE_GEN_U`: legal is LIGHTING, LIGHTi, TEXTURE_GEN_S, TEXTURE_GEN_T, TEXTURE_GEN_R or TEXTURE_GEN_Q",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=EMBOSS_LIGHT_NV param=LIGHT99999999999999999999",
+            "INVALID_ENUM: LIGHT9223372036854775807: i of LIGHTi is from 0 to MAX_LIGHTS - 1 = 7",
+        ),
+    ];
+    for (before, call, message) in cases {
+        let outcome = nv(&format!("{before}{call}"));
+        let refused = outcome.events[1].outcome.as_ref().unwrap_err();
+        assert_eq!(refused.message, message, "{call}");
+        let code = message.starts_with("INVALID_ENUM").then_some("INVALID_ENUM");
+        assert_eq!(refused.gl_error, code);
+        assert_eq!(outcome.problems(), 1);
+        // Nothing has changed: what was defined before still is, to the same values.
+        let after = nv(&format!("{DEFINED}{before}{call}\n{odd}"));
+        assert_eq!(after.emboss, nv(DEFINED).emboss, "{call}");
+    }
+}
+
+#[test]
+fn every_condition_of_an_undefined_result_is_told() {
+    let cases = [
+        (
+            "TexGen coord=R pname=TEXTURE_GEN_MODE param=EYE_LINEAR",
+            &["TEXTURE_GEN_MODE of R is EYE_LINEAR: all of S, T, R and Q have to be EMBOSS_MAP_NV"]
+                [..],
+            "STQ",
+        ),
+        (
+            "TexGen coord=S pname=TEXTURE_GEN_MODE param=SPHERE_MAP",
+            &["TEXTURE_GEN_MODE of S is SPHERE_MAP: all of S, T, R and Q have to be EMBOSS_MAP_NV"],
+            "TRQ",
+        ),
+        (
+            "Disable cap=TEXTURE_GEN_Q",
+            &["TEXTURE_GEN_Q is disabled: it has to be enabled for all of S, T, R and Q"],
+            "STRQ",
+        ),
+        ("Disable cap=LIGHTING", &["LIGHTING is disabled: it has to be enabled"], "STRQ"),
+        (
+            "Disable cap=LIGHT0",
+            &["LIGHT0 is disabled: the light of emboss has to be enabled"],
+            "STRQ",
+        ),
+        (
+            "Enable cap=LIGHT2\nTexGen coord=T pname=EMBOSS_LIGHT_NV param=LIGHT2",
+            &["EMBOSS_LIGHT_NV of S is LIGHT0 and of T is LIGHT2: they have to be the same"],
+            "STRQ",
+        ),
+        (
+            "TexGen coord=T pname=EMBOSS_LIGHT_NV param=LIGHT2",
+            &[
+                "EMBOSS_LIGHT_NV of S is LIGHT0 and of T is LIGHT2: they have to be the same",
+                "LIGHT2 is disabled: the light of emboss has to be enabled",
+            ],
+            "STRQ",
+        ),
+        (
+            "Disable cap=TEXTURE_GEN_T\nDisable cap=LIGHTING",
+            &[
+                "TEXTURE_GEN_T is disabled: it has to be enabled for all of S, T, R and Q",
+                "LIGHTING is disabled: it has to be enabled",
+            ],
+            "STRQ",
+        ),
+    ];
+    for (calls, conditions, coords) in cases {
+        let outcome = nv(&format!("{DEFINED}{calls}"));
+        assert!(outcome.emboss.is_empty(), "{calls}");
+        assert_eq!(outcome.problems(), 1);
+        let undefined = &outcome.undefined[0];
+        let told: Vec<String> = undefined.conditions.iter().map(ToString::to_string).collect();
+        assert_eq!(told, conditions, "{calls}");
+        let of: String = undefined.coords.iter().map(|coord| format!("{coord:?}")).collect();
+        assert_eq!((undefined.unit, of.as_str()), (1, coords));
+    }
+    // The state of one unit is not that of another, and a unit without the mode has no conditions.
+    let other = nv(&format!("{DEFINED}ActiveTexture texture=TEXTURE3\nEnable cap=TEXTURE_GEN_S"));
+    assert_eq!((other.emboss.len(), other.problems()), (1, 0));
+}
+
+/// Runs `fixpath texgen` over a text: exit code, standard output, standard error.
+fn command(toml: &str, arguments: &[&str]) -> (i32, String, String) {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("calls.toml"), toml).unwrap();
+    let mut command = Command::cargo_bin("fixpath").unwrap();
+    let command = command.current_dir(folder.path()).args(["texgen", "calls.toml"]);
+    let output = command.args(arguments).output().unwrap();
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+    (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
+}
+
+#[test]
+fn malformed_files_are_refused_with_the_line() {
+    let call = "[[gx]]\ncall = \"SetTexCoordGen\"\ndst_coord = \"TEXCOORD0\"\n";
+    let cases = [
+        (
+            "",
+            "calls.toml: no calls: each is a table `[[gx]]` or `[[nv]]`; `fixpath texgen --help` shows some",
+        ),
+        ("[[gx]\n", "calls.toml, line 1: "),
+        (
+            "[[xg]]\n",
+            "calls.toml, line 1: unknown field `xg`, expected one of `limits`, `gx`, `nv` in `[[xg]]`",
+        ),
+        (
+            "\n[[gx]]\ndst_coord = \"TEXCOORD0\"\n",
+            "calls.toml, line 2: missing field `call` in `[[gx]]`",
+        ),
+        (
+            "[[gx]]\ncall = \"Set\"\n",
+            "calls.toml, line 2: unknown variant `Set`, expected one of `GXSetTexCoordGen`, `SetTexCoordGen`, `LoadRegister`",
+        ),
+        (call, "calls.toml, line 1: missing field `func` in `[[gx]]`"),
+        (
+            &format!("{call}function = \"SRTG\"\n"),
+            "unknown field `function`, expected one of `dst_coord`, `func`, `src_param`, `mat_idx`",
+        ),
+        (
+            &format!("{call}func = \"SRTG\"\nsrc_param = 4\nmat_idx = 60\n"),
+            "calls.toml, line 1: invalid type: integer `4`, expected a string",
+        ),
+        (
+            &format!("{call}func = \"SRTG\"\nsrc_param = \"COLOR0\"\nmat_idx = 1.5\n"),
+            "calls.toml, line 1: a matrix is TEXMTX0 to TEXMTX9, IDENTITY or the number of its first row",
+        ),
+        (
+            "[[gx]]\ncall = \"LoadRegister\"\ndst_coord = \"TEXCOORD0\"\nword = -1\n",
+            "calls.toml, line 1: invalid value: integer `-1`, expected u32",
+        ),
+        (
+            "gx = 3\n",
+            "calls.toml, line 1: invalid type: integer `3`, expected a sequence in `gx = 3`",
+        ),
+        (
+            "[limits]\nlights = 4\n[[nv]]\ncall = \"Enable\"\ncap = \"LIGHTING\"\n",
+            "calls.toml, line 1: `lights` = 4: legal is 8 to 32",
+        ),
+        (
+            "[limits]\ntexture_units = 0\n",
+            "calls.toml, line 1: `texture_units` = 0: legal is 1 to 32",
+        ),
+        (
+            "[limits]\nlight = 8\n",
+            "calls.toml, line 2: unknown field `light`, expected `lights` or `texture_units`",
+        ),
+        (
+            "[[nv]]\ncall = \"TexGen\"\ncoord = \"S\"\npname = \"EMBOSS_LIGHT_NV\"\nparam = [1]\n",
+            "param is a number or the name of a token",
+        ),
+    ];
+    for (toml, message) in cases {
+        let (code, stdout, stderr) = command(toml, &[]);
+        assert_eq!((code, stdout.as_str()), (2, ""), "{toml}: {stderr}");
+        assert_eq!(stderr.lines().count(), 1, "{toml}: {stderr}");
+        assert!(stderr.starts_with("error: ") && stderr.contains(message), "{toml}: {stderr}");
+    }
+    let mut missing = Command::cargo_bin("fixpath").unwrap();
+    let output = missing.args(["texgen", "no/such.toml"]).output().unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert!(stderr.starts_with("error: no/such.toml: can't read: "), "{stderr}");
+}
+
+#[test]
+fn the_command_tells_every_call_and_what_it_configures() {
+    let toml = format!(
+        "{}{}\n# two lines\n{}",
+        set(&BASE),
+        set(&BUMP),
+        DEFINED
+            .lines()
+            .skip(1)
+            .map(|line| { if line.trim().is_empty() { String::new() } else { nv_call(line) } })
+            .collect::<String>()
+    );
+    let (code, stdout, stderr) = command(&toml, &[]);
+    assert_eq!((code, stderr.as_str()), (0, ""), "{stdout}");
+    for line in [
+        "  # line call                                                  effect",
+        "  1    1 GXSetTexCoordGen(TEXCOORD0, MTX2x4, TEX0, TEXMTX3)    TEXCOORD0 = TEX0 by the 2x4 matrix TEXMTX3",
+        "  2    7 GXSetTexCoordGen(TEXCOORD1, BUMP0, TEXCOORD0, IDENTITY) TEXCOORD1 = TEXCOORD0 displaced by light 0",
+        "  register 0x1041 = 0x00000290  TEXCOORD1",
+        "  emboss: setting=gx light=0 source=0 destination=1 ks=1 kt=1",
+        "  emboss: setting=nv light=0 source=0 destination=1 ks=1 kt=1",
+    ] {
+        let squeeze = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+        let found = stdout.lines().any(|told| squeeze(told) == squeeze(line));
+        assert!(found, "{line}\n{stdout}");
+    }
+    let (code, stdout, _) = command(&toml, &["--json"]);
+    let told: serde_json::Value = serde_json::from_str(&stdout).unwrap();
+    assert_eq!((code, told["problems"].as_u64()), (0, Some(0)));
+    assert_eq!(told["calls"][1]["line"], 7);
+    assert_eq!(told["emboss"][1]["setting"], "nv");
+    assert_eq!(told["registers"][4]["word"], 0x290);
+}
+
+#[test]
+fn a_broken_rule_or_an_undefined_result_is_exit_code_2_with_all_else_told() {
+    let broken = format!("{}{}", set(&BASE), set(&["TEXCOORD1", "BUMP0", "TEX0", "IDENTITY"]));
+    let (code, stdout, stderr) = command(&broken, &[]);
+    assert_eq!(code, 2);
+    assert_eq!(stderr, "error: calls.toml: 1 problem in these calls\n");
+    assert!(stdout.contains("REFUSED: BUMP0 from TEX0: "), "{stdout}");
+    assert!(stdout.contains("register 0x1040 = 0x00000280  TEXCOORD0"), "{stdout}");
+    let undefined = format!(
+        "{}{}",
+        nv_call("ActiveTexture texture=TEXTURE1"),
+        nv_call("TexGen coord=S pname=TEXTURE_GEN_MODE param=EMBOSS_MAP_NV")
+    );
+    let (code, stdout, _) = command(&undefined, &[]);
+    assert_eq!(code, 2);
+    assert!(
+        stdout.contains("UNDEFINED: S of texture unit 1\n    TEXTURE_GEN_MODE of T is EYE_LINEAR"),
+        "{stdout}"
+    );
+    let (code, stdout, _) = command(&undefined, &["--json"]);
+    let told: serde_json::Value = serde_json::from_str(&stdout).unwrap();
+    assert_eq!((code, told["problems"].as_u64()), (2, Some(1)));
+    assert_eq!(told["undefined"][0]["conditions"].as_array().unwrap().len(), 9);
+    assert!(told["emboss"].as_array().unwrap().is_empty());
+    // Names come from the file: no terminal obeys them.
+    let escape = set(&["TEXCOORD0", "\\u001b[2J", "TEX0", "IDENTITY"]);
+    assert!(!command(&escape, &[]).1.contains('\u{1b}'));
+}
+
+/// The file that `--help` shows, but for what it leaves to "so for S, T, R and Q".
+#[test]
+fn the_example_of_the_help_runs() {
+    let mut help = Command::cargo_bin("fixpath").unwrap();
+    let output = help.args(["texgen", "--help"]).output().unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    let example = text.split_once("in each interface:\n").unwrap().1;
+    let outcome = run(example);
+    let refused: Vec<_> = outcome.events.iter().filter(|event| event.outcome.is_err()).collect();
+    assert!(refused.is_empty(), "{refused:?}");
+    assert_eq!((outcome.events.len(), outcome.emboss.len()), (6, 1));
+    assert_eq!(outcome.undefined[0].coords.len(), 1);
+}
+
+#[test]
+fn the_example_of_the_readme_runs() {
+    let readme = include_str!("../README.md");
+    let example = readme.split("```toml\n").find(|text| text.starts_with("[[gx]]")).unwrap();
+    let outcome = run(example.split_once("```").unwrap().0);
+    assert_eq!(outcome.problems(), 0);
+    assert!(readme.contains(&format!("(`{}`)", outcome.emboss[0])));
+}
