@@ -24,7 +24,7 @@ pub(crate) const COMMITTED: &[(&str, &str, &[&str])] = &[
     ("normalise", "normalise", &[]),
     ("rsqrt", "rsqrt", &[]),
     ("rsqrt_newton", "rsqrt", &["root_scheme=newton", "root_addr_bits=7"]),
-    ("cross", "cross", &[]),
+    ("cross_product", "cross_product", &[]),
     ("basis", "basis", &[]),
     ("emboss", "emboss", &[]),
     ("emboss_nv", "emboss", &["setting=nv"]),

@@ -176,9 +176,9 @@ const SETS: &[(&str, &[&str])] = &[
     ("rsqrt", &["root_scheme=newton", "root_addr_bits=2", "root_frac_bits=2", "input_bits=2"]),
     ("rsqrt", &["root_scheme=newton", "root_addr_bits=11", "root_frac_bits=22", "input_bits=32"]),
     ("rsqrt", &["root_int_bits=1", "rounding=toward-zero", "input_bits=9", "input_frac_bits=9"]),
-    ("cross", &[]),
+    ("cross_product", &[]),
     (
-        "cross",
+        "cross_product",
         &[
             "v_bits=3",
             "w_bits=2",
@@ -188,7 +188,7 @@ const SETS: &[(&str, &[&str])] = &[
             "out_frac_bits=0",
         ],
     ),
-    ("cross", &["v_bits=26", "w_bits=26", "out_bits=40", "out_frac_bits=26"]),
+    ("cross_product", &["v_bits=26", "w_bits=26", "out_bits=40", "out_frac_bits=26"]),
     ("basis", &[]),
     (
         "basis",
@@ -308,7 +308,7 @@ fn netlists_on_reals_are_the_goldens() {
         ("normalise", &[]),
         ("rsqrt", &["root_int_bits=17"]),
         ("rsqrt", &["root_scheme=newton", "root_int_bits=17"]),
-        ("cross", &[]),
+        ("cross_product", &[]),
         ("basis", &[]),
         ("emboss", &[]),
         ("emboss", &["normalise_basis=on"]),
@@ -434,6 +434,9 @@ fn inputs_of_20_bits_keep_12_significant_bits() {
     let mean = |report: usize, basis| reports[report].figures("ds_relative", basis).mean;
     assert!(mean(1, Basis::EndToEnd) > 4.0 * mean(0, Basis::EndToEnd));
     assert!(mean(1, Basis::Total) < 1.5 * mean(0, Basis::Total));
+    // Lights beside far vertices are lost: quantiles of errors of hundreds of texels are told, too.
+    let texels = reports[1].figures("ds_texels", Basis::EndToEnd);
+    assert!(texels.p999 > 100.0 && texels.p999 <= texels.max, "{texels:?}");
 }
 
 /// The structure that schedules share: nine dot products, three differences, one reciprocal root,
@@ -491,5 +494,33 @@ fn coordinates_saturate_or_wrap() {
         let is = netlist.node(s1).format.value(all[s1.index()]);
         assert!((is - should).abs() < 1e-4, "{overflow}: {is}");
         assert!(overflowed[s1.index()]);
+    }
+}
+
+/// A sweep is led by the error in texels; where points differ in their words it is ranked end to end.
+#[test]
+fn sweeps_are_in_texels_and_see_what_inputs_are() {
+    let folder = tempfile::tempdir().unwrap();
+    let sweep = |name: &str, axes: &[&str]| {
+        let out = folder.path().join(name);
+        let mut command = assert_cmd::Command::cargo_bin("fixpath").unwrap();
+        command.args(["sweep", "emboss", "--samples", "3000", "--out"]).arg(&out);
+        for axis in axes {
+            command.args(["--axis", axis]);
+        }
+        let output = command.output().unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let csv = std::fs::read_to_string(out.join("sweep.csv")).unwrap();
+        assert!(
+            csv.contains("ds_texels_total_max_texel") && csv.contains("ds_relative_total_max_rel")
+        );
+        assert!(csv.contains("ds_texels_total_witness"));
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let told = sweep("roots", &["root_scheme=direct,newton", "root_addr_bits=4,8"]);
+    assert!(told.contains("ds_texels (total error)"), "{told}");
+    for axis in ["input20=off,on", "position_frac_bits=10,15", "component_bits=12,16"] {
+        let told = sweep(axis, &[axis]);
+        assert!(told.contains("ds_texels (end-to-end error)"), "{told}");
     }
 }

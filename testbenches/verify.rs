@@ -27,6 +27,11 @@ const PROVED: &[&str] = &[
     "rotation_printed",
     "illumination",
     "kugler",
+    "dot",
+    "normalise",
+    "rsqrt",
+    "rsqrt_newton",
+    "cross_product",
     "sampler",
 ];
 

@@ -180,7 +180,8 @@ fn error_figures(design: &Design) -> Result<Vec<String>> {
         "(sampler sphere, seed 1), and the input words of the worst:".to_owned(),
     ];
     for f in report.figures.iter().filter(|f| f.basis == Basis::Total) {
-        let unit = if f.unit == "1" { String::new() } else { format!(" {}", f.unit) };
+        let unit =
+            if ["1", "rel"].contains(&f.unit) { String::new() } else { format!(" {}", f.unit) };
         let ulp = f.max_ulp.map(|ulp| format!(" ({ulp:.1} ulp)")).unwrap_or_default();
         let at: Vec<String> = f
             .witness

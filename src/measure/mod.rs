@@ -98,7 +98,8 @@ impl Measurand {
     fn unit(&self) -> &'static str {
         match self.kind {
             Kind::Angle => "rad",
-            Kind::Dot | Kind::Number | Kind::Relative(_) => "1",
+            Kind::Dot | Kind::Number => "1",
+            Kind::Relative(_) => "rel",
             Kind::Texels(_) => "texel",
         }
     }
@@ -228,7 +229,7 @@ pub struct Figures {
     /// product with any unit vector: the length of the difference) and each component; a number
     /// by its own name.
     pub quantity: String,
-    /// `rad`, or `1` for absolute errors.
+    /// `rad`, `texel`, `rel` over the golden's scale, or `1` for absolute errors.
     pub unit: &'static str,
     /// Against what.
     pub basis: Basis,

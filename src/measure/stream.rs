@@ -24,8 +24,8 @@ pub fn angle_between(u: [f64; 3], v: [f64; 3]) -> f64 {
     }
 }
 
-/// Octaves of the histogram: from 2^-44 to 2^4.
-const OCTAVES: usize = 48;
+/// Octaves of the histogram: from 2^-44 to 2^24, for texels and reciprocals too.
+const OCTAVES: usize = 68;
 const LEAST_EXPONENT: u64 = 1023 - 44;
 /// Bins per octave: a quantile is known to 1.6 %.
 const BINS_PER_OCTAVE_BITS: u32 = 5;
@@ -111,7 +111,9 @@ impl Stream {
         for (index, count) in histogram.iter().enumerate() {
             seen += count;
             if cast::f64_of_count(seen) >= wanted && seen > 0 {
-                return bin_middle(index).min(self.max);
+                // The last bin holds all above, too.
+                let middle = if index + 1 == BINS { self.max } else { bin_middle(index) };
+                return middle.min(self.max);
             }
         }
         0.0

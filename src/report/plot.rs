@@ -41,6 +41,8 @@ fn error_axis(record: &Record) -> (String, Along) {
     let unit = match lead.unit {
         "deg" => "degrees",
         "abs" => "absolute",
+        "texel" => "texels",
+        "rel" => "of its scale",
         unit => unit,
     };
     (format!("{} ({unit})", lead.what), Along::Log10)

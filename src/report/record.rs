@@ -22,7 +22,8 @@
 //!   `angle`, `dot`, `x`, `y` or `z` of a direction (after the name of the direction, where a
 //!   unit has several) or the name of a number, the basis `total`, `arithmetic`, `algorithm` or
 //!   `end_to_end`, the figure `max`, `mean`, `bias`, `rms`, `p50`, `p99` or `p999`, the unit
-//!   `rad`, or `abs` for the absolute error of a number without a unit; numbers and components
+//!   `rad`, `texel`, `rel` for an error over its scale, or `abs` for the absolute one of a number
+//!   without a unit; numbers and components
 //!   also have `<quantity>_<basis>_max_ulp`, which is empty where no node holds the component;
 //! - `<quantity>_total_witness` of the leading quantity, which is the first: the input words that
 //!   gave its largest total error, as `phi_a=123;theta_a=…`;
@@ -378,6 +379,16 @@ pub struct Measured {
     pub speed: Speed,
 }
 
+/// A unit as columns are named by it.
+fn short(unit: &str) -> &'static str {
+    match unit {
+        "rad" => "rad",
+        "texel" => "texel",
+        "rel" => "rel",
+        _ => "abs",
+    }
+}
+
 /// Names with how often each comes, one behind the other.
 fn formats(names: impl Iterator<Item = String>) -> String {
     let mut runs: Vec<(String, u32)> = Vec::new();
@@ -548,7 +559,10 @@ impl Record {
         }
         let figures = self.points.iter().find_map(|p| p.measured.as_ref()?.figures.first());
         let (quantity, unit) = figures.map_or(("", ""), |f| (f.quantity.as_str(), f.unit.as_str()));
-        let (scale, unit) = if unit == "rad" { (1f64.to_degrees(), "deg") } else { (1.0, "abs") };
+        let (scale, unit) = match unit {
+            "rad" => (1f64.to_degrees(), "deg"),
+            unit => (1.0, short(unit)),
+        };
         let what = format!("largest {quantity} error");
         Lead { quantity: quantity.to_owned(), what, scale, unit }
     }
@@ -733,11 +747,9 @@ impl Columns {
             }
             for figures in &measured.figures {
                 if columns.quantities.iter().all(|(name, _)| *name != figures.quantity) {
-                    let unit = if figures.unit == "rad" { "rad" } else { "abs" };
-                    columns.quantities.push((figures.quantity.clone(), unit));
+                    columns.quantities.push((figures.quantity.clone(), short(&figures.unit)));
                 }
-                if !columns.pictures && figures.unit != "rad" && !figures.quantity.ends_with("dot")
-                {
+                if !columns.pictures && figures.unit == "1" && !figures.quantity.ends_with("dot") {
                     columns.with_ulp.insert(figures.quantity.clone());
                 }
                 if !columns.bases.contains(&figures.basis) {

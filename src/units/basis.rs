@@ -11,13 +11,12 @@ use super::normalise::{NORM_BITS, direction_error, unit_vector};
 use super::plan::{self, rounding_ulp};
 use super::rsqrt::{ROOT_ADDR_BITS, ROOT_FRAC_BITS, ROOT_SCHEME, Root, length_error};
 use super::{
-    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Shape, Unit, Values,
-    emboss,
+    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Shape, Unit, Values, emboss,
 };
 use crate::cast;
 use crate::error::Result;
 use crate::format::{Format, Overflow, Round};
-use crate::netlist::{Builder, NodeId, Quantity};
+use crate::netlist::{Builder, Netlist, NodeId, Quantity};
 use crate::trig::Real;
 use std::sync::Arc;
 
@@ -52,7 +51,7 @@ pub(super) const COMPONENT_BITS: Param = Param {
 pub(super) const GUARD_BITS: Param = Param {
     name: "guard_bits",
     kind: Kind::Int { min: 0, max: 8, auto: None },
-    default: "3",
+    default: "4",
     help: "extra fraction bits of the vectors that come of them",
 };
 
@@ -167,24 +166,14 @@ fn build(values: &Values) -> Result<Design> {
             bound("flag", &["degenerate"], |_, _| 0.0),
         ]),
         tabulated,
-        draw,
+        draw: emboss::draw,
     })
 }
 
-fn hard_cases(netlist: &crate::netlist::Netlist) -> Vec<HardCase> {
+fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
     let mut hard = emboss::hard_cases(netlist);
     hard.extend(extremes(netlist));
     hard
-}
-
-fn draw(
-    design: &Design,
-    sampler: Sampler,
-    next: &mut dyn FnMut() -> f64,
-    columns: &mut [Vec<f64>],
-    count: usize,
-) {
-    emboss::draw(design, sampler, next, columns, count);
 }
 
 /// T, BN and whether B is 0, of the golden.

@@ -1,4 +1,4 @@
-//! The cross product.
+//! The cross product (`cross` alone is a word of SystemVerilog, so the unit has a longer name).
 
 use super::dot::{
     PARAM_NAMES, PARAMS, draw_words, ended, extremes, result, rounding_bounds, signed, vector_ports,
@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 /// The unit.
 pub static CROSS: Unit = Unit {
-    name: "cross",
+    name: "cross_product",
     summary: "cross product: six exact products, three differences, one rounding each",
     source: "seed 002 (GL_NV_texgen_emboss): B = N x CT, T = BN x N; in formats of any width",
     params: &PARAMS,
@@ -34,7 +34,7 @@ pub(super) fn cross(b: &mut Builder, name: &str, v: [NodeId; 3], w: [NodeId; 3])
 }
 
 fn build(values: &Values) -> Result<Design> {
-    let mut b = Builder::new("cross");
+    let mut b = Builder::new("cross_product");
     let v = signed(values, "v_bits", "v_frac_bits")?;
     let v = vector_ports(&mut b, "v", v, Quantity::Number);
     let w = signed(values, "w_bits", "w_frac_bits")?;

@@ -609,7 +609,11 @@ impl Errors {
             let q = if switches.q { texture_limit(values) } else { 1.0 };
             let (constant, error) = match switches.constants {
                 Constants::Off => (1.0, 0.0),
-                Constants::Parameters => (1.0, 0.5 * ulp("constant_frac_bits")),
+                Constants::Parameters => {
+                    let real = values.real(if axis == 's' { "ks" } else { "kt" });
+                    let ulp = ulp("constant_frac_bits");
+                    (real.abs(), ((real / ulp).round() * ulp - real).abs())
+                }
                 Constants::Ports => (2.0, 0.0),
             };
             let product = switches.q && switches.constants != Constants::Off;

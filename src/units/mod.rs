@@ -417,7 +417,8 @@ pub enum Shape {
     Polar,
     /// A number; the golden gives it.
     Scalar,
-    /// A number whose error counts beside a scale of its own. The golden gives it, and its scale in
+    /// A number whose error counts beside a scale of its own: absolute and, as `NAME_relative`, over
+    /// the scale. The golden gives it, and its scale in
     /// a column of its own after those of all groups.
     Scaled {
         /// Texels of a texture whose coordinate it moves: the error is also told in them.

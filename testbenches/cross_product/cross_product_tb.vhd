@@ -1,0 +1,298 @@
+-- cross_product: cross product: six exact products, three differences, one rounding each
+-- made by fixpath 0.1.0; seed 002 (GL_NV_texgen_emboss): B = N x CT, T = BN x N; in formats of any width
+--   v_bits=16 v_frac_bits=14 w_bits=16 w_frac_bits=14 out_bits=24 out_frac_bits=18
+--   overflow=saturate rounding=half-up period_ps=5000 stages=auto rom=block
+-- latency 2 cycles, interval 1 cycle; no tables
+-- absolute errors against the golden of the quantised inputs, over 65536 random inputs
+-- (sampler sphere, seed 1), and the input words of the worst:
+--   x: mean 9.48e-7, at most 1.91e-6 (0.5 ulp) at v_x=20649 v_y=-26028 v_z=2820 w_x=-23798 w_y=-24668 w_z=-11884
+--   y: mean 9.45e-7, at most 1.91e-6 (0.5 ulp) at v_x=-21854 v_y=9541 v_z=17626 w_x=-14940 w_y=-27950 w_z=-11372
+--   z: mean 9.46e-7, at most 1.91e-6 (0.5 ulp) at v_x=-23936 v_y=12028 v_z=-25780 w_x=-29216 w_y=23561 w_z=-20909
+-- stated bound on each result: 1.91e-6
+--
+-- Self-checking testbench of cross_product. It reads cross_product_vectors.txt: per line the words of the
+-- inputs, then of the expected outputs, in hexadecimal. First all vectors go straight through,
+-- one a cycle; then, after a reset in mid-stream, the first 225 go again with stalls and
+-- gaps. Every bit of every output and the latency are compared. The last line says PASS or
+-- FAIL, and a failure ends with a status that isn't 0, of which GHDL says a line more. With
+-- --vcd=FILE, GHDL writes waves.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+use std.textio.all;
+
+entity cross_product_tb is
+end entity;
+
+architecture test of cross_product_tb is
+    constant latency : natural := 2;
+    constant shown : natural := 10; -- of the mismatches
+
+    -- Each port has its name after dut_, so that it can't be one that is used here.
+    signal clk : std_logic := '0';
+    signal rst : std_logic := '1';
+    signal ce : std_logic := '1';
+    signal valid_in : std_logic := '0';
+    signal valid_out : std_logic;
+    signal dut_v_x : signed(15 downto 0) := (others => '0');
+    signal dut_v_y : signed(15 downto 0) := (others => '0');
+    signal dut_v_z : signed(15 downto 0) := (others => '0');
+    signal dut_w_x : signed(15 downto 0) := (others => '0');
+    signal dut_w_y : signed(15 downto 0) := (others => '0');
+    signal dut_w_z : signed(15 downto 0) := (others => '0');
+    signal dut_x : signed(23 downto 0);
+    signal dut_y : signed(23 downto 0);
+    signal dut_z : signed(23 downto 0);
+    signal done : boolean := false;
+
+    function hex(word : std_logic_vector) return string is
+        variable digits : string(1 to (word'length + 3) / 4) := to_hstring(word);
+    begin
+        for i in digits'range loop
+            if digits(i) >= 'A' and digits(i) <= 'F' then
+                digits(i) := character'val(character'pos(digits(i)) + 32);
+            end if;
+        end loop;
+        return digits;
+    end function;
+begin
+    dut : entity work.cross_product
+        port map (
+            clk => clk, rst => rst, ce => ce,
+            valid_in => valid_in, valid_out => valid_out,
+            v_x => dut_v_x,
+            v_y => dut_v_y,
+            v_z => dut_v_z,
+            w_x => dut_w_x,
+            w_y => dut_w_y,
+            w_z => dut_w_z,
+            x => dut_x,
+            y => dut_y,
+            z => dut_z
+        );
+
+    clk <= not clk after 5 ns when not done;
+
+    process
+        type words_t is array (0 to latency) of std_logic_vector(71 downto 0);
+        type numbers_t is array (0 to latency) of natural;
+
+        -- What should come out, moving beside the pipeline; entry 0 belongs to what goes in.
+        variable expected : words_t;
+        variable valid : std_logic_vector(0 to latency) := (others => '0');
+        variable number : numbers_t;
+
+        file vectors : text;
+        constant count : natural := 225;
+        variable sent, checked, mismatches, passed : natural := 0;
+        variable more, stalls, reset_done, started : boolean := false;
+        variable lfsr : unsigned(31 downto 0) := 32x"2545f491"; -- decides on stalls and gaps
+        variable next_v_x : std_logic_vector(15 downto 0) := (others => '0');
+        variable next_v_y : std_logic_vector(15 downto 0) := (others => '0');
+        variable next_v_z : std_logic_vector(15 downto 0) := (others => '0');
+        variable next_w_x : std_logic_vector(15 downto 0) := (others => '0');
+        variable next_w_y : std_logic_vector(15 downto 0) := (others => '0');
+        variable next_w_z : std_logic_vector(15 downto 0) := (others => '0');
+        variable next_x : std_logic_vector(23 downto 0) := (others => '0');
+        variable next_y : std_logic_vector(23 downto 0) := (others => '0');
+        variable next_z : std_logic_vector(23 downto 0) := (others => '0');
+
+        procedure print(message : string) is
+        begin
+            write(output, message & LF);
+        end procedure;
+
+        procedure mismatch(message : string) is
+        begin
+            mismatches := mismatches + 1;
+            if mismatches <= shown then
+                print("mismatch: " & message);
+            end if;
+        end procedure;
+
+        procedure open_vectors is
+            variable status : file_open_status;
+        begin
+            sent := 0;
+            checked := 0;
+            more := true;
+            reset_done := false;
+            file_open(status, vectors, "cross_product_vectors.txt", read_mode);
+            if status /= open_ok then
+                print("FAIL: cross_product_vectors.txt can't be read");
+                std.env.finish(1);
+            end if;
+        end procedure;
+
+        procedure read_vector is
+            variable words : line;
+            variable good : boolean;
+        begin
+            more := false;
+            while not endfile(vectors) and not more loop
+                readline(vectors, words);
+                more := words'length > 0;
+            end loop;
+            if more then
+                hread(words, next_v_x, good);
+                more := more and good;
+                hread(words, next_v_y, good);
+                more := more and good;
+                hread(words, next_v_z, good);
+                more := more and good;
+                hread(words, next_w_x, good);
+                more := more and good;
+                hread(words, next_w_y, good);
+                more := more and good;
+                hread(words, next_w_z, good);
+                more := more and good;
+                hread(words, next_x, good);
+                more := more and good;
+                hread(words, next_y, good);
+                more := more and good;
+                hread(words, next_z, good);
+                more := more and good;
+                if not more then
+                    mismatches := mismatches + 1;
+                    print("mismatch: cross_product_vectors.txt is cut short after vector " & to_string(sent));
+                end if;
+            end if;
+        end procedure;
+
+        procedure check is
+            procedure check_port(port_name : string; want, got : std_logic_vector) is
+            begin
+                if got /= want then
+                    mismatch("vector " & to_string(number(latency)) & " " & port_name
+                        & " expected " & hex(want) & " got " & hex(got));
+                end if;
+            end procedure;
+        begin
+            -- Nothing is known before the first edge under reset.
+            if started and valid_out /= valid(latency) then
+                mismatch("vector " & to_string(checked) & " valid_out expected "
+                    & to_string(valid(latency)) & " got " & to_string(valid_out));
+            end if;
+            -- Each word counts once: in the cycle after which the pipeline moves on.
+            if ce = '1' and valid(latency) = '1' then
+                check_port("x", expected(latency)(71 downto 48),
+                    std_logic_vector(dut_x));
+                check_port("y", expected(latency)(47 downto 24),
+                    std_logic_vector(dut_y));
+                check_port("z", expected(latency)(23 downto 0),
+                    std_logic_vector(dut_z));
+                checked := checked + 1;
+            end if;
+        end procedure;
+
+        procedure move_on is
+        begin
+            for i in latency downto 1 loop
+                if rst = '1' then
+                    valid(i) := '0';
+                elsif ce = '1' then
+                    valid(i) := valid(i - 1);
+                end if;
+                if ce = '1' then
+                    expected(i) := expected(i - 1);
+                    number(i) := number(i - 1);
+                end if;
+            end loop;
+        end procedure;
+
+        -- What goes in after this edge: words stay where the pipeline stood still.
+        procedure drive is
+        begin
+            lfsr := lfsr(30 downto 0) & (lfsr(31) xor lfsr(21) xor lfsr(1) xor lfsr(0));
+            rst <= '0';
+            ce <= '1';
+            if stalls and lfsr(2 downto 0) = 0 then
+                ce <= '0';
+            end if;
+            if ce = '1' then
+                valid(0) := '0';
+                if more and not (stalls and lfsr(5 downto 3) = 0) then
+                    read_vector;
+                    if more then
+                        valid(0) := '1';
+                        expected(0)(71 downto 48) := next_x;
+                        expected(0)(47 downto 24) := next_y;
+                        expected(0)(23 downto 0) := next_z;
+                        number(0) := sent;
+                        sent := sent + 1;
+                        if stalls and sent = 225 then
+                            more := false;
+                        end if;
+                    end if;
+                end if;
+                valid_in <= valid(0);
+                -- A gap carries the opposite of the latest word.
+                if valid(0) = '1' then
+                    dut_v_x <= signed(next_v_x);
+                    dut_v_y <= signed(next_v_y);
+                    dut_v_z <= signed(next_v_z);
+                    dut_w_x <= signed(next_w_x);
+                    dut_w_y <= signed(next_w_y);
+                    dut_w_z <= signed(next_w_z);
+                else
+                    dut_v_x <= signed(not next_v_x);
+                    dut_v_y <= signed(not next_v_y);
+                    dut_v_z <= signed(not next_v_z);
+                    dut_w_x <= signed(not next_w_x);
+                    dut_w_y <= signed(not next_w_y);
+                    dut_w_z <= signed(not next_w_z);
+                end if;
+            end if;
+            -- A reset in mid-stream, which a stall doesn't hold up: what is on its way is forgotten.
+            if stalls and not reset_done and sent = 225 / 2 then
+                rst <= '1';
+                ce <= '0';
+                reset_done := true;
+            end if;
+        end procedure;
+
+        procedure finish is
+        begin
+            if passed /= count then
+                print("mismatch: cross_product_vectors.txt holds " & to_string(passed)
+                    & " vectors and should hold " & to_string(count));
+            end if;
+            if mismatches = 0 and passed = count then
+                print("PASS " & to_string(passed) & " vectors");
+                done <= true;
+            else
+                print("FAIL " & to_string(mismatches) & " mismatches in " & to_string(passed)
+                    & " vectors");
+                std.env.finish(1);
+            end if;
+        end procedure;
+    begin
+        open_vectors;
+        while not done loop
+            wait until rising_edge(clk);
+            check;
+            if rst = '1' and stalls then
+                -- Forgotten, but for what hasn't gone in yet.
+                for i in 1 to latency loop
+                    if valid(i) = '1' then
+                        checked := checked + 1;
+                    end if;
+                end loop;
+            end if;
+            move_on;
+            drive;
+            started := true;
+            if not more and checked = sent then
+                file_close(vectors);
+                if not stalls then
+                    passed := checked;
+                    stalls := true;
+                    open_vectors;
+                else
+                    finish;
+                    wait;
+                end if;
+            end if;
+        end loop;
+    end process;
+end architecture;
