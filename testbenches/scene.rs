@@ -594,7 +594,7 @@ fn wrong_scenes_are_refused() {
         s.toml, line 2: `diffuse` = 1.01: legal is 0 to 1
         s.toml, line 2: `exponent` = 256: legal are whole numbers 0 to 255
         s.toml, line 2: `exponent` = -1: legal are whole numbers 0 to 255
-        s.toml, line 2: unknown variant `marble`, expected one of `wood`, `brick`, `earth`, `constant` in `source = "marble"`
+        s.toml, line 2: unknown variant `marble`, expected one of `wood`, `brick`, `earth`, `lettering`, `constant` in `source = "marble"`
         s.toml, line 1: `source` and `file` are both there: a map has one of them
         s.toml, line 3: `color` has no use here: colours come from `source`; leave it out
         s.toml, line 2: `scale` has no use here: it is for `[height]`; leave it out
