@@ -21,7 +21,7 @@ use fixed::types::{I14F18, I46F18};
 use fixpath::emit::{Package, Settings};
 use fixpath::netlist::{Netlist, NodeId};
 use fixpath::op::Op;
-use fixpath::sim::batch::{Program, Runner};
+use fixpath::sim::batch::{Features, Program, Runner};
 use fixpath::units::{Design, Unit};
 use std::fmt::Write as _;
 use std::fs;
@@ -45,19 +45,21 @@ fn main() {
     let mut args = std::env::args().skip(1);
     let mut json = None;
     let mut rounds = ROUNDS;
+    let mut only = String::new();
     while let Some(arg) = args.next() {
         match arg.as_str() {
             "--json" => json = Some(PathBuf::from(args.next().expect("--json FILE"))),
             "--rounds" => {
                 rounds = args.next().and_then(|n| n.parse().ok()).expect("--rounds N");
             }
+            "--rows" => only = args.next().expect("--rows TEXT"),
             "--bench" => {}
-            other => panic!("unknown argument {other}: --json FILE, --rounds N"),
+            other => panic!("unknown argument {other}: --json FILE, --rounds N, --rows TEXT"),
         }
     }
     let mut all = Vec::new();
     for variant in ["corrected", "exact"] {
-        all.push(bench(variant, rounds));
+        all.push(bench(variant, rounds, &only));
     }
     if let Some(path) = json {
         let text = serde_json::to_string_pretty(&all).expect("plain values");
@@ -66,7 +68,7 @@ fn main() {
 }
 
 /// Times every row for one variant.
-fn bench(variant: &str, rounds: usize) -> serde_json::Value {
+fn bench(variant: &str, rounds: usize, only: &str) -> serde_json::Value {
     let unit = Unit::find("rotation").expect("listed");
     let design = unit.values(&[format!("variant={variant}")]).unwrap().build().unwrap();
     let netlist = &design.netlist;
@@ -104,11 +106,6 @@ fn bench(variant: &str, rounds: usize) -> serde_json::Value {
                 }
             }
         }),
-        Row::new("by hand, vectorised block passes", SAMPLES, {
-            let mut blocks = Blocks::default();
-            let tables = &tables;
-            move |at: &Piece<'_>, to| by_hand(&mut blocks, tables, corrected, at, to)
-        }),
         Row::new("by hand, `fixed` types, scalar", SAMPLES, {
             let tables = &tables;
             move |at: &Piece<'_>, to| with_fixed(tables, corrected, at, to)
@@ -118,8 +115,25 @@ fn bench(variant: &str, rounds: usize) -> serde_json::Value {
             move |at: &Piece<'_>, to| reference(netlist, &ports, at, to)
         }),
     ];
+    for features in Features::here() {
+        let (mut blocks, tables) = (Blocks::default(), &tables);
+        rows.push(Row::new(&format!("by hand, block passes, {features:?}"), SAMPLES, {
+            move |at: &Piece<'_>, to| by_hand(*features, &mut blocks, tables, corrected, at, to)
+        }));
+        let (mut runner, program) = (program.runner_for(*features), &program);
+        rows.push(Row::new(&format!("engine, narrow columns, {features:?}"), SAMPLES, {
+            move |at: &Piece<'_>, to| narrow_columns(&mut runner, program, at, to)
+        }));
+    }
     let folder = tempfile::tempdir().expect("a folder for temporary files");
-    let verilated = Verilated::build_all(&design, &stimulus, folder.path());
+    // The first row is what the others are compared with.
+    let mut first = true;
+    rows.retain(|row| std::mem::take(&mut first) || row.name.contains(only));
+    let verilated = if "verilator".contains(only) {
+        Verilated::build_all(&design, &stimulus, folder.path())
+    } else {
+        Vec::new()
+    };
     let mut best: Vec<Vec<f64>> =
         rows.iter().map(|row| vec![f64::INFINITY; row.pieces()]).collect();
     let mut outside: Vec<Vec<f64>> =
@@ -142,9 +156,7 @@ fn bench(variant: &str, rounds: usize) -> serde_json::Value {
     let mut table: Vec<(String, f64)> = rows
         .iter()
         .zip(&best)
-        .map(|(row, best)| {
-            (row.name.to_owned(), row.samples as f64 / best.iter().sum::<f64>() / 1e6)
-        })
+        .map(|(row, best)| (row.name.clone(), row.samples as f64 / best.iter().sum::<f64>() / 1e6))
         .collect();
     for (verilated, best) in verilated.iter().zip(&outside) {
         let should = rows[0].checksum_of(&stimulus, outputs.len(), verilated.samples);
@@ -219,18 +231,14 @@ struct Piece<'a> {
 type Work<'a> = Box<dyn FnMut(&Piece<'_>, &mut [Vec<i32>]) + 'a>;
 
 struct Row<'a> {
-    name: &'static str,
+    name: String,
     samples: usize,
     run: Work<'a>,
 }
 
 impl<'a> Row<'a> {
-    fn new(
-        name: &'static str,
-        samples: usize,
-        run: impl FnMut(&Piece<'_>, &mut [Vec<i32>]) + 'a,
-    ) -> Self {
-        Self { name, samples, run: Box::new(run) }
+    fn new(name: &str, samples: usize, run: impl FnMut(&Piece<'_>, &mut [Vec<i32>]) + 'a) -> Self {
+        Self { name: name.to_owned(), samples, run: Box::new(run) }
     }
 
     fn pieces(&self) -> usize {
@@ -287,10 +295,11 @@ fn reference(netlist: &Netlist, ports: &[NodeId], at: &Piece<'_>, to: &mut [Vec<
 
 /// The tables of both variants, as the kernels written by hand hold them.
 struct Tables {
-    sincos: Vec<[i32; 2]>,
+    /// Two words of 32 bits, side by side.
+    sincos: Vec<u64>,
     cos: Vec<i32>,
     asin: Vec<i32>,
-    recip: Vec<[i32; 2]>,
+    recip: Vec<u64>,
     atan: Vec<i32>,
     prop: Vec<i32>,
 }
@@ -304,7 +313,10 @@ impl Tables {
                 |table| table.columns[column].words.iter().map(|word| *word as i32).collect(),
             )
         };
-        let pair = |a: Vec<i32>, b: Vec<i32>| a.into_iter().zip(b).map(|(a, b)| [a, b]).collect();
+        let pair = |a: Vec<i32>, b: Vec<i32>| {
+            let both = |(a, b): (i32, i32)| u64::from(a as u32) | u64::from(b as u32) << 32;
+            a.into_iter().zip(b).map(both).collect()
+        };
         let reads = netlist.nodes().iter().filter(|node| matches!(node.op, Op::Read { .. }));
         assert!(reads.count() >= 9, "the tables of a rotation");
         Self {
@@ -331,24 +343,41 @@ impl Default for Blocks {
 }
 
 fn by_hand(
+    features: Features,
     blocks: &mut Blocks,
     tables: &Tables,
     corrected: bool,
     at: &Piece<'_>,
     to: &mut [Vec<i32>],
 ) {
-    #[cfg(target_arch = "x86_64")]
-    if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("bmi2") {
+    // Features that aren't here have no row.
+    assert!(Features::here().contains(&features), "bug: {features:?} isn't here");
+    match features {
         // SAFETY: safe code, called where the processor has what it is compiled for.
-        unsafe { by_hand_avx2(blocks, tables, corrected, at, to) };
-        return;
+        #[cfg(target_arch = "x86_64")]
+        Features::Avx512 => unsafe { by_hand_avx512(blocks, tables, corrected, at, to) },
+        // SAFETY: as above.
+        #[cfg(target_arch = "x86_64")]
+        Features::Avx2 => unsafe { by_hand_avx2(blocks, tables, corrected, at, to) },
+        _ => by_hand_body(blocks, tables, corrected, at, to),
     }
-    by_hand_body(blocks, tables, corrected, at, to);
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,bmi2")]
 fn by_hand_avx2(
+    blocks: &mut Blocks,
+    tables: &Tables,
+    corrected: bool,
+    at: &Piece<'_>,
+    to: &mut [Vec<i32>],
+) {
+    by_hand_body(blocks, tables, corrected, at, to);
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512bw,avx512dq,avx512vl,bmi2")]
+fn by_hand_avx512(
     blocks: &mut Blocks,
     tables: &Tables,
     corrected: bool,
@@ -383,26 +412,50 @@ fn by_hand_body(
     }
 }
 
+/// Four indices in one load.
+#[inline(always)]
+fn four(index: &[u16; 4]) -> [usize; 4] {
+    let [a, b, c, d] = index.map(u16::to_le_bytes);
+    let all = u64::from_le_bytes([a[0], a[1], b[0], b[1], c[0], c[1], d[0], d[1]]);
+    [0, 16, 32, 48].map(|shift| (all >> shift & 1023) as usize)
+}
+
 #[inline(always)]
 fn single(table: &[i32], index: &[u16; BLOCK], to: &mut [i32; BLOCK]) {
     let table: &[i32; 1024] = table.try_into().unwrap();
-    for i in 0..BLOCK {
-        to[i] = table[usize::from(index[i]) & 1023];
+    for (to, index) in to.as_chunks_mut::<4>().0.iter_mut().zip(index.as_chunks::<4>().0) {
+        *to = four(index).map(|index| table[index]);
     }
 }
 
 #[inline(always)]
-fn pair(table: &[[i32; 2]], index: &[u16; BLOCK], a: &mut [i32; BLOCK], b: &mut [i32; BLOCK]) {
-    let table: &[[i32; 2]; 1024] = table.try_into().unwrap();
-    for i in 0..BLOCK {
-        [a[i], b[i]] = table[usize::from(index[i]) & 1023];
+fn pair(table: &[u64], index: &[u16; BLOCK], a: &mut [i32; BLOCK], b: &mut [i32; BLOCK]) {
+    let table: &[u64; 1024] = table.try_into().unwrap();
+    let to = a.as_chunks_mut::<4>().0.iter_mut().zip(b.as_chunks_mut::<4>().0);
+    for ((a, b), index) in to.zip(index.as_chunks::<4>().0) {
+        let index = four(index);
+        for lane in 0..4 {
+            let both = table[index[lane]];
+            (a[lane], b[lane]) = (both as i32, (both >> 32) as i32);
+        }
     }
 }
 
 /// Half up, dropping `S` bits.
 #[inline(always)]
 fn half_up<const S: u32>(x: i32) -> i32 {
-    (x + (1 << (S - 1))) >> S
+    x.wrapping_add(1 << (S - 1)) >> S
+}
+
+/// A sum of words that are far from the ends of their lanes: a check for overflow is no vector code.
+#[inline(always)]
+fn sum(words: [i32; 4]) -> i32 {
+    words[0].wrapping_add(words[1]).wrapping_add(words[2].wrapping_add(words[3]))
+}
+
+#[inline(always)]
+fn difference(a: i32, b: i32) -> i32 {
+    a.wrapping_sub(b)
 }
 
 #[inline(always)]
@@ -444,11 +497,13 @@ fn exact_block(
     pair(&tables.sincos, &index[7], sam, cam);
     for i in 0..BLOCK {
         // 20 fraction bits.
-        let quarter_x = sxp[i] + sxm[i] + syp[i] + sym[i];
-        x[i] = clamp(half_up::<4>(quarter_x - 2 * (sap[i] - sam[i])), 18);
-        y[i] = clamp(half_up::<3>(cy[i] - cx[i]), 18);
-        let quarter_z = cxm[i] - cxp[i] + cym[i] - cyp[i];
-        z[i] = clamp(half_up::<4>(quarter_z + 2 * (cap[i] + cam[i])), 18);
+        let quarter_x = sum([sxp[i], sxm[i], syp[i], sym[i]]);
+        let half_x = difference(sap[i], sam[i]) << 1;
+        x[i] = clamp(half_up::<4>(difference(quarter_x, half_x)), 18);
+        y[i] = clamp(half_up::<3>(difference(cy[i], cx[i])), 18);
+        let quarter_z = difference(difference(cxm[i], cxp[i]), difference(cyp[i], cym[i]));
+        let half_z = cap[i].wrapping_add(cam[i]) << 1;
+        z[i] = clamp(half_up::<4>(quarter_z.wrapping_add(half_z)), 18);
     }
 }
 
@@ -471,23 +526,26 @@ fn corrected_block(
     pair(&tables.sincos, ix, sx, cx);
     pair(&tables.sincos, iy, sy, cy);
     for i in 0..BLOCK {
-        let sine = clamp(half_up::<1>(sx[i] + sy[i]), 19);
+        let sine = clamp(half_up::<1>(sx[i].wrapping_add(sy[i])), 19);
         ia[i] = (sine >> 9) as u16 & 1023;
-        double[i] = cy[i] - cx[i];
+        double[i] = difference(cy[i], cx[i]);
     }
     single(&tables.asin, ia, asin);
     for i in 0..BLOCK {
         let behind = ta[i] > 16384 && ta[i] < 49152;
-        let theta_x = if behind { -asin[i] ^ 131_072 } else { asin[i] };
-        let turned = theta_x - (i32::from(tn[i]) << 2);
+        let theta_x = if behind { asin[i].wrapping_neg() ^ 131_072 } else { asin[i] };
+        let turned = difference(theta_x, i32::from(tn[i]) << 2);
         z[i] = turned << 14 >> 14;
         ir[i] = (z[i] >> 8) as u16 & 1023;
     }
     pair(&tables.recip, ir, rs, rc);
     for i in 0..BLOCK {
-        let times = |by: i32| ((i64::from(double[i]) * i64::from(by) + (1 << 17)) >> 18) as i32;
+        let times = |by: i32| {
+            let product = i64::from(double[i]).wrapping_mul(i64::from(by));
+            (product.wrapping_add(1 << 17) >> 18) as i32
+        };
         it[i] = (clamp(times(rs[i]), 23) >> 13) as u16 & 1023;
-        let size = clamp(times(rc[i]), 19).abs();
+        let size = clamp(times(rc[i]), 19).wrapping_abs();
         ip[i] = (if size > 262_143 { 262_143 } else { size } >> 8) as u16;
     }
     single(&tables.atan, it, atan);
@@ -495,10 +553,15 @@ fn corrected_block(
     for i in 0..BLOCK {
         let turned = if z[i] < 0 { atan[i] ^ 131_072 } else { atan[i] } & 262_143;
         phi[i] = half_up::<2>(turned) & 65535;
-        let size = z[i].abs();
-        let part = i64::from(65536 - size) * i64::from(prop[i]);
-        theta[i] = (((i64::from(size) << 18) + part + (1 << 19)) >> 20) as i32 & 65535;
+        let size = z[i].wrapping_abs();
+        let part = i64::from(difference(65536, size)).wrapping_mul(i64::from(prop[i]));
+        let whole = (i64::from(size) << 18).wrapping_add(part);
+        theta[i] = (whole.wrapping_add(1 << 19) >> 20) as i32 & 65535;
     }
+}
+
+fn halves(both: u64) -> [i32; 2] {
+    [both as i32, (both >> 32) as i32]
 }
 
 /// As one would write it with `fixed`'s types, sample by sample.
@@ -510,7 +573,8 @@ fn with_fixed(tables: &Tables, corrected: bool, at: &Piece<'_>, to: &mut [Vec<i3
         let d = pa.wrapping_sub(pn);
         let (ang_x, ang_y) = (ta.wrapping_add(d), ta.wrapping_sub(d));
         let sincos = |angle: u16| {
-            tables.sincos[usize::from(angle >> 6)].map(|word| I46F18::from(Word::from_bits(word)))
+            halves(tables.sincos[usize::from(angle >> 6)])
+                .map(|word| I46F18::from(Word::from_bits(word)))
         };
         if corrected {
             let ([sx, cx], [sy, cy]) = (sincos(ang_x), sincos(ang_y));
@@ -520,7 +584,7 @@ fn with_fixed(tables: &Tables, corrected: bool, at: &Piece<'_>, to: &mut [Vec<i3
             let theta_x = if behind { -asin + I46F18::from_num(0.5) } else { asin };
             let turned = theta_x - I46F18::from_bits(i64::from(tn) << 2);
             let z = I46F18::from_bits(turned.to_bits() << 46 >> 46);
-            let [rs, rc] = tables.recip[(z.to_bits() >> 8 & 1023) as usize];
+            let [rs, rc] = halves(tables.recip[(z.to_bits() >> 8 & 1023) as usize]);
             let double = cy - cx;
             let times = |by: i32| {
                 // 2^-36, in `i64` words of their own.

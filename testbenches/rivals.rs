@@ -289,7 +289,7 @@ fn recounted(netlist: &Netlist, stage: Option<bool>) -> [u64; 6] {
             Part::Scheme => lookups += u64::from(matches!(node.op, Op::Read { .. })),
             Part::Divider => _ = dividers.insert(name),
             Part::SquareRoot => _ = roots.insert(name),
-            Part::ReciprocalRoot => {}
+            Part::ReciprocalRoot | Part::Dot => {}
         }
     }
     let len = |set: &BTreeSet<String>| set.len() as u64;

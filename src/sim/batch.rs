@@ -24,8 +24,10 @@ use crate::error::{Error, Result};
 use crate::format::Overflow;
 use crate::netlist::{Netlist, NodeId};
 use crate::op::Op;
-use crate::simd::{Body, vectorised};
-use std::collections::HashMap;
+pub use crate::simd::Features;
+use crate::simd::{Body, vectorised_for};
+use std::cmp::Reverse;
+use std::collections::{BTreeSet, HashMap};
 use std::mem::take;
 use std::sync::Arc;
 
@@ -107,9 +109,9 @@ struct Instruction {
 
 /// Tables in lanes of one width.
 #[derive(Clone, Debug, Default)]
-struct Tables<L> {
+struct Tables<L: Lane> {
     single: Vec<Arc<[L]>>,
-    pairs: Vec<Arc<[[L; 2]]>>,
+    pairs: Vec<Arc<[L::Pair]>>,
 }
 
 /// A netlist compiled for blocks of samples.
@@ -207,7 +209,15 @@ impl Program {
     /// Makes a runner with columns of its own.
     #[must_use]
     pub fn runner(&self) -> Runner {
+        self.runner_for(Features::best())
+    }
+
+    /// As [`Program::runner`], for a set of processor features; the baseline if this processor
+    /// lacks them.
+    #[must_use]
+    pub fn runner_for(&self, features: Features) -> Runner {
         let mut store = Store {
+            features,
             lanes16: vec![vec![0; BLOCK]; self.slots[0]],
             lanes32: vec![vec![0; BLOCK]; self.slots[1]],
             lanes64: vec![vec![0; BLOCK]; self.slots[2]],
@@ -418,7 +428,9 @@ impl Compiler<'_> {
         let Op::Narrow { round, overflow } = node.op else { panic!("bug: a narrow") };
         let narrowed = self.narrowed(index);
         narrowed.compute?;
-        let lanes = self.placed[index].compute.bits();
+        let Placed { compute, width, .. } = self.placed[index];
+        let halves = narrowed.halves && compute == Width::W64 && width == Width::W32;
+        let lanes = if halves { 32 } else { compute.bits() };
         let (min, max) = (i64::MIN >> (64 - lanes), i64::MAX >> (64 - lanes));
         let [bias, bias_below_0, bias_if_odd] = Fit::biases(round, narrowed.down);
         Some(Fit {
@@ -437,6 +449,7 @@ impl Compiler<'_> {
                     Limit::Wrap(Wrap { signed: node.format.is_signed(), bits: node.format.bits() })
                 }
             },
+            halves,
             counter: self.counters[index],
         })
     }
@@ -533,9 +546,80 @@ impl Compiler<'_> {
         &self.netlist.tables()[table.index()].columns[column].words
     }
 
+    /// The instructions in an order that keeps few columns alive: of those whose operands are there,
+    /// the one that frees most, or else takes least, comes next.
+    fn ordered(&self, outputs: &[(usize, bool)]) -> Vec<Instruction> {
+        /// Instructions looked at for the next one: enough for short lives, and few for long programs.
+        const WINDOW: usize = 64;
+        let operands = |at: usize| {
+            let mut of = self.instructions[at].of[..self.instructions[at].operands].to_vec();
+            of.sort_unstable();
+            of.dedup();
+            of
+        };
+        let mut users: Vec<Vec<usize>> = vec![Vec::new(); self.widths.len()];
+        let mut left = vec![0; self.widths.len()];
+        let mut maker = vec![None; self.widths.len()];
+        for (at, instruction) in self.instructions.iter().enumerate() {
+            for column in operands(at) {
+                users[column].push(at);
+                left[column] += 1;
+            }
+            maker[instruction.to.slot] = Some(at);
+            if let Action::ReadPair { second, .. } = instruction.action {
+                maker[second] = Some(at);
+            }
+        }
+        // Outputs are never free.
+        for (column, _) in outputs {
+            left[*column] += 1;
+        }
+        let mut missing: Vec<usize> = (0..self.instructions.len())
+            .map(|at| operands(at).into_iter().filter(|column| maker[*column].is_some()).count())
+            .collect();
+        let mut ready: BTreeSet<usize> =
+            (0..missing.len()).filter(|at| missing[*at] == 0).collect();
+        let mut order = Vec::with_capacity(missing.len());
+        let bits = |column: usize| i64::from(self.widths[column].bits());
+        while !ready.is_empty() {
+            let gain = |at: &usize| {
+                let freed = operands(*at).into_iter().filter(|column| {
+                    // Ports and constants keep their columns.
+                    left[*column] == 1 && maker[*column].is_some()
+                });
+                let freed: i64 = freed.map(bits).sum();
+                let instruction = &self.instructions[*at];
+                let pair = matches!(instruction.action, Action::ReadPair { .. });
+                freed - bits(instruction.to.slot) * if pair { 2 } else { 1 }
+            };
+            let candidates = ready.iter().take(WINDOW);
+            let best = candidates.max_by_key(|at| (gain(at), Reverse(**at)));
+            let at = *best.expect("bug: something is ready");
+            ready.remove(&at);
+            let instruction = self.instructions[at];
+            for column in operands(at) {
+                left[column] -= 1;
+            }
+            let mut made = vec![instruction.to.slot];
+            if let Action::ReadPair { second, .. } = instruction.action {
+                made.push(second);
+            }
+            for user in made.into_iter().flat_map(|column| &users[column]) {
+                missing[*user] -= 1;
+                if missing[*user] == 0 {
+                    ready.insert(*user);
+                }
+            }
+            order.push(instruction);
+        }
+        assert_eq!(order.len(), self.instructions.len(), "bug: an instruction waits for itself");
+        order
+    }
+
     /// Gives columns to nodes; those whose users are all done go to later ones. Constants, which
     /// are filled once, and ports, which are filled before the first instruction, keep theirs.
     fn finish(mut self, outputs: &[(usize, bool)]) -> Program {
+        self.instructions = self.ordered(outputs);
         let mut last_use = vec![0; self.widths.len()];
         for (at, instruction) in self.instructions.iter().enumerate() {
             for column in &instruction.of[..instruction.operands] {
@@ -621,7 +705,7 @@ fn packed<L: Lane>(
         }
         Some(second) => {
             let pairs = first.iter().zip(&second[..]);
-            tables.pairs.push(pairs.map(|(a, b)| [L::of(*a), L::of(*b)]).collect());
+            tables.pairs.push(pairs.map(|(a, b)| L::pair(L::of(*a), L::of(*b))).collect());
             tables.pairs.len() - 1
         }
     })
@@ -630,6 +714,7 @@ fn packed<L: Lane>(
 /// Columns of a runner.
 #[derive(Debug)]
 struct Store {
+    features: Features,
     lanes16: Vec<Vec<i16>>,
     lanes32: Vec<Vec<i32>>,
     lanes64: Vec<Vec<i64>>,
@@ -709,12 +794,13 @@ impl Runner {
             column.resize(count, O::default());
         }
         let Self { store, overflows } = self;
+        let features = store.features;
         let mut start = 0;
         while start < count {
             let len = BLOCK.min(count - start);
-            vectorised(Load { program, store, inputs, start, len });
-            vectorised(Run { program, store, len, overflows });
-            vectorised(Unload { program, store, outputs, start, len });
+            vectorised_for(features, Load { program, store, inputs, start, len });
+            run_block(program, store, len, overflows);
+            vectorised_for(features, Unload { program, store, outputs, start, len });
             start += len;
         }
     }
@@ -814,6 +900,12 @@ fn unload<O: Word, L: Lane>(zero: bool, from: &[L], to: &mut [O]) {
     }
 }
 
+/// Not inlined: it is large, and the same for all columns of callers.
+#[inline(never)]
+fn run_block(program: &Program, store: &mut Store, len: usize, overflows: &mut [u64]) {
+    vectorised_for(store.features, Run { program, store, len, overflows });
+}
+
 /// The instructions over one block, to be compiled for the processor.
 struct Run<'a> {
     program: &'a Program,
@@ -856,8 +948,15 @@ fn step<L: Stored>(
             );
             L::columns(store)[slot] = to;
         }
+        Action::Kernel(Kernel::Slice { lo, bits }) => {
+            assert!(L::WIDTH == Width::W32 && width == Width::W16, "bug: 32-bit lanes to 16");
+            let mut to = take(&mut store.lanes16[slot]);
+            let of = operands::<i32>(instruction, store, len)[0];
+            kernels::slice_to_address(lo, bits, of, &mut to[..len]);
+            store.lanes16[slot] = to;
+        }
         Action::Kernel(kernel) => {
-            // Only a `narrow` halves lanes.
+            // Of all others, only a `narrow` halves lanes.
             assert!(L::WIDTH == Width::W64 && width == Width::W32, "bug: 64-bit lanes to 32");
             let mut to = take(&mut store.lanes32[slot]);
             let of = operands::<i64>(instruction, store, len);
@@ -881,11 +980,44 @@ fn step<L: Stored>(
             Width::W32 => convert::<L, i32>(zero, instruction, store, len),
             Width::W64 => convert::<L, i64>(zero, instruction, store, len),
         },
-        Action::Read { .. } | Action::ReadPair { .. } => match width {
-            Width::W16 => read::<L, i16>(program, instruction, store, len),
-            Width::W32 => read::<L, i32>(program, instruction, store, len),
-            Width::W64 => read::<L, i64>(program, instruction, store, len),
-        },
+        Action::Read { .. } | Action::ReadPair { .. } => {
+            read_pass(program, instruction, store, len)
+        }
+    }
+}
+
+/// A pass of table reads: never wider than AVX2, as a compiler with AVX-512 turns it into gathers.
+#[inline(never)]
+fn read_pass(program: &Program, instruction: &Instruction, store: &mut Store, len: usize) {
+    let features = store.features.min(Features::Avx2);
+    vectorised_for(features, ReadPass { program, instruction, store, len });
+}
+
+struct ReadPass<'a> {
+    program: &'a Program,
+    instruction: &'a Instruction,
+    store: &'a mut Store,
+    len: usize,
+}
+
+impl Body for ReadPass<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let Self { program, instruction, store, len } = self;
+        match instruction.width {
+            Width::W16 => read_as::<i16>(program, instruction, store, len),
+            Width::W32 => read_as::<i32>(program, instruction, store, len),
+            Width::W64 => read_as::<i64>(program, instruction, store, len),
+        }
+    }
+}
+
+#[inline(always)]
+fn read_as<A: Stored>(program: &Program, instruction: &Instruction, store: &mut Store, len: usize) {
+    match instruction.to.width {
+        Width::W16 => read::<A, i16>(program, instruction, store, len),
+        Width::W32 => read::<A, i32>(program, instruction, store, len),
+        Width::W64 => read::<A, i64>(program, instruction, store, len),
     }
 }
 

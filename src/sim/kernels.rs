@@ -26,6 +26,15 @@ pub(super) trait Lane:
     const WIDTH: Width;
     /// Bits of the lane.
     const BITS: u32;
+    /// Two lanes as one load of a table brings them.
+    type Pair: Copy + Send + Sync + std::fmt::Debug;
+    /// Puts two lanes side by side.
+    fn pair(first: Self, second: Self) -> Self::Pair;
+    /// The two lanes.
+    fn split(pair: Self::Pair) -> [Self; 2];
+    /// Four patterns, not extended by the sign, taken apart in registers: four loads of them
+    /// would take turns with those of the table.
+    fn four(lanes: &[Self; 4]) -> [u64; 4];
     /// The low bits of a word.
     fn of(raw: i64) -> Self;
     /// The word of a lane extended by its sign.
@@ -42,6 +51,21 @@ pub(super) trait Lane:
 impl Lane for i16 {
     const WIDTH: Width = Width::W16;
     const BITS: u32 = 16;
+    type Pair = u32;
+    #[inline(always)]
+    fn pair(first: Self, second: Self) -> u32 {
+        u32::from(cast::pattern_of_i16(first)) | u32::from(cast::pattern_of_i16(second)) << 16
+    }
+    #[inline(always)]
+    fn split(pair: u32) -> [Self; 2] {
+        [i64::from(pair), i64::from(pair >> 16)].map(cast::low_i16)
+    }
+    #[inline(always)]
+    fn four(lanes: &[Self; 4]) -> [u64; 4] {
+        let [a, b, c, d] = lanes.map(i16::to_le_bytes);
+        let all = u64::from_le_bytes([a[0], a[1], b[0], b[1], c[0], c[1], d[0], d[1]]);
+        [all & 0xffff, all >> 16 & 0xffff, all >> 32 & 0xffff, all >> 48]
+    }
     #[inline(always)]
     fn of(raw: i64) -> Self {
         cast::low_i16(raw)
@@ -59,6 +83,24 @@ impl Lane for i16 {
 impl Lane for i32 {
     const WIDTH: Width = Width::W32;
     const BITS: u32 = 32;
+    type Pair = u64;
+    #[inline(always)]
+    fn pair(first: Self, second: Self) -> u64 {
+        u64::from(cast::pattern_of_i32(first)) | u64::from(cast::pattern_of_i32(second)) << 32
+    }
+    #[inline(always)]
+    fn split(pair: u64) -> [Self; 2] {
+        [pair, pair >> 32].map(|bits| cast::low_i32(cast::word_of_bits(bits)))
+    }
+    #[inline(always)]
+    fn four(lanes: &[Self; 4]) -> [u64; 4] {
+        let two = |a: Self, b: Self| {
+            let (a, b) = (a.to_le_bytes(), b.to_le_bytes());
+            u64::from_le_bytes([a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]])
+        };
+        let (low, high) = (two(lanes[0], lanes[1]), two(lanes[2], lanes[3]));
+        [low & 0xffff_ffff, low >> 32, high & 0xffff_ffff, high >> 32]
+    }
     #[inline(always)]
     fn of(raw: i64) -> Self {
         cast::low_i32(raw)
@@ -76,6 +118,19 @@ impl Lane for i32 {
 impl Lane for i64 {
     const WIDTH: Width = Width::W64;
     const BITS: u32 = 64;
+    type Pair = [Self; 2];
+    #[inline(always)]
+    fn pair(first: Self, second: Self) -> [Self; 2] {
+        [first, second]
+    }
+    #[inline(always)]
+    fn split(pair: [Self; 2]) -> [Self; 2] {
+        pair
+    }
+    #[inline(always)]
+    fn four(lanes: &[Self; 4]) -> [u64; 4] {
+        lanes.map(cast::bits_of)
+    }
     #[inline(always)]
     fn of(raw: i64) -> Self {
         raw
@@ -152,6 +207,8 @@ pub(super) struct Fit {
     /// Added where the quotient is odd.
     pub(super) bias_if_odd: i64,
     pub(super) limit: Limit,
+    /// True if words of 64 bits, rounded and not limited yet, fit 32.
+    pub(super) halves: bool,
     /// Counter of overflows.
     pub(super) counter: usize,
 }
@@ -355,8 +412,17 @@ pub(super) fn wide_product<To: Lane>(
 #[inline(always)]
 fn evenly<L: Lane, To: Lane>(fit: Fit, words: impl Iterator<Item = L>, to: &mut [To]) -> u64 {
     let (up, down, bias) = (fit.up, fit.down, L::of(fit.bias));
-    let rounded = |a: L| a.wrapping_shl(up).wrapping_add(&bias).wrapping_shr(down);
-    limited(fit.limit, words.map(rounded), to)
+    let biased = move |a: L| a.wrapping_shl(up).wrapping_add(&bias);
+    if L::WIDTH == Width::W64 && To::WIDTH == Width::W32 && fit.halves {
+        // The low half of the quotient is all of it, and needs no sign from the shift.
+        let low = move |a: L| {
+            let bits = cast::bits_of(biased(a).raw()).wrapping_shr(down);
+            To::of(cast::word_of_bits(bits))
+        };
+        limited(fit.limit, words.map(low), to)
+    } else {
+        limited(fit.limit, words.map(move |a| biased(a).wrapping_shr(down)), to)
+    }
 }
 
 /// Limits rounded words and counts those outside.
@@ -419,29 +485,60 @@ pub(super) fn convert<From: Lane, To: Lane>(zero: bool, from: &[From], to: &mut 
     }
 }
 
-/// A table's words at addresses. Addresses have as many bits as the table has; the mask tells the
-/// compiler so.
+/// The row of an address. Addresses have as many bits as the table has; the mask tells the compiler
+/// so, and no check is left.
+#[inline(always)]
+fn row(address: u64, mask: usize) -> usize {
+    let address = cast::index_of_bits(address);
+    debug_assert!(address <= mask, "bug: row {address} of {}", mask + 1);
+    address & mask
+}
+
+/// A table's words at addresses.
 #[inline(always)]
 pub(super) fn read<A: Lane, L: Lane>(words: &[L], addresses: &[A], to: &mut [L]) {
     let mask = words.len().wrapping_sub(1);
     debug_assert!(words.len().is_power_of_two(), "bug: table of {} rows", words.len());
-    for (to, address) in to.iter_mut().zip(addresses) {
-        let address = cast::index_of_bits(cast::bits_of(address.raw_of_pattern()));
-        debug_assert!(address <= mask, "bug: address {address} of {} rows", words.len());
-        *to = words[address & mask];
+    let (fours, rest) = addresses.as_chunks::<4>();
+    let (to_fours, to_rest) = to.as_chunks_mut::<4>();
+    for (to, addresses) in to_fours.iter_mut().zip(fours) {
+        *to = A::four(addresses).map(|address| words[row(address, mask)]);
+    }
+    for (to, address) in to_rest.iter_mut().zip(rest) {
+        *to = words[row(cast::bits_of(address.raw_of_pattern()), mask)];
     }
 }
 
 /// Two tables' words at one address, kept side by side.
 #[inline(always)]
-pub(super) fn read_pair<A: Lane, L: Lane>(words: &[[L; 2]], addresses: &[A], to: [&mut [L]; 2]) {
+pub(super) fn read_pair<A: Lane, L: Lane>(
+    words: &[L::Pair],
+    addresses: &[A],
+    [first, second]: [&mut [L]; 2],
+) {
     let mask = words.len().wrapping_sub(1);
     debug_assert!(words.len().is_power_of_two(), "bug: table of {} rows", words.len());
-    let [first, second] = to;
-    for ((first, second), address) in first.iter_mut().zip(second).zip(addresses) {
-        let address = cast::index_of_bits(cast::bits_of(address.raw_of_pattern()));
-        debug_assert!(address <= mask, "bug: address {address} of {} rows", words.len());
-        [*first, *second] = words[address & mask];
+    let (fours, rest) = addresses.as_chunks::<4>();
+    let (first_fours, first_rest) = first.as_chunks_mut::<4>();
+    let (second_fours, second_rest) = second.as_chunks_mut::<4>();
+    for ((first, second), addresses) in first_fours.iter_mut().zip(second_fours).zip(fours) {
+        let addresses = A::four(addresses);
+        for lane in 0..4 {
+            [first[lane], second[lane]] = L::split(words[row(addresses[lane], mask)]);
+        }
+    }
+    for ((first, second), address) in first_rest.iter_mut().zip(second_rest).zip(rest) {
+        let address = cast::bits_of(address.raw_of_pattern());
+        [*first, *second] = L::split(words[row(address, mask)]);
+    }
+}
+
+/// A slice of 32-bit lanes that is an address of 16 bits.
+#[inline(always)]
+pub(super) fn slice_to_address(lo: u32, bits: u32, from: &[i32], to: &mut [i16]) {
+    let mask = i32::of(word_mask(bits));
+    for (to, a) in to.iter_mut().zip(from) {
+        *to = i16::of((a.wrapping_shr(lo) & mask).raw());
     }
 }
 

@@ -95,6 +95,8 @@ struct Asked {
     whole: bool,
     /// This many low bits.
     low: u32,
+    /// The word, as an address of a table; then by nobody else unless the others are set too.
+    address: bool,
 }
 
 /// `narrow` as an engine does it: `(a << up) + bias >> down`, then limits.
@@ -107,6 +109,8 @@ pub(super) struct Narrowed {
     pub(super) compute: Option<Width>,
     /// True if a word can overflow.
     pub(super) overflows: bool,
+    /// True if words, rounded and not limited yet, fit 32 bits.
+    pub(super) halves: bool,
 }
 
 /// Least word that doesn't overflow.
@@ -147,7 +151,9 @@ impl Narrowed {
                 .and_then(|least| Width::ALL.into_iter().find(|w| *w >= least && fits(w)))
         };
         let (up, down) = if dropped > 0 { (0, shift) } else { (shift, 0) };
-        Self { up, down, compute, overflows }
+        let halves =
+            down <= 32 && Width::signed(first, last).is_some_and(|width| width <= Width::W32);
+        Self { up, down, compute, overflows, halves }
     }
 }
 
@@ -192,7 +198,7 @@ pub(super) fn place(netlist: &Netlist, outputs: &[NodeId]) -> Vec<Placed> {
         let counts = narrowed.as_ref().is_some_and(|narrowed| narrowed.overflows);
         let place = &mut placed[index];
         place.range = range;
-        if !want.whole && want.low == 0 && !counts {
+        if !want.whole && want.low == 0 && !want.address && !counts {
             continue;
         }
         if range.0 == range.1 && !counts {
@@ -203,7 +209,7 @@ pub(super) fn place(netlist: &Netlist, outputs: &[NodeId]) -> Vec<Placed> {
         }
         // Low bits that must be right, and the narrowest lane with them. Who asks for more than the
         // natural lane has extends it, and so needs the word.
-        let is_whole = want.whole || want.low > natural.bits();
+        let is_whole = want.whole || want.address || want.low > natural.bits();
         let low = if is_whole { natural.bits() } else { want.low.max(1) };
         let mut width = Width::of_bits(low);
         let mut compute = None;
@@ -278,6 +284,10 @@ pub(super) fn place(netlist: &Netlist, outputs: &[NodeId]) -> Vec<Placed> {
                     ask_low(0, lo + bits);
                     if lo == 0 && width.bits() == bits {
                         way = Way::Low(of(0));
+                    } else if !want.whole && want.low == 0 && width == Width::W32 {
+                        // An address and nothing else: read four at once from narrow lanes.
+                        compute = Some(width);
+                        width = natural;
                     }
                 }
             }
@@ -304,7 +314,7 @@ pub(super) fn place(netlist: &Netlist, outputs: &[NodeId]) -> Vec<Placed> {
                 ask_low(0, filled(width));
                 whole.push(1);
             }
-            Op::Read { .. } => whole.push(0),
+            Op::Read { .. } => asked[of(0)].address = true,
             Op::Modulo => {
                 let bits = node.format.bits();
                 let (lo, hi) = words[of(0)];
@@ -363,6 +373,8 @@ pub(super) fn place(netlist: &Netlist, outputs: &[NodeId]) -> Vec<Placed> {
 
 /// True if a product of two whole 32-bit lanes is what a 64-bit lane holds.
 pub(super) fn wide_product(width: Width, a: (i64, i64), b: (i64, i64)) -> bool {
-    let narrow = |(lo, hi): (i64, i64)| Width::signed(lo.into(), hi.into()) <= Some(Width::W32);
+    let narrow = |(lo, hi): (i64, i64)| {
+        Width::signed(lo.into(), hi.into()).is_some_and(|width| width <= Width::W32)
+    };
     width == Width::W64 && narrow(a) && narrow(b)
 }
