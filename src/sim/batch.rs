@@ -31,8 +31,8 @@ use std::collections::{BTreeSet, HashMap};
 use std::mem::take;
 use std::sync::Arc;
 
-/// Samples per block: a kilobyte a column in 16-bit lanes.
-pub const BLOCK: usize = 512;
+/// Samples per block: two kilobytes a column in 16-bit lanes.
+pub const BLOCK: usize = 1024;
 
 /// A number that callers' columns hold.
 pub trait Word: Copy + Default + Send + Sync {
@@ -229,7 +229,7 @@ impl Program {
                 Width::W64 => store.lanes64[column.slot].fill(*raw),
             }
         }
-        Runner { store, overflows: vec![0; self.narrows.len()] }
+        Runner { store, overflows: vec![0; self.narrows.len().max(1)], narrows: self.narrows.len() }
     }
 }
 
@@ -254,7 +254,7 @@ impl Compiler<'_> {
         self.root(self.netlist.nodes()[index].operands[i].index())
     }
 
-    /// Finds sums and products that only one `narrow` reads, which then does both in one pass.
+    /// Finds sums and products that only one `narrow` or slice reads, which then does both in one pass.
     fn fuse(&mut self, outputs: &[NodeId]) {
         let nodes = self.netlist.nodes();
         let mut uses = vec![0; nodes.len()];
@@ -268,15 +268,21 @@ impl Compiler<'_> {
             }
         }
         for index in 0..nodes.len() {
-            let Op::Narrow { round, .. } = nodes[index].op else { continue };
-            if self.placed[index].way != Way::Computed {
+            let Placed { way, width, compute, .. } = self.placed[index];
+            if way != Way::Computed {
                 continue;
             }
+            let fits = match nodes[index].op {
+                Op::Narrow { round, .. } => {
+                    let narrowed = self.narrowed(index);
+                    let biases = Fit::biases(round, narrowed.down.min(62));
+                    narrowed.compute.is_some() && biases[1] == 0 && biases[2] == 0
+                }
+                Op::Slice { .. } => width == compute,
+                _ => continue,
+            };
             let first = self.operand(index, 0);
             let before = &self.placed[first];
-            let narrowed = self.narrowed(index);
-            let biases = Fit::biases(round, narrowed.down.min(62));
-            let fits = narrowed.compute.is_some() && biases[1] == 0 && biases[2] == 0;
             let is_sum = matches!(nodes[first].op, Op::Add | Op::Sub | Op::Mul);
             // In these lanes, all of the sum is right.
             let same = before.compute == self.placed[index].compute;
@@ -367,7 +373,26 @@ impl Compiler<'_> {
             self.read(index);
             return;
         }
-        let action = if let Op::Narrow { .. } = node.op {
+        let action = if let Op::Slice { lo } = node.op {
+            let first = self.operand(index, 0);
+            let limit = Limit::Slice { bits: node.format.bits() };
+            if self.fused_into[first] {
+                let fit = Fit {
+                    up: 0,
+                    down: lo,
+                    bias: 0,
+                    bias_below_0: 0,
+                    bias_if_odd: 0,
+                    limit,
+                    halves: false,
+                    // Counts nothing; a program without a `narrow` has a counter all the same.
+                    counter: 0,
+                };
+                self.fused(first, fit, index);
+                return;
+            }
+            Action::Kernel(self.kernel(index))
+        } else if let Op::Narrow { .. } = node.op {
             let first = self.operand(index, 0);
             let fit = self.fit(index);
             if self.fused_into[first] {
@@ -763,7 +788,9 @@ impl Stored for i64 {
 #[derive(Debug)]
 pub struct Runner {
     store: Store,
+    /// Of each `narrow`, and at least one.
     overflows: Vec<u64>,
+    narrows: usize,
 }
 
 impl Runner {
@@ -793,7 +820,7 @@ impl Runner {
         for column in outputs.iter_mut() {
             column.resize(count, O::default());
         }
-        let Self { store, overflows } = self;
+        let Self { store, overflows, .. } = self;
         let features = store.features;
         let mut start = 0;
         while start < count {
@@ -808,7 +835,7 @@ impl Runner {
     /// How often each `narrow` overflowed so far, in the order of [`Program::narrows`].
     #[must_use]
     pub fn overflows(&self) -> &[u64] {
-        &self.overflows
+        &self.overflows[..self.narrows]
     }
 
     /// An error if a `narrow` under [`Overflow::Error`] overflowed.
@@ -816,7 +843,7 @@ impl Runner {
     /// # Errors
     /// Names the node.
     pub fn check(&self, program: &Program, netlist: &Netlist) -> Result<()> {
-        check_overflows(netlist, program.narrows(), &self.overflows)
+        check_overflows(netlist, program.narrows(), self.overflows())
     }
 }
 

@@ -223,6 +223,10 @@ pub(super) enum Limit {
         hi: i64,
     },
     Wrap(Wrap),
+    /// This many low bits are a slice, and the rest is no overflow.
+    Slice {
+        bits: u32,
+    },
 }
 
 impl Fit {
@@ -438,6 +442,12 @@ fn limited<L: Lane, To: Lane>(limit: Limit, words: impl Iterator<Item = L>, to: 
         Limit::Free => {
             for (to, word) in to.iter_mut().zip(words) {
                 *to = To::of(word.raw());
+            }
+        }
+        Limit::Slice { bits } => {
+            let mask = L::of(word_mask(bits));
+            for (to, word) in to.iter_mut().zip(words) {
+                *to = To::of((word & mask).raw());
             }
         }
         Limit::Clamp { lo, hi } => {
