@@ -356,6 +356,7 @@ pub(super) fn step<L: Lane>(
 
 /// Runs `narrow`, alone or on a sum, difference or product in the same pass.
 #[inline(always)]
+#[expect(clippy::wildcard_enum_match_arm, reason = "no other kernel has anything to fit")]
 pub(super) fn fitted<L: Lane, To: Lane>(
     kernel: Kernel,
     [a, b, _]: Operands<'_, L>,
@@ -389,7 +390,7 @@ pub(super) fn fitted<L: Lane, To: Lane>(
             counts[fit.counter] += limited(fit.limit, quotients, to);
         }
         Kernel::Fit(fit) => counts[fit.counter] += evenly(fit, a.iter().copied(), to),
-        _ => unreachable!("bug: no fit"),
+        other => unreachable!("bug: {other:?} fits nothing"),
     }
 }
 

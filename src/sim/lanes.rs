@@ -361,9 +361,10 @@ pub(super) fn place(netlist: &Netlist, outputs: &[NodeId]) -> Vec<Placed> {
             way,
             width,
             compute: compute.unwrap_or(width),
-            zero: match way {
-                Way::Low(_) => !node.format.is_signed(),
-                _ => width == natural && natural_zero,
+            zero: if let Way::Low(_) = way {
+                !node.format.is_signed()
+            } else {
+                width == natural && natural_zero
             },
             range,
         };
