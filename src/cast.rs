@@ -76,13 +76,6 @@ pub(crate) fn index_of(raw: i64) -> usize {
     raw as usize
 }
 
-/// The lane that is known not to be negative, as an index.
-#[inline(always)]
-pub(crate) fn index_of_i32(raw: i32) -> usize {
-    debug_assert!(raw >= 0, "bug: negative index {raw}");
-    raw as usize
-}
-
 /// A small number as an index; nothing is lost where addresses have 32 bits or more.
 #[inline(always)]
 pub(crate) fn index_of_u32(number: u32) -> usize {
@@ -123,4 +116,34 @@ pub(crate) fn count_of(len: usize) -> u64 {
 #[inline(always)]
 pub(crate) fn pixel_of(x: f64) -> i32 {
     x.round() as i32
+}
+
+/// The low 16 bits of a word, as a narrow lane.
+#[inline(always)]
+pub(crate) fn low_i16(raw: i64) -> i16 {
+    raw as i16
+}
+
+/// The bit pattern of a 16-bit lane.
+#[inline(always)]
+pub(crate) fn pattern_of_i16(lane: i16) -> u16 {
+    lane as u16
+}
+
+/// The bit pattern of a 32-bit lane.
+#[inline(always)]
+pub(crate) fn pattern_of_i32(lane: i32) -> u32 {
+    lane as u32
+}
+
+/// The low bits of a pattern as an index; nothing is lost where addresses have 64 bits.
+#[inline(always)]
+pub(crate) fn index_of_bits(bits: u64) -> usize {
+    bits as usize
+}
+
+/// The low 16 bits of a word, as a pattern.
+#[inline(always)]
+pub(crate) fn low_u16(raw: i64) -> u16 {
+    raw as u16
 }

@@ -14,7 +14,7 @@ mod verify;
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::eval::{self, AngleUnit, InputFile};
-use crate::measure::{self, BoundCheck, Inputs, Report};
+use crate::measure::{self, BoundCheck, Inputs, Profile, Report};
 use crate::output;
 use crate::outside;
 use crate::report::record::RankBy;
@@ -114,6 +114,9 @@ enum Command {
         /// Write every hard case with its results into a CSV.
         #[arg(long, value_name = "FILE", requires = "hard")]
         cases: Option<PathBuf>,
+        /// Tell which share of the time went where.
+        #[arg(long)]
+        profile: bool,
         /// As JSON.
         #[arg(long)]
         json: bool,
@@ -178,6 +181,9 @@ enum Command {
         /// Start anew, whatever is in the folder.
         #[arg(long)]
         fresh: bool,
+        /// Tell which share of the time went where.
+        #[arg(long, conflicts_with = "scene")]
+        profile: bool,
     },
     /// Write a unit as hardware: module, tables, self-checking testbench, vectors, makefiles.
     #[command(
@@ -388,7 +394,7 @@ fn run(command: &Command) -> Result<bool> {
         Command::Eval { unit, input, out, angle } => {
             eval_command(&unit.design()?, input, out, angle.unit())?;
         }
-        Command::Sim { unit, inputs, hard, cases, json } => {
+        Command::Sim { unit, inputs, hard, cases, profile, json } => {
             let mut inputs = inputs.inputs();
             if *hard {
                 inputs.sampler = Sampler::Hard;
@@ -397,7 +403,16 @@ fn run(command: &Command) -> Result<bool> {
             if let Some(path) = cases {
                 output::write_file(path, |to| write_cases(&sim, to, path))?;
             }
-            print(&if *json { pretty(&text::sim_json(&sim)) } else { text::sim(&sim) })?;
+            let times = profile.then_some(&sim.report.speed.profile);
+            print(&if *json {
+                let mut json = text::sim_json(&sim);
+                if let Some(times) = times {
+                    json["profile_seconds"] = serde_json::json!(times);
+                }
+                pretty(&json)
+            } else {
+                text::sim(&sim) + &times.map(text::profile).unwrap_or_default()
+            })?;
             return Ok(sim.passed());
         }
         Command::Wave {
@@ -427,7 +442,7 @@ fn run(command: &Command) -> Result<bool> {
             };
             print(&write_wave(&design, options, &stimulus, out)?)?;
         }
-        Command::Sweep { unit, axes, inputs, scene, error, out, fresh } => {
+        Command::Sweep { unit, axes, inputs, scene, error, out, fresh, profile } => {
             let base = unit.values()?;
             let axes: Result<Vec<Axis>> =
                 axes.iter().map(|axis| Axis::parse(axis, base.unit())).collect();
@@ -449,7 +464,7 @@ fn run(command: &Command) -> Result<bool> {
                     Sweep::over_scene(base, &set, axes, render::view_of(path, error.0)?)?
                 }
             };
-            print(&run_sweep(&sweep, out, *fresh)?)?;
+            print(&run_sweep(&sweep, out, *fresh, *profile)?)?;
         }
         Command::Schedule(args) => print(&schedule::run(args)?)?,
         Command::Hdl(args) => print(&hardware::run(args)?)?,
@@ -667,11 +682,19 @@ fn write_wave(
 }
 
 /// Runs a sweep into a folder; returns what to tell.
-fn run_sweep(sweep: &Sweep, out: &Path, fresh: bool) -> Result<String> {
+fn run_sweep(sweep: &Sweep, out: &Path, fresh: bool, profile: bool) -> Result<String> {
     let bar = progress_bar(cast::count_of(sweep.points()), "points");
     let record = sweep.run(out, fresh, &|progress| {
         bar.set_position(cast::count_of(progress.points_done));
     })?;
     bar.finish_and_clear();
-    Ok(text::sweep(&record, out))
+    let mut told = text::sweep(&record, out);
+    if profile {
+        // Points that were on disk already took none.
+        let mut times = Profile::default();
+        let measured = record.points.iter().filter_map(|point| point.measured.as_ref());
+        measured.for_each(|measured| times.add(&measured.speed.profile));
+        told += &text::profile(&times);
+    }
+    Ok(told)
 }

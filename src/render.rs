@@ -469,6 +469,7 @@ impl Rendered {
                 samples_per_second: cast::f64_of_count(samples)
                     / self.elapsed.as_secs_f64().max(f64::MIN_POSITIVE),
                 threads: rayon::current_num_threads(),
+                ..Speed::default()
             },
         }
     }

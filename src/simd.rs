@@ -1,11 +1,48 @@
-//! Loops compiled twice: for the baseline processor and for AVX2, chosen at run time.
+//! Loops compiled for several sets of processor features, chosen at run time.
 //!
 //! This module holds the only `unsafe` of the crate. What runs is safe Rust; the compiler may
-//! only use wider instructions for it. No fused multiply-add is enabled, so both give the same
-//! floats.
+//! only use wider instructions for it. It fuses no multiplication with an addition unless code says
+//! so, so all sets give the same floats.
+
+use std::sync::OnceLock;
+
+/// A set of processor features that loops are compiled for.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Features {
+    /// Those that every processor of the target has.
+    Portable,
+    /// AVX2, BMI2 and LZCNT.
+    Avx2,
+    /// Those and AVX-512 F, BW, CD, DQ and VL.
+    Avx512,
+}
+
+impl Features {
+    /// The sets that this processor has, the widest last.
+    #[must_use]
+    pub fn here() -> &'static [Self] {
+        static HERE: OnceLock<Vec<Features>> = OnceLock::new();
+        HERE.get_or_init(|| {
+            let mut here = vec![Self::Portable];
+            if has_avx2() {
+                here.push(Self::Avx2);
+            }
+            if has_avx512() {
+                here.push(Self::Avx512);
+            }
+            here
+        })
+    }
+
+    /// The widest set that this processor has.
+    #[must_use]
+    pub fn best() -> Self {
+        Self::here().last().copied().unwrap_or(Self::Portable)
+    }
+}
 
 /// Work whose loops are worth vectorising; `run` must be `#[inline(always)]`, so that it is
-/// compiled anew inside [`vectorised`].
+/// compiled anew for each set of features.
 pub(crate) trait Body {
     /// Does the work.
     fn run(self);
@@ -13,25 +50,77 @@ pub(crate) trait Body {
 
 /// Runs a body with the widest instructions that the processor has.
 pub(crate) fn vectorised<B: Body>(body: B) {
+    vectorised_for(Features::best(), body);
+}
+
+/// Runs a body compiled for a set of features; for the baseline if the processor lacks them.
+pub(crate) fn vectorised_for<B: Body>(features: Features, body: B) {
     #[cfg(target_arch = "x86_64")]
-    if std::arch::is_x86_feature_detected!("avx2")
+    match features {
+        Features::Avx512 if has_avx512() => {
+            // SAFETY: `with_avx512` is safe code; calling it is sound where the processor has the
+            // features that it is compiled for, which was checked just now.
+            #[expect(unsafe_code, reason = "calling code compiled for detected processor features")]
+            unsafe {
+                with_avx512(body);
+            }
+            return;
+        }
+        Features::Avx2 if has_avx2() => {
+            // SAFETY: as above.
+            #[expect(unsafe_code, reason = "calling code compiled for detected processor features")]
+            unsafe {
+                with_avx2(body);
+            }
+            return;
+        }
+        Features::Avx512 | Features::Avx2 | Features::Portable => {}
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = features;
+    body.run();
+}
+
+#[cfg(target_arch = "x86_64")]
+#[inline]
+fn has_avx2() -> bool {
+    std::arch::is_x86_feature_detected!("avx2")
         && std::arch::is_x86_feature_detected!("bmi2")
         && std::arch::is_x86_feature_detected!("lzcnt")
-    {
-        // SAFETY: `with_avx2` is safe code; calling it is sound where the processor has the
-        // features that it is compiled for, which was checked just now.
-        #[expect(unsafe_code, reason = "calling code compiled for detected processor features")]
-        unsafe {
-            with_avx2(body);
-        }
-        return;
-    }
-    body.run();
+}
+
+#[cfg(target_arch = "x86_64")]
+#[inline]
+fn has_avx512() -> bool {
+    has_avx2()
+        && std::arch::is_x86_feature_detected!("fma")
+        && std::arch::is_x86_feature_detected!("f16c")
+        && std::arch::is_x86_feature_detected!("avx512f")
+        && std::arch::is_x86_feature_detected!("avx512bw")
+        && std::arch::is_x86_feature_detected!("avx512cd")
+        && std::arch::is_x86_feature_detected!("avx512dq")
+        && std::arch::is_x86_feature_detected!("avx512vl")
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+fn has_avx2() -> bool {
+    false
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+fn has_avx512() -> bool {
+    false
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,bmi2,lzcnt")]
 fn with_avx2<B: Body>(body: B) {
+    body.run();
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,bmi2,lzcnt,avx512f,avx512bw,avx512cd,avx512dq,avx512vl")]
+fn with_avx512<B: Body>(body: B) {
     body.run();
 }
 

@@ -105,7 +105,7 @@ pub(super) fn run(out: &Path) -> Result<bool> {
     let axes: Result<Vec<Axis>> = axes.iter().map(|axis| Axis::parse(axis, unit)).collect();
     let sweep_inputs = Inputs { samples: SWEEP_SAMPLES, ..inputs };
     let sweep = Sweep::new(unit.defaults(), axes?, sweep_inputs)?;
-    run_sweep(&sweep, &out.join("sweep"), true)?;
+    run_sweep(&sweep, &out.join("sweep"), true, false)?;
 
     story.push_str(
         "\n# Scenes\n\nThe seed's three pictures by whole bump mapping pipelines, and letters by emboss, against the float golden of each: the largest and the mean\n\

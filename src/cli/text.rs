@@ -3,7 +3,7 @@
 use super::Sim;
 use crate::cast;
 use crate::error::Result;
-use crate::measure::{self, Basis, Figures, Report, TableFigures, Witness};
+use crate::measure::{self, Basis, Figures, Profile, Report, TableFigures, Witness};
 use crate::netlist::{Netlist, Operators, Quantity};
 use crate::report::pareto;
 use crate::report::record::{Measured, Point, Record, parameters_of};
@@ -433,6 +433,18 @@ pub(super) fn sim(sim: &Sim) -> String {
     }
     let _ = writeln!(text, "{}", speed(report));
     text
+}
+
+/// Where the time of a measurement went.
+pub(super) fn profile(profile: &Profile) -> String {
+    let parts = profile.parts();
+    let total: f64 = parts.iter().map(|(_, seconds)| seconds).sum();
+    if total == 0.0 {
+        return "nothing was measured, so no time is told\n".to_owned();
+    }
+    let share = |(name, seconds): &(&str, f64)| format!("{name} {:.1} %", 100.0 * seconds / total);
+    let shares: Vec<String> = parts.iter().map(share).collect();
+    format!("time of all threads, {total:.2} s: {}\n", shares.join(", "))
 }
 
 /// The hard-case table with its verdicts.

@@ -29,14 +29,15 @@ use crate::error::{Error, Result};
 use crate::netlist::{Netlist, NodeId};
 use crate::sim::batch::{Program, Runner, check_overflows};
 use crate::sim::real;
-use crate::trig::sin_cos_turns;
+use crate::simd::vectorised;
+use crate::trig::Real;
 use crate::units::{Design, Group, Shape};
 use inputs::CHUNK;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-use std::time::{Duration, Instant};
-use stream::Merged;
+use std::time::Instant;
 pub(crate) use stream::{BINS, Histograms, Stream};
+use stream::{Lengths, Merged, angles_between};
 
 /// Columns of judged nodes as the golden has them: directions as x, y, z.
 pub(crate) fn as_golden(groups: &[Group], nodes: &[Vec<f64>], to: &mut Vec<Vec<f64>>) {
@@ -55,13 +56,15 @@ pub(crate) fn as_golden(groups: &[Group], nodes: &[Vec<f64>], to: &mut Vec<Vec<f
                 }
             }
             Shape::Polar => {
-                to.iter_mut().for_each(Vec::clear);
-                for (phi, theta) in from[0].iter().zip(&from[1]) {
-                    let ((sin_phi, cos_phi), (sin_theta, cos_theta)) =
-                        (sin_cos_turns(*phi), sin_cos_turns(*theta));
-                    to[0].push(sin_theta * cos_phi);
-                    to[1].push(sin_theta * sin_phi);
-                    to[2].push(cos_theta);
+                let [x, y, z] = to else { panic!("bug: x, y, z") };
+                let len = from[0].len();
+                [&mut *x, &mut *y, &mut *z].into_iter().for_each(|to| to.resize(len, 0.0));
+                f64::sin_cos_turns(&from[0], y, x);
+                let mut sin_theta = vec![0.0; len];
+                f64::sin_cos_turns(&from[1], &mut sin_theta, z);
+                for ((x, y), sin_theta) in x.iter_mut().zip(y).zip(&sin_theta) {
+                    *x *= sin_theta;
+                    *y *= sin_theta;
                 }
             }
         }
@@ -150,33 +153,37 @@ impl Measurand {
         golden: &[Vec<f64>],
         errors: &mut Vec<f64>,
     ) {
-        errors.clear();
-        let differences = || {
-            let pairs = is[self.column].iter().zip(&should[self.column]);
-            pairs.map(|(is, should)| is - should)
-        };
-        let len = is[self.column].len();
-        let at = |v: &[Vec<f64>], i: usize| [0, 1, 2].map(|axis| v[self.column + axis][i]);
+        errors.resize(is[self.column].len(), 0.0);
         match self.kind {
-            Kind::Angle => {
-                errors.extend((0..len).map(|i| angle_between(at(is, i), at(should, i))));
+            Kind::Angle => angles_between(self.three(is), self.three(should), errors),
+            Kind::Dot => {
+                let (u, v) = (self.three(is), self.three(should));
+                vectorised(Lengths { u, v, lengths: errors });
             }
-            Kind::Dot => errors.extend((0..len).map(|i| {
-                let (u, v) = (at(is, i), at(should, i));
-                let d = [u[0] - v[0], u[1] - v[1], u[2] - v[2]];
-                (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt()
-            })),
-            Kind::Number => errors.extend(differences()),
-            Kind::Texels(texels) => {
-                errors.extend(differences().map(|error| error * f64::from(texels)));
+            Kind::Number | Kind::Texels(_) | Kind::Relative(_) => {
+                let pairs = is[self.column].iter().zip(&should[self.column]);
+                for (error, (is, should)) in errors.iter_mut().zip(pairs) {
+                    *error = is - should;
+                }
             }
-            Kind::Relative(scale) => errors.extend(
-                // Of nothing nothing is no error.
-                differences()
-                    .zip(&golden[scale])
-                    .map(|(error, scale)| if error == 0.0 { 0.0 } else { error / scale }),
-            ),
         }
+        match self.kind {
+            Kind::Angle | Kind::Dot | Kind::Number => {}
+            Kind::Texels(texels) => {
+                errors.iter_mut().for_each(|error| *error *= f64::from(texels));
+            }
+            Kind::Relative(scale) => {
+                for (error, scale) in errors.iter_mut().zip(&golden[scale]) {
+                    // Of nothing nothing is no error.
+                    *error = if *error == 0.0 { 0.0 } else { *error / scale };
+                }
+            }
+        }
+    }
+
+    /// Its columns, of a vector.
+    fn three<'a>(&self, columns: &'a [Vec<f64>]) -> [&'a [f64]; 3] {
+        [0, 1, 2].map(|axis| columns[self.column + axis].as_slice())
     }
 }
 
@@ -264,6 +271,61 @@ pub struct OverflowCount {
     pub count: u64,
 }
 
+/// Seconds of all threads together that each part of a measurement took. What designs measured
+/// together share counts in equal parts for each.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Profile {
+    /// Drawing inputs.
+    pub draw: f64,
+    /// Writing them as words, and their values.
+    pub quantise: f64,
+    /// The golden of the inputs before quantisation and after.
+    pub golden: f64,
+    /// The bit-true engine.
+    pub engine: f64,
+    /// The netlist on reals.
+    pub reals: f64,
+    /// Errors, their sums, histograms and witnesses.
+    pub statistics: f64,
+}
+
+impl Profile {
+    /// Each part with its name, in the order of the work.
+    #[must_use]
+    pub fn parts(&self) -> [(&'static str, f64); 6] {
+        [
+            ("draw", self.draw),
+            ("quantise", self.quantise),
+            ("golden", self.golden),
+            ("engine", self.engine),
+            ("reals", self.reals),
+            ("statistics", self.statistics),
+        ]
+    }
+
+    /// Adds another's seconds.
+    pub fn add(&mut self, other: &Self) {
+        self.draw += other.draw;
+        self.quantise += other.quantise;
+        self.golden += other.golden;
+        self.engine += other.engine;
+        self.reals += other.reals;
+        self.statistics += other.statistics;
+    }
+}
+
+/// Tells the time since it was last asked.
+struct Lap(Instant);
+
+impl Lap {
+    fn seconds(&mut self) -> f64 {
+        let now = Instant::now();
+        let seconds = now.duration_since(self.0).as_secs_f64();
+        self.0 = now;
+        seconds
+    }
+}
+
 /// Time spent.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub struct Speed {
@@ -274,6 +336,9 @@ pub struct Speed {
     pub samples_per_second: f64,
     /// Threads.
     pub threads: usize,
+    /// Where the time went; not kept in files.
+    #[serde(skip)]
+    pub profile: Profile,
 }
 
 /// What was measured of a design.
@@ -363,7 +428,7 @@ struct SetColumns {
 struct Partial {
     streams: Vec<(Stream, Witness)>,
     overflows: Vec<u64>,
-    engine: Duration,
+    profile: Profile,
 }
 
 /// Measures designs of one unit over the same inputs; `progress` gets the samples done.
@@ -415,15 +480,16 @@ pub fn measure(
     let start = Instant::now();
     let chunks = count.div_ceil(CHUNK);
     let threads = rayon::current_num_threads();
-    // A few chunks per thread at a time: memory doesn't grow with samples.
-    let round = cast::count_of(threads) * 4;
+    // Some chunks per thread at a time: memory doesn't grow with samples, and columns are made
+    // seldom.
+    let round = cast::count_of(threads) * 16;
     let mut merged: Vec<Vec<Merged>> =
         compiled.iter().map(|c| vec![Merged::EMPTY; c.streams()]).collect();
     let histograms: Vec<Histograms> =
         compiled.iter().map(|c| Histograms::new(c.streams())).collect();
     let mut overflows: Vec<Vec<u64>> =
         compiled.iter().map(|c| vec![0; c.program.narrows().len()]).collect();
-    let mut engine = vec![Duration::ZERO; compiled.len()];
+    let mut profiles = vec![Profile::default(); compiled.len()];
     let mut next = 0;
     while next < chunks {
         let these: Vec<u64> = (next..(next + round).min(chunks)).collect();
@@ -450,7 +516,7 @@ pub fn measure(
                 for (total, count) in overflows[i].iter_mut().zip(partial.overflows) {
                     *total += count;
                 }
-                engine[i] += partial.engine;
+                profiles[i].add(&partial.profile);
             }
         }
         next += round;
@@ -464,15 +530,16 @@ pub fn measure(
         .iter()
         .zip(merged)
         .zip(histograms)
-        .zip(overflows.iter().zip(engine))
-        .map(|(((c, merged), histograms), (overflows, engine))| Report {
+        .zip(overflows.iter().zip(profiles))
+        .map(|(((c, merged), histograms), (overflows, profile))| Report {
             samples: count,
             figures: figures(&c.measurands, &merged, &histograms),
             overflows: overflow_counts(&c.design.netlist, c.program.narrows(), overflows),
             speed: Speed {
-                engine_samples_per_second_per_thread: rate(engine.as_secs_f64()),
+                engine_samples_per_second_per_thread: rate(profile.engine),
                 samples_per_second: rate(elapsed) * cast::f64_of_len(designs.len()),
                 threads,
+                profile,
             },
         })
         .collect())
@@ -509,30 +576,45 @@ fn measure_chunk(
     let Chunk { inputs, from, len, histograms } = *chunk;
     let Shared { sets: columns, bit_true, real, errors } = shared;
     columns.resize(sets.len(), SetColumns::default());
+    let mut lap = Lap(Instant::now());
+    let mut together = Profile::default();
     for (i, Set { design, drawn }) in sets.iter().enumerate() {
         let netlist = &design.netlist;
         let (before, own) = columns.split_at_mut(i);
         let own = &mut own[0];
         if *drawn == i {
             inputs.values(design, from, len, &mut own.values);
+            together.draw += lap.seconds();
             run_golden(design, &own.values, &mut own.real_golden);
+            together.golden += lap.seconds();
         }
         let values = if *drawn == i { &own.values } else { &before[*drawn].values };
         quantize_inputs(netlist, values, &mut own.words)?;
         values_of(netlist, netlist.inputs(), &own.words, &mut own.quantised);
+        together.quantise += lap.seconds();
         run_golden(design, &own.quantised, &mut own.golden);
+        together.golden += lap.seconds();
     }
+    let share = 1.0 / cast::f64_of_len(compiled.len());
     let mut partials = Vec::with_capacity(compiled.len());
     for ((c, lanes), histograms) in compiled.iter().zip(lanes).zip(histograms) {
         let set = &columns[c.set];
         let words: Vec<&[i64]> = set.words.iter().map(Vec::as_slice).collect();
         let before = lanes.runner.overflows().to_vec();
-        let start = Instant::now();
+        let mut profile = Profile {
+            draw: together.draw * share,
+            quantise: together.quantise * share,
+            golden: together.golden * share,
+            ..Profile::default()
+        };
+        lap.seconds();
         lanes.runner.run(&c.program, &words, &mut lanes.words);
-        let engine = start.elapsed();
+        profile.engine = lap.seconds();
         values_of(&c.design.netlist, &c.judged, &lanes.words, &mut lanes.values);
         let values: Vec<&[f64]> = set.quantised.iter().map(Vec::as_slice).collect();
+        profile.statistics = lap.seconds();
         lanes.real_runner.run(&c.reals, &values, &mut lanes.reals);
+        profile.reals = lap.seconds();
         as_golden(&c.design.groups, &lanes.values, bit_true);
         as_golden(&c.design.groups, &lanes.reals, real);
         let golden = &set.golden;
@@ -565,10 +647,12 @@ fn measure_chunk(
         };
         histograms.take(&mut lanes.histograms);
         let after = lanes.runner.overflows();
+        let streams = streams.iter().map(|stream| (*stream, witness(stream))).collect();
+        profile.statistics += lap.seconds();
         partials.push(Partial {
-            streams: streams.iter().map(|stream| (*stream, witness(stream))).collect(),
+            streams,
             overflows: after.iter().zip(before).map(|(after, before)| after - before).collect(),
-            engine,
+            profile,
         });
     }
     Ok(partials)

@@ -2,6 +2,7 @@
 
 use crate::cast;
 use crate::measure::{Basis, Figures, Witness};
+use crate::simd::{Body, vectorised};
 use std::f64::consts::PI;
 use std::sync::{Mutex, PoisonError};
 
@@ -24,9 +25,76 @@ pub fn angle_between(u: [f64; 3], v: [f64; 3]) -> f64 {
     }
 }
 
+/// [`angle_between`] of columns of vectors, bit for bit.
+pub(super) fn angles_between(u: [&[f64]; 3], v: [&[f64]; 3], angles: &mut [f64]) {
+    let mut large = false;
+    vectorised(Angles { u, v, angles, large: &mut large });
+    if large {
+        for (i, angle) in angles.iter_mut().enumerate().filter(|(_, angle)| angle.is_nan()) {
+            *angle = angle_between(u.map(|u| u[i]), v.map(|v| v[i]));
+        }
+    }
+}
+
+/// The series of [`angle_between`]; where it doesn't hold, a NaN.
+struct Angles<'a> {
+    u: [&'a [f64]; 3],
+    v: [&'a [f64]; 3],
+    angles: &'a mut [f64],
+    large: &'a mut bool,
+}
+
+impl Body for Angles<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let len = self.angles.len();
+        let ([ux, uy, uz], [vx, vy, vz]) = (self.u.map(|u| &u[..len]), self.v.map(|v| &v[..len]));
+        let mut large = false;
+        for i in 0..len {
+            let cross = [
+                uy[i] * vz[i] - uz[i] * vy[i],
+                uz[i] * vx[i] - ux[i] * vz[i],
+                ux[i] * vy[i] - uy[i] * vx[i],
+            ];
+            let dot = ux[i] * vx[i] + uy[i] * vy[i] + uz[i] * vz[i];
+            let sine = (cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]).sqrt();
+            let t = sine / dot;
+            let t2 = t * t;
+            let angle = t * (1.0 - t2 * (1.0 / 3.0 - t2 * (0.2 - t2 * (1.0 / 7.0 - t2 / 9.0))));
+            let small = sine < 0.02 * dot;
+            large |= !small;
+            self.angles[i] = if small { angle } else { f64::NAN };
+        }
+        *self.large = large;
+    }
+}
+
+/// Lengths of differences of columns of vectors.
+pub(super) struct Lengths<'a> {
+    pub(super) u: [&'a [f64]; 3],
+    pub(super) v: [&'a [f64]; 3],
+    pub(super) lengths: &'a mut [f64],
+}
+
+impl Body for Lengths<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let len = self.lengths.len();
+        let ([ux, uy, uz], [vx, vy, vz]) = (self.u.map(|u| &u[..len]), self.v.map(|v| &v[..len]));
+        for i in 0..len {
+            let d = [ux[i] - vx[i], uy[i] - vy[i], uz[i] - vz[i]];
+            self.lengths[i] = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt();
+        }
+    }
+}
+
 /// Octaves of the histogram: from 2^-44 to 2^24, for texels and reciprocals too.
+/// [`LAST_BIN`] has their number too.
 const OCTAVES: usize = 68;
 const LEAST_EXPONENT: u64 = 1023 - 44;
+/// The same with the first bits of the mantissa below it.
+const LEAST_KEY: i32 = (1023 - 44) << BINS_PER_OCTAVE_BITS;
+const LAST_BIN: i32 = 68 * (1 << BINS_PER_OCTAVE_BITS) - 1;
 /// Bins per octave: a quantile is known to 1.6 %.
 const BINS_PER_OCTAVE_BITS: u32 = 5;
 pub(crate) const BINS: usize = OCTAVES << BINS_PER_OCTAVE_BITS;
@@ -48,19 +116,29 @@ impl Stream {
         Self { count: 0, max: -1.0, at: 0, sum_abs: 0.0, sum: 0.0, sum_squares: 0.0 };
 
     /// Sums errors of consecutive samples from `start`, and counts them in a histogram.
+    ///
+    /// Sums run in [`LANES`] lanes whatever the processor, so their roundings are the same on all.
     pub(crate) fn of(errors: &[f64], start: u64, histogram: &mut [u32]) -> Self {
-        let mut stream = Self { count: cast::count_of(errors.len()), ..Self::EMPTY };
-        for (error, index) in errors.iter().zip(start..) {
-            let size = error.abs();
-            // A NaN is larger than everything.
-            if size > stream.max || size.is_nan() && !stream.max.is_nan() {
-                stream.max = size;
-                stream.at = index;
-            }
-            stream.sum_abs += size;
-            stream.sum += error;
-            stream.sum_squares += error * error;
-            histogram[bin(size)] += 1;
+        let mut sums = Sums::default();
+        vectorised(Accumulate { errors, sums: &mut sums, histogram });
+        let total = |lanes: [f64; LANES]| lanes.into_iter().fold(0.0, |sum, lane| sum + lane);
+        let mut stream = Self {
+            count: cast::count_of(errors.len()),
+            sum_abs: total(sums.abs),
+            sum: total(sums.plain),
+            sum_squares: total(sums.squares),
+            ..Self::EMPTY
+        };
+        // A NaN is larger than everything. Only a NaN makes a sum of absolute values one.
+        let largest = if stream.sum_abs.is_nan() {
+            errors.iter().position(|error| error.is_nan())
+        } else {
+            let max = sums.max.into_iter().fold(-1.0, f64::max);
+            errors.iter().position(|error| error.abs() == max)
+        };
+        if let Some(largest) = largest {
+            stream.max = errors[largest].abs();
+            stream.at = start + cast::count_of(largest);
         }
         stream
     }
@@ -120,6 +198,64 @@ impl Stream {
     }
 }
 
+/// Lanes of the sums over a block.
+const LANES: usize = 8;
+
+/// Sums over a block, lane by lane.
+struct Sums {
+    abs: [f64; LANES],
+    plain: [f64; LANES],
+    squares: [f64; LANES],
+    max: [f64; LANES],
+}
+
+impl Default for Sums {
+    fn default() -> Self {
+        let zero = [0.0; LANES];
+        Self { abs: zero, plain: zero, squares: zero, max: [-1.0; LANES] }
+    }
+}
+
+struct Accumulate<'a> {
+    errors: &'a [f64],
+    sums: &'a mut Sums,
+    histogram: &'a mut [u32],
+}
+
+impl Body for Accumulate<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let Self { errors, sums, histogram } = self;
+        let Sums { mut abs, mut plain, mut squares, mut max } = *sums;
+        let blocks = errors.chunks_exact(LANES);
+        let rest = blocks.remainder();
+        let mut bins = [0; LANES];
+        for block in blocks {
+            for lane in 0..LANES {
+                let error = block[lane];
+                let size = error.abs();
+                abs[lane] += size;
+                plain[lane] += error;
+                squares[lane] += error * error;
+                max[lane] = if size > max[lane] { size } else { max[lane] };
+                bins[lane] = bin(size);
+            }
+            for bin in bins {
+                histogram[cast::index_of(i64::from(bin))] += 1;
+            }
+        }
+        for (lane, error) in rest.iter().enumerate() {
+            let size = error.abs();
+            abs[lane] += size;
+            plain[lane] += error;
+            squares[lane] += error * error;
+            max[lane] = if size > max[lane] { size } else { max[lane] };
+            histogram[cast::index_of(i64::from(bin(size)))] += 1;
+        }
+        *sums = Sums { abs, plain, squares, max };
+    }
+}
+
 /// Histograms of all quantities of a design: whole numbers, so threads may add in any order.
 #[derive(Debug)]
 pub(crate) struct Histograms(Mutex<Vec<u64>>);
@@ -147,10 +283,12 @@ impl Histograms {
 
 /// Bin of the histogram: the exponent and the first bits of the mantissa.
 #[inline(always)]
-fn bin(size: f64) -> usize {
+fn bin(size: f64) -> i32 {
+    // The sign is clear, so 17 bits are left.
     let key = size.to_bits() >> (f64::MANTISSA_DIGITS - 1 - BINS_PER_OCTAVE_BITS);
-    let bin = key.saturating_sub(LEAST_EXPONENT << BINS_PER_OCTAVE_BITS);
-    cast::index_of(cast::word_of_bits(bin.min(cast::count_of(BINS - 1))))
+    let bin = cast::low_i32(cast::word_of_bits(key)) - LEAST_KEY;
+    let bin = if bin < 0 { 0 } else { bin };
+    if bin > LAST_BIN { LAST_BIN } else { bin }
 }
 
 /// Middle of a bin; 0 for the lowest, which holds everything below 2^-44.

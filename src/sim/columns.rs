@@ -1,4 +1,4 @@
-//! Which column holds which node: shared by the programs on words and on reals.
+//! Which column holds which node, in the program on reals.
 
 use crate::netlist::{Netlist, NodeId};
 use crate::op::Op;

@@ -4,4 +4,6 @@
 pub mod batch;
 mod columns;
 pub mod cycle;
+mod kernels;
+mod lanes;
 pub mod real;
