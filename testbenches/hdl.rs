@@ -3,7 +3,7 @@
 
 use crate::engines::{random_netlist, random_netlist_of, random_words};
 use crate::lower::{badly_named, shared_rtl};
-use crate::shared::{emboss_like, figure_8};
+use crate::shared::{emboss_netlist, figure_8};
 use crate::wave::ReadBack;
 use fixpath::emit::vectors::Vectors;
 use fixpath::format::{Format, Overflow, Round};
@@ -160,7 +160,7 @@ fn no_tool_warns_of_random_netlists() {
 
 /// The printed binding of seed 000.
 pub(crate) fn figure_8_rtl() -> Arc<Rtl> {
-    let netlist = Arc::new(emboss_like());
+    let netlist = emboss_netlist();
     let schedule = Schedule::bound(&netlist, Rom::Block, 6000, &figure_8()).unwrap();
     Arc::new(Rtl::new(netlist, schedule))
 }

@@ -3,7 +3,7 @@
 
 use crate::engines::{Random, random_netlist, random_netlist_within};
 use crate::hdl::{little_shared, some_rtl};
-use crate::shared::{emboss_like, figure_8, random_plan, with_dots};
+use crate::shared::{emboss_netlist, figure_8, random_plan, with_dots};
 use expect_test::expect_file;
 use fixpath::format::{Format, Overflow, Round, narrow};
 use fixpath::hdl::{
@@ -1213,8 +1213,8 @@ fn shared_hardware_with_stalls_and_a_reset() {
         longest = longest.max(module.interval);
     }
     assert!(streamed > 200 && units > 200 && longest > 8, "{streamed} {units} {longest}");
-    let figure_8 = Schedule::bound(&Arc::new(emboss_like()), Rom::Block, 6000, &figure_8());
-    let rtl = Arc::new(Rtl::new(Arc::new(emboss_like()), figure_8.unwrap()));
+    let figure_8 = Schedule::bound(&emboss_netlist(), Rom::Block, 6000, &figure_8());
+    let rtl = Arc::new(Rtl::new(emboss_netlist(), figure_8.unwrap()));
     let module = module(&rtl);
     check_promises(&rtl, &module);
     for seed in 0..5 {

@@ -3,14 +3,12 @@
 use crate::engines::{Random, random_netlist_within};
 use crate::wave::ReadBack;
 use fixpath::format::{Format, Overflow, Round};
-use fixpath::netlist::{Builder, Column, Netlist, NodeId, Part, Quantity, Table};
+use fixpath::netlist::{Builder, Netlist, NodeId, Part, Quantity};
 use fixpath::rtl::Rtl;
-use fixpath::schedule::{
-    Binding, BoundOperation, BoundUnit, Depth, Kind, Plan, Rom, Schedule, Share,
-};
+use fixpath::schedule::{Binding, Depth, Kind, Plan, Rom, Schedule, Share};
 use fixpath::sim::cycle::Cycle;
 use fixpath::timetable::Timetable;
-use fixpath::units::{Bounds, Design, Group};
+use fixpath::units::Design;
 use fixpath::wave::{Options, Wave};
 use std::collections::VecDeque;
 use std::sync::Arc;
