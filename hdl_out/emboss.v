@@ -881,21 +881,21 @@ module emboss (
         else if (ce) valid_s12 <= valid_s11;
 
     // ---- stage 12 ----
-    wire signed [13:-38] n235 = t_l_s12 * $signed({1'b0, reciprocal_length_reciprocal_length_s12}); // s52f38
-    wire signed [13:-38] n239 = b_l_s12 * $signed({1'b0, reciprocal_length_reciprocal_length_s12}); // s52f38
+    wire signed [13:-38] ds_product = t_l_s12 * $signed({1'b0, reciprocal_length_reciprocal_length_s12}); // s52f38
+    wire signed [13:-38] dt_product = b_l_s12 * $signed({1'b0, reciprocal_length_reciprocal_length_s12}); // s52f38
 
     reg signed [6:-18] s0_s13; // s25f18
     reg signed [6:-18] t0_s13; // s25f18
     reg l_block_n103_s13; // u1f0
-    reg signed [13:-38] n235_s13; // s52f38
-    reg signed [13:-38] n239_s13; // s52f38
+    reg signed [13:-38] ds_product_s13; // s52f38
+    reg signed [13:-38] dt_product_s13; // s52f38
     always @(posedge clk)
         if (ce) begin
             s0_s13 <= s0_s12;
             t0_s13 <= t0_s12;
             l_block_n103_s13 <= l_block_n103_s12;
-            n235_s13 <= n235;
-            n239_s13 <= n239;
+            ds_product_s13 <= ds_product;
+            dt_product_s13 <= dt_product;
         end
     reg valid_s13;
     always @(posedge clk)
@@ -903,24 +903,24 @@ module emboss (
         else if (ce) valid_s13 <= valid_s12;
 
     // ---- stage 13 ----
-    wire signed [14:-38] ds_next_sum = {n235_s13[13], n235_s13} + 53'h80000;
+    wire signed [14:-38] ds_next_sum = {ds_product_s13[13], ds_product_s13} + 53'h80000;
     wire signed [14:-18] ds_next_cut = ds_next_sum[14:-18];
     wire ds_next_over = ~ds_next_cut[14] & (|ds_next_cut[13:8]);
     wire ds_next_under = ds_next_cut[14] & ~(&ds_next_cut[13:8]);
     wire signed [8:-18] ds_next = ds_next_over ? 27'h3ffffff : ds_next_under ? 27'h4000000 : ds_next_cut[8:-18]; // s27f18
-    wire signed [9:-18] n237 = {{3{s0_s13[6]}}, s0_s13} + {ds_next[8], ds_next}; // s28f18
-    wire n238_over = ~n237[9] & (|n237[8:6]);
-    wire n238_under = n237[9] & ~(&n237[8:6]);
-    wire signed [6:-18] n238 = n238_over ? 25'hffffff : n238_under ? 25'h1000000 : n237[6:-18]; // s25f18
-    wire signed [14:-38] dt_next_sum = {n239_s13[13], n239_s13} + 53'h80000;
+    wire signed [9:-18] s1_sum = {{3{s0_s13[6]}}, s0_s13} + {ds_next[8], ds_next}; // s28f18
+    wire n238_over = ~s1_sum[9] & (|s1_sum[8:6]);
+    wire n238_under = s1_sum[9] & ~(&s1_sum[8:6]);
+    wire signed [6:-18] n238 = n238_over ? 25'hffffff : n238_under ? 25'h1000000 : s1_sum[6:-18]; // s25f18
+    wire signed [14:-38] dt_next_sum = {dt_product_s13[13], dt_product_s13} + 53'h80000;
     wire signed [14:-18] dt_next_cut = dt_next_sum[14:-18];
     wire dt_next_over = ~dt_next_cut[14] & (|dt_next_cut[13:8]);
     wire dt_next_under = dt_next_cut[14] & ~(&dt_next_cut[13:8]);
     wire signed [8:-18] dt_next = dt_next_over ? 27'h3ffffff : dt_next_under ? 27'h4000000 : dt_next_cut[8:-18]; // s27f18
-    wire signed [9:-18] n241 = {{3{t0_s13[6]}}, t0_s13} + {dt_next[8], dt_next}; // s28f18
-    wire n242_over = ~n241[9] & (|n241[8:6]);
-    wire n242_under = n241[9] & ~(&n241[8:6]);
-    wire signed [6:-18] n242 = n242_over ? 25'hffffff : n242_under ? 25'h1000000 : n241[6:-18]; // s25f18
+    wire signed [9:-18] t1_sum = {{3{t0_s13[6]}}, t0_s13} + {dt_next[8], dt_next}; // s28f18
+    wire n242_over = ~t1_sum[9] & (|t1_sum[8:6]);
+    wire n242_under = t1_sum[9] & ~(&t1_sum[8:6]);
+    wire signed [6:-18] n242 = n242_over ? 25'hffffff : n242_under ? 25'h1000000 : t1_sum[6:-18]; // s25f18
 
     always @(posedge clk)
         if (ce) begin

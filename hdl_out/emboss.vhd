@@ -622,13 +622,13 @@ architecture rtl of emboss is
     signal b_l_s12 : signed(31 downto 0) := (others => '0'); -- s32f20
     signal valid_s12 : std_logic;
     -- stage 12
-    signal n235 : signed(51 downto 0) := (others => '0'); -- s52f38
-    signal n239 : signed(51 downto 0) := (others => '0'); -- s52f38
+    signal ds_product : signed(51 downto 0) := (others => '0'); -- s52f38
+    signal dt_product : signed(51 downto 0) := (others => '0'); -- s52f38
     signal s0_s13 : signed(24 downto 0) := (others => '0'); -- s25f18
     signal t0_s13 : signed(24 downto 0) := (others => '0'); -- s25f18
     signal l_block_n103_s13 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal n235_s13 : signed(51 downto 0) := (others => '0'); -- s52f38
-    signal n239_s13 : signed(51 downto 0) := (others => '0'); -- s52f38
+    signal ds_product_s13 : signed(51 downto 0) := (others => '0'); -- s52f38
+    signal dt_product_s13 : signed(51 downto 0) := (others => '0'); -- s52f38
     signal valid_s13 : std_logic;
     -- stage 13
     signal ds_next_sum : signed(52 downto 0) := (others => '0');
@@ -636,7 +636,7 @@ architecture rtl of emboss is
     signal ds_next_over : unsigned(0 downto 0) := (others => '0');
     signal ds_next_under : unsigned(0 downto 0) := (others => '0');
     signal ds_next : signed(26 downto 0) := (others => '0'); -- s27f18
-    signal n237 : signed(27 downto 0) := (others => '0'); -- s28f18
+    signal s1_sum : signed(27 downto 0) := (others => '0'); -- s28f18
     signal n238_over : unsigned(0 downto 0) := (others => '0');
     signal n238_under : unsigned(0 downto 0) := (others => '0');
     signal n238 : signed(24 downto 0) := (others => '0'); -- s25f18
@@ -645,7 +645,7 @@ architecture rtl of emboss is
     signal dt_next_over : unsigned(0 downto 0) := (others => '0');
     signal dt_next_under : unsigned(0 downto 0) := (others => '0');
     signal dt_next : signed(26 downto 0) := (others => '0'); -- s27f18
-    signal n241 : signed(27 downto 0) := (others => '0'); -- s28f18
+    signal t1_sum : signed(27 downto 0) := (others => '0'); -- s28f18
     signal n242_over : unsigned(0 downto 0) := (others => '0');
     signal n242_under : unsigned(0 downto 0) := (others => '0');
     signal n242 : signed(24 downto 0) := (others => '0'); -- s25f18
@@ -1260,8 +1260,8 @@ begin
     end process;
 
     -- ---- stage 12 ----
-    n235 <= resize(t_l_s12 * signed('0' & reciprocal_length_reciprocal_length_s12), 52);
-    n239 <= resize(b_l_s12 * signed('0' & reciprocal_length_reciprocal_length_s12), 52);
+    ds_product <= resize(t_l_s12 * signed('0' & reciprocal_length_reciprocal_length_s12), 52);
+    dt_product <= resize(b_l_s12 * signed('0' & reciprocal_length_reciprocal_length_s12), 52);
 
     process (clk)
     begin
@@ -1270,8 +1270,8 @@ begin
                 s0_s13 <= s0_s12;
                 t0_s13 <= t0_s12;
                 l_block_n103_s13 <= l_block_n103_s12;
-                n235_s13 <= n235;
-                n239_s13 <= n239;
+                ds_product_s13 <= ds_product;
+                dt_product_s13 <= dt_product;
             end if;
             if rst = '1' then
                 valid_s13 <= '0';
@@ -1282,24 +1282,24 @@ begin
     end process;
 
     -- ---- stage 13 ----
-    ds_next_sum <= resize(n235_s13, 53) + 53x"00000000080000";
+    ds_next_sum <= resize(ds_product_s13, 53) + 53x"00000000080000";
     ds_next_cut <= ds_next_sum(52 downto 20);
     ds_next_over <= "1" when ds_next_cut(32) = '0' and (or ds_next_cut(31 downto 26)) = '1' else "0";
     ds_next_under <= "1" when ds_next_cut(32) = '1' and (and ds_next_cut(31 downto 26)) = '0' else "0";
     ds_next <= 27x"3ffffff" when ds_next_over(0) = '1' else 27x"4000000" when ds_next_under(0) = '1' else ds_next_cut(26 downto 0);
-    n237 <= resize(s0_s13, 28) + resize(ds_next, 28);
-    n238_over <= "1" when n237(27) = '0' and (or n237(26 downto 24)) = '1' else "0";
-    n238_under <= "1" when n237(27) = '1' and (and n237(26 downto 24)) = '0' else "0";
-    n238 <= 25x"0ffffff" when n238_over(0) = '1' else 25x"1000000" when n238_under(0) = '1' else n237(24 downto 0);
-    dt_next_sum <= resize(n239_s13, 53) + 53x"00000000080000";
+    s1_sum <= resize(s0_s13, 28) + resize(ds_next, 28);
+    n238_over <= "1" when s1_sum(27) = '0' and (or s1_sum(26 downto 24)) = '1' else "0";
+    n238_under <= "1" when s1_sum(27) = '1' and (and s1_sum(26 downto 24)) = '0' else "0";
+    n238 <= 25x"0ffffff" when n238_over(0) = '1' else 25x"1000000" when n238_under(0) = '1' else s1_sum(24 downto 0);
+    dt_next_sum <= resize(dt_product_s13, 53) + 53x"00000000080000";
     dt_next_cut <= dt_next_sum(52 downto 20);
     dt_next_over <= "1" when dt_next_cut(32) = '0' and (or dt_next_cut(31 downto 26)) = '1' else "0";
     dt_next_under <= "1" when dt_next_cut(32) = '1' and (and dt_next_cut(31 downto 26)) = '0' else "0";
     dt_next <= 27x"3ffffff" when dt_next_over(0) = '1' else 27x"4000000" when dt_next_under(0) = '1' else dt_next_cut(26 downto 0);
-    n241 <= resize(t0_s13, 28) + resize(dt_next, 28);
-    n242_over <= "1" when n241(27) = '0' and (or n241(26 downto 24)) = '1' else "0";
-    n242_under <= "1" when n241(27) = '1' and (and n241(26 downto 24)) = '0' else "0";
-    n242 <= 25x"0ffffff" when n242_over(0) = '1' else 25x"1000000" when n242_under(0) = '1' else n241(24 downto 0);
+    t1_sum <= resize(t0_s13, 28) + resize(dt_next, 28);
+    n242_over <= "1" when t1_sum(27) = '0' and (or t1_sum(26 downto 24)) = '1' else "0";
+    n242_under <= "1" when t1_sum(27) = '1' and (and t1_sum(26 downto 24)) = '0' else "0";
+    n242 <= 25x"0ffffff" when n242_over(0) = '1' else 25x"1000000" when n242_under(0) = '1' else t1_sum(24 downto 0);
 
     process (clk)
     begin

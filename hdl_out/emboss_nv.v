@@ -1542,7 +1542,7 @@ module emboss_nv (
     wire signed [6:-35] t_dot_l_n330 = n219_s17 * l_norm_y_s17; // s42f35
     wire signed [6:-35] t_dot_l_n331 = n220_s17 * l_norm_z_s17; // s42f35
     // (unit)
-    wire signed [7:-38] n390 = b_l_s17 * $signed({1'b0, reciprocal_length_reciprocal_length_s17}); // s46f38
+    wire signed [7:-38] ds_product = b_l_s17 * $signed({1'b0, reciprocal_length_reciprocal_length_s17}); // s46f38
 
     reg signed [6:-18] s0_s18; // s25f18
     reg signed [6:-18] t0_s18; // s25f18
@@ -1552,7 +1552,7 @@ module emboss_nv (
     reg signed [6:-35] t_dot_l_n330_s18; // s42f35
     reg signed [6:-35] t_dot_l_n331_s18; // s42f35
     reg [1:-18] reciprocal_length_reciprocal_length_s18; // u20f18
-    reg signed [7:-38] n390_s18; // s46f38
+    reg signed [7:-38] ds_product_s18; // s46f38
     reg signed [9:-20] ks_q_s18; // s30f20
     reg n406_s18; // u1f0
     always @(posedge clk)
@@ -1565,7 +1565,7 @@ module emboss_nv (
             t_dot_l_n330_s18 <= t_dot_l_n330;
             t_dot_l_n331_s18 <= t_dot_l_n331;
             reciprocal_length_reciprocal_length_s18 <= reciprocal_length_reciprocal_length_s17;
-            n390_s18 <= n390;
+            ds_product_s18 <= ds_product;
             ks_q_s18 <= ks_q_s17;
             n406_s18 <= n406_s17;
         end
@@ -1579,7 +1579,7 @@ module emboss_nv (
     wire signed [7:-35] t_dot_l_n332 = {t_dot_l_n329_s18[6], t_dot_l_n329_s18} + {t_dot_l_n330_s18[6], t_dot_l_n330_s18}; // s43f35
     wire signed [8:-35] t_dot_l_n333 = {t_dot_l_n332[7], t_dot_l_n332} + {{2{t_dot_l_n331_s18[6]}}, t_dot_l_n331_s18}; // s44f35
     // (unit)
-    wire signed [8:-38] ds_unit_sum = {n390_s18[7], n390_s18} + 47'h20000;
+    wire signed [8:-38] ds_unit_sum = {ds_product_s18[7], ds_product_s18} + 47'h20000;
     wire signed [8:-20] ds_unit_cut = ds_unit_sum[8:-20];
     wire ds_unit_over = ~ds_unit_cut[8] & (|ds_unit_cut[7:2]);
     wire ds_unit_under = ds_unit_cut[8] & ~(&ds_unit_cut[7:2]);
@@ -1649,11 +1649,11 @@ module emboss_nv (
     wire ds_next_over = ~ds_next_cut[13] & (|ds_next_cut[12:11]);
     wire ds_next_under = ds_next_cut[13] & ~(&ds_next_cut[12:11]);
     wire signed [11:-18] ds_next = ds_next_over ? 30'h1fffffff : ds_next_under ? 30'h20000000 : ds_next_cut[11:-18]; // s30f18
-    wire signed [12:-18] n397 = {{6{s0_s20[6]}}, s0_s20} + {ds_next[11], ds_next}; // s31f18
-    wire n398_over = ~n397[12] & (|n397[11:6]);
-    wire n398_under = n397[12] & ~(&n397[11:6]);
-    wire signed [6:-18] n398 = n398_over ? 25'hffffff : n398_under ? 25'h1000000 : n397[6:-18]; // s25f18
-    wire signed [11:-38] n399 = t_l_s20 * $signed({1'b0, reciprocal_length_reciprocal_length_s20}); // s50f38
+    wire signed [12:-18] s1_sum = {{6{s0_s20[6]}}, s0_s20} + {ds_next[11], ds_next}; // s31f18
+    wire n398_over = ~s1_sum[12] & (|s1_sum[11:6]);
+    wire n398_under = s1_sum[12] & ~(&s1_sum[11:6]);
+    wire signed [6:-18] n398 = n398_over ? 25'hffffff : n398_under ? 25'h1000000 : s1_sum[6:-18]; // s25f18
+    wire signed [11:-38] dt_product = t_l_s20 * $signed({1'b0, reciprocal_length_reciprocal_length_s20}); // s50f38
 
     reg signed [6:-18] t0_s21; // s25f18
     reg signed [6:-18] q0_s21; // s25f18
@@ -1661,7 +1661,7 @@ module emboss_nv (
     reg signed [9:-20] ks_q_s21; // s30f20
     reg signed [11:-18] ds_next_s21; // s30f18
     reg signed [6:-18] n398_s21; // s25f18
-    reg signed [11:-38] n399_s21; // s50f38
+    reg signed [11:-38] dt_product_s21; // s50f38
     reg n406_s21; // u1f0
     always @(posedge clk)
         if (ce) begin
@@ -1671,7 +1671,7 @@ module emboss_nv (
             ks_q_s21 <= ks_q_s20;
             ds_next_s21 <= ds_next;
             n398_s21 <= n398;
-            n399_s21 <= n399;
+            dt_product_s21 <= dt_product;
             n406_s21 <= n406_s20;
         end
     reg valid_s21;
@@ -1680,7 +1680,7 @@ module emboss_nv (
         else if (ce) valid_s21 <= valid_s20;
 
     // ---- stage 21 ----
-    wire signed [12:-38] dt_unit_sum = {n399_s21[11], n399_s21} + 51'h20000;
+    wire signed [12:-38] dt_unit_sum = {dt_product_s21[11], dt_product_s21} + 51'h20000;
     wire signed [12:-20] dt_unit_cut = dt_unit_sum[12:-20];
     wire dt_unit_over = ~dt_unit_cut[12] & (|dt_unit_cut[11:6]);
     wire dt_unit_under = dt_unit_cut[12] & ~(&dt_unit_cut[11:6]);
@@ -1766,10 +1766,10 @@ module emboss_nv (
         else if (ce) valid_s24 <= valid_s23;
 
     // ---- stage 24 ----
-    wire signed [16:-18] n404 = {{10{t0_s24[6]}}, t0_s24} + {dt_next_s24[15], dt_next_s24}; // s35f18
-    wire n405_over = ~n404[16] & (|n404[15:6]);
-    wire n405_under = n404[16] & ~(&n404[15:6]);
-    wire signed [6:-18] n405 = n405_over ? 25'hffffff : n405_under ? 25'h1000000 : n404[6:-18]; // s25f18
+    wire signed [16:-18] t1_sum = {{10{t0_s24[6]}}, t0_s24} + {dt_next_s24[15], dt_next_s24}; // s35f18
+    wire n405_over = ~t1_sum[16] & (|t1_sum[15:6]);
+    wire n405_under = t1_sum[16] & ~(&t1_sum[15:6]);
+    wire signed [6:-18] n405 = n405_over ? 25'hffffff : n405_under ? 25'h1000000 : t1_sum[6:-18]; // s25f18
 
     always @(posedge clk)
         if (ce) begin

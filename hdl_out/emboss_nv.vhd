@@ -1027,7 +1027,7 @@ architecture rtl of emboss_nv is
     signal t_dot_l_n329 : signed(41 downto 0) := (others => '0'); -- s42f35
     signal t_dot_l_n330 : signed(41 downto 0) := (others => '0'); -- s42f35
     signal t_dot_l_n331 : signed(41 downto 0) := (others => '0'); -- s42f35
-    signal n390 : signed(45 downto 0) := (others => '0'); -- s46f38
+    signal ds_product : signed(45 downto 0) := (others => '0'); -- s46f38
     signal s0_s18 : signed(24 downto 0) := (others => '0'); -- s25f18
     signal t0_s18 : signed(24 downto 0) := (others => '0'); -- s25f18
     signal q0_s18 : signed(24 downto 0) := (others => '0'); -- s25f18
@@ -1036,7 +1036,7 @@ architecture rtl of emboss_nv is
     signal t_dot_l_n330_s18 : signed(41 downto 0) := (others => '0'); -- s42f35
     signal t_dot_l_n331_s18 : signed(41 downto 0) := (others => '0'); -- s42f35
     signal reciprocal_length_reciprocal_length_s18 : unsigned(19 downto 0) := (others => '0'); -- u20f18
-    signal n390_s18 : signed(45 downto 0) := (others => '0'); -- s46f38
+    signal ds_product_s18 : signed(45 downto 0) := (others => '0'); -- s46f38
     signal ks_q_s18 : signed(29 downto 0) := (others => '0'); -- s30f20
     signal n406_s18 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal valid_s18 : std_logic;
@@ -1079,18 +1079,18 @@ architecture rtl of emboss_nv is
     signal ds_next_over : unsigned(0 downto 0) := (others => '0');
     signal ds_next_under : unsigned(0 downto 0) := (others => '0');
     signal ds_next : signed(29 downto 0) := (others => '0'); -- s30f18
-    signal n397 : signed(30 downto 0) := (others => '0'); -- s31f18
+    signal s1_sum : signed(30 downto 0) := (others => '0'); -- s31f18
     signal n398_over : unsigned(0 downto 0) := (others => '0');
     signal n398_under : unsigned(0 downto 0) := (others => '0');
     signal n398 : signed(24 downto 0) := (others => '0'); -- s25f18
-    signal n399 : signed(49 downto 0) := (others => '0'); -- s50f38
+    signal dt_product : signed(49 downto 0) := (others => '0'); -- s50f38
     signal t0_s21 : signed(24 downto 0) := (others => '0'); -- s25f18
     signal q0_s21 : signed(24 downto 0) := (others => '0'); -- s25f18
     signal r0_s21 : signed(24 downto 0) := (others => '0'); -- s25f18
     signal ks_q_s21 : signed(29 downto 0) := (others => '0'); -- s30f20
     signal ds_next_s21 : signed(29 downto 0) := (others => '0'); -- s30f18
     signal n398_s21 : signed(24 downto 0) := (others => '0'); -- s25f18
-    signal n399_s21 : signed(49 downto 0) := (others => '0'); -- s50f38
+    signal dt_product_s21 : signed(49 downto 0) := (others => '0'); -- s50f38
     signal n406_s21 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal valid_s21 : std_logic;
     -- stage 21
@@ -1134,7 +1134,7 @@ architecture rtl of emboss_nv is
     signal n406_s24 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal valid_s24 : std_logic;
     -- stage 24
-    signal n404 : signed(34 downto 0) := (others => '0'); -- s35f18
+    signal t1_sum : signed(34 downto 0) := (others => '0'); -- s35f18
     signal n405_over : unsigned(0 downto 0) := (others => '0');
     signal n405_under : unsigned(0 downto 0) := (others => '0');
     signal n405 : signed(24 downto 0) := (others => '0'); -- s25f18
@@ -2234,7 +2234,7 @@ begin
     t_dot_l_n330 <= n219_s17 * l_norm_y_s17;
     t_dot_l_n331 <= n220_s17 * l_norm_z_s17;
     -- (unit)
-    n390 <= resize(b_l_s17 * signed('0' & reciprocal_length_reciprocal_length_s17), 46);
+    ds_product <= resize(b_l_s17 * signed('0' & reciprocal_length_reciprocal_length_s17), 46);
 
     process (clk)
     begin
@@ -2248,7 +2248,7 @@ begin
                 t_dot_l_n330_s18 <= t_dot_l_n330;
                 t_dot_l_n331_s18 <= t_dot_l_n331;
                 reciprocal_length_reciprocal_length_s18 <= reciprocal_length_reciprocal_length_s17;
-                n390_s18 <= n390;
+                ds_product_s18 <= ds_product;
                 ks_q_s18 <= ks_q_s17;
                 n406_s18 <= n406_s17;
             end if;
@@ -2265,7 +2265,7 @@ begin
     t_dot_l_n332 <= resize(t_dot_l_n329_s18, 43) + resize(t_dot_l_n330_s18, 43);
     t_dot_l_n333 <= resize(t_dot_l_n332, 44) + resize(t_dot_l_n331_s18, 44);
     -- (unit)
-    ds_unit_sum <= resize(n390_s18, 47) + 47x"000000020000";
+    ds_unit_sum <= resize(ds_product_s18, 47) + 47x"000000020000";
     ds_unit_cut <= ds_unit_sum(46 downto 18);
     ds_unit_over <= "1" when ds_unit_cut(28) = '0' and (or ds_unit_cut(27 downto 22)) = '1' else "0";
     ds_unit_under <= "1" when ds_unit_cut(28) = '1' and (and ds_unit_cut(27 downto 22)) = '0' else "0";
@@ -2327,11 +2327,11 @@ begin
     ds_next_over <= "1" when ds_next_cut(31) = '0' and (or ds_next_cut(30 downto 29)) = '1' else "0";
     ds_next_under <= "1" when ds_next_cut(31) = '1' and (and ds_next_cut(30 downto 29)) = '0' else "0";
     ds_next <= 30x"1fffffff" when ds_next_over(0) = '1' else 30x"20000000" when ds_next_under(0) = '1' else ds_next_cut(29 downto 0);
-    n397 <= resize(s0_s20, 31) + resize(ds_next, 31);
-    n398_over <= "1" when n397(30) = '0' and (or n397(29 downto 24)) = '1' else "0";
-    n398_under <= "1" when n397(30) = '1' and (and n397(29 downto 24)) = '0' else "0";
-    n398 <= 25x"0ffffff" when n398_over(0) = '1' else 25x"1000000" when n398_under(0) = '1' else n397(24 downto 0);
-    n399 <= resize(t_l_s20 * signed('0' & reciprocal_length_reciprocal_length_s20), 50);
+    s1_sum <= resize(s0_s20, 31) + resize(ds_next, 31);
+    n398_over <= "1" when s1_sum(30) = '0' and (or s1_sum(29 downto 24)) = '1' else "0";
+    n398_under <= "1" when s1_sum(30) = '1' and (and s1_sum(29 downto 24)) = '0' else "0";
+    n398 <= 25x"0ffffff" when n398_over(0) = '1' else 25x"1000000" when n398_under(0) = '1' else s1_sum(24 downto 0);
+    dt_product <= resize(t_l_s20 * signed('0' & reciprocal_length_reciprocal_length_s20), 50);
 
     process (clk)
     begin
@@ -2343,7 +2343,7 @@ begin
                 ks_q_s21 <= ks_q_s20;
                 ds_next_s21 <= ds_next;
                 n398_s21 <= n398;
-                n399_s21 <= n399;
+                dt_product_s21 <= dt_product;
                 n406_s21 <= n406_s20;
             end if;
             if rst = '1' then
@@ -2355,7 +2355,7 @@ begin
     end process;
 
     -- ---- stage 21 ----
-    dt_unit_sum <= resize(n399_s21, 51) + 51x"0000000020000";
+    dt_unit_sum <= resize(dt_product_s21, 51) + 51x"0000000020000";
     dt_unit_cut <= dt_unit_sum(50 downto 18);
     dt_unit_over <= "1" when dt_unit_cut(32) = '0' and (or dt_unit_cut(31 downto 26)) = '1' else "0";
     dt_unit_under <= "1" when dt_unit_cut(32) = '1' and (and dt_unit_cut(31 downto 26)) = '0' else "0";
@@ -2434,10 +2434,10 @@ begin
     end process;
 
     -- ---- stage 24 ----
-    n404 <= resize(t0_s24, 35) + resize(dt_next_s24, 35);
-    n405_over <= "1" when n404(34) = '0' and (or n404(33 downto 24)) = '1' else "0";
-    n405_under <= "1" when n404(34) = '1' and (and n404(33 downto 24)) = '0' else "0";
-    n405 <= 25x"0ffffff" when n405_over(0) = '1' else 25x"1000000" when n405_under(0) = '1' else n404(24 downto 0);
+    t1_sum <= resize(t0_s24, 35) + resize(dt_next_s24, 35);
+    n405_over <= "1" when t1_sum(34) = '0' and (or t1_sum(33 downto 24)) = '1' else "0";
+    n405_under <= "1" when t1_sum(34) = '1' and (and t1_sum(33 downto 24)) = '0' else "0";
+    n405 <= 25x"0ffffff" when n405_over(0) = '1' else 25x"1000000" when n405_under(0) = '1' else t1_sum(24 downto 0);
 
     process (clk)
     begin

@@ -33,6 +33,7 @@ pub(crate) const COMMITTED: &[(&str, &str, &[&str])] = &[
     ("basis", "basis", &[]),
     ("emboss", "emboss", &[]),
     ("emboss_nv", "emboss", &["setting=nv"]),
+    ("emboss_printed", "emboss", &["schedule=printed", "period_ps=6000", "l_sign=vertex-light"]),
     ("sampler", "sampler", &[]),
     ("combine", "combine", &[]),
 ];

@@ -1,0 +1,14 @@
+# emboss: texture coordinates displaced toward the light, for embossing
+# make -f emboss_printed_icarus.mk           runs the testbench
+# make -f emboss_printed_icarus.mk wave      runs it and writes a VCD
+# HDL=DIR says where the module is, if not here.
+HDL ?= .
+.PHONY: run wave clean
+run: emboss_printed_tb.vvp
+	vvp -n $<
+wave: emboss_printed_tb.vvp
+	vvp -n $< +vcd
+emboss_printed_tb.vvp: $(HDL)/emboss_printed.v emboss_printed_tb.v
+	iverilog -g2005 -Wall -o $@ $^
+clean:
+	rm -f emboss_printed_tb.vvp emboss_printed_tb.vcd

@@ -1,0 +1,346 @@
+// emboss: texture coordinates displaced toward the light, for embossing
+// made by fixpath 0.1.0; seeds 000 and 003 (US 6,980,218; US 7,307,640), seed 002 (GL_NV_texgen_emboss)
+//   setting=gx frame=auto normalise_basis=auto s_vector=auto l_sign=vertex-light t_sign=auto
+//   scale_q=auto constants=auto ks=1 kt=1 input20=off component_bits=16 matrix_bits=16
+//   matrix_int_bits=2 position_bits=28 position_frac_bits=15 guard_bits=4 norm_bits=18
+//   dot_frac_bits=20 root_scheme=linear root_addr_bits=9 root_frac_bits=18 constant_frac_bits=20
+//   texture_int_bits=6 texture_frac_bits=18 overflow=saturate rounding=half-up texture_size=256
+//   period_ps=6000 stages=auto rom=block schedule=printed interval=auto share_dot=auto
+//   share_mul=auto share_add=auto share_table=auto share_root=auto share_divide=auto
+//   share_latency=auto share_loads=no
+// latency 27 cycles, interval 8 cycles; tables read on the clock
+// absolute errors against the golden of the quantised inputs, over 65536 random inputs
+// (sampler sphere, seed 1), and the input words of the worst:
+//   ds_texels: mean 5.15e-4 texel, at most 5.15e-3 texel at m0_x=12751 m0_y=1138 m0_z=-8250 m1_x=-7659 m1_y=7527 m1_z=-10799 m2_x=-3271 m2_y=-13191 m2_z=-6874 tangent_x=6051 tangent_y=-16238 tangent_z=-7522 binormal_x=1930 binormal_y=1907 binormal_z=-12126 light_x=-800273 light_y=28364200 light_z=-19691339 vertex_x=-756508 vertex_y=28226572 vertex_z=-19728074 s0=-256572 t0=-3577593
+//   ds_relative: mean 2.02e-6, at most 1.35e-5 at m0_x=-3494 m0_y=636 m0_z=-2776 m1_x=1400 m1_y=4210 m1_z=-798 m2_x=2480 m2_y=-1481 m2_z=-3460 tangent_x=-11245 tangent_y=-8522 tangent_z=4359 binormal_x=17751 binormal_y=-4500 binormal_z=3988 light_x=-7945328 light_y=5646846 light_z=-26346403 vertex_x=10130098 vertex_y=3895478 vertex_z=-19350800 s0=3355968 t0=-3453276
+//   ds: mean 2.01e-6, at most 2.01e-5 (5.3 ulp) at m0_x=12751 m0_y=1138 m0_z=-8250 m1_x=-7659 m1_y=7527 m1_z=-10799 m2_x=-3271 m2_y=-13191 m2_z=-6874 tangent_x=6051 tangent_y=-16238 tangent_z=-7522 binormal_x=1930 binormal_y=1907 binormal_z=-12126 light_x=-800273 light_y=28364200 light_z=-19691339 vertex_x=-756508 vertex_y=28226572 vertex_z=-19728074 s0=-256572 t0=-3577593
+//   dt_texels: mean 5.19e-4 texel, at most 5.17e-3 texel at m0_x=13775 m0_y=-3610 m0_z=-7962 m1_x=4590 m1_y=15633 m1_z=853 m2_x=7440 m2_y=-2960 m2_z=14215 tangent_x=12678 tangent_y=-12502 tangent_z=1145 binormal_x=-1811 binormal_y=-12251 binormal_z=11433 light_x=-34415703 light_y=15909641 light_z=-16014085 vertex_x=-32232676 vertex_y=15321146 vertex_z=-16149628 s0=-4022697 t0=-1773471
+//   dt_relative: mean 2.04e-6, at most 1.46e-5 at m0_x=3100 m0_y=-4584 m0_z=-3145 m1_x=5482 m1_y=3118 m1_z=859 m2_x=-922 m2_y=3127 m2_z=-5467 tangent_x=-10467 tangent_y=1822 tangent_z=-16786 binormal_x=-7767 binormal_y=-6278 binormal_z=7382 light_x=17363491 light_y=25020043 light_z=9977160 vertex_x=17368462 vertex_y=25166263 vertex_z=9975503 s0=-1376439 t0=3249385
+//   dt: mean 2.03e-6, at most 2.02e-5 (5.3 ulp) at m0_x=13775 m0_y=-3610 m0_z=-7962 m1_x=4590 m1_y=15633 m1_z=853 m2_x=7440 m2_y=-2960 m2_z=14215 tangent_x=12678 tangent_y=-12502 tangent_z=1145 binormal_x=-1811 binormal_y=-12251 binormal_z=11433 light_x=-34415703 light_y=15909641 light_z=-16014085 vertex_x=-32232676 vertex_y=15321146 vertex_z=-16149628 s0=-4022697 t0=-1773471
+//   s1: mean 2.01e-6, at most 2.01e-5 (5.3 ulp) at m0_x=12751 m0_y=1138 m0_z=-8250 m1_x=-7659 m1_y=7527 m1_z=-10799 m2_x=-3271 m2_y=-13191 m2_z=-6874 tangent_x=6051 tangent_y=-16238 tangent_z=-7522 binormal_x=1930 binormal_y=1907 binormal_z=-12126 light_x=-800273 light_y=28364200 light_z=-19691339 vertex_x=-756508 vertex_y=28226572 vertex_z=-19728074 s0=-256572 t0=-3577593
+//   t1: mean 2.03e-6, at most 2.02e-5 (5.3 ulp) at m0_x=13775 m0_y=-3610 m0_z=-7962 m1_x=4590 m1_y=15633 m1_z=853 m2_x=7440 m2_y=-2960 m2_z=14215 tangent_x=12678 tangent_y=-12502 tangent_z=1145 binormal_x=-1811 binormal_y=-12251 binormal_z=11433 light_x=-34415703 light_y=15909641 light_z=-16014085 vertex_x=-32232676 vertex_y=15321146 vertex_z=-16149628 s0=-4022697 t0=-1773471
+//   degenerate: mean 0.00e0, at most 0.00e0 (0.0 ulp) at m0_x=4674 m0_y=5079 m0_z=-2162 m1_x=-3514 m1_y=4923 m1_z=3966 m2_x=-4257 m2_y=1512 m2_z=-5648 tangent_x=-2894 tangent_y=-19246 tangent_z=1152 binormal_x=-2531 binormal_y=7271 binormal_z=-13448 light_x=22420812 light_y=22017016 light_z=19624152 vertex_x=22724046 vertex_y=26548838 vertex_z=18617859 s0=2750663 t0=-1626897
+// stated bound on each relative displacement: 6.53e-5
+// stated bound on each displacement: 1.69e-3
+// stated bound on each displacement in texels: 4.34e-1
+// stated bound on each coordinate: 1.69e-3
+// stated bound on each flag and what is passed: 0.00e0
+//
+// Self-checking testbench of emboss_printed. It reads emboss_printed_vectors.txt: per line the words of the
+// inputs, then of the expected outputs, in hexadecimal. First all vectors go straight through,
+// one each 8 cycles, when it is ready, and between them what isn't to be taken; then, after a reset in mid-stream, the first 303 go again with stalls and
+// gaps. Every bit of every output and the latency are compared. The last line says PASS or
+// FAIL, and a failure ends with a status that isn't 0. With +vcd it writes emboss_printed_tb.vcd.
+module emboss_printed_tb;
+    localparam LATENCY = 27;
+    localparam INTERVAL = 8;
+    localparam VECTORS = 303;
+    localparam SHOWN = 10; // of the mismatches
+
+    reg clk = 1'b0;
+    reg rst = 1'b1;
+    reg ce = 1'b1;
+    reg valid_in = 1'b0;
+    wire valid_out;
+    wire ready;
+    // No port can have a name that stands here for something else.
+    reg signed [2:-13] port_m0_x;
+    reg signed [2:-13] port_m0_y;
+    reg signed [2:-13] port_m0_z;
+    reg signed [2:-13] port_m1_x;
+    reg signed [2:-13] port_m1_y;
+    reg signed [2:-13] port_m1_z;
+    reg signed [2:-13] port_m2_x;
+    reg signed [2:-13] port_m2_y;
+    reg signed [2:-13] port_m2_z;
+    reg signed [1:-14] port_tangent_x;
+    reg signed [1:-14] port_tangent_y;
+    reg signed [1:-14] port_tangent_z;
+    reg signed [1:-14] port_binormal_x;
+    reg signed [1:-14] port_binormal_y;
+    reg signed [1:-14] port_binormal_z;
+    reg signed [12:-15] port_light_x;
+    reg signed [12:-15] port_light_y;
+    reg signed [12:-15] port_light_z;
+    reg signed [12:-15] port_vertex_x;
+    reg signed [12:-15] port_vertex_y;
+    reg signed [12:-15] port_vertex_z;
+    reg signed [6:-18] port_s0;
+    reg signed [6:-18] port_t0;
+    wire signed [8:-18] port_ds;
+    wire signed [8:-18] port_dt;
+    wire signed [6:-18] port_s1;
+    wire signed [6:-18] port_t1;
+    wire port_degenerate;
+
+    emboss_printed dut (
+        .clk(clk), .rst(rst), .ce(ce),
+        .valid_in(valid_in), .valid_out(valid_out),
+        .ready(ready),
+        .m0_x(port_m0_x),
+        .m0_y(port_m0_y),
+        .m0_z(port_m0_z),
+        .m1_x(port_m1_x),
+        .m1_y(port_m1_y),
+        .m1_z(port_m1_z),
+        .m2_x(port_m2_x),
+        .m2_y(port_m2_y),
+        .m2_z(port_m2_z),
+        .tangent_x(port_tangent_x),
+        .tangent_y(port_tangent_y),
+        .tangent_z(port_tangent_z),
+        .binormal_x(port_binormal_x),
+        .binormal_y(port_binormal_y),
+        .binormal_z(port_binormal_z),
+        .light_x(port_light_x),
+        .light_y(port_light_y),
+        .light_z(port_light_z),
+        .vertex_x(port_vertex_x),
+        .vertex_y(port_vertex_y),
+        .vertex_z(port_vertex_z),
+        .s0(port_s0),
+        .t0(port_t0),
+        .ds(port_ds),
+        .dt(port_dt),
+        .s1(port_s1),
+        .t1(port_t1),
+        .degenerate(port_degenerate)
+    );
+
+    // What should come out, moving beside the pipeline; entry 0 belongs to what goes in.
+    reg [104:0] expected [0:LATENCY];
+    reg valid [0:LATENCY];
+    integer number [0:LATENCY];
+
+    integer file, fields, sent, checked, mismatches, passed, i;
+    reg more, stalls, reset_done, started;
+    integer phase; // as the module should count it
+    reg [31:0] lfsr; // decides on stalls and gaps
+    reg signed [2:-13] next_m0_x;
+    reg signed [2:-13] next_m0_y;
+    reg signed [2:-13] next_m0_z;
+    reg signed [2:-13] next_m1_x;
+    reg signed [2:-13] next_m1_y;
+    reg signed [2:-13] next_m1_z;
+    reg signed [2:-13] next_m2_x;
+    reg signed [2:-13] next_m2_y;
+    reg signed [2:-13] next_m2_z;
+    reg signed [1:-14] next_tangent_x;
+    reg signed [1:-14] next_tangent_y;
+    reg signed [1:-14] next_tangent_z;
+    reg signed [1:-14] next_binormal_x;
+    reg signed [1:-14] next_binormal_y;
+    reg signed [1:-14] next_binormal_z;
+    reg signed [12:-15] next_light_x;
+    reg signed [12:-15] next_light_y;
+    reg signed [12:-15] next_light_z;
+    reg signed [12:-15] next_vertex_x;
+    reg signed [12:-15] next_vertex_y;
+    reg signed [12:-15] next_vertex_z;
+    reg signed [6:-18] next_s0;
+    reg signed [6:-18] next_t0;
+    reg signed [8:-18] next_ds;
+    reg signed [8:-18] next_dt;
+    reg signed [6:-18] next_s1;
+    reg signed [6:-18] next_t1;
+    reg next_degenerate;
+
+    always #5 clk = ~clk;
+
+    initial begin
+        if ($test$plusargs("vcd")) begin
+            $dumpfile("emboss_printed_tb.vcd");
+            $dumpvars(0, emboss_printed_tb);
+        end
+        lfsr = 32'h2545f491;
+        mismatches = 0;
+        passed = 0;
+        phase = 0;
+        stalls = 1'b0;
+        started = 1'b0; // nothing is known before the first edge under reset
+        for (i = 0; i <= LATENCY; i = i + 1) valid[i] = 1'b0;
+        open_vectors;
+    end
+
+    task finish_failed;
+        begin
+`ifdef __ICARUS__
+            $finish_and_return(1);
+`else
+            $fatal(0);
+`endif
+        end
+    endtask
+
+    task open_vectors;
+        begin
+            sent = 0;
+            checked = 0;
+            more = 1'b1;
+            reset_done = 1'b0;
+            file = $fopen("emboss_printed_vectors.txt", "r");
+            if (file == 0) begin
+                $display("FAIL: emboss_printed_vectors.txt can't be read");
+                finish_failed;
+            end
+        end
+    endtask
+
+    task read_vector;
+        begin
+            fields = $fscanf(file, "%h %h %h %h %h %h %h %h %h %h %h %h %h %h %h %h %h %h %h %h %h %h %h %h %h %h %h %h ", next_m0_x, next_m0_y, next_m0_z, next_m1_x, next_m1_y, next_m1_z, next_m2_x, next_m2_y, next_m2_z, next_tangent_x, next_tangent_y, next_tangent_z, next_binormal_x, next_binormal_y, next_binormal_z, next_light_x, next_light_y, next_light_z, next_vertex_x, next_vertex_y, next_vertex_z, next_s0, next_t0, next_ds, next_dt, next_s1, next_t1, next_degenerate);
+            more = fields == 28;
+            if (!more && fields > 0) begin
+                mismatches = mismatches + 1;
+                $display("mismatch: emboss_printed_vectors.txt is cut short after vector %0d", sent);
+            end
+        end
+    endtask
+
+    task check;
+        begin
+            if (started && valid_out !== valid[LATENCY]) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= SHOWN)
+                    $display("mismatch: vector %0d valid_out expected %b got %b", checked, valid[LATENCY], valid_out);
+            end
+            if (started && ready !== (phase == 0)) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= SHOWN)
+                    $display("mismatch: vector %0d ready expected %b got %b", sent, phase == 0, ready);
+            end
+            // Each word counts once: in the cycle after which the pipeline moves on.
+            if (ce && valid[LATENCY]) begin
+                if (port_ds !== expected[LATENCY][104:78]) begin
+                    mismatches = mismatches + 1;
+                    if (mismatches <= SHOWN)
+                        $display("mismatch: vector %0d ds expected %h got %h",
+                            number[LATENCY], expected[LATENCY][104:78], port_ds);
+                end
+                if (port_dt !== expected[LATENCY][77:51]) begin
+                    mismatches = mismatches + 1;
+                    if (mismatches <= SHOWN)
+                        $display("mismatch: vector %0d dt expected %h got %h",
+                            number[LATENCY], expected[LATENCY][77:51], port_dt);
+                end
+                if (port_s1 !== expected[LATENCY][50:26]) begin
+                    mismatches = mismatches + 1;
+                    if (mismatches <= SHOWN)
+                        $display("mismatch: vector %0d s1 expected %h got %h",
+                            number[LATENCY], expected[LATENCY][50:26], port_s1);
+                end
+                if (port_t1 !== expected[LATENCY][25:1]) begin
+                    mismatches = mismatches + 1;
+                    if (mismatches <= SHOWN)
+                        $display("mismatch: vector %0d t1 expected %h got %h",
+                            number[LATENCY], expected[LATENCY][25:1], port_t1);
+                end
+                if (port_degenerate !== expected[LATENCY][0:0]) begin
+                    mismatches = mismatches + 1;
+                    if (mismatches <= SHOWN)
+                        $display("mismatch: vector %0d degenerate expected %h got %h",
+                            number[LATENCY], expected[LATENCY][0:0], port_degenerate);
+                end
+                checked = checked + 1;
+            end
+        end
+    endtask
+
+    task move_on;
+        begin
+            for (i = LATENCY; i > 0; i = i - 1) begin
+                if (rst) valid[i] = 1'b0;
+                else if (ce) valid[i] = valid[i - 1];
+                if (ce) expected[i] = expected[i - 1];
+                if (ce) number[i] = number[i - 1];
+            end
+            if (rst) phase = 0;
+            else if (ce) phase = (phase + 1) % INTERVAL;
+        end
+    endtask
+
+    // What goes in after this edge: words stay where the pipeline stood still.
+    task drive;
+        begin
+            lfsr = {lfsr[30:0], lfsr[31] ^ lfsr[21] ^ lfsr[1] ^ lfsr[0]};
+            rst <= 1'b0;
+            ce <= !(stalls && lfsr[2:0] == 3'd0);
+            if (ce || !valid[0]) begin
+                valid[0] = 1'b0;
+                if (phase == 0 && more && !(stalls && lfsr[5:3] == 3'd0)) begin
+                    read_vector;
+                    if (more) begin
+                        valid[0] = 1'b1;
+                        expected[0] = {next_ds, next_dt, next_s1, next_t1, next_degenerate};
+                        number[0] = sent;
+                        sent = sent + 1;
+                        if (stalls && sent == 303) more = 1'b0;
+                    end
+                end
+                valid_in <= valid[0] || (phase != 0 && lfsr[6]);
+                port_m0_x <= valid[0] ? next_m0_x : 16'bx;
+                port_m0_y <= valid[0] ? next_m0_y : 16'bx;
+                port_m0_z <= valid[0] ? next_m0_z : 16'bx;
+                port_m1_x <= valid[0] ? next_m1_x : 16'bx;
+                port_m1_y <= valid[0] ? next_m1_y : 16'bx;
+                port_m1_z <= valid[0] ? next_m1_z : 16'bx;
+                port_m2_x <= valid[0] ? next_m2_x : 16'bx;
+                port_m2_y <= valid[0] ? next_m2_y : 16'bx;
+                port_m2_z <= valid[0] ? next_m2_z : 16'bx;
+                port_tangent_x <= valid[0] ? next_tangent_x : 16'bx;
+                port_tangent_y <= valid[0] ? next_tangent_y : 16'bx;
+                port_tangent_z <= valid[0] ? next_tangent_z : 16'bx;
+                port_binormal_x <= valid[0] ? next_binormal_x : 16'bx;
+                port_binormal_y <= valid[0] ? next_binormal_y : 16'bx;
+                port_binormal_z <= valid[0] ? next_binormal_z : 16'bx;
+                port_light_x <= valid[0] ? next_light_x : 28'bx;
+                port_light_y <= valid[0] ? next_light_y : 28'bx;
+                port_light_z <= valid[0] ? next_light_z : 28'bx;
+                port_vertex_x <= valid[0] ? next_vertex_x : 28'bx;
+                port_vertex_y <= valid[0] ? next_vertex_y : 28'bx;
+                port_vertex_z <= valid[0] ? next_vertex_z : 28'bx;
+                port_s0 <= valid[0] ? next_s0 : 25'bx;
+                port_t0 <= valid[0] ? next_t0 : 25'bx;
+            end
+            // A reset in mid-stream, which a stall doesn't hold up: what is on its way is forgotten.
+            if (stalls && !reset_done && sent == 303 / 2 && phase == INTERVAL / 2) begin
+                rst <= 1'b1;
+                ce <= 1'b0;
+                reset_done = 1'b1;
+            end
+        end
+    endtask
+
+    always @(posedge clk) begin
+        check;
+        if (rst && stalls) begin
+            // Forgotten, but for what hasn't gone in yet.
+            for (i = 1; i <= LATENCY; i = i + 1) if (valid[i]) checked = checked + 1;
+        end
+        move_on;
+        drive;
+        started = 1'b1;
+        if (!more && checked == sent) begin
+            $fclose(file);
+            if (!stalls) begin
+                passed = checked;
+                stalls = 1'b1;
+                open_vectors;
+            end else finish;
+        end
+    end
+
+    task finish;
+        begin
+            if (passed != VECTORS)
+                $display("mismatch: emboss_printed_vectors.txt holds %0d vectors and should hold %0d", passed, VECTORS);
+            if (mismatches == 0 && passed == VECTORS) begin
+                $display("PASS %0d vectors", passed);
+                $finish(0);
+            end else begin
+                $display("FAIL %0d mismatches in %0d vectors", mismatches, passed);
+                finish_failed;
+            end
+        end
+    endtask
+endmodule

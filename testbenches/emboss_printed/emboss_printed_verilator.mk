@@ -1,0 +1,13 @@
+# emboss: texture coordinates displaced toward the light, for embossing
+# make -f emboss_printed_verilator.mk        builds the C++ harness and runs it on the vectors
+# HDL=DIR says where the module is, if not here.
+HDL ?= .
+.PHONY: run clean
+run: obj_emboss_printed/Vemboss_printed
+	obj_emboss_printed/Vemboss_printed emboss_printed_vectors.txt
+# Verilator would add -Os, which undoes -O2.
+obj_emboss_printed/Vemboss_printed: $(HDL)/emboss_printed.v emboss_printed_harness.cpp
+	verilator --cc --exe --build -Wall --Mdir obj_emboss_printed -CFLAGS "-O2" \
+	    -MAKEFLAGS "OPT_FAST= OPT_SLOW= OPT_GLOBAL=" $^
+clean:
+	rm -rf obj_emboss_printed
