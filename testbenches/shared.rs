@@ -411,15 +411,17 @@ fn bindings_that_are_wrong_say_how() {
         change(&mut binding);
         Schedule::bound(&netlist, Rom::Block, 6000, &binding).unwrap_err().to_string()
     };
-    let early =
-        wrong(&|b| b.operations.iter_mut().find(|o| o.label == "t_dot_l").unwrap().cycle = Some(14));
+    let early = wrong(&|b| {
+        b.operations.iter_mut().find(|o| o.label == "t_dot_l").unwrap().cycle = Some(14)
+    });
     assert_eq!(
         early,
         "node `t_dot_l`: is bound to cycle 14, and `t_eye_z` is there for cycle 15 at this period: \
          bind it later, or raise period_ps"
     );
-    let twice =
-        wrong(&|b| b.operations.iter_mut().find(|o| o.label == "l_dot_l").unwrap().cycle = Some(23));
+    let twice = wrong(&|b| {
+        b.operations.iter_mut().find(|o| o.label == "l_dot_l").unwrap().cycle = Some(23)
+    });
     assert_eq!(
         twice,
         "node `l_dot_l`: sits in dot2 at the phase of `t_dot_l`: 8 cycles later it starts anew"

@@ -510,10 +510,13 @@ fn figure_8(switches: Switches) -> Binding {
     bind("t_dot_l", 2, Some(15), "Te · L", "", &["Te", "L"]);
     bind("l_dot_l", 2, Some(16), "L²", "", &["L", "L"]);
     bind("b_dot_l", 2, Some(19), "Be · L", "", &["Be", "L"]);
-    bind("reciprocal_length", 3, None, "1/‖L‖", "", &[]);
-    for axis in ["s", "t"] {
-        bind(&format!("d{axis}_product"), 4, None, &format!("Δ{axis}"), "", &[]);
-        bind(&format!("{axis}1_sum"), 5, None, &format!("{}1", axis.to_uppercase()), "", &[]);
+    bind("reciprocal_length", 3, None, "1/‖L‖", "1/√L²", &[]);
+    for (axis, vector) in [("s", "Te"), ("t", "Be")] {
+        let (delta, coordinate) = (format!("Δ{axis}"), axis.to_uppercase());
+        let product = format!("{vector} · L / ‖L‖");
+        bind(&format!("d{axis}_product"), 4, None, &delta, &product, &[]);
+        let sum = format!("{coordinate}0 + {delta}");
+        bind(&format!("{axis}1_sum"), 5, None, &format!("{coordinate}1"), &sum, &[]);
     }
     Binding { interval: 8, units, operations }
 }
