@@ -440,6 +440,23 @@ fn the_command_line_writes_frames_and_refuses() {
     }
 }
 
+/// A scene that says how it is embossed is, where no pipelines are named.
+#[test]
+fn an_emboss_section_asks_for_emboss_pipelines() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("scene.toml");
+    let text = "[image]\nwidth = 16\nheight = 12\n[height]\nsource = \"brick\"\n[[object]]\nshape = \"plane\"\n";
+    for (section, there, not) in
+        [("", "exact-polar.png", "emboss-gx.png"), ("[emboss]\n", "emboss-nv.png", "printed.png")]
+    {
+        fs::write(&file, format!("{section}{text}")).unwrap();
+        let out = folder.path().join(there);
+        let mut command = Command::cargo_bin("fixpath").unwrap();
+        command.arg("render").arg(&file).arg("--out").arg(&out).assert().success();
+        assert!(out.join(there).is_file() && !out.join(not).exists(), "{there}");
+    }
+}
+
 /// The ladder of an emboss: finer fractions and larger tables err less, and every rung is within its bound.
 #[test]
 fn a_ladder_shows_what_each_parameter_costs() {

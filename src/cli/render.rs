@@ -9,7 +9,7 @@ use crate::picture::{
     Amplify, Difference, PIXELS_PER_DEGREE, Panel, Srgb8, absolute_map, check_pixels_per_degree,
     sheet, signed_map,
 };
-use crate::render::{Pipeline, Rendered, Shot, SpecialisedStage, mixed, render, specialise_to};
+use crate::render::{EMBOSS_PIPELINES, Pipeline, Rendered, Shot, SpecialisedStage, mixed, render, specialise_to};
 use crate::report::record::RankBy;
 use crate::scene::Scene;
 use crate::sweep::View;
@@ -31,8 +31,9 @@ pub(super) struct RenderArgs {
     /// Folder to write.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
-    /// Pipelines to compare; if not given printed,corrected,exact-polar,exact-cartesian, and for a ladder all
-    /// that shade bumps. emboss-gx and emboss-nv have a golden of their own and go into a folder of their own.
+    /// Pipelines to compare; if not given emboss-gx,emboss-nv for a scene with an [emboss] section, else
+    /// printed,corrected,exact-polar,exact-cartesian, and for a ladder all that shade bumps. Those that emboss have
+    /// a golden of their own and go into a folder of their own.
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     pipelines: Vec<String>,
     /// Set a parameter of every pipeline that has it; those of the material come from the scene.
@@ -77,7 +78,7 @@ impl RenderArgs {
 
 /// Renders and writes; returns a row of the demo's table for each pipeline.
 pub(super) fn demo_rows(args: &RenderArgs) -> Result<Vec<String>> {
-    let made = render_and_write(args)?;
+    let made = render_and_write(args, scene_of(&args.scene)?)?;
     let value = figures(&made.rendered, &made.differences);
     output::write_text(&args.out.join("figures.json"), &pretty(&value))?;
     let row = |(shot, d): (&Shot, &Difference)| {
@@ -126,9 +127,10 @@ struct Made {
 }
 
 /// The pipelines asked for, with their parameters.
-fn pipelines_of(args: &RenderArgs) -> Result<Vec<Pipeline>> {
+fn pipelines_of(args: &RenderArgs, scene: &Scene) -> Result<Vec<Pipeline>> {
     let mut pipelines = Vec::new();
     let names: Vec<&str> = match (&args.pipelines[..], &args.ladder) {
+        ([], _) if scene.emboss.asked && !args.specialise => EMBOSS_PIPELINES.to_vec(),
         ([], None) => PIPELINES.to_vec(),
         ([], Some(_)) => Pipeline::names(),
         (names, _) => names.iter().map(String::as_str).collect(),
@@ -149,9 +151,8 @@ fn pipelines_of(args: &RenderArgs) -> Result<Vec<Pipeline>> {
 }
 
 /// Renders, and writes pictures and figures.
-fn render_and_write(args: &RenderArgs) -> Result<Made> {
-    let pipelines = pipelines_of(args)?;
-    let scene = scene_of(&args.scene)?;
+fn render_and_write(args: &RenderArgs, scene: Scene) -> Result<Made> {
+    let pipelines = pipelines_of(args, &scene)?;
     let bar = progress_bar(u64::from(scene.image.height), "rows");
     let (rendered, differences) =
         rendered(&scene, &pipelines, args, &|done| bar.set_position(done))?;
@@ -184,7 +185,7 @@ fn run_frames(args: &RenderArgs, scene: &Scene) -> Result<(String, bool)> {
         let text = "--specialise takes a scene with one picture: leave [orbit] out";
         return Err(Error::usage(text.to_owned()));
     }
-    let pipelines = pipelines_of(args)?;
+    let pipelines = pipelines_of(args, scene)?;
     let names: Vec<&str> =
         ["golden"].into_iter().chain(pipelines.iter().map(|p| p.name.as_str())).collect();
     for name in &names {
@@ -266,20 +267,20 @@ const BROKEN: &str = "a stated bound is BROKEN\n";
 
 /// Renders and writes; returns what to tell, and false if a specialised pipeline differs.
 pub(super) fn run(args: &RenderArgs) -> Result<(String, bool)> {
+    let scene = scene_of(&args.scene)?;
     if let Some(widths) = &args.ladder {
         let exponents = args.exponents.as_deref();
-        let pipelines = pipelines_of(args)?;
+        let pipelines = pipelines_of(args, &scene)?;
         if pipelines.iter().all(Pipeline::is_emboss) {
             if exponents.is_some() {
                 let text = "an emboss has no highlight and no --exponents: leave them out";
                 return Err(Error::usage(text.to_owned()));
             }
-            let (scene, name) = (scene_of(&args.scene)?, name_of(&args.scene));
             let told = ladder::run_emboss(
                 &pipelines,
                 widths,
                 args.pixels_per_degree,
-                (&scene, &name),
+                (&scene, &name_of(&args.scene)),
                 (&args.out, args.json),
             )?;
             return Ok((told, true));
@@ -288,19 +289,17 @@ pub(super) fn run(args: &RenderArgs) -> Result<(String, bool)> {
             return Err(mixed());
         }
         let ladder = ladder::ladder(pipelines, widths, exponents, args.pixels_per_degree)?;
-        let scene = scene_of(&args.scene)?;
         let told = ladder::run(&ladder, &scene, &name_of(&args.scene), &args.out, args.json)?;
         return Ok((told, true));
     }
-    if args.specialise && pipelines_of(args)?.iter().any(Pipeline::is_emboss) {
+    if args.specialise && pipelines_of(args, &scene)?.iter().any(Pipeline::is_emboss) {
         let text = "--specialise is for pipelines that shade bumps: leave it out for an emboss";
         return Err(Error::usage(text.to_owned()));
     }
-    let scene = scene_of(&args.scene)?;
     if scene.orbit.is_some() {
         return run_frames(args, &scene);
     }
-    let Made { scene, pipelines, rendered, differences } = render_and_write(args)?;
+    let Made { scene, pipelines, rendered, differences } = render_and_write(args, scene)?;
     let mut value = figures(&rendered, &differences);
     let mut told = table(&rendered, &differences);
     let mut same = bounds_hold(&rendered, &differences);

@@ -72,7 +72,8 @@
 //! surface a light is on. N' is the bump vector along (T, B, N). The two sums, and then the colour, end at 1.
 //!
 //! # Emboss
-//! `[emboss]` says how the same scene is embossed instead, which [`crate::render::emboss`] does. Light is ambient and
+//! `[emboss]` says how the same scene is embossed instead, which [`crate::render::emboss`] does; a scene with
+//! the section is so where no pipelines are named. Light is ambient and
 //! diffuse, with N in place of N', computed per vertex of the [`Tessellation`], ended at 1 and interpolated;
 //! times the texture's colour. Texture coordinates in texels, (u w, v h), are displaced per vertex and light by
 //! `strength` times (T·L, B·L), L as above and (0, 0) on the very
@@ -216,6 +217,8 @@ pub struct Material {
 /// How an emboss looks: `[emboss]` of a scene file.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Emboss {
+    /// True if the scene has the section: then it is embossed, if no pipelines are named.
+    pub asked: bool,
     /// The longest displacement, in texels: that of a light along the surface. 0 to 64.
     pub strength: f64,
     /// How heights are looked up.

@@ -41,7 +41,7 @@ struct SceneText {
     texture: Option<Spanned<MapText>>,
     height: Option<Spanned<MapText>>,
     object: Vec<Spanned<ObjectText>>,
-    emboss: EmbossText,
+    emboss: Option<EmbossText>,
     orbit: Option<Spanned<OrbitText>>,
 }
 
@@ -188,7 +188,7 @@ pub(super) fn read(text: &str, path: &Path) -> Result<Scene> {
     let material = reader.material(&scene.material, MATERIAL)?;
     let (texture, made) = reader.texture(scene.texture.as_ref())?;
     let bumps = reader.bumps(scene.height.as_ref(), made)?;
-    let emboss = reader.emboss(&scene.emboss)?;
+    let emboss = reader.emboss(scene.emboss.as_ref())?;
     let orbit = reader.orbit(scene.orbit.as_ref(), lights.len())?;
     if scene.object.is_empty() || scene.object.len() > MAX_OBJECTS {
         let problem = format!(
@@ -403,7 +403,9 @@ impl Reader<'_> {
         Ok(Light { place, intensity: self.real("intensity", &light.intensity, 1.0, 0.0..=1.0)? })
     }
 
-    fn emboss(&self, emboss: &EmbossText) -> Result<Emboss> {
+    fn emboss(&self, given: Option<&EmbossText>) -> Result<Emboss> {
+        let left_out = EmbossText::default();
+        let emboss = given.unwrap_or(&left_out);
         let gain_log2 = match &emboss.gain_log2 {
             None => 0,
             Some(given) => {
@@ -415,6 +417,7 @@ impl Reader<'_> {
             }
         };
         Ok(Emboss {
+            asked: given.is_some(),
             strength: self.real("strength", &emboss.strength, 1.5, 0.0..=64.0)?,
             filter: emboss.filter,
             address: [emboss.address_s, emboss.address_t],
