@@ -599,6 +599,38 @@ fn an_interrupt_leaves_nothing_half_written() {
     assert!(is_empty(folder.path()));
 }
 
+/// `--profile` tells where the time went: parts that make up the whole.
+#[test]
+fn a_profile_tells_the_share_of_each_part() {
+    let run = |args: &[&str]| {
+        let output = Command::cargo_bin("fixpath").unwrap().args(args).output().unwrap();
+        assert_eq!(output.status.code(), Some(0), "{args:?}");
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let shares = |told: &str| {
+        let line = told.lines().find(|line| line.starts_with("time of all threads")).unwrap();
+        let parts = line.split_once(": ").unwrap().1.split(", ");
+        let share = |part: &str| {
+            let (name, share) = part.strip_suffix(" %").unwrap().rsplit_once(' ').unwrap();
+            (name.to_owned(), share.parse::<f64>().unwrap())
+        };
+        parts.map(share).collect::<Vec<_>>()
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let sim = ["sim", "rotation", "--samples", "20000", "--profile"];
+    let sweep = ["sweep", "rotation", "--axis", "frac_bits=10,12", "--samples", "20000"];
+    for args in [&sim[..], &[&sweep[..], &["--out", out, "--profile"]].concat()] {
+        let shares = shares(&run(args));
+        assert!(["engine", "golden"].iter().all(|name| shares.iter().any(|(n, _)| n == name)));
+        let whole: f64 = shares.iter().map(|(_, share)| share).sum();
+        assert!((whole - 100.0).abs() <= 0.05 * shares.len() as f64, "{shares:?}");
+    }
+    let json: serde_json::Value =
+        serde_json::from_str(&run(&[&sim[..], &["--json"]].concat())).unwrap();
+    assert!(json["profile_seconds"]["engine"].as_f64().unwrap() > 0.0);
+}
+
 /// A scene or an option that is wrong is refused with its place, before anything is written.
 #[test]
 fn a_render_that_is_wrong_writes_nothing() {

@@ -348,6 +348,10 @@ fn wrong_keys_are_named_with_what_is_legal() {
         ("[orbit]\nframes = 0", "bad.toml, line 2: `frames` = 0: legal are whole numbers 1 to 360"),
         ("[orbit]\nlight = 1", "bad.toml, line 2: `light` = 1: legal are whole numbers 0 to 0"),
         ("[orbit]\naxis = [0, 0, 0]", "bad.toml, line 2: `axis` has no length"),
+        (
+            "[[light]]\ndirection = [1, 0, 1]\n[orbit]\ncenter = [0, 0, 1]",
+            "bad.toml, line 4: `center` has no use here: the light is directional; leave it out",
+        ),
         ("[orbit]\nturns = 1e9", "`turns` = 1e9: legal is -100 to 100"),
     ] {
         let message = refused(text);
@@ -433,6 +437,10 @@ fn the_command_line_writes_frames_and_refuses() {
             "`fraction_bits` = `0`: legal is 1 to 16",
         ),
         (&["--pipelines", "kim", "--specialise"], "leave [orbit] out"),
+        (
+            &["--pipelines", "emboss-gx", "-p", "matrix_bits=2"],
+            "and its matrix counts 2.000e0: give the object smaller texture coordinates",
+        ),
     ] {
         let (code, told, errors) = run(args);
         assert_eq!((code, told.as_str()), (2, ""), "{args:?}: {errors}");

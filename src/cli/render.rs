@@ -9,7 +9,9 @@ use crate::picture::{
     Amplify, Difference, PIXELS_PER_DEGREE, Panel, Srgb8, absolute_map, check_pixels_per_degree,
     sheet, signed_map,
 };
-use crate::render::{EMBOSS_PIPELINES, Pipeline, Rendered, Shot, SpecialisedStage, mixed, render, specialise_to};
+use crate::render::{
+    EMBOSS_PIPELINES, Pipeline, Rendered, Shot, SpecialisedStage, mixed, render, specialise_to,
+};
 use crate::report::record::RankBy;
 use crate::scene::Scene;
 use crate::sweep::View;

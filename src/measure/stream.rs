@@ -89,7 +89,6 @@ impl Body for Lengths<'_> {
 }
 
 /// Octaves of the histogram: from 2^-44 to 2^24, for texels and reciprocals too.
-/// [`LAST_BIN`] has their number too.
 const OCTAVES: usize = 68;
 const LEAST_EXPONENT: u64 = 1023 - 44;
 /// The same with the first bits of the mantissa below it.
@@ -98,6 +97,9 @@ const LAST_BIN: i32 = 68 * (1 << BINS_PER_OCTAVE_BITS) - 1;
 /// Bins per octave: a quantile is known to 1.6 %.
 const BINS_PER_OCTAVE_BITS: u32 = 5;
 pub(crate) const BINS: usize = OCTAVES << BINS_PER_OCTAVE_BITS;
+// The numbers written twice, for want of casts, are the same.
+const _: () = assert!(LEAST_EXPONENT << BINS_PER_OCTAVE_BITS == LEAST_KEY.unsigned_abs() as u64);
+const _: () = assert!(BINS == LAST_BIN.unsigned_abs() as usize + 1);
 
 /// Sums over errors of one quantity on one basis, and the largest.
 #[derive(Clone, Copy, Debug)]

@@ -6,8 +6,9 @@
 //! texture's colour times light computed per vertex (Gouraud). There is no specular light.
 //!
 //! The golden is the same in `f64` without any rounding: displacements `strength (T·L)/|L|` and
-//! `strength (B·L)/|L|`, in texels, and interpolation between exact texels. What both share is data: the scene, and
-//! the texels of the height map, which have 8 bits. A negative `scale` in `[height]` makes dents of bumps.
+//! `strength (B·L)/|L|`, in texels, and interpolation between exact texels. What both share is the front end (surfaces,
+//! rays and their weights, light per vertex, the texture's colour) and the texels of the height map, which have 8
+//! bits. Of `scale` in `[height]` only the sign counts: a negative one makes dents of bumps.
 //!
 //! # Where binary points are
 //! The unit `emboss` counts texture coordinates in steps of 2^k texels, the same along both axes: then the
@@ -30,6 +31,7 @@
 use super::{Block, BlockShot, Gathered, Pipeline, Rendered, Shot, gather, median_rate, overflows};
 use crate::cast;
 use crate::error::{Error, Result};
+use crate::format::Format;
 use crate::measure::{BoundCheck, quantize_inputs};
 use crate::netlist::NodeId;
 use crate::scene::{Address, Filter, Light, LightSign, Place, Scene, Seen, Tessellation, Vertex};
@@ -136,11 +138,16 @@ impl Stage {
         netlist.node(port.expect("bug: a port of this name").node).format.ulp()
     }
 
+    /// Format of an input port, if there is one of this name.
+    fn port(&self, name: &str) -> Option<Format> {
+        let netlist = &self.design.netlist;
+        let at = (0..netlist.inputs().len()).find(|at| netlist.input_name(*at) == name);
+        at.map(|at| netlist.node(netlist.inputs()[at]).format)
+    }
+
     /// Largest magnitude of both signs that an input port holds.
     fn reach(&self, port: &str) -> f64 {
-        let netlist = &self.design.netlist;
-        let at = (0..netlist.inputs().len()).find(|at| netlist.input_name(*at) == port);
-        let format = netlist.node(netlist.inputs()[at.expect("bug: a port of this name")]).format;
+        let format = self.port(port).expect("bug: a port of this name");
         format.value(format.max_raw())
     }
 }
@@ -371,7 +378,9 @@ impl<'a> Shader<'a> {
         let all = coordinates.displaced.iter().flatten().chain(&coordinates.plain);
         let farthest = all.map(|at| (*at / maps).abs().max_element()).fold(0.0, f64::max);
         let int_bits = (0..=16).find(|bits| farthest < 2f64.powi(*bits)).ok_or_else(|| {
-            Error::usage(format!("a texture coordinate of {farthest}: legal is up to 2^16"))
+            Error::usage(format!(
+                "a texture coordinate of {farthest} maps is beyond the sampler: legal is below 65536; give the object smaller ones"
+            ))
         })?;
         let of_sampler = [
             set("filter", &settings.filter.name()),
@@ -423,7 +432,7 @@ impl<'a> Shader<'a> {
         let combined = stated.stated.first().expect("bug: the combiner states a bound").bound;
         let floats = 1e-7; // pictures are f32
         let bound = gain * (relief + 2.0 * lights * texel) + (0.5 + combined) / most + floats;
-        Ok(Some(bound))
+        Ok(Some(bound.min(1.0))) // no channel is off by more
     }
 
     /// The code that stands for 1.
@@ -442,6 +451,9 @@ fn apart(is: &[DVec2], should: &[DVec2]) -> DVec2 {
     apart.fold(DVec2::ZERO, DVec2::max)
 }
 
+/// The least scale of the matrix, in its last places.
+const LEAST_SCALE_ULPS: f64 = 4.0;
+
 /// Every vertex under every light through the unit `emboss`, and the texels that it counts as 1.
 fn displaced(front: &Front<'_>, stage: &Stage, shot: &mut BlockShot) -> Result<(Coordinates, f64)> {
     let scene = front.scene;
@@ -459,6 +471,14 @@ fn displaced(front: &Front<'_>, stage: &Stage, shot: &mut BlockShot) -> Result<(
         ))
     })?;
     let scale = strength / step;
+    // A relief of a scale that the matrix hardly has words for would go without a word.
+    let ulp = stage.port("m0_x").map_or(0.0, Format::ulp);
+    if strength > 0.0 && scale < LEAST_SCALE_ULPS * ulp {
+        return Err(Error::usage(format!(
+            "a strength of {strength} texels is {scale:.3e} of the emboss unit's whole coordinate of {step} texels, and its matrix \
+             counts {ulp:.3e}: give the object smaller texture coordinates, or the unit more texture_int_bits or matrix_bits"
+        )));
+    }
     let reach = stage.reach("vertex_x");
     let rows = [0, 1, 2].map(|row| front.turn.row(row));
     let mut runner = stage.program.runner();

@@ -189,7 +189,7 @@ pub(super) fn read(text: &str, path: &Path) -> Result<Scene> {
     let (texture, made) = reader.texture(scene.texture.as_ref())?;
     let bumps = reader.bumps(scene.height.as_ref(), made)?;
     let emboss = reader.emboss(scene.emboss.as_ref())?;
-    let orbit = reader.orbit(scene.orbit.as_ref(), lights.len())?;
+    let orbit = reader.orbit(scene.orbit.as_ref(), &lights)?;
     if scene.object.is_empty() || scene.object.len() > MAX_OBJECTS {
         let problem = format!(
             "{} objects: legal are 1 to {MAX_OBJECTS}; an object is `[[object]]` with `shape = \"sphere\"` below it",
@@ -428,16 +428,19 @@ impl Reader<'_> {
     }
 
     /// The path of a light.
-    fn orbit(&self, given: Option<&Spanned<OrbitText>>, lights: usize) -> Result<Option<Orbit>> {
+    fn orbit(&self, given: Option<&Spanned<OrbitText>>, lights: &[Light]) -> Result<Option<Orbit>> {
         let Some(given) = given else { return Ok(None) };
         let orbit = given.get_ref();
-        let last = u32::try_from(lights - 1).expect("bug: eight lights at most");
+        let last = u32::try_from(lights.len() - 1).expect("bug: eight lights at most");
         let axis = self.vector("axis", &orbit.axis, [0.0, 0.0, 1.0])?;
         let axis = axis.try_normalize().ok_or_else(|| {
             let span = orbit.axis.as_ref().map_or(given.span(), Spanned::span);
             self.fail(&span, "`axis` has no length: the light turns about it".to_owned())
         })?;
         let light = self.integer("light", &orbit.light, 0, 0..=last)?;
+        if matches!(lights[cast::index_of_u32(light)].place, Place::Direction(_)) {
+            self.refuse("center", &orbit.center, "the light is directional")?;
+        }
         Ok(Some(Orbit {
             frames: self.integer("frames", &orbit.frames, 12, 1..=360)?,
             light: cast::index_of_u32(light),

@@ -140,6 +140,7 @@ fn tight(text: &str) -> String {
             '−' => tight.push('-'),
             '±' => tight.push_str("+-"),
             '²' => tight.push_str("^2"),
+            '√' => tight.push_str("sqrt"),
             '‖' => tight.push('|'),
             'Δ' => tight.push('d'),
             c if c.is_ascii_graphic() => tight.push(c),
