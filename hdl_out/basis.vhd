@@ -16,8 +16,8 @@
 --   bn_y: mean 1.53e-5, at most 3.75e-5 (0.6 ulp) at normal_x=16418 normal_y=-5802 normal_z=-2767 ct_x=-7596 ct_y=-14180 ct_z=-5075
 --   bn_z: mean 1.54e-5, at most 3.67e-5 (0.6 ulp) at normal_x=4888 normal_y=-14943 normal_z=10350 ct_x=-4569 ct_y=10830 ct_z=11114
 --   degenerate: mean 0.00e0, at most 0.00e0 (0.0 ulp) at normal_x=-2531 normal_y=7271 normal_z=-13448 ct_x=-2894 ct_y=-19246 ct_z=1152
--- stated bound on each binormal: 9.35e-5
--- stated bound on each tangent: 3.77e-4
+-- stated bound on each binormal: 8.03e-5
+-- stated bound on each tangent: 3.31e-4
 -- stated bound on each flag: 0.00e0
 library ieee;
 use ieee.std_logic_1164.all;

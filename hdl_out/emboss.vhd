@@ -18,10 +18,10 @@
 --   s1: mean 2.01e-6, at most 1.76e-5 (4.6 ulp) at m0_x=-442 m0_y=5407 m0_z=-14755 m1_x=-6142 m1_y=13528 m1_z=5141 m2_x=-14465 m2_y=-5909 m2_z=-1732 tangent_x=17214 tangent_y=6208 tangent_z=1262 binormal_x=6018 binormal_y=-11008 binormal_z=-11948 light_x=21336975 light_y=-15834250 light_z=24525963 vertex_x=21358568 vertex_y=-15697823 vertex_z=24496530 s0=3521428 t0=-2064244
 --   t1: mean 2.02e-6, at most 2.07e-5 (5.4 ulp) at m0_x=16045 m0_y=65 m0_z=143 m1_x=-64 m1_y=16045 m1_z=-102 m2_x=-143 m2_y=101 m2_z=16045 tangent_x=8966 tangent_y=7112 tangent_z=-11725 binormal_x=-10345 binormal_y=-5688 binormal_z=-11360 light_x=-522867 light_y=-20208394 light_z=-19716311 vertex_x=689069 vertex_y=-19977840 vertex_z=-24049337 s0=3380560 t0=141093
 --   degenerate: mean 0.00e0, at most 0.00e0 (0.0 ulp) at m0_x=4674 m0_y=5079 m0_z=-2162 m1_x=-3514 m1_y=4923 m1_z=3966 m2_x=-4257 m2_y=1512 m2_z=-5648 tangent_x=-2894 tangent_y=-19246 tangent_z=1152 binormal_x=-2531 binormal_y=7271 binormal_z=-13448 light_x=22420812 light_y=22017016 light_z=19624152 vertex_x=22724046 vertex_y=26548838 vertex_z=18617859 s0=2750663 t0=-1626897
--- stated bound on each relative displacement: 6.53e-5
--- stated bound on each displacement: 1.69e-3
--- stated bound on each displacement in texels: 4.34e-1
--- stated bound on each coordinate: 1.69e-3
+-- stated bound on each relative displacement: 5.21e-5
+-- stated bound on each displacement: 1.15e-3
+-- stated bound on each displacement in texels: 2.93e-1
+-- stated bound on each coordinate: 1.15e-3
 -- stated bound on each flag and what is passed: 0.00e0
 library ieee;
 use ieee.std_logic_1164.all;
@@ -637,18 +637,18 @@ architecture rtl of emboss is
     signal ds_next_under : unsigned(0 downto 0) := (others => '0');
     signal ds_next : signed(26 downto 0) := (others => '0'); -- s27f18
     signal s1_sum : signed(27 downto 0) := (others => '0'); -- s28f18
-    signal n238_over : unsigned(0 downto 0) := (others => '0');
-    signal n238_under : unsigned(0 downto 0) := (others => '0');
-    signal n238 : signed(24 downto 0) := (others => '0'); -- s25f18
+    signal s1_next_over : unsigned(0 downto 0) := (others => '0');
+    signal s1_next_under : unsigned(0 downto 0) := (others => '0');
+    signal s1_next : signed(24 downto 0) := (others => '0'); -- s25f18
     signal dt_next_sum : signed(52 downto 0) := (others => '0');
     signal dt_next_cut : signed(32 downto 0) := (others => '0');
     signal dt_next_over : unsigned(0 downto 0) := (others => '0');
     signal dt_next_under : unsigned(0 downto 0) := (others => '0');
     signal dt_next : signed(26 downto 0) := (others => '0'); -- s27f18
     signal t1_sum : signed(27 downto 0) := (others => '0'); -- s28f18
-    signal n242_over : unsigned(0 downto 0) := (others => '0');
-    signal n242_under : unsigned(0 downto 0) := (others => '0');
-    signal n242 : signed(24 downto 0) := (others => '0'); -- s25f18
+    signal t1_next_over : unsigned(0 downto 0) := (others => '0');
+    signal t1_next_under : unsigned(0 downto 0) := (others => '0');
+    signal t1_next : signed(24 downto 0) := (others => '0'); -- s25f18
     signal valid_s14 : std_logic;
 begin
 
@@ -1288,18 +1288,18 @@ begin
     ds_next_under <= "1" when ds_next_cut(32) = '1' and (and ds_next_cut(31 downto 26)) = '0' else "0";
     ds_next <= 27x"3ffffff" when ds_next_over(0) = '1' else 27x"4000000" when ds_next_under(0) = '1' else ds_next_cut(26 downto 0);
     s1_sum <= resize(s0_s13, 28) + resize(ds_next, 28);
-    n238_over <= "1" when s1_sum(27) = '0' and (or s1_sum(26 downto 24)) = '1' else "0";
-    n238_under <= "1" when s1_sum(27) = '1' and (and s1_sum(26 downto 24)) = '0' else "0";
-    n238 <= 25x"0ffffff" when n238_over(0) = '1' else 25x"1000000" when n238_under(0) = '1' else s1_sum(24 downto 0);
+    s1_next_over <= "1" when s1_sum(27) = '0' and (or s1_sum(26 downto 24)) = '1' else "0";
+    s1_next_under <= "1" when s1_sum(27) = '1' and (and s1_sum(26 downto 24)) = '0' else "0";
+    s1_next <= 25x"0ffffff" when s1_next_over(0) = '1' else 25x"1000000" when s1_next_under(0) = '1' else s1_sum(24 downto 0);
     dt_next_sum <= resize(dt_product_s13, 53) + 53x"00000000080000";
     dt_next_cut <= dt_next_sum(52 downto 20);
     dt_next_over <= "1" when dt_next_cut(32) = '0' and (or dt_next_cut(31 downto 26)) = '1' else "0";
     dt_next_under <= "1" when dt_next_cut(32) = '1' and (and dt_next_cut(31 downto 26)) = '0' else "0";
     dt_next <= 27x"3ffffff" when dt_next_over(0) = '1' else 27x"4000000" when dt_next_under(0) = '1' else dt_next_cut(26 downto 0);
     t1_sum <= resize(t0_s13, 28) + resize(dt_next, 28);
-    n242_over <= "1" when t1_sum(27) = '0' and (or t1_sum(26 downto 24)) = '1' else "0";
-    n242_under <= "1" when t1_sum(27) = '1' and (and t1_sum(26 downto 24)) = '0' else "0";
-    n242 <= 25x"0ffffff" when n242_over(0) = '1' else 25x"1000000" when n242_under(0) = '1' else t1_sum(24 downto 0);
+    t1_next_over <= "1" when t1_sum(27) = '0' and (or t1_sum(26 downto 24)) = '1' else "0";
+    t1_next_under <= "1" when t1_sum(27) = '1' and (and t1_sum(26 downto 24)) = '0' else "0";
+    t1_next <= 25x"0ffffff" when t1_next_over(0) = '1' else 25x"1000000" when t1_next_under(0) = '1' else t1_sum(24 downto 0);
 
     process (clk)
     begin
@@ -1307,9 +1307,9 @@ begin
             if ce = '1' then
                 degenerate <= l_block_n103_s13;
                 ds <= ds_next;
-                s1 <= n238;
+                s1 <= s1_next;
                 dt <= dt_next;
-                t1 <= n242;
+                t1 <= t1_next;
             end if;
             if rst = '1' then
                 valid_s14 <= '0';

@@ -20,10 +20,10 @@
 //   degenerate: mean 0.00e0, at most 0.00e0 (0.0 ulp) at normal_x=-2531 normal_y=7271 normal_z=-13448 ct_x=-2894 ct_y=-19246 ct_z=1152 light_x=22420812 light_y=22017016 light_z=19624152 vertex_x=22724046 vertex_y=26548838 vertex_z=18617859 s0=2750663 t0=-1626897 q0=492838 r0=-122705
 //   q1: mean 0.00e0, at most 0.00e0 (0.0 ulp) at normal_x=-2531 normal_y=7271 normal_z=-13448 ct_x=-2894 ct_y=-19246 ct_z=1152 light_x=22420812 light_y=22017016 light_z=19624152 vertex_x=22724046 vertex_y=26548838 vertex_z=18617859 s0=2750663 t0=-1626897 q0=492838 r0=-122705
 //   r1: mean 0.00e0, at most 0.00e0 (0.0 ulp) at normal_x=-2531 normal_y=7271 normal_z=-13448 ct_x=-2894 ct_y=-19246 ct_z=1152 light_x=22420812 light_y=22017016 light_z=19624152 vertex_x=22724046 vertex_y=26548838 vertex_z=18617859 s0=2750663 t0=-1626897 q0=492838 r0=-122705
-// stated bound on each relative displacement: 1.36e-4
-// stated bound on each displacement: 1.90e-2
-// stated bound on each displacement in texels: 4.88e0
-// stated bound on each coordinate: 1.90e-2
+// stated bound on each relative displacement: 1.09e-4
+// stated bound on each displacement: 1.32e-2
+// stated bound on each displacement in texels: 3.38e0
+// stated bound on each coordinate: 1.32e-2
 // stated bound on each flag and what is passed: 0.00e0
 module emboss_nv (
     input  wire clk,
@@ -1650,9 +1650,9 @@ module emboss_nv (
     wire ds_next_under = ds_next_cut[13] & ~(&ds_next_cut[12:11]);
     wire signed [11:-18] ds_next = ds_next_over ? 30'h1fffffff : ds_next_under ? 30'h20000000 : ds_next_cut[11:-18]; // s30f18
     wire signed [12:-18] s1_sum = {{6{s0_s20[6]}}, s0_s20} + {ds_next[11], ds_next}; // s31f18
-    wire n398_over = ~s1_sum[12] & (|s1_sum[11:6]);
-    wire n398_under = s1_sum[12] & ~(&s1_sum[11:6]);
-    wire signed [6:-18] n398 = n398_over ? 25'hffffff : n398_under ? 25'h1000000 : s1_sum[6:-18]; // s25f18
+    wire s1_next_over = ~s1_sum[12] & (|s1_sum[11:6]);
+    wire s1_next_under = s1_sum[12] & ~(&s1_sum[11:6]);
+    wire signed [6:-18] s1_next = s1_next_over ? 25'hffffff : s1_next_under ? 25'h1000000 : s1_sum[6:-18]; // s25f18
     wire signed [11:-38] dt_product = t_l_s20 * $signed({1'b0, reciprocal_length_reciprocal_length_s20}); // s50f38
 
     reg signed [6:-18] t0_s21; // s25f18
@@ -1660,7 +1660,7 @@ module emboss_nv (
     reg signed [6:-18] r0_s21; // s25f18
     reg signed [9:-20] ks_q_s21; // s30f20
     reg signed [11:-18] ds_next_s21; // s30f18
-    reg signed [6:-18] n398_s21; // s25f18
+    reg signed [6:-18] s1_next_s21; // s25f18
     reg signed [11:-38] dt_product_s21; // s50f38
     reg n406_s21; // u1f0
     always @(posedge clk)
@@ -1670,7 +1670,7 @@ module emboss_nv (
             r0_s21 <= r0_s20;
             ks_q_s21 <= ks_q_s20;
             ds_next_s21 <= ds_next;
-            n398_s21 <= n398;
+            s1_next_s21 <= s1_next;
             dt_product_s21 <= dt_product;
             n406_s21 <= n406_s20;
         end
@@ -1691,7 +1691,7 @@ module emboss_nv (
     reg signed [6:-18] r0_s22; // s25f18
     reg signed [9:-20] ks_q_s22; // s30f20
     reg signed [11:-18] ds_next_s22; // s30f18
-    reg signed [6:-18] n398_s22; // s25f18
+    reg signed [6:-18] s1_next_s22; // s25f18
     reg signed [6:-20] dt_unit_s22; // s27f20
     reg n406_s22; // u1f0
     always @(posedge clk)
@@ -1701,7 +1701,7 @@ module emboss_nv (
             r0_s22 <= r0_s21;
             ks_q_s22 <= ks_q_s21;
             ds_next_s22 <= ds_next_s21;
-            n398_s22 <= n398_s21;
+            s1_next_s22 <= s1_next_s21;
             dt_unit_s22 <= dt_unit;
             n406_s22 <= n406_s21;
         end
@@ -1717,7 +1717,7 @@ module emboss_nv (
     reg signed [6:-18] q0_s23; // s25f18
     reg signed [6:-18] r0_s23; // s25f18
     reg signed [11:-18] ds_next_s23; // s30f18
-    reg signed [6:-18] n398_s23; // s25f18
+    reg signed [6:-18] s1_next_s23; // s25f18
     reg signed [16:-40] n401_s23; // s57f40
     reg n406_s23; // u1f0
     always @(posedge clk)
@@ -1726,7 +1726,7 @@ module emboss_nv (
             q0_s23 <= q0_s22;
             r0_s23 <= r0_s22;
             ds_next_s23 <= ds_next_s22;
-            n398_s23 <= n398_s22;
+            s1_next_s23 <= s1_next_s22;
             n401_s23 <= n401;
             n406_s23 <= n406_s22;
         end
@@ -1747,7 +1747,7 @@ module emboss_nv (
     reg signed [6:-18] q0_s24; // s25f18
     reg signed [6:-18] r0_s24; // s25f18
     reg signed [11:-18] ds_next_s24; // s30f18
-    reg signed [6:-18] n398_s24; // s25f18
+    reg signed [6:-18] s1_next_s24; // s25f18
     reg signed [15:-18] dt_next_s24; // s34f18
     reg n406_s24; // u1f0
     always @(posedge clk)
@@ -1756,7 +1756,7 @@ module emboss_nv (
             q0_s24 <= q0_s23;
             r0_s24 <= r0_s23;
             ds_next_s24 <= ds_next_s23;
-            n398_s24 <= n398_s23;
+            s1_next_s24 <= s1_next_s23;
             dt_next_s24 <= dt_next;
             n406_s24 <= n406_s23;
         end
@@ -1767,18 +1767,18 @@ module emboss_nv (
 
     // ---- stage 24 ----
     wire signed [16:-18] t1_sum = {{10{t0_s24[6]}}, t0_s24} + {dt_next_s24[15], dt_next_s24}; // s35f18
-    wire n405_over = ~t1_sum[16] & (|t1_sum[15:6]);
-    wire n405_under = t1_sum[16] & ~(&t1_sum[15:6]);
-    wire signed [6:-18] n405 = n405_over ? 25'hffffff : n405_under ? 25'h1000000 : t1_sum[6:-18]; // s25f18
+    wire t1_next_over = ~t1_sum[16] & (|t1_sum[15:6]);
+    wire t1_next_under = t1_sum[16] & ~(&t1_sum[15:6]);
+    wire signed [6:-18] t1_next = t1_next_over ? 25'hffffff : t1_next_under ? 25'h1000000 : t1_sum[6:-18]; // s25f18
 
     always @(posedge clk)
         if (ce) begin
             q1 <= q0_s24;
             r1 <= r0_s24;
             ds <= ds_next_s24;
-            s1 <= n398_s24;
+            s1 <= s1_next_s24;
             dt <= dt_next_s24;
-            t1 <= n405;
+            t1 <= t1_next;
             degenerate <= n406_s24;
         end
     reg valid_s25;

@@ -20,10 +20,10 @@
 --   degenerate: mean 0.00e0, at most 0.00e0 (0.0 ulp) at normal_x=-2531 normal_y=7271 normal_z=-13448 ct_x=-2894 ct_y=-19246 ct_z=1152 light_x=22420812 light_y=22017016 light_z=19624152 vertex_x=22724046 vertex_y=26548838 vertex_z=18617859 s0=2750663 t0=-1626897 q0=492838 r0=-122705
 --   q1: mean 0.00e0, at most 0.00e0 (0.0 ulp) at normal_x=-2531 normal_y=7271 normal_z=-13448 ct_x=-2894 ct_y=-19246 ct_z=1152 light_x=22420812 light_y=22017016 light_z=19624152 vertex_x=22724046 vertex_y=26548838 vertex_z=18617859 s0=2750663 t0=-1626897 q0=492838 r0=-122705
 --   r1: mean 0.00e0, at most 0.00e0 (0.0 ulp) at normal_x=-2531 normal_y=7271 normal_z=-13448 ct_x=-2894 ct_y=-19246 ct_z=1152 light_x=22420812 light_y=22017016 light_z=19624152 vertex_x=22724046 vertex_y=26548838 vertex_z=18617859 s0=2750663 t0=-1626897 q0=492838 r0=-122705
--- stated bound on each relative displacement: 1.36e-4
--- stated bound on each displacement: 1.90e-2
--- stated bound on each displacement in texels: 4.88e0
--- stated bound on each coordinate: 1.90e-2
+-- stated bound on each relative displacement: 1.09e-4
+-- stated bound on each displacement: 1.32e-2
+-- stated bound on each displacement in texels: 3.38e0
+-- stated bound on each coordinate: 1.32e-2
 -- stated bound on each flag and what is passed: 0.00e0
 library ieee;
 use ieee.std_logic_1164.all;
@@ -1080,16 +1080,16 @@ architecture rtl of emboss_nv is
     signal ds_next_under : unsigned(0 downto 0) := (others => '0');
     signal ds_next : signed(29 downto 0) := (others => '0'); -- s30f18
     signal s1_sum : signed(30 downto 0) := (others => '0'); -- s31f18
-    signal n398_over : unsigned(0 downto 0) := (others => '0');
-    signal n398_under : unsigned(0 downto 0) := (others => '0');
-    signal n398 : signed(24 downto 0) := (others => '0'); -- s25f18
+    signal s1_next_over : unsigned(0 downto 0) := (others => '0');
+    signal s1_next_under : unsigned(0 downto 0) := (others => '0');
+    signal s1_next : signed(24 downto 0) := (others => '0'); -- s25f18
     signal dt_product : signed(49 downto 0) := (others => '0'); -- s50f38
     signal t0_s21 : signed(24 downto 0) := (others => '0'); -- s25f18
     signal q0_s21 : signed(24 downto 0) := (others => '0'); -- s25f18
     signal r0_s21 : signed(24 downto 0) := (others => '0'); -- s25f18
     signal ks_q_s21 : signed(29 downto 0) := (others => '0'); -- s30f20
     signal ds_next_s21 : signed(29 downto 0) := (others => '0'); -- s30f18
-    signal n398_s21 : signed(24 downto 0) := (others => '0'); -- s25f18
+    signal s1_next_s21 : signed(24 downto 0) := (others => '0'); -- s25f18
     signal dt_product_s21 : signed(49 downto 0) := (others => '0'); -- s50f38
     signal n406_s21 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal valid_s21 : std_logic;
@@ -1104,7 +1104,7 @@ architecture rtl of emboss_nv is
     signal r0_s22 : signed(24 downto 0) := (others => '0'); -- s25f18
     signal ks_q_s22 : signed(29 downto 0) := (others => '0'); -- s30f20
     signal ds_next_s22 : signed(29 downto 0) := (others => '0'); -- s30f18
-    signal n398_s22 : signed(24 downto 0) := (others => '0'); -- s25f18
+    signal s1_next_s22 : signed(24 downto 0) := (others => '0'); -- s25f18
     signal dt_unit_s22 : signed(26 downto 0) := (others => '0'); -- s27f20
     signal n406_s22 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal valid_s22 : std_logic;
@@ -1114,7 +1114,7 @@ architecture rtl of emboss_nv is
     signal q0_s23 : signed(24 downto 0) := (others => '0'); -- s25f18
     signal r0_s23 : signed(24 downto 0) := (others => '0'); -- s25f18
     signal ds_next_s23 : signed(29 downto 0) := (others => '0'); -- s30f18
-    signal n398_s23 : signed(24 downto 0) := (others => '0'); -- s25f18
+    signal s1_next_s23 : signed(24 downto 0) := (others => '0'); -- s25f18
     signal n401_s23 : signed(56 downto 0) := (others => '0'); -- s57f40
     signal n406_s23 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal valid_s23 : std_logic;
@@ -1129,15 +1129,15 @@ architecture rtl of emboss_nv is
     signal q0_s24 : signed(24 downto 0) := (others => '0'); -- s25f18
     signal r0_s24 : signed(24 downto 0) := (others => '0'); -- s25f18
     signal ds_next_s24 : signed(29 downto 0) := (others => '0'); -- s30f18
-    signal n398_s24 : signed(24 downto 0) := (others => '0'); -- s25f18
+    signal s1_next_s24 : signed(24 downto 0) := (others => '0'); -- s25f18
     signal dt_next_s24 : signed(33 downto 0) := (others => '0'); -- s34f18
     signal n406_s24 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal valid_s24 : std_logic;
     -- stage 24
     signal t1_sum : signed(34 downto 0) := (others => '0'); -- s35f18
-    signal n405_over : unsigned(0 downto 0) := (others => '0');
-    signal n405_under : unsigned(0 downto 0) := (others => '0');
-    signal n405 : signed(24 downto 0) := (others => '0'); -- s25f18
+    signal t1_next_over : unsigned(0 downto 0) := (others => '0');
+    signal t1_next_under : unsigned(0 downto 0) := (others => '0');
+    signal t1_next : signed(24 downto 0) := (others => '0'); -- s25f18
     signal valid_s25 : std_logic;
 begin
 
@@ -2328,9 +2328,9 @@ begin
     ds_next_under <= "1" when ds_next_cut(31) = '1' and (and ds_next_cut(30 downto 29)) = '0' else "0";
     ds_next <= 30x"1fffffff" when ds_next_over(0) = '1' else 30x"20000000" when ds_next_under(0) = '1' else ds_next_cut(29 downto 0);
     s1_sum <= resize(s0_s20, 31) + resize(ds_next, 31);
-    n398_over <= "1" when s1_sum(30) = '0' and (or s1_sum(29 downto 24)) = '1' else "0";
-    n398_under <= "1" when s1_sum(30) = '1' and (and s1_sum(29 downto 24)) = '0' else "0";
-    n398 <= 25x"0ffffff" when n398_over(0) = '1' else 25x"1000000" when n398_under(0) = '1' else s1_sum(24 downto 0);
+    s1_next_over <= "1" when s1_sum(30) = '0' and (or s1_sum(29 downto 24)) = '1' else "0";
+    s1_next_under <= "1" when s1_sum(30) = '1' and (and s1_sum(29 downto 24)) = '0' else "0";
+    s1_next <= 25x"0ffffff" when s1_next_over(0) = '1' else 25x"1000000" when s1_next_under(0) = '1' else s1_sum(24 downto 0);
     dt_product <= resize(t_l_s20 * signed('0' & reciprocal_length_reciprocal_length_s20), 50);
 
     process (clk)
@@ -2342,7 +2342,7 @@ begin
                 r0_s21 <= r0_s20;
                 ks_q_s21 <= ks_q_s20;
                 ds_next_s21 <= ds_next;
-                n398_s21 <= n398;
+                s1_next_s21 <= s1_next;
                 dt_product_s21 <= dt_product;
                 n406_s21 <= n406_s20;
             end if;
@@ -2370,7 +2370,7 @@ begin
                 r0_s22 <= r0_s21;
                 ks_q_s22 <= ks_q_s21;
                 ds_next_s22 <= ds_next_s21;
-                n398_s22 <= n398_s21;
+                s1_next_s22 <= s1_next_s21;
                 dt_unit_s22 <= dt_unit;
                 n406_s22 <= n406_s21;
             end if;
@@ -2393,7 +2393,7 @@ begin
                 q0_s23 <= q0_s22;
                 r0_s23 <= r0_s22;
                 ds_next_s23 <= ds_next_s22;
-                n398_s23 <= n398_s22;
+                s1_next_s23 <= s1_next_s22;
                 n401_s23 <= n401;
                 n406_s23 <= n406_s22;
             end if;
@@ -2421,7 +2421,7 @@ begin
                 q0_s24 <= q0_s23;
                 r0_s24 <= r0_s23;
                 ds_next_s24 <= ds_next_s23;
-                n398_s24 <= n398_s23;
+                s1_next_s24 <= s1_next_s23;
                 dt_next_s24 <= dt_next;
                 n406_s24 <= n406_s23;
             end if;
@@ -2435,9 +2435,9 @@ begin
 
     -- ---- stage 24 ----
     t1_sum <= resize(t0_s24, 35) + resize(dt_next_s24, 35);
-    n405_over <= "1" when t1_sum(34) = '0' and (or t1_sum(33 downto 24)) = '1' else "0";
-    n405_under <= "1" when t1_sum(34) = '1' and (and t1_sum(33 downto 24)) = '0' else "0";
-    n405 <= 25x"0ffffff" when n405_over(0) = '1' else 25x"1000000" when n405_under(0) = '1' else t1_sum(24 downto 0);
+    t1_next_over <= "1" when t1_sum(34) = '0' and (or t1_sum(33 downto 24)) = '1' else "0";
+    t1_next_under <= "1" when t1_sum(34) = '1' and (and t1_sum(33 downto 24)) = '0' else "0";
+    t1_next <= 25x"0ffffff" when t1_next_over(0) = '1' else 25x"1000000" when t1_next_under(0) = '1' else t1_sum(24 downto 0);
 
     process (clk)
     begin
@@ -2446,9 +2446,9 @@ begin
                 q1 <= q0_s24;
                 r1 <= r0_s24;
                 ds <= ds_next_s24;
-                s1 <= n398_s24;
+                s1 <= s1_next_s24;
                 dt <= dt_next_s24;
-                t1 <= n405;
+                t1 <= t1_next;
                 degenerate <= n406_s24;
             end if;
             if rst = '1' then

@@ -17,7 +17,7 @@
 // no bound is stated: asin, 1/sin and 1/cos have infinite slopes, which no word length bounds; each table's own error is stated
 module rotation_corrected_shared (
     input  wire clk,
-    input  wire rst, // clears the valid bits
+    input  wire rst, // clears the valid bits and the phase
     input  wire ce, // the pipeline stands still without
     input  wire valid_in,
     output wire ready, // inputs are taken at this edge

@@ -23,7 +23,7 @@ use std.textio.all;
 entity rotation_corrected_shared is
     port (
         clk : in std_logic;
-        rst : in std_logic; -- clears the valid bits
+        rst : in std_logic; -- clears the valid bits and the phase
         ce : in std_logic; -- the pipeline stands still without
         valid_in : in std_logic;
         ready : out std_logic; -- inputs are taken at this edge

@@ -421,7 +421,7 @@ impl Rtl {
     }
 
     /// Bits of registers that hold data: all but valid bits and phase counter.
-    fn data_bits(&self) -> u64 {
+    pub(crate) fn data_bits(&self) -> u64 {
         let of = |id: NodeId| {
             let copies = self.registers(id).count()
                 + usize::from(self.schedule.is_clocked(&self.netlist, id));

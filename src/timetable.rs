@@ -107,20 +107,21 @@ impl Timetable {
 
 impl Name {
     fn of(netlist: &Netlist, rtl: &Rtl, unit: usize, operation: &Operation) -> Self {
-        let sides = rtl.schedule().units()[unit].ports.iter().map(|port| port.side).max();
-        let ports = &rtl.schedule().units()[unit].ports;
+        // Not its unit's ports: a constant that is the same in all of a unit's operations has none.
+        let sides = operation.sides.iter().max();
         let adder = rtl.units()[unit].kind == Kind::Adder;
-        let operands: Vec<String> = (0..=sides.unwrap_or(0))
+        let operands: Vec<String> = (0..=sides.copied().unwrap_or(0))
             .map(|side| {
                 // The flag that tells sums from differences: the sign in the formula does.
                 if adder && side == 0 {
                     return String::new();
                 }
-                let places = ports.iter().filter(|port| port.side == side);
-                let names = places.map(|port| match operation.operands[port.place] {
-                    Operand::Node(id) => name_of(netlist, id),
-                    Operand::Constant { raw, format } => format.value(raw).to_string(),
-                });
+                let places = operation.sides.iter().zip(&operation.operands);
+                let names =
+                    places.filter(|(of, _)| **of == side).map(|(_, operand)| match *operand {
+                        Operand::Node(id) => name_of(netlist, id),
+                        Operand::Constant { raw, format } => format.value(raw).to_string(),
+                    });
                 vector_name(&names.collect::<Vec<String>>())
             })
             .collect();

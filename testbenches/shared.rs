@@ -5,7 +5,7 @@ use crate::wave::ReadBack;
 use fixpath::format::{Format, Overflow, Round};
 use fixpath::netlist::{Builder, Netlist, NodeId, Part, Quantity};
 use fixpath::rtl::Rtl;
-use fixpath::schedule::{Binding, Depth, Kind, Plan, Rom, Schedule, Share};
+use fixpath::schedule::{Binding, Depth, Kind, Operand, Plan, Rom, Schedule, Share};
 use fixpath::sim::cycle::Cycle;
 use fixpath::timetable::Timetable;
 use fixpath::units::Design;
@@ -326,6 +326,11 @@ fn waves_show_the_table() {
         }
     }
     assert_eq!(seen, 23 * rows.len());
+    // Nothing of a name is lost in ASCII.
+    for (name, changes) in read.signals.iter().filter(|(name, _)| name.starts_with("emboss.units."))
+    {
+        assert!(changes.values().all(|text| !text.contains('?')), "{name}");
+    }
     // Words that are shown are the reference's of their sample.
     let mut compared = 0;
     for (name, node, stage) in wave.signals() {
@@ -357,6 +362,25 @@ fn waves_show_the_table() {
     assert!(compared > 200, "{compared}");
 }
 
+/// A constant that is the same in every operation of a unit is no port of it, but it is in what is told.
+#[test]
+fn formulas_have_their_constants() {
+    let set = ["schedule=shared", "share_add=40"];
+    let design = fixpath::units::sampler::SAMPLER.values(&set).unwrap().build().unwrap();
+    let rtl = design.rtl().unwrap();
+    let table = Timetable::new(&rtl, None);
+    let mut constants = 0;
+    for (unit, names) in table.names.iter().enumerate() {
+        for (name, operation) in names.iter().zip(rtl.operations(unit)) {
+            let [_, a, b] = &name.operands[..] else { panic!("an adder's sides: {name:?}") };
+            assert!(!a.is_empty() && !b.is_empty(), "{name:?}");
+            let is_constant = |operand: &Operand| matches!(operand, Operand::Constant { .. });
+            constants += usize::from(operation.operands[1..].iter().any(is_constant));
+        }
+    }
+    assert!(constants > 0, "no constant among them");
+}
+
 #[test]
 fn an_interval_too_short_names_kind_operations_and_remedy() {
     let netlist = emboss_netlist();
@@ -381,7 +405,7 @@ fn an_interval_too_short_names_kind_operations_and_remedy() {
     assert_eq!(
         error,
         "unit `root1` can't have a latency of 0 cycles: 1 reads on a clock follow each other there; \
-         give more, or rom=distributed"
+         raise share_latency, or take rom=distributed"
     );
 }
 
@@ -451,7 +475,8 @@ fn parameters_that_do_not_count_are_refused() {
     );
     assert_eq!(
         error(&["schedule=printed"]),
-        "parameter `schedule` = `printed`: legal is flat or shared: rotation has no printed schedule"
+        "parameter `schedule` = `printed`: legal is flat or shared: rotation has no printed schedule with these parameters; \
+         that of emboss is for setting=gx and every switch that is auto left there"
     );
     assert_eq!(
         error(&["schedule=shared", "stages=4"]),

@@ -1,4 +1,4 @@
-//! `fixpath schedule`: a time-shared schedule in the layout of seed 000's table.
+//! `fixpath schedule`: a time-shared schedule in the layout of the table in seed 000 (US 6,980,218).
 
 use super::{UnitArgs, pretty, text};
 use crate::error::Result;
@@ -94,9 +94,14 @@ fn as_text(design: &Design, rtl: &Rtl, table: &Timetable) -> String {
     let mut text = format!("{}: {}\n", unit.name, unit.summary);
     let _ = writeln!(text, "  {}\n", text::parameter_line(&design.values));
     if rtl.units().is_empty() {
+        let remedy = match design.values.choice("schedule") {
+            "shared" => "the netlist has no two operations of a kind that share_…=N names",
+            _ => "take schedule=shared and share_…=N",
+        };
         let _ = writeln!(
             text,
-            "nothing is shared: a sample a cycle, {} cycles of latency; take schedule=shared and share_…=N",
+            "nothing is shared: a sample every {} cycles, {} cycles of latency; {remedy}",
+            schedule.interval(),
             schedule.latency()
         );
         return text;
@@ -212,7 +217,7 @@ fn units(rtl: &Rtl, table: &Timetable, counts: &HardwareCounts) -> Vec<UnitLine>
             operations,
             used: crate::cast::f64_of_len(operations) / f64::from(rtl.schedule().interval()),
             operand_bits: unit.operand_bits(),
-            unit_bits: unit.rtl.counts().hold_bits,
+            unit_bits: unit.rtl.data_bits(),
             operators: told(&counts.units[&unit.name]),
         }
     };

@@ -470,7 +470,11 @@ impl Module {
         let mut ports = Vec::new();
         if self.latency > 0 {
             ports.push(bit("clk", false, ""));
-            ports.push(bit("rst", false, "clears the valid bits"));
+            let clears = match self.ready {
+                Some(_) => "clears the valid bits and the phase",
+                None => "clears the valid bits",
+            };
+            ports.push(bit("rst", false, clears));
             ports.push(bit("ce", false, "the pipeline stands still without"));
         }
         ports.push(bit("valid_in", false, ""));

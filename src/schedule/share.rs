@@ -81,6 +81,9 @@ pub struct Operation {
     pub nodes: Vec<NodeId>,
     /// What it takes from outside: one for each place where a node does, in order.
     pub operands: Vec<Operand>,
+    /// Which operand of its node each of those is; an adder's first is the flag that tells sums
+    /// from differences.
+    pub sides: Vec<usize>,
     /// The netlist's cycle in which it enters its unit, counted from its sample's entry.
     pub issue: u32,
 }
@@ -214,8 +217,8 @@ impl Operation {
                 })
         };
         let exports = (0..nodes.len()).filter(|at| used_outside(&nodes[*at])).collect();
-        let structure = Structure { nodes: shapes, sides, formats, exports };
-        Some((Self { name, nodes, operands, issue: 0 }, structure))
+        let structure = Structure { nodes: shapes, sides: sides.clone(), formats, exports };
+        Some((Self { name, nodes, operands, sides, issue: 0 }, structure))
     }
 }
 
@@ -548,7 +551,7 @@ impl Hardware {
         if most > latency {
             return Err(Error::usage(format!(
                 "unit `{name}` can't have a latency of {latency} cycles: {most} reads on a clock follow each other there; \
-                 give more, or rom=distributed"
+                 raise share_latency, or take rom=distributed"
             )));
         }
         let even = Schedule::pipeline(&self.netlist, rom, super::Depth::Stages(latency + 1))?;

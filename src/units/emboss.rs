@@ -13,7 +13,8 @@
 //! L is a difference of positions, exact, and then block-normalised: its largest component is shifted
 //! up to the top of its word, the others with it, and the shift is never undone, as the result
 //! doesn't depend on it. So the direction of a light 2^-6 away keeps as many bits as one 2^10 away.
-//! Where L is 0 (or a vector that is normalised), nothing is displaced and `degenerate` is 1.
+//! Where L is 0, nothing is displaced; a vector of length 0 that is normalised displaces nothing. Either sets
+//! `degenerate`.
 
 use super::basis::{
     COMPONENT_BITS, DOT_FRAC_BITS, GUARD_BITS, component, frame, golden_frame, golden_unit,
@@ -62,7 +63,7 @@ pub static EMBOSS: Unit = Unit {
              with frame=normal normal_x … ct_z: N and CT in eye space; with frame=given tangent_x … binormal_z there; \
              with scale_q=on q0, r0; with constants=ports ks, kt",
     outputs: "ds, dt: displacements; s1, t1: displaced coordinates; degenerate: 1 where L (or a vector that is normalised) \
-              is 0, and the displacements are 0; with scale_q=on q1, r1, passed",
+              is 0, which displaces nothing; with scale_q=on q1, r1, passed",
     build,
 };
 
@@ -384,7 +385,10 @@ fn build(values: &Values) -> Result<Design> {
         b.output(&format!("d{axis}"), displacement);
         let sum = b.add(ports.number(&format!("{axis}0")), displacement);
         b.name(sum, &format!("{axis}1_sum"));
-        sums.push((format!("{axis}1"), b.narrow(sum, texture(values)?, round, overflow)));
+        let name = format!("{axis}1");
+        let coordinate = b.narrow(sum, texture(values)?, round, overflow);
+        b.name(coordinate, &name);
+        sums.push((name, coordinate));
     }
     for (name, sum) in sums {
         b.output(&name, sum);

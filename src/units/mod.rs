@@ -163,8 +163,11 @@ pub static PIPELINE: &[Param] = &[
         help: "cycles from one sample to the next with schedule=shared",
     },
     share("share_dot", "dot products of three: units for each structure, with schedule=shared"),
-    share("share_mul", "multipliers outside of parts: units, with schedule=shared"),
-    share("share_add", "adders outside of parts: units, with schedule=shared"),
+    share(
+        "share_mul",
+        "multipliers outside of roots, dividers, table schemes and dot products that share_dot shares: units, with schedule=shared",
+    ),
+    share("share_add", "adders outside of the same: units, with schedule=shared"),
     share("share_table", "table schemes: units for each structure, with schedule=shared"),
     share(
         "share_root",
@@ -490,8 +493,11 @@ impl Design {
             }
             _ => {
                 let Some(binding) = &self.binding else {
-                    let legal =
-                        format!("flat or shared: {} has no printed schedule", values.unit().name);
+                    let legal = format!(
+                        "flat or shared: {} has no printed schedule with these parameters; that of emboss is for \
+                         setting=gx and every switch that is auto left there",
+                        values.unit().name
+                    );
                     return Err(values.refuse("schedule", &legal));
                 };
                 Schedule::bound(&self.netlist, rom, period, binding)?

@@ -116,11 +116,13 @@ pub(super) fn narrowed(
 }
 
 /// Length of the difference of the narrowed direction to the exact one, both as unit vectors: no
-/// more than that of the words over the shorter length, which is ½ or more. Where 1 has no code, a
-/// word is off by up to an ulp.
+/// more than that of the words over the shorter length, which is ½ or more. To nearest a word is off
+/// by half an ulp, or, as 1 has no code, by one; then the length is an ulp below 1 or more.
 pub(super) fn direction_error(values: &Values) -> f64 {
     let ulp = 2f64.powi(1 - cast::signed_count(values.bits("norm_bits")));
-    (3f64.sqrt() * ulp / 0.5).min(2.0)
+    let off = 3f64.sqrt() * ulp;
+    let error = if rounding_ulp(values) <= 0.5 { off / (1.0 - ulp) } else { off / 0.5 };
+    error.min(2.0)
 }
 
 /// A vector over its length, in a signed format that holds 1, and the flag for the zero vector,

@@ -133,6 +133,7 @@ impl UnitCodes {
 /// A name without blanks and in ASCII.
 fn tight(text: &str) -> String {
     let mut tight = String::new();
+    let mut open = false;
     for c in text.chars() {
         match c {
             ' ' => {}
@@ -141,7 +142,11 @@ fn tight(text: &str) -> String {
             '±' => tight.push_str("+-"),
             '²' => tight.push_str("^2"),
             '√' => tight.push_str("sqrt"),
-            '‖' => tight.push('|'),
+            // A bar of one's own stands between what is inside.
+            '‖' => {
+                tight.push_str(if open { ")" } else { "len(" });
+                open = !open;
+            }
             'Δ' => tight.push('d'),
             c if c.is_ascii_graphic() => tight.push(c),
             _ => tight.push('?'),

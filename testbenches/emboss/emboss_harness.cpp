@@ -18,10 +18,10 @@
 //   s1: mean 2.01e-6, at most 1.76e-5 (4.6 ulp) at m0_x=-442 m0_y=5407 m0_z=-14755 m1_x=-6142 m1_y=13528 m1_z=5141 m2_x=-14465 m2_y=-5909 m2_z=-1732 tangent_x=17214 tangent_y=6208 tangent_z=1262 binormal_x=6018 binormal_y=-11008 binormal_z=-11948 light_x=21336975 light_y=-15834250 light_z=24525963 vertex_x=21358568 vertex_y=-15697823 vertex_z=24496530 s0=3521428 t0=-2064244
 //   t1: mean 2.02e-6, at most 2.07e-5 (5.4 ulp) at m0_x=16045 m0_y=65 m0_z=143 m1_x=-64 m1_y=16045 m1_z=-102 m2_x=-143 m2_y=101 m2_z=16045 tangent_x=8966 tangent_y=7112 tangent_z=-11725 binormal_x=-10345 binormal_y=-5688 binormal_z=-11360 light_x=-522867 light_y=-20208394 light_z=-19716311 vertex_x=689069 vertex_y=-19977840 vertex_z=-24049337 s0=3380560 t0=141093
 //   degenerate: mean 0.00e0, at most 0.00e0 (0.0 ulp) at m0_x=4674 m0_y=5079 m0_z=-2162 m1_x=-3514 m1_y=4923 m1_z=3966 m2_x=-4257 m2_y=1512 m2_z=-5648 tangent_x=-2894 tangent_y=-19246 tangent_z=1152 binormal_x=-2531 binormal_y=7271 binormal_z=-13448 light_x=22420812 light_y=22017016 light_z=19624152 vertex_x=22724046 vertex_y=26548838 vertex_z=18617859 s0=2750663 t0=-1626897
-// stated bound on each relative displacement: 6.53e-5
-// stated bound on each displacement: 1.69e-3
-// stated bound on each displacement in texels: 4.34e-1
-// stated bound on each coordinate: 1.69e-3
+// stated bound on each relative displacement: 5.21e-5
+// stated bound on each displacement: 1.15e-3
+// stated bound on each displacement in texels: 2.93e-1
+// stated bound on each coordinate: 1.15e-3
 // stated bound on each flag and what is passed: 0.00e0
 //
 // Verilator's harness of emboss: feeds vectors from a file, or from the standard input if

@@ -20,10 +20,10 @@
 //   degenerate: mean 0.00e0, at most 0.00e0 (0.0 ulp) at normal_x=-2531 normal_y=7271 normal_z=-13448 ct_x=-2894 ct_y=-19246 ct_z=1152 light_x=22420812 light_y=22017016 light_z=19624152 vertex_x=22724046 vertex_y=26548838 vertex_z=18617859 s0=2750663 t0=-1626897 q0=492838 r0=-122705
 //   q1: mean 0.00e0, at most 0.00e0 (0.0 ulp) at normal_x=-2531 normal_y=7271 normal_z=-13448 ct_x=-2894 ct_y=-19246 ct_z=1152 light_x=22420812 light_y=22017016 light_z=19624152 vertex_x=22724046 vertex_y=26548838 vertex_z=18617859 s0=2750663 t0=-1626897 q0=492838 r0=-122705
 //   r1: mean 0.00e0, at most 0.00e0 (0.0 ulp) at normal_x=-2531 normal_y=7271 normal_z=-13448 ct_x=-2894 ct_y=-19246 ct_z=1152 light_x=22420812 light_y=22017016 light_z=19624152 vertex_x=22724046 vertex_y=26548838 vertex_z=18617859 s0=2750663 t0=-1626897 q0=492838 r0=-122705
-// stated bound on each relative displacement: 1.36e-4
-// stated bound on each displacement: 1.90e-2
-// stated bound on each displacement in texels: 4.88e0
-// stated bound on each coordinate: 1.90e-2
+// stated bound on each relative displacement: 1.09e-4
+// stated bound on each displacement: 1.32e-2
+// stated bound on each displacement in texels: 3.38e0
+// stated bound on each coordinate: 1.32e-2
 // stated bound on each flag and what is passed: 0.00e0
 //
 // Verilator's harness of emboss_nv: feeds vectors from a file, or from the standard input if
