@@ -133,6 +133,31 @@ fn every_rule_of_a_single_coordinate_has_its_message() {
             ["TEXCOORD0", "SRTG", "TEX0", "IDENTITY"],
             "SRTG from TEX0: coordinates from lighting channels come from COLOR0 or COLOR1",
         ),
+        // Numbers of tokens have no leading zeros and no signs, and are told as they were given.
+        (
+            ["TEXCOORD01", "MTX2x4", "TEX0", "TEXMTX0"],
+            "dst_coord `TEXCOORD01`, did you mean `TEXCOORD0`: legal is TEXCOORD0 to TEXCOORD7",
+        ),
+        (
+            ["GX_TEXCOORD+1", "MTX2x4", "TEX0", "TEXMTX0"],
+            "dst_coord `GX_TEXCOORD+1`, did you mean `TEXCOORD0`: legal is TEXCOORD0 to TEXCOORD7",
+        ),
+        (
+            ["TEXCOORD1", "BUMP00", "TEXCOORD0", "IDENTITY"],
+            "func `BUMP00`, did you mean `BUMP0`: legal is MTX2x4, MTX3x4, BUMP0 to BUMP7, SRTG",
+        ),
+        (
+            ["TEXCOORD1", "BUMP0", "TEXCOORD00", "IDENTITY"],
+            "src_param `TEXCOORD00`, did you mean `TEXCOORD0`: legal is POS, NRM, BINRM, TANGENT, TEX0 to TEX7, TEXCOORD0 to TEXCOORD6, COLOR0, COLOR1",
+        ),
+        (
+            ["TEXCOORD0", "MTX2x4", "TEX0", "TEXMTX01"],
+            "mat_idx `TEXMTX01`, did you mean `TEXMTX0`: legal is TEXMTX0 to TEXMTX9, IDENTITY or a row from 0 to 63",
+        ),
+        (
+            ["TEXCOORD0", "MTX2x4", "GX_TG_TEX99999999999999999999", "TEXMTX0"],
+            "src_param GX_TG_TEX99999999999999999999: legal is TEX0 to TEX7",
+        ),
     ];
     for (call, message) in cases {
         gx_refuses(&[*call], message);
@@ -141,11 +166,27 @@ fn every_rule_of_a_single_coordinate_has_its_message() {
         &[BASE, ["TEXCOORD1", "BUMP0", "TEXCOORD0", "TEXMTX1"]],
         "BUMP0 with matrix TEXMTX1: no matrix is used for a displaced coordinate, give IDENTITY",
     );
-    for (row, legal) in [("64", false), ("-1", false), ("63", true), ("0", true)] {
-        let outcome = run(&set(&["TEXCOORD0", "MTX2x4", "TEX0", "x"]).replace("\"x\"", row));
+    let past = |func: &str, row: u8, rows: u8| {
+        format!(
+            "{func} with matrix row {row}: its {rows} rows end at row {}, and the last row is 63: start it at row {} or below",
+            row + rows - 1,
+            64 - rows
+        )
+    };
+    let range = |row| Some(format!("mat_idx {row}: legal is a row from 0 to 63"));
+    for (func, row, message) in [
+        ("MTX2x4", "64", range("64")),
+        ("MTX2x4", "-1", range("-1")),
+        ("MTX2x4", "63", Some(past("MTX2x4", 63, 2))),
+        ("MTX2x4", "62", None),
+        ("MTX3x4", "63", Some(past("MTX3x4", 63, 3))),
+        ("MTX3x4", "62", Some(past("MTX3x4", 62, 3))),
+        ("MTX3x4", "61", None),
+        ("MTX3x4", "0", None),
+    ] {
+        let outcome = run(&set(&["TEXCOORD0", func, "TEX0", "x"]).replace("\"x\"", row));
         let refused = outcome.events[0].outcome.as_ref().err().map(|why| why.message.clone());
-        let message = format!("mat_idx {row}: legal is a row from 0 to 63");
-        assert_eq!(refused, (!legal).then_some(message));
+        assert_eq!(refused, message);
     }
 }
 
@@ -175,7 +216,16 @@ fn every_rule_between_coordinates_has_its_message() {
             ["TEXCOORD1", "MTX3x4", "NRM", "TEXMTX0"],
             ["TEXCOORD2", "BUMP0", "TEXCOORD0", "IDENTITY"],
         ],
-        "TEXCOORD2 from TEXCOORD0: base and displaced coordinate are numbered n and n + 1, and TEXCOORD1 between them is MTX3x4 of something else",
+        "TEXCOORD2 from TEXCOORD0: base and displaced coordinate are numbered n and n + 1, and TEXCOORD1 between them is MTX3x4 from NRM",
+    );
+    gx_refuses(
+        &[
+            BASE,
+            BUMP,
+            ["TEXCOORD2", "BUMP1", "TEXCOORD0", "IDENTITY"],
+            ["TEXCOORD3", "BUMP2", "TEXCOORD1", "IDENTITY"],
+        ],
+        "TEXCOORD3 from TEXCOORD1: base and displaced coordinate are numbered n and n + 1, and TEXCOORD2 between them is BUMP1 from TEXCOORD0",
     );
     let order = "transformed coordinates (MTX2x4, MTX3x4) come first, then bump coordinates, then those from lighting channels (SRTG)";
     gx_refuses(
@@ -197,7 +247,7 @@ fn every_rule_between_coordinates_has_its_message() {
             ["TEXCOORD2", "BUMP1", "TEXCOORD0", "IDENTITY"],
             ["TEXCOORD1", "MTX2x4", "TEX1", "TEXMTX0"],
         ],
-        "TEXCOORD2 from TEXCOORD0: base and displaced coordinate are numbered n and n + 1, and TEXCOORD1 between them is MTX2x4 of something else",
+        "TEXCOORD2 from TEXCOORD0: base and displaced coordinate are numbered n and n + 1, and TEXCOORD1 between them is MTX2x4 from TEX1",
     );
 }
 
@@ -209,6 +259,17 @@ fn a_gap_is_told_once_all_calls_are_made() {
     let message = "TEXCOORD1 is not set, and TEXCOORD3 is: number coordinates from 0 without a gap";
     assert_eq!(outcome.unfinished.as_ref().unwrap().to_string(), message);
     assert_eq!(outcome.problems(), 1);
+    // Its registers would say two coordinates, and hold words of the first and the fourth.
+    assert!(outcome.registers.is_empty(), "{:?}", outcome.registers);
+    let toml = format!("{}{}", set(&BASE), set(&above));
+    let (code, stdout, _) = command(&toml, &[]);
+    assert_eq!(code, 2);
+    assert!(stdout.contains(message) && !stdout.contains("  register 0x"), "{stdout}");
+    let told: serde_json::Value = serde_json::from_str(&command(&toml, &["--json"]).1).unwrap();
+    assert_eq!(
+        (&told["unfinished"], &told["registers"]),
+        (&message.into(), &serde_json::json!([]))
+    );
     // Filled from above to below, nothing is left to tell.
     let fill = |to| [to, "MTX2x4", "TEX1", "TEXMTX1"];
     assert_eq!(gx(&[above, fill("TEXCOORD2"), fill("TEXCOORD1"), BASE]).problems(), 0);
@@ -239,8 +300,9 @@ fn all_generated() -> Vec<TexGen> {
 #[test]
 fn register_words_hold_every_legal_coordinate() {
     let all = all_generated();
-    // 2 matrices from 12 attributes, 2 colours, at 4 rows; 8 lights over 7 coordinates with IDENTITY.
-    assert_eq!(all.len(), (2 * 12 + 2) * 4 + 8 * 7);
+    // 2 matrices from 12 attributes at 3 rows, as no matrix starts at the last; 2 colours at 4; 8 lights
+    // over 7 coordinates with IDENTITY.
+    assert_eq!(all.len(), 2 * 12 * 3 + 2 * 4 + 8 * 7);
     for generated in all {
         assert_eq!(TexGen::unpack(generated.pack(), generated.matrix()), Ok(generated));
     }
@@ -312,6 +374,21 @@ fn every_field_of_a_register_word_is_checked() {
     }
 }
 
+#[test]
+fn a_register_word_has_32_bits() {
+    for (word, told) in
+        [(-1_i64, "-1"), (1 << 32, "4294967296"), (i64::MIN, "-9223372036854775808")]
+    {
+        let call =
+            format!("[[gx]]\ncall = \"LoadRegister\"\ndst_coord = \"TEXCOORD0\"\nword = {word}\n");
+        let outcome = run(&format!("{}{call}", set(&BASE)));
+        let message = format!("word {told}: legal is a word of 32 bits, 0 to 0xffffffff");
+        assert_eq!(outcome.events[1].outcome.as_ref().unwrap_err().message, message);
+        assert_eq!(outcome.events[1].call, format!("LoadRegister(TEXCOORD0, {told})"));
+        assert_eq!(outcome.registers, gx(&[BASE]).registers);
+    }
+}
+
 proptest! {
     #[test]
     fn any_word_is_refused_or_packs_again(word: u32, matrix: u8) {
@@ -367,6 +444,11 @@ fn nv(calls: &str) -> Outcome {
     run(&calls.lines().filter(|line| !line.trim().is_empty()).map(nv_call).collect::<String>())
 }
 
+fn nv_limits(limits: &str, calls: &str) -> Outcome {
+    let calls = calls.lines().filter(|line| !line.trim().is_empty()).map(nv_call);
+    run(&format!("[limits]\n{limits}\n{}", calls.collect::<String>()))
+}
+
 /// All that is needed for a defined result in unit 1.
 const DEFINED: &str = "
     ActiveTexture texture=TEXTURE1
@@ -405,6 +487,17 @@ fn a_texture_unit_with_all_conditions_met_configures_the_emboss_unit() {
     // Tokens by their numbers, as the extension lists them.
     let numbers = DEFINED.replace("EMBOSS_MAP_NV", "0x855F");
     assert_eq!(nv(&numbers).emboss, nv(DEFINED).emboss);
+    // Floats too: the seed has TexGen{ifd}.
+    let light = |param| {
+        let calls =
+            ["S", "T"].map(|c| format!("TexGen coord={c} pname=EMBOSS_LIGHT_NV param={param}\n"));
+        format!("{DEFINED}Enable cap=LIGHT7\n{}", calls.concat())
+    };
+    let floats = light("16384.0").replace("EMBOSS_MAP_NV", "34143.0");
+    assert_eq!(nv(&floats).emboss, nv(DEFINED).emboss);
+    assert_eq!(nv(&light("16391.0")).emboss[0].light, 7);
+    let last = nv_limits("lights = 32", &light("16415.0").replace("LIGHT7", "LIGHT31"));
+    assert_eq!((last.problems(), last.emboss[0].light), (0, 31), "{last:?}");
 }
 
 #[test]
@@ -479,17 +572,17 @@ fn every_error_of_the_extension_has_its_message() {
         (
             odd,
             "TexGen coord=S pname=EMBOSS_LIGHT_NV param=LIGHT-1",
-            "INVALID_ENUM: LIGHT-1: i of LIGHTi is from 0 to MAX_LIGHTS - 1 = 7",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV `LIGHT-1`: legal is LIGHTi",
         ),
         (
             odd,
             "TexGen coord=S pname=EMBOSS_LIGHT_NV param=0x3fff",
-            "INVALID_ENUM: LIGHT-1: i of LIGHTi is from 0 to MAX_LIGHTS - 1 = 7",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV 16383: legal is LIGHT0 = 16384 to LIGHT7 = 16391",
         ),
         (
             odd,
             "TexGen coord=S pname=EMBOSS_LIGHT_NV param=1.5",
-            "INVALID_ENUM: EMBOSS_LIGHT_NV `1.5`: legal is LIGHTi",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV 1.5: legal is LIGHT0 = 16384 to LIGHT7 = 16391",
         ),
         (
             odd,
@@ -555,7 +648,107 @@ fn every_error_of_the_extension_has_its_message() {
         (
             odd,
             "TexGen coord=S pname=EMBOSS_LIGHT_NV param=LIGHT99999999999999999999",
-            "INVALID_ENUM: LIGHT9223372036854775807: i of LIGHTi is from 0 to MAX_LIGHTS - 1 = 7",
+            "INVALID_ENUM: LIGHT99999999999999999999: i of LIGHTi is from 0 to MAX_LIGHTS - 1 = 7",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=EMBOSS_LIGHT_NV param=5",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV 5: legal is LIGHT0 = 16384 to LIGHT7 = 16391",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=EMBOSS_LIGHT_NV param=-5",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV -5: legal is LIGHT0 = 16384 to LIGHT7 = 16391",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=EMBOSS_LIGHT_NV param=16392",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV 16392: legal is LIGHT0 = 16384 to LIGHT7 = 16391",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=EMBOSS_LIGHT_NV param=16392.0",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV 16392: legal is LIGHT0 = 16384 to LIGHT7 = 16391",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=EMBOSS_LIGHT_NV param=16383.0",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV 16383: legal is LIGHT0 = 16384 to LIGHT7 = 16391",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=EMBOSS_LIGHT_NV param=16384.5",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV 16384.5: legal is LIGHT0 = 16384 to LIGHT7 = 16391",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=EMBOSS_LIGHT_NV param=nan",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV NaN: legal is LIGHT0 = 16384 to LIGHT7 = 16391",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=EMBOSS_LIGHT_NV param=1e300",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV 1e300: legal is LIGHT0 = 16384 to LIGHT7 = 16391",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=EMBOSS_LIGHT_NV param=LIGHT007",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV `LIGHT007`: legal is LIGHTi",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=EMBOSS_LIGHT_NV param=LIGHT00",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV `LIGHT00`: legal is LIGHTi",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=EMBOSS_LIGHT_NV param=LIGHT-0",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV `LIGHT-0`: legal is LIGHTi",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=EMBOSS_LIGHT_NV param=LIGHT+0",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV `LIGHT+0`: legal is LIGHTi",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=EMBOSS_LIGHT_NV param=LIGHT",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV `LIGHT`: legal is LIGHTi",
+        ),
+        (
+            odd,
+            "TexGen coord=S pname=EMBOSS_LIGHT_NV param=GL_GL_LIGHT0",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV `GL_GL_LIGHT0`: legal is LIGHTi",
+        ),
+        (
+            odd,
+            "ActiveTexture texture=TEXTURE01",
+            "INVALID_ENUM: texture `TEXTURE01`: legal is TEXTUREi",
+        ),
+        (
+            odd,
+            "ActiveTexture texture=TEXTURE-1",
+            "INVALID_ENUM: texture `TEXTURE-1`: legal is TEXTUREi",
+        ),
+        (
+            odd,
+            "ActiveTexture texture=GL_GL_TEXTURE1",
+            "INVALID_ENUM: texture `GL_GL_TEXTURE1`: legal is TEXTUREi",
+        ),
+        (
+            odd,
+            "ActiveTexture texture=GL_TEXTURE99999999999999999999",
+            "INVALID_ENUM: GL_TEXTURE99999999999999999999: i of TEXTUREi is from 0 to MAX_TEXTURE_UNITS - 1 = 3",
+        ),
+        (
+            odd,
+            "Enable cap=TEXTURE_GEN_GL_S",
+            "INVALID_ENUM: cap `TEXTURE_GEN_GL_S`: legal is LIGHTING, LIGHTi, TEXTURE_GEN_S, TEXTURE_GEN_T, TEXTURE_GEN_R or TEXTURE_GEN_Q",
+        ),
+        (
+            odd,
+            "Enable cap=LIGHT00",
+            "INVALID_ENUM: cap `LIGHT00`: legal is LIGHTING, LIGHTi, TEXTURE_GEN_S, TEXTURE_GEN_T, TEXTURE_GEN_R or TEXTURE_GEN_Q",
         ),
     ];
     for (before, call, message) in cases {
@@ -568,6 +761,33 @@ fn every_error_of_the_extension_has_its_message() {
         // Nothing has changed: what was defined before still is, to the same values.
         let after = nv(&format!("{DEFINED}{before}{call}\n{odd}"));
         assert_eq!(after.emboss, nv(DEFINED).emboss, "{call}");
+    }
+}
+
+/// Neither a call, nor what it did, nor a configuration is hundreds of digits long.
+#[test]
+fn extreme_constants_are_told_in_scientific_form() {
+    for (param, told) in [
+        ("-1e300", "-1e300"),
+        ("5e-324", "5e-324"),
+        ("0.0000099", "9.9e-6"),
+        ("1e16", "1e16"),
+        ("9007199254740991.0", "9007199254740991"),
+        ("0.0001220703125", "0.0001220703125"),
+        ("-0.0", "-0"),
+    ] {
+        let calls = format!("{DEFINED}TexGen coord=S pname=EMBOSS_CONSTANT_NV param={param}\n");
+        let outcome = nv(&calls);
+        let last = outcome.events.last().unwrap();
+        assert_eq!(last.call, format!("glTexGen(S, EMBOSS_CONSTANT_NV, {told})"));
+        let effect = format!("unit 1: EMBOSS_CONSTANT_NV of S = {told}");
+        assert_eq!(last.outcome.as_ref().unwrap(), &effect);
+        let toml: String =
+            calls.lines().filter(|line| !line.trim().is_empty()).map(nv_call).collect();
+        let (_, stdout, _) = command(&toml, &[]);
+        let line = format!("setting=nv light=0 source=0 destination=1 ks={told} kt=1\n");
+        assert!(stdout.contains(&line), "{stdout}");
+        assert_eq!(told.parse::<f64>().unwrap().to_bits(), outcome.emboss[0].ks.to_bits());
     }
 }
 
@@ -679,10 +899,6 @@ fn malformed_files_are_refused_with_the_line() {
             "calls.toml, line 1: a matrix is TEXMTX0 to TEXMTX9, IDENTITY or the number of its first row",
         ),
         (
-            "[[gx]]\ncall = \"LoadRegister\"\ndst_coord = \"TEXCOORD0\"\nword = -1\n",
-            "calls.toml, line 1: invalid value: integer `-1`, expected u32",
-        ),
-        (
             "gx = 3\n",
             "calls.toml, line 1: invalid type: integer `3`, expected a sequence in `gx = 3`",
         ),
@@ -693,6 +909,15 @@ fn malformed_files_are_refused_with_the_line() {
         (
             "[limits]\ntexture_units = 0\n",
             "calls.toml, line 1: `texture_units` = 0: legal is 1 to 32",
+        ),
+        (
+            "[limits]\ntexture_units = 300\n",
+            "calls.toml, line 1: `texture_units` = 300: legal is 1 to 32",
+        ),
+        ("[limits]\nlights = -1\n", "calls.toml, line 1: `lights` = -1: legal is 8 to 32"),
+        (
+            "[limits]\nlights = 8.5\n",
+            "calls.toml, line 2: invalid type: floating point `8.5`, expected a whole number in `lights = 8.5`",
         ),
         (
             "[limits]\nlight = 8\n",

@@ -3,7 +3,8 @@
 use super::text;
 use crate::document::Document;
 use crate::error::{Error, Result};
-use crate::texgen::{Calls, Outcome, Setting};
+use crate::texgen::nv::Brief;
+use crate::texgen::{Calls, Emboss, Outcome, Setting};
 use clap::Args;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -111,7 +112,10 @@ fn told(document: &Document<'_>, outcome: &Outcome) -> String {
         }
         if api == Setting::Gx {
             if let Some(broken) = &outcome.unfinished {
-                let _ = writeln!(told, "  at the end: REFUSED: {broken}");
+                let _ = writeln!(
+                    told,
+                    "  at the end: REFUSED: {broken}; until then registers are left out"
+                );
             }
             for register in &outcome.registers {
                 let _ = writeln!(
@@ -122,7 +126,12 @@ fn told(document: &Document<'_>, outcome: &Outcome) -> String {
             }
         }
         for emboss in outcome.emboss.iter().filter(|emboss| emboss.setting == api) {
-            let _ = writeln!(told, "  emboss: {emboss}");
+            let Emboss { setting, light, source, destination, ks, kt } = emboss;
+            let (ks, kt) = (Brief(*ks), Brief(*kt));
+            let _ = writeln!(
+                told,
+                "  emboss: setting={setting} light={light} source={source} destination={destination} ks={ks} kt={kt}"
+            );
         }
         if api == Setting::Nv {
             for undefined in &outcome.undefined {

@@ -56,8 +56,8 @@ pub enum Call {
     LoadRegister {
         /// The generated coordinate.
         dst_coord: String,
-        /// The register word, see the module.
-        word: u32,
+        /// The register word, see the module; 32 bits.
+        word: i64,
         /// As above; the word doesn't hold it. IDENTITY if not given.
         mat_idx: Option<Matrix>,
     },
@@ -175,6 +175,16 @@ pub enum Broken {
         /// Its first row.
         matrix: u8,
     },
+    /// A matrix that would read rows that aren't there.
+    #[error("{function} with matrix {}: its {rows} rows end at row {}, and the last row is 63: start it at row {} or below", MatrixName(*.matrix), matrix + rows - 1, MATRIX_ROWS - rows)]
+    MatrixRows {
+        /// The function.
+        function: Function,
+        /// Its first row, below 64.
+        matrix: u8,
+        /// Its rows.
+        rows: u8,
+    },
     /// The source isn't there yet when the destination is generated.
     #[error(
         "TEXCOORD{destination} from TEXCOORD{source_index}: coordinates are generated in order of their numbers, so that emboss takes one with a lower number than its own"
@@ -197,7 +207,7 @@ pub enum Broken {
     },
     /// Something stands between a base coordinate and its displaced one.
     #[error(
-        "TEXCOORD{destination} from TEXCOORD{source_index}: base and displaced coordinate are numbered n and n + 1, and TEXCOORD{between} between them is {}", .is.map_or("not set".to_owned(), |function| format!("{function} of something else"))
+        "TEXCOORD{destination} from TEXCOORD{source_index}: base and displaced coordinate are numbered n and n + 1, and TEXCOORD{between} between them is {}", .is.map_or("not set".to_owned(), |is| format!("{} from {}", is.function, is.source))
     )]
     NotSequential {
         /// The displaced coordinate.
@@ -207,7 +217,7 @@ pub enum Broken {
         /// What is in between.
         between: u8,
         /// How that is generated, if it is.
-        is: Option<Function>,
+        is: Option<TexGen>,
     },
     /// Kinds out of order.
     #[error(
@@ -289,11 +299,13 @@ impl fmt::Display for MatrixName {
     }
 }
 
-/// The number after a word: `TEXCOORD3` after `TEXCOORD`; `u8::MAX` if it is larger than that.
-fn numbered(text: &str, word: &str) -> Option<u8> {
+/// The number after a word: `TEXCOORD3` after `TEXCOORD`; `u8::MAX` if it is larger than that. As names of
+/// tokens are, it is without sign or leading zeros.
+pub(super) fn numbered(text: &str, word: &str) -> Option<u8> {
     let digits = text.strip_prefix(word)?;
     let all = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
-    all.then(|| digits.parse().unwrap_or(u8::MAX))
+    let token = all && (digits == "0" || !digits.starts_with('0'));
+    token.then(|| digits.parse().unwrap_or(u8::MAX))
 }
 
 impl Function {
@@ -311,7 +323,7 @@ impl Function {
             (_, Some(light)) if light < LIGHTS => Ok(Self::Bump(light)),
             (_, Some(_)) => Err(Broken::Range {
                 argument,
-                given: name.to_owned(),
+                given: text.to_owned(),
                 legal: "BUMP0 to BUMP7, one for each of eight lights",
             }),
             (_, None) => {
@@ -331,7 +343,7 @@ impl Source {
         let argument = "src_param";
         let name = text.strip_prefix("GX_TG_").unwrap_or(text);
         let within = |index: u8, count: u8, source: Self, legal: &'static str| {
-            let given = name.to_owned();
+            let given = text.to_owned();
             if index < count { Ok(source) } else { Err(Broken::Range { argument, given, legal }) }
         };
         if let Some(i) = numbered(name, "TEXCOORD") {
@@ -368,7 +380,7 @@ fn destination(text: &str) -> Result<u8, Broken> {
     let name = text.strip_prefix("GX_").unwrap_or(text);
     match numbered(name, "TEXCOORD") {
         Some(i) if i < COORDINATES => Ok(i),
-        Some(_) => Err(Broken::Range { argument, given: name.to_owned(), legal }),
+        Some(_) => Err(Broken::Range { argument, given: text.to_owned(), legal }),
         None => {
             let hint = nearest(name, ["TEXCOORD0"].into_iter());
             Err(Broken::Name { argument, given: text.to_owned(), hint, legal })
@@ -378,6 +390,9 @@ fn destination(text: &str) -> Result<u8, Broken> {
 
 impl Matrix {
     /// The row where it starts.
+    ///
+    /// # Errors
+    /// If there is no such matrix; whether all its rows are there, [`TexGen::new`] checks.
     fn row(&self) -> Result<u8, Broken> {
         let argument = "mat_idx";
         match self {
@@ -391,7 +406,7 @@ impl Matrix {
                 match numbered(name, "TEXMTX") {
                     Some(i) if i < TEXTURE_MATRICES => Ok(FIRST_TEXTURE_MATRIX + 3 * i),
                     Some(_) => {
-                        let given = name.to_owned();
+                        let given = text.clone();
                         Err(Broken::Range { argument, given, legal: "TEXMTX0 to TEXMTX9" })
                     }
                     None if name == "IDENTITY" => Ok(IDENTITY),
@@ -416,6 +431,18 @@ impl fmt::Display for Matrix {
     }
 }
 
+/// A register word in hexadecimal; what is none, as a plain number.
+struct Word(i64);
+
+impl fmt::Display for Word {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match u32::try_from(self.0) {
+            Ok(word) => write!(f, "{word:#010x}"),
+            Err(_) => write!(f, "{}", self.0),
+        }
+    }
+}
+
 impl fmt::Display for Call {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -423,10 +450,10 @@ impl fmt::Display for Call {
                 write!(f, "GXSetTexCoordGen({dst_coord}, {func}, {src_param}, {mat_idx})")
             }
             Self::LoadRegister { dst_coord, word, mat_idx: None } => {
-                write!(f, "LoadRegister({dst_coord}, {word:#010x})")
+                write!(f, "LoadRegister({dst_coord}, {})", Word(*word))
             }
             Self::LoadRegister { dst_coord, word, mat_idx: Some(matrix) } => {
-                write!(f, "LoadRegister({dst_coord}, {word:#010x}, {matrix})")
+                write!(f, "LoadRegister({dst_coord}, {}, {matrix})", Word(*word))
             }
         }
     }
@@ -494,6 +521,12 @@ impl TexGen {
             }
             (Function::Bump(_), Source::TexCoord(_)) if matrix != IDENTITY => {
                 Err(Broken::BumpMatrix { function, matrix })
+            }
+            (Function::Mtx2x4, _) if matrix + 2 > MATRIX_ROWS => {
+                Err(Broken::MatrixRows { function, matrix, rows: 2 })
+            }
+            (Function::Mtx3x4, _) if matrix + 3 > MATRIX_ROWS => {
+                Err(Broken::MatrixRows { function, matrix, rows: 3 })
             }
             (Function::Bump(_), Source::TexCoord(_))
             | (Function::Srtg, Source::Color(_))
@@ -689,7 +722,6 @@ impl TexCoords {
                 let displaced =
                     |is: TexGen| matches!(is.source, Source::TexCoord(i) if i >= source_index);
                 if !is.is_some_and(displaced) {
-                    let is = is.map(|is| is.function);
                     return Err(Broken::NotSequential { destination, source_index, between, is });
                 }
             }
@@ -724,8 +756,13 @@ impl TexCoords {
                 (to, TexGen::new(function, source, mat_idx.row()?)?)
             }
             Call::LoadRegister { dst_coord, word, mat_idx } => {
+                let word = u32::try_from(*word).map_err(|_| Broken::Range {
+                    argument: "word",
+                    given: word.to_string(),
+                    legal: "a word of 32 bits, 0 to 0xffffffff",
+                })?;
                 let row = mat_idx.as_ref().map_or(Ok(IDENTITY), Matrix::row)?;
-                (destination(dst_coord)?, TexGen::unpack(*word, row)?)
+                (destination(dst_coord)?, TexGen::unpack(word, row)?)
             }
         };
         self.set(to, generated)?;
@@ -739,12 +776,12 @@ impl TexCoords {
     }
 
     /// The registers that hold the state: the number of coordinates, the word of each, and the
-    /// indices of their matrices.
+    /// indices of their matrices. None while there is a gap: the number of coordinates couldn't say which.
     #[must_use]
     #[expect(clippy::missing_panics_doc, reason = "there are eight")]
     pub fn registers(&self) -> Vec<Register> {
         let count = self.iter().count();
-        if count == 0 {
+        if count == 0 || self.finish().is_err() {
             return Vec::new();
         }
         let mut matrices = [0_u32; 2];

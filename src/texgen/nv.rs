@@ -2,7 +2,7 @@
 //! the lights that it needs.
 //!
 //! [`State`] is what calls build up; one that OpenGL answers with an error is refused and leaves it as it
-//! was. The values of coordinates whose mode is EMBOSS_MAP_NV are defined only if all four
+//! was. So is, by this tool's own restriction, a constant that is no finite number. The values of coordinates whose mode is EMBOSS_MAP_NV are defined only if all four
 //! coordinates of the unit have that mode and are enabled, S and T name the same light, and that light
 //! and lighting are enabled: [`State::emboss`] gives a configuration, or every condition that fails.
 //!
@@ -11,6 +11,7 @@
 //! the other modes, that SPHERE_MAP is refused for R and Q, that everything is disabled at the start,
 //! and that a unit or a light out of range is INVALID_ENUM.
 
+use super::gx::numbered;
 use super::{Emboss, Setting};
 use crate::cast;
 use serde::{Deserialize, Serialize};
@@ -21,9 +22,9 @@ use std::fmt;
 #[serde(default, deny_unknown_fields)]
 pub struct Limits {
     /// MAX_LIGHTS; 8, the least that OpenGL allows, if not given.
-    pub lights: u8,
+    pub lights: i64,
     /// MAX_TEXTURE_UNITS; 4 if not given.
-    pub texture_units: u8,
+    pub texture_units: i64,
 }
 
 impl Default for Limits {
@@ -129,8 +130,8 @@ enum Cap {
     TexGen(Coord),
 }
 
-/// A call that OpenGL answers with an error: INVALID_ENUM, every one of them, or one that no program in C
-/// could make.
+/// A call that is refused. OpenGL answers each with INVALID_ENUM, but for [`Broken::Constant`]: a program in C
+/// can make that call without an error, and refusing it is this tool's own restriction.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Broken {
     /// A name or a number that is no such token.
@@ -160,20 +161,28 @@ pub enum Broken {
         coord: Coord,
     },
     /// A light that isn't there.
-    #[error("INVALID_ENUM: LIGHT{given}: i of LIGHTi is from 0 to MAX_LIGHTS - 1 = {last}")]
+    #[error("INVALID_ENUM: {given}: i of LIGHTi is from 0 to MAX_LIGHTS - 1 = {last}")]
     Light {
-        /// Its number.
-        given: i64,
+        /// Its name as given.
+        given: String,
+        /// The last light.
+        last: u8,
+    },
+    /// A number that is that of no light.
+    #[error(
+        "INVALID_ENUM: EMBOSS_LIGHT_NV {given}: legal is LIGHT0 = {LIGHT0} to LIGHT{last} = {}", LIGHT0 + i64::from(*.last)
+    )]
+    LightNumber {
+        /// The number as given.
+        given: String,
         /// The last light.
         last: u8,
     },
     /// A unit that isn't there.
-    #[error(
-        "INVALID_ENUM: TEXTURE{given}: i of TEXTUREi is from 0 to MAX_TEXTURE_UNITS - 1 = {last}"
-    )]
+    #[error("INVALID_ENUM: {given}: i of TEXTUREi is from 0 to MAX_TEXTURE_UNITS - 1 = {last}")]
     Unit {
-        /// Its number.
-        given: i64,
+        /// Its name as given.
+        given: String,
         /// The last unit.
         last: u8,
     },
@@ -183,7 +192,8 @@ pub enum Broken {
         /// The coordinate.
         coord: Coord,
     },
-    /// A constant that is no number, or none that can be multiplied by.
+    /// A constant that is NaN, infinite, or a token. C has all of them as numbers and OpenGL takes them; this
+    /// tool doesn't, as no displacement follows from the first two and the last is a mistake.
     #[error(
         "EMBOSS_CONSTANT_NV = {given}: legal is a finite number, such as 1 over the width of the texture"
     )]
@@ -194,7 +204,7 @@ pub enum Broken {
 }
 
 impl Broken {
-    /// The error that `glGetError` gives.
+    /// The error that `glGetError` gives; none where only this tool refuses.
     #[must_use]
     pub fn gl_error(&self) -> Option<&'static str> {
         match self {
@@ -202,7 +212,10 @@ impl Broken {
             Self::Token { .. } | Self::EvenUnit { .. } | Self::RightCoord { .. } => {
                 Some("INVALID_ENUM")
             }
-            Self::Light { .. } | Self::Unit { .. } | Self::SphereMap { .. } => Some("INVALID_ENUM"),
+            Self::Light { .. }
+            | Self::LightNumber { .. }
+            | Self::Unit { .. }
+            | Self::SphereMap { .. } => Some("INVALID_ENUM"),
         }
     }
 }
@@ -263,11 +276,22 @@ impl fmt::Display for Mode {
     }
 }
 
+/// A number as short as its value allows: extreme ones in scientific form.
+pub(crate) struct Brief(pub(crate) f64);
+
+impl fmt::Display for Brief {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(number) = self;
+        let plain = !number.is_finite() || *number == 0.0 || (1e-5..1e16).contains(&number.abs());
+        if plain { write!(f, "{number}") } else { write!(f, "{number:e}") }
+    }
+}
+
 impl fmt::Display for Param {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Integer(number) => write!(f, "{number}"),
-            Self::Number(number) => write!(f, "{number}"),
+            Self::Number(number) => write!(f, "{}", Brief(*number)),
             Self::Token(name) => write!(f, "{name}"),
         }
     }
@@ -292,24 +316,16 @@ fn bare(text: &str) -> &str {
     text.strip_prefix("GL_").unwrap_or(text)
 }
 
-/// The number after a word, which may be negative; the largest or smallest if it is past those.
-fn numbered(text: &str, word: &str) -> Option<i64> {
-    let number = text.strip_prefix(word)?;
-    let digits = number.strip_prefix('-').unwrap_or(number);
-    if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
-        return None;
-    }
-    let extreme = if number.starts_with('-') { i64::MIN } else { i64::MAX };
-    Some(number.parse().unwrap_or(extreme))
-}
-
 impl Coord {
     const ALL: [(Self, &'static str); 4] =
         [(Self::S, "S"), (Self::T, "T"), (Self::R, "R"), (Self::Q, "Q")];
 
+    fn named(name: &str) -> Option<Self> {
+        Self::ALL.iter().find(|(_, is)| *is == name).map(|(coord, _)| *coord)
+    }
+
     fn parse(text: &str) -> Result<Self, Broken> {
-        let known = Self::ALL.iter().find(|(_, name)| *name == bare(text));
-        known.map(|(coord, _)| *coord).ok_or_else(|| Broken::Token {
+        Self::named(bare(text)).ok_or_else(|| Broken::Token {
             argument: "coord",
             given: text.to_owned(),
             legal: "S, T, R or Q",
@@ -392,30 +408,52 @@ pub struct State {
 }
 
 impl State {
-    /// The initial state, with a light and a unit at least.
+    /// The initial state, with 1 to 255 lights and units: limits past those are taken as those.
     #[must_use]
     pub fn new(limits: Limits) -> Self {
+        let count = |limit: i64| cast::index_of(limit.clamp(1, i64::from(u8::MAX)));
         Self {
             active: 0,
-            units: vec![[INITIAL; 4]; usize::from(limits.texture_units.max(1))],
-            lights: vec![false; usize::from(limits.lights.max(1))],
+            units: vec![[INITIAL; 4]; count(limits.texture_units)],
+            lights: vec![false; count(limits.lights)],
             lighting: false,
         }
     }
 
-    fn light(&self, given: i64) -> Result<u8, Broken> {
-        let light =
-            u8::try_from(given).ok().filter(|light| usize::from(*light) < self.lights.len());
-        let last = u8::try_from(self.lights.len() - 1).expect("bug: limits are bytes");
-        light.ok_or(Broken::Light { given, last })
+    fn last_light(&self) -> u8 {
+        u8::try_from(self.lights.len() - 1).expect("bug: 255 lights at most")
+    }
+
+    /// A light by its name; nothing if that isn't LIGHTi.
+    fn light(&self, name: &str) -> Option<Result<u8, Broken>> {
+        let (light, last) = (numbered(bare(name), "LIGHT")?, self.last_light());
+        let given = name.to_owned();
+        Some(if light <= last { Ok(light) } else { Err(Broken::Light { given, last }) })
+    }
+
+    /// A light by its name or by its number, also if that comes as a float.
+    fn emboss_light(&self, param: &Param) -> Result<u8, Broken> {
+        let last = self.last_light();
+        let number = |light: &u8| LIGHT0 + i64::from(*light);
+        let found = match param {
+            Param::Token(name) => {
+                return self.light(name).unwrap_or_else(|| {
+                    let (argument, legal) = ("EMBOSS_LIGHT_NV", "LIGHTi");
+                    Err(Broken::Token { argument, given: name.clone(), legal })
+                });
+            }
+            Param::Integer(given) => (0..=last).find(|light| number(light) == *given),
+            Param::Number(given) => (0..=last).find(|light| cast::f64_of(number(light)) == *given),
+        };
+        found.ok_or_else(|| Broken::LightNumber { given: param.to_string(), last })
     }
 
     fn cap(&self, text: &str) -> Result<Cap, Broken> {
         let name = bare(text);
-        if let Some(light) = numbered(name, "LIGHT") {
-            return Ok(Cap::Light(self.light(light)?));
+        if let Some(light) = self.light(text) {
+            return Ok(Cap::Light(light?));
         }
-        let coord = name.strip_prefix("TEXTURE_GEN_").and_then(|coord| Coord::parse(coord).ok());
+        let coord = name.strip_prefix("TEXTURE_GEN_").and_then(Coord::named);
         match (name, coord) {
             ("LIGHTING", _) => Ok(Cap::Lighting),
             (_, Some(coord)) => Ok(Cap::TexGen(coord)),
@@ -455,7 +493,7 @@ impl State {
         let value = match pname {
             Pname::Mode => generation.mode.to_string(),
             Pname::Light => format!("LIGHT{}", generation.light),
-            Pname::Constant => generation.constant.to_string(),
+            Pname::Constant => Brief(generation.constant).to_string(),
         };
         format!("unit {}: {} of {coord:?} = {value}", self.active, pname.name())
     }
@@ -483,17 +521,7 @@ impl State {
                 self.generation_mut(coord).mode = mode;
             }
             Pname::Light => {
-                let number = match param {
-                    Param::Token(name) => numbered(bare(name), "LIGHT"),
-                    Param::Integer(token) => Some(token.saturating_sub(LIGHT0)),
-                    Param::Number(_) => None,
-                };
-                let number = number.ok_or_else(|| Broken::Token {
-                    argument: "EMBOSS_LIGHT_NV",
-                    given: param.to_string(),
-                    legal: "LIGHTi",
-                })?;
-                self.generation_mut(coord).light = self.light(number)?;
+                self.generation_mut(coord).light = self.emboss_light(param)?;
             }
             Pname::Constant => {
                 let number = match param {
@@ -512,20 +540,21 @@ impl State {
     /// Makes a call; tells what it did.
     ///
     /// # Errors
-    /// If OpenGL answers it with an error; the state stays as it was.
-    #[expect(clippy::missing_panics_doc, reason = "limits are bytes")]
+    /// If it is refused, see [`Broken`]; the state stays as it was.
+    #[expect(clippy::missing_panics_doc, reason = "255 units at most")]
     pub fn call(&mut self, call: &Call) -> Result<String, Broken> {
         match call {
             Call::ActiveTexture { texture } => {
-                let given = numbered(bare(texture), "TEXTURE").ok_or_else(|| Broken::Token {
+                let unit = numbered(bare(texture), "TEXTURE").ok_or_else(|| Broken::Token {
                     argument: "texture",
                     given: texture.clone(),
                     legal: "TEXTUREi",
                 })?;
-                let unit = u8::try_from(given).ok();
-                let unit = unit.filter(|unit| usize::from(*unit) < self.units.len());
-                let last = u8::try_from(self.units.len() - 1).expect("bug: limits are bytes");
-                self.active = unit.ok_or(Broken::Unit { given, last })?;
+                let last = u8::try_from(self.units.len() - 1).expect("bug: 255 units at most");
+                if unit > last {
+                    return Err(Broken::Unit { given: texture.clone(), last });
+                }
+                self.active = unit;
                 Ok(format!("texture unit {} is active", self.active))
             }
             Call::TexGen { coord, pname, param } => {
