@@ -1,7 +1,7 @@
 // under test
 module little (
     input  wire clk,
-    input  wire rst, // clears the valid bits
+    input  wire rst, // clears the valid bits and the phase
     input  wire ce, // the pipeline stands still without
     input  wire valid_in,
     output wire ready, // inputs are taken at this edge

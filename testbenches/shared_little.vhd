@@ -6,7 +6,7 @@ use ieee.numeric_std.all;
 entity little is
     port (
         clk : in std_logic;
-        rst : in std_logic; -- clears the valid bits
+        rst : in std_logic; -- clears the valid bits and the phase
         ce : in std_logic; -- the pipeline stands still without
         valid_in : in std_logic;
         ready : out std_logic; -- inputs are taken at this edge

@@ -3,8 +3,7 @@
 use super::text;
 use crate::document::Document;
 use crate::error::{Error, Result};
-use crate::texgen::nv::Brief;
-use crate::texgen::{Calls, Emboss, Outcome, Setting};
+use crate::texgen::{Calls, Outcome, Setting};
 use clap::Args;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -126,12 +125,7 @@ fn told(document: &Document<'_>, outcome: &Outcome) -> String {
             }
         }
         for emboss in outcome.emboss.iter().filter(|emboss| emboss.setting == api) {
-            let Emboss { setting, light, source, destination, ks, kt } = emboss;
-            let (ks, kt) = (Brief(*ks), Brief(*kt));
-            let _ = writeln!(
-                told,
-                "  emboss: setting={setting} light={light} source={source} destination={destination} ks={ks} kt={kt}"
-            );
+            let _ = writeln!(told, "  emboss: {emboss}");
         }
         if api == Setting::Nv {
             for undefined in &outcome.undefined {

@@ -54,6 +54,7 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(String, bool)> {
         tables: args.tables.tables(),
         limit: Duration::from_secs(args.time_limit),
         keep: args.keep.clone(),
+        ..Request::default()
     };
     let design = args.unit.design()?;
     // What was asked for by name has to be there, before anything runs.

@@ -93,6 +93,7 @@ impl fmt::Display for Setting {
 impl fmt::Display for Emboss {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { setting, light, source, destination, ks, kt } = self;
+        let (ks, kt) = (nv::Brief(*ks), nv::Brief(*kt));
         write!(
             f,
             "setting={setting} light={light} source={source} destination={destination} ks={ks} kt={kt}"

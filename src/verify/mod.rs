@@ -94,6 +94,8 @@ pub struct Request {
     pub tables: Option<Tables>,
     /// Longest run of a tool.
     pub limit: Duration,
+    /// Longest proof of Yosys's at one of the widths that it tries, within that.
+    pub proof_limit: Duration,
     /// Folder to keep the files in; a scratch folder if `None`.
     pub keep: Option<PathBuf>,
 }
@@ -106,6 +108,7 @@ impl Default for Request {
             seed: 1,
             tables: None,
             limit: Duration::from_secs(600),
+            proof_limit: Duration::from_secs(60),
             keep: None,
         }
     }

@@ -16,8 +16,6 @@ use std::time::{Duration, Instant};
 
 /// Widths at which Yosys proves: larger ones first, smaller ones where those take too long.
 const PROOF_BITS: [i64; 2] = [4, 3];
-/// Longest proof at one of them.
-const PROOF_LIMIT: Duration = Duration::from_secs(60);
 /// Iterations at which it proves.
 const PROOF_ITERATIONS: i64 = 3;
 
@@ -200,7 +198,7 @@ fn ghdl(job: &Job<'_>, row: &mut Row) -> Ended {
 fn yosys(job: &Job<'_>) -> Ended {
     let script = format!("{}.ys", job.package.module.name);
     step(job, "yosys", &["-q", &script])?;
-    let limit = PROOF_LIMIT.min(job.request.limit);
+    let limit = job.request.proof_limit.min(job.request.limit);
     for bits in PROOF_BITS {
         let Some((design, shrunk)) = small(job.design, bits) else { continue };
         let (outcome, latency) = prove(&design, limit).map_err(failed)?;
