@@ -79,7 +79,7 @@ enum Command {
     },
     /// Print a time-shared schedule: what sits in which unit in which cycle, and what that takes.
     #[command(
-        after_help = "Cycles count from 1. A unit with operand registers loads in the cycle before it computes.\n\nExamples:\n  fixpath schedule bump -p schedule=shared -p share_mul=2 -p share_add=2\n  fixpath schedule emboss -p schedule=shared -p share_dot=2 -p interval=8 --json\n  fixpath schedule emboss -p schedule=printed -p l_sign=vertex-light       (as US 6,980,218 prints it)"
+        after_help = "Cycles count from 1. A unit with operand registers loads in the cycle before it computes.\n\nExamples:\n  fixpath schedule bump -p schedule=shared -p share_mul=2 -p share_add=2\n  fixpath schedule emboss -p schedule=shared -p share_dot=2 -p interval=8 --json\n  fixpath schedule emboss -p schedule=printed -p l_sign=vertex-light     as US 6,980,218 has it"
     )]
     Schedule(schedule::ScheduleArgs),
     /// Run a unit on a CSV of real inputs.
