@@ -128,7 +128,7 @@ enum Command {
     Wave {
         #[command(flatten)]
         unit: UnitArgs,
-        /// CSV of inputs, one row a cycle; without it, hard cases and random vectors.
+        /// CSV of inputs, one row a sample: a cycle, or an interval; without it, hard cases and random vectors.
         #[arg(long = "in", value_name = "FILE")]
         input: Option<PathBuf>,
         /// Unit of angles in that file.
@@ -601,7 +601,7 @@ fn write_cases(sim: &Sim, to: &mut dyn Write, path: &Path) -> Result<()> {
     writer.flush().map_err(output::at(path))
 }
 
-/// Input words from a CSV, one row a cycle.
+/// Input words from a CSV, one row a sample.
 fn read_stimulus(
     design: &Design,
     path: &Path,

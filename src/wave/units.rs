@@ -5,7 +5,8 @@
 //! for blanks: `Te · L` is `Te*L`, `L²` is `L^2`; `-` is nothing. `issue` is the operation that
 //! enters in this cycle, `out` the one whose result is at the output, `load` what operand
 //! registers take at the end of this cycle, and `inside`, for units with a latency, all from the
-//! one that is issued to the one at the output. Only operations on valid data are shown.
+//! one that is issued to the one at the output. Only operations on valid data are shown. The words at
+//! ports are there in every cycle, whatever sits in the unit: where `issue` and `out` are `-` they mean nothing.
 
 use super::{change_word, top_index};
 use crate::cast;
