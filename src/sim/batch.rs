@@ -2,7 +2,7 @@
 //!
 //! [`Program::compile`] turns the netlist into instructions over columns of lanes, and a [`Runner`]
 //! runs them block by block, without allocation; nothing is dispatched per sample. What is asked
-//! of each node decides its lane ([`super::lanes`]): 16, 32 or 64 bits, by the words that can occur
+//! of each node decides its lane (`lanes.rs`): 16, 32 or 64 bits, by the words that can occur
 //! and by the bits that users look at. Shifts of the binary point, residues and `narrow`s that
 //! change no bit take no instruction; a `narrow` runs in the pass of the sum or product before it;
 //! nodes that nobody asks for are gone and those with one word are constants.
@@ -19,8 +19,8 @@
 //! is kept because passes over a block cost about as much as they would compiled: kernels by hand for
 //! the one setting give 370 to 390.
 //!
-//! [`super::kernels`] has the loops, plain Rust that the compiler vectorises for each set of
-//! processor features in [`crate::simd`]. [`super::real`] does the same on reals, for the
+//! `kernels.rs` has the loops, plain Rust that the compiler vectorises for each set of
+//! processor features in `simd.rs`. [`super::real`] does the same on reals, for the
 //! algorithm's value at every node.
 
 use super::kernels::{self, Fit, Kernel, Lane, Limit, Slow, Wrap};

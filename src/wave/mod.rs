@@ -10,7 +10,7 @@
 //!
 //! With a time-shared schedule, a word in its own stage is shown in its phase only and is `x` in
 //! the others; the hold register of a word, `name_sN`, shows it for the whole interval. A node inside a
-//! unit has only that. Phase and units stand in [`units`].
+//! unit has only that. Phase and units stand beside them.
 
 mod units;
 
