@@ -25,6 +25,7 @@ const PROVED: &[&str] = &[
     "rotation_exact_polar_table",
     "rotation_corrected",
     "rotation_printed",
+    "rotation_corrected_shared",
     "illumination",
     "kugler",
     "sampler",
@@ -33,6 +34,7 @@ const PROVED: &[&str] = &[
     "rsqrt",
     "rsqrt_newton",
     "cross_product",
+    "emboss_printed",
 ];
 
 /// Tools take a design with the whole hard-case list, and each of them agrees.

@@ -234,30 +234,12 @@ impl Schedule {
         let mut arrivals: Vec<u32> = Vec::with_capacity(netlist.nodes().len());
         let mut longest = 0;
         for id in netlist.ids() {
-            let node = netlist.node(id);
-            let (mut stage, mut arrival) = (0, 0);
-            for operand in &node.operands {
-                let (s, a) = (stages[operand.index()], arrivals[operand.index()]);
-                if s > stage {
-                    (stage, arrival) = (s, a);
-                } else if s == stage {
-                    arrival = arrival.max(a);
-                }
-            }
-            let clocked = rom == Rom::Block && matches!(node.op, Op::Read { .. });
-            let delay = if clocked { ROM_SETUP_PS } else { delay_ps(netlist, id) };
-            // What starts at a register may be as slow as it is; nothing shorter can be done.
-            if arrival > 0 && delay > 0 && arrival.saturating_add(delay) > available {
-                (stage, arrival) = (stage + 1, 0);
-            }
-            arrival += delay;
-            longest = longest.max(arrival);
-            if clocked {
-                (stage, arrival) = (stage + 1, ROM_OUTPUT_PS);
-                longest = longest.max(arrival);
-            }
-            stages.push(stage);
-            arrivals.push(arrival);
+            let placed = Free::after(netlist, rom, available, id, |operand| {
+                (stages[operand.index()], arrivals[operand.index()])
+            });
+            longest = longest.max(placed.longest_ps);
+            stages.push(placed.stage);
+            arrivals.push(placed.arrival_ps);
         }
         // An output port is a register: what is computed in a stage is out after it.
         let latency = netlist
@@ -325,6 +307,50 @@ impl Schedule {
             }
         }
         Ok(())
+    }
+}
+
+/// Where a node with hardware of its own comes.
+struct Free {
+    stage: u32,
+    /// When its word is there, from the start of its stage.
+    arrival_ps: u32,
+    /// The longest path that ends in it.
+    longest_ps: u32,
+}
+
+impl Free {
+    /// As early as its operands, each with its stage and arrival, and the time between registers
+    /// allow.
+    fn after(
+        netlist: &Netlist,
+        rom: Rom,
+        available_ps: u32,
+        id: NodeId,
+        operand: impl Fn(NodeId) -> (u32, u32),
+    ) -> Self {
+        let node = netlist.node(id);
+        let (mut stage, mut arrival) = (0, 0);
+        for (s, a) in node.operands.iter().map(|id| operand(*id)) {
+            if s > stage {
+                (stage, arrival) = (s, a);
+            } else if s == stage {
+                arrival = arrival.max(a);
+            }
+        }
+        let clocked = rom == Rom::Block && matches!(node.op, Op::Read { .. });
+        let delay = if clocked { ROM_SETUP_PS } else { delay_ps(netlist, id) };
+        // What starts at a register may be as slow as it is; nothing shorter can be done.
+        if arrival > 0 && delay > 0 && arrival.saturating_add(delay) > available_ps {
+            (stage, arrival) = (stage + 1, 0);
+        }
+        arrival += delay;
+        let mut longest = arrival;
+        if clocked {
+            (stage, arrival) = (stage + 1, ROM_OUTPUT_PS);
+            longest = longest.max(arrival);
+        }
+        Self { stage, arrival_ps: arrival, longest_ps: longest }
     }
 }
 

@@ -4,12 +4,11 @@
 //! schedule at the shortest interval that the units allow always exists.
 
 use super::share::{Hardware, Kind, Operand, Operation, Structure, Unit, operations};
-use super::{REGISTER_PS, ROM_OUTPUT_PS, ROM_SETUP_PS, Rom, Schedule, delay_ps};
+use super::{Free, REGISTER_PS, Rom, Schedule, delay_ps};
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::format::addr_bits;
 use crate::netlist::Netlist;
-use crate::op::Op;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -447,7 +446,7 @@ fn place(
             let mut earliest = 0;
             let mut late = None;
             for (place, operand) in operation.operands.iter().enumerate() {
-                let side = group.structure.sides[place];
+                let side = operation.sides[place];
                 let registered = group.registered.get(side).copied().unwrap_or(false);
                 let first = match *operand {
                     Operand::Constant { .. } => 0,
@@ -493,7 +492,7 @@ fn place(
             taken[wanted[at].group][unit][phase(issue)] = Some(at);
             seats[at] = (unit, issue);
             for (place, operand) in operation.operands.iter().enumerate() {
-                let side = group.structure.sides[place];
+                let side = operation.sides[place];
                 let registered = group.registered.get(side).copied().unwrap_or(false);
                 if let Operand::Node(id) = *operand
                     && registered
@@ -507,33 +506,14 @@ fn place(
                 stages[id.index()] = issue + group.latency;
             }
         } else {
-            let id = netlist.id_at(now);
-            let node = netlist.node(id);
-            let (mut stage, mut arrival) = (0, 0);
-            for operand in &node.operands {
+            let placed = Free::after(netlist, rom, available, netlist.id_at(now), |operand| {
                 let shared = item[operand.index()] >= nodes;
-                let s = stages[operand.index()] + u32::from(shared);
-                let a = if shared { 0 } else { arrivals[operand.index()] };
-                if s > stage {
-                    (stage, arrival) = (s, a);
-                } else if s == stage {
-                    arrival = arrival.max(a);
-                }
-            }
-            let clocked = rom == Rom::Block && matches!(node.op, Op::Read { .. });
-            let delay = if clocked { ROM_SETUP_PS } else { delay_ps(netlist, id) };
-            // What starts at a register may be as slow as it is; nothing shorter can be done.
-            if arrival > 0 && delay > 0 && arrival.saturating_add(delay) > available {
-                (stage, arrival) = (stage + 1, 0);
-            }
-            arrival += delay;
-            longest = longest.max(arrival);
-            if clocked {
-                (stage, arrival) = (stage + 1, ROM_OUTPUT_PS);
-                longest = longest.max(arrival);
-            }
-            stages[now] = stage;
-            arrivals[now] = arrival;
+                let arrival = if shared { 0 } else { arrivals[operand.index()] };
+                (stages[operand.index()] + u32::from(shared), arrival)
+            });
+            longest = longest.max(placed.longest_ps);
+            stages[now] = placed.stage;
+            arrivals[now] = placed.arrival_ps;
         }
         for user in &users[now] {
             missing[*user] -= 1;

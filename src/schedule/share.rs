@@ -92,8 +92,6 @@ pub struct Operation {
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Structure {
     nodes: Vec<Shape>,
-    /// Side of each place that takes an operand from outside: which operand of its node.
-    pub(super) sides: Vec<usize>,
     /// Formats of those operands, where they matter.
     formats: Option<Vec<Format>>,
     /// Positions of nodes that are used outside, in one operation or another.
@@ -217,7 +215,7 @@ impl Operation {
                 })
         };
         let exports = (0..nodes.len()).filter(|at| used_outside(&nodes[*at])).collect();
-        let structure = Structure { nodes: shapes, sides: sides.clone(), formats, exports };
+        let structure = Structure { nodes: shapes, formats, exports };
         Some((Self { name, nodes, operands, sides, issue: 0 }, structure))
     }
 }
@@ -241,7 +239,7 @@ pub(super) fn format_of(netlist: &Netlist, operand: Operand) -> Format {
 impl Structure {
     /// True if operations of both can share a unit.
     pub(super) fn fits(&self, other: &Self) -> bool {
-        self.nodes == other.nodes && self.sides == other.sides && self.formats == other.formats
+        self.nodes == other.nodes && self.formats == other.formats
     }
 }
 
@@ -449,7 +447,7 @@ impl Hardware {
         let mut ports: Vec<UnitPort> = Vec::new();
         let mut inputs: Vec<NodeId> = Vec::new();
         let mut at_place: Vec<NodeId> = Vec::new();
-        for place in 0..structure.sides.len() {
+        for (place, side) in operations[0].sides.iter().copied().enumerate() {
             let all: Vec<Operand> = operations.iter().map(|o| o.operands[place]).collect();
             if let Operand::Constant { raw, format } = all[0]
                 && all.iter().all(|o| *o == all[0])
@@ -457,7 +455,6 @@ impl Hardware {
                 at_place.push(b.constant(raw, format));
                 continue;
             }
-            let side = structure.sides[place];
             // A port serves every place that takes the same in all operations.
             let same = ports.iter().position(|port| {
                 port.registered == registered(side)

@@ -460,7 +460,7 @@ impl Design {
         let period = count(values.int("period_ps").expect("bug: no auto here"));
         let stages = values.int("stages").map(count);
         let kind = values.choice("schedule");
-        // What is set must count.
+        // What only a found schedule takes must not be set for another.
         let silent = |name: &str| kind != "shared" && name != "schedule";
         for param in &PIPELINE[SHARING] {
             if silent(param.name) && values.get(param.name).to_string() != param.default {
