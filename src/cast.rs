@@ -63,7 +63,7 @@ pub(crate) fn low_i32(raw: i64) -> i32 {
     raw as i32
 }
 
-/// The low 32 bits of a count, as a node index; the arena refuses to grow past that.
+/// The low 32 bits of a count: of a node, whose arena refuses to grow past that, or of a short run.
 #[inline(always)]
 pub(crate) fn id_of(index: usize) -> u32 {
     index as u32

@@ -14,7 +14,7 @@ mod verify;
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::eval::{self, AngleUnit, InputFile};
-use crate::measure::{self, BoundCheck, Inputs, Profile, Report};
+use crate::measure::{self, BoundCheck, Cone, Inputs, Profile, Report};
 use crate::output;
 use crate::outside;
 use crate::report::record::RankBy;
@@ -101,7 +101,7 @@ enum Command {
     },
     /// Measure errors against the golden model, with the input that gives the worst.
     #[command(
-        after_help = "Examples:\n  fixpath sim rotation --samples 10000000\n  fixpath sim rotation -p variant=corrected --json\n  fixpath sim rotation -p angle_bits=5 --sampler exhaustive\n  fixpath sim rotation --hard --cases cases.csv"
+        after_help = "Examples:\n  fixpath sim rotation --samples 10000000\n  fixpath sim rotation -p variant=corrected --json\n  fixpath sim rotation -p angle_bits=5 --sampler exhaustive\n  fixpath sim rotation -p variant=corrected -p angle_bits=10 --cone sin_theta_x\n  fixpath sim rotation --hard --cases cases.csv"
     )]
     Sim {
         #[command(flatten)]
@@ -114,6 +114,10 @@ enum Command {
         /// Write every hard case with its results into a CSV.
         #[arg(long, value_name = "FILE", requires = "hard")]
         cases: Option<PathBuf>,
+        /// Only this node, as `fixpath show` lists it, against its value on reals: over every combination
+        /// of the words that it depends on (up to 2^32), whatever the sampler.
+        #[arg(long, value_name = "NODE", conflicts_with_all = ["hard", "samples", "seed"])]
+        cone: Option<String>,
         /// Tell which share of the time went where.
         #[arg(long)]
         profile: bool,
@@ -394,7 +398,20 @@ fn run(command: &Command) -> Result<bool> {
         Command::Eval { unit, input, out, angle } => {
             eval_command(&unit.design()?, input, out, angle.unit())?;
         }
-        Command::Sim { unit, inputs, hard, cases, profile, json } => {
+        Command::Sim { unit, cone: Some(label), profile, json, .. } => {
+            let design = unit.design()?;
+            let cone = Cone::new(&design.netlist, label)?;
+            let bar = progress_bar(cone.samples(), design.values.unit().name);
+            let report = cone.measure(&design, &|done| bar.set_position(done))?;
+            bar.finish_and_clear();
+            let times = profile.then_some(&report.speed.profile);
+            print(&if *json {
+                pretty(&with_profile(text::cone_json(&design, &cone, &report), times))
+            } else {
+                text::cone(&design, &cone, &report) + &times.map(text::profile).unwrap_or_default()
+            })?;
+        }
+        Command::Sim { unit, inputs, hard, cases, cone: None, profile, json } => {
             let mut inputs = inputs.inputs();
             if *hard {
                 inputs.sampler = Sampler::Hard;
@@ -405,11 +422,7 @@ fn run(command: &Command) -> Result<bool> {
             }
             let times = profile.then_some(&sim.report.speed.profile);
             print(&if *json {
-                let mut json = text::sim_json(&sim);
-                if let Some(times) = times {
-                    json["profile_seconds"] = serde_json::json!(times);
-                }
-                pretty(&json)
+                pretty(&with_profile(text::sim_json(&sim), times))
             } else {
                 text::sim(&sim) + &times.map(text::profile).unwrap_or_default()
             })?;
@@ -540,6 +553,14 @@ fn eval_command(design: &Design, input: &Path, out: &Path, angle: AngleUnit) -> 
         output::write_file(out, |to| eval::eval(design, from, input, to, out, angle).map(|_| ()))?;
     }
     Ok(())
+}
+
+/// Seconds of each part beside what was measured.
+fn with_profile(mut json: serde_json::Value, times: Option<&Profile>) -> serde_json::Value {
+    if let Some(times) = times {
+        json["profile_seconds"] = serde_json::json!(times);
+    }
+    json
 }
 
 /// A measured design with all that `sim` tells.

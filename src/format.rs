@@ -252,6 +252,7 @@ impl Format {
     }
 
     /// The word with these low `bits` bits.
+    #[inline(always)]
     #[must_use]
     pub fn wrap(self, raw: i64) -> i64 {
         let low = raw & word_mask(u32::from(self.bits));
@@ -386,6 +387,7 @@ fn fit(whole: i128, to: Format, overflow: Overflow) -> (i64, bool) {
 /// The value that a float of 20 bits keeps of a number: 1 sign bit, 8 exponent bits and the upper
 /// 11 bits of the mantissa of its nearest `f32`; what lies below is dropped, toward zero. So 12
 /// significant bits, the hidden one among them: off by less than 2^-11 of the value.
+#[inline(always)]
 #[must_use]
 pub fn float20(value: f64) -> f64 {
     f64::from(f32::from_bits(cast::f32_of(value).to_bits() & !0xfff))

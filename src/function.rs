@@ -6,6 +6,7 @@
 //! domain of asin are taken to its end.
 
 use crate::cast;
+use crate::trig;
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
 use std::f64::consts::TAU;
@@ -132,6 +133,7 @@ impl Function {
     }
 
     /// Value to within [`Self::F64_ERROR`] relative.
+    #[inline]
     #[must_use]
     pub fn eval(self, x: f64) -> f64 {
         match self {
@@ -149,6 +151,23 @@ impl Function {
             Self::Light { offset, factor, exponent } => {
                 offset.0 + factor.0 * x.max(0.0).powf(f64::from(exponent))
             }
+        }
+    }
+
+    /// Value as evaluations on reals have it: by [`crate::trig`] where it knows the function.
+    #[inline(always)]
+    #[must_use]
+    pub fn eval_real(self, x: f64) -> f64 {
+        match self {
+            Self::Sin => trig::sin_cos_turns(x).0,
+            Self::Cos => trig::sin_cos_turns(x).1,
+            Self::HalfRecipSin => 0.5 / trig::sin_cos_turns(x).0,
+            Self::HalfRecipCos => 0.5 / trig::sin_cos_turns(x).1,
+            Self::Asin => trig::asin_turns(x),
+            Self::Atan => trig::atan_turns(x),
+            Self::Prop => 4.0 * trig::asin_turns(x),
+            Self::Secant => (x * x + 1.0).sqrt(),
+            Self::Recip | Self::Sqrt | Self::RecipSqrt | Self::Light { .. } => self.eval(x),
         }
     }
 

@@ -11,7 +11,7 @@ use crate::cast;
 use crate::format::{Format, Overflow, Round, bit_len, narrow};
 use crate::function::Function;
 use crate::netlist::{NodeId, Table, TableId};
-use crate::trig::sin_cos_turns;
+use crate::trig;
 
 /// An operation; operands are kept by the node.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -234,22 +234,19 @@ impl Meaning {
     #[must_use]
     pub fn eval(self, [a, b, c]: [f64; 3]) -> f64 {
         match self {
-            // As the engine on reals has them, to the last bit.
-            Self::Apply(Function::Sin, _) => sin_cos_turns(a).0,
-            Self::Apply(Function::Cos, _) => sin_cos_turns(a).1,
-            Self::Apply(function, _) => function.eval(a),
-            Self::Atan2 { .. } => a.atan2(b) / std::f64::consts::TAU,
-            Self::Inclination { .. } => a.hypot(b).atan2(c) / std::f64::consts::TAU,
+            Self::Apply(function, _) => function.eval_real(a),
+            Self::Atan2 { .. } => trig::atan2_turns(a, b),
+            Self::Inclination { .. } => trig::inclination_turns(a, b, c),
             Self::OverTwice { function, .. } => {
                 if a == 0.0 {
                     0.0
                 } else {
-                    a / (2.0 * function.eval(b))
+                    a / (2.0 * function.eval_real(b))
                 }
             }
             Self::Negative(_) => f64::from(u8::from(a < 0.0)),
             Self::Floor(_) => a.floor(),
-            Self::CosNegative(_) => f64::from(u8::from(crate::function::cos_turns(a) < 0.0)),
+            Self::CosNegative(_) => f64::from(u8::from(trig::sin_cos_turns(a).1 < 0.0)),
             Self::Opposite(_) => a + 0.5,
             Self::Quotient { .. } => {
                 if a == 0.0 {
@@ -260,7 +257,7 @@ impl Meaning {
             }
             Self::Root(_) => a.max(0.0).sqrt(),
             Self::RecipRoot(_) => (1.0 / a.max(0.0).sqrt()).min(f64::MAX),
-            Self::OfCos(function, _) => function.eval(sin_cos_turns(a).1),
+            Self::OfCos(function, _) => function.eval_real(trig::sin_cos_turns(a).1),
             Self::Largest { .. } => a.abs().max(b.abs()).max(c.abs()),
             Self::Headroom { top, .. } => {
                 if a == 0.0 {
@@ -284,13 +281,14 @@ fn exponent(x: f64) -> i32 {
 }
 
 /// Azimuth and polar angle of a direction that is turned about y from z to x; all in turns.
+#[inline(always)]
 #[must_use]
 pub fn tilted(phi: f64, theta: f64, by: f64) -> (f64, f64) {
     let ((sin_phi, cos_phi), (sin_theta, cos_theta), (sin_by, cos_by)) =
-        (sin_cos_turns(phi), sin_cos_turns(theta), sin_cos_turns(by));
+        (trig::sin_cos_turns(phi), trig::sin_cos_turns(theta), trig::sin_cos_turns(by));
     let (x, y) = (sin_theta * cos_phi, sin_theta * sin_phi);
     let (x, z) = (x * cos_by + cos_theta * sin_by, cos_theta * cos_by - x * sin_by);
-    (y.atan2(x) / std::f64::consts::TAU, x.hypot(y).atan2(z) / std::f64::consts::TAU)
+    (trig::atan2_turns(y, x), trig::inclination_turns(x, y, z))
 }
 
 /// Why an operation has no result format.
@@ -651,7 +649,7 @@ impl Op {
             Self::Modulo => {
                 let span = 2f64.powi(cast::signed_count(out.bits()) - out.frac_bits());
                 let lo = out.value(out.min_raw());
-                a - span * ((a - lo) / span).floor()
+                a - span * ((a - lo) * span.recip()).floor()
             }
             Self::Narrow { .. } => a,
             Self::Slice { .. }

@@ -899,7 +899,7 @@ fn shade(
         let first: usize =
             stage.design.groups[..group].iter().map(|g| g.shape.columns().len()).sum();
         let group = &stage.design.groups[group];
-        let values: Vec<Vec<f64>> = group
+        let mut values: Vec<Vec<f64>> = group
             .nodes
             .iter()
             .zip(&out[range.clone()])
@@ -909,7 +909,7 @@ fn shade(
             })
             .collect();
         let (mut is, mut should) = (Vec::new(), Vec::new());
-        as_golden(std::slice::from_ref(group), &values, &mut is);
+        as_golden(std::slice::from_ref(group), &mut values, &mut is);
         run_golden(&stage.design, columns, &mut should);
         let at = |columns: &[Vec<f64>], i: usize| [0, 1, 2].map(|axis| columns[axis][i]);
         let angles: Vec<f64> = (0..members.len())

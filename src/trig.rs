@@ -1,13 +1,14 @@
-//! sin and cos of columns of angles in turns, without branches, for golden models and
-//! evaluations on reals.
+//! sin, cos and their inverses of angles in turns, without branches, so that loops over columns
+//! become vectors: for golden models, evaluations on reals, samplers and error angles.
 //!
-//! The reduction to the nearest quarter turn is exact; then come the polynomials of fdlibm on
-//! ±45°. Largest error: 2 ulp of the result, or 2^-53 absolute where that is more (tested
-//! against a high-precision evaluation). Tables don't use these: they are rounded from the
-//! standard library and from the high-precision evaluation of [`crate::function`].
+//! The polynomials are those of fdlibm. For sin and cos the reduction to the nearest quarter turn is exact and
+//! the largest error is 2 ulp of the result, or 2^-53 absolute where that is more; the inverses
+//! are within 4 ulp (tested against a high-precision evaluation). Tables don't use these: they are rounded
+//! from the standard library and from the high-precision evaluation of [`crate::function`].
 
 use crate::simd::{Body, vectorised};
 use num_traits::{Float, FloatConst};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 /// A float that golden models are written in.
 pub trait Real: Float + FloatConst + Default {
@@ -82,6 +83,7 @@ fn sin_cos(turns: f64) -> (f64, f64) {
 }
 
 /// sin and cos of one angle in turns, as the columns have them.
+#[inline(always)]
 #[must_use]
 pub fn sin_cos_turns(turns: f64) -> (f64, f64) {
     sin_cos(turns)
@@ -89,6 +91,108 @@ pub fn sin_cos_turns(turns: f64) -> (f64, f64) {
 
 /// Largest error of [`Real::sin_cos_turns`] for `f64`, relative to the larger of the result and 1/2.
 pub const ERROR: f64 = 2.0 * f64::EPSILON;
+
+/// Turns to the radian.
+const TURNS: f64 = 1.0 / TAU;
+
+/// Arcs of sines of at most 1 in magnitude: asin of it and acos of it, in rad; what is beyond 1 is
+/// taken to 1.
+#[inline(always)]
+fn asin_acos(x: f64) -> (f64, f64) {
+    let size = x.abs();
+    let size = if size > 1.0 { 1.0 } else { size };
+    // Below ½ in x², above in (1 - |x|) / 2 = sin² of half the arc that is left to a quarter turn.
+    let small = size < 0.5;
+    let z = if small { size * size } else { 0.5 * (1.0 - size) };
+    let t = if small { size } else { z.sqrt() };
+    let p = z
+        * (1.666_666_666_666_666_6e-1
+            + z * (-3.255_658_186_224_009e-1
+                + z * (2.012_125_321_348_629_3e-1
+                    + z * (-4.005_553_450_067_941e-2
+                        + z * (7.915_349_942_898_145e-4 + z * 3.479_331_075_960_212e-5)))));
+    let q = 1.0
+        + z * (-2.403_394_911_734_414
+            + z * (2.020_945_760_233_505_7
+                + z * (-6.882_839_716_054_533e-1 + z * 7.703_815_055_590_194e-2)));
+    let arc = t + t * (p / q);
+    let asin = if small { arc } else { FRAC_PI_2 - 2.0 * arc };
+    let signed = asin.copysign(x);
+    let ends = if x < 0.0 { PI - 2.0 * arc } else { 2.0 * arc };
+    (signed, if small { FRAC_PI_2 - signed } else { ends })
+}
+
+/// asin in turns, -¼ to ¼, of a number that is taken to ±1 from beyond.
+#[inline(always)]
+#[must_use]
+pub fn asin_turns(x: f64) -> f64 {
+    asin_acos(x).0 * TURNS
+}
+
+/// acos in turns, 0 to ½, of a number that is taken to ±1 from beyond.
+#[inline(always)]
+#[must_use]
+pub fn acos_turns(x: f64) -> f64 {
+    asin_acos(x).1 * TURNS
+}
+
+/// Direction of (x, y) in rad, -π to π; 0 of (0, 0), and a zero's sign counts in y only.
+#[inline(always)]
+#[must_use]
+pub fn atan2(y: f64, x: f64) -> f64 {
+    let (ax, ay) = (x.abs(), y.abs());
+    // Infinities as the largest number, NaNs as they are.
+    let finite = |a: f64| if a > f64::MAX { f64::MAX } else { a };
+    let steep = ay > ax;
+    let least = 0.5 * finite(if steep { ax } else { ay });
+    let most = 0.5 * finite(if steep { ay } else { ax });
+    // The arc of least/most is up to π/4; above π/8 it is told from there.
+    let large = least > most * 0.414_213_562_373_095_03;
+    let over = if large { least - most } else { least };
+    let under = if large { least + most } else { most };
+    let t = over / under;
+    let t = if over == 0.0 { 0.0 } else { t };
+    let z = t * t;
+    let w = z * z;
+    let odd = z
+        * (3.333_333_333_333_293e-1
+            + w * (1.428_571_427_250_346_6e-1
+                + w * (9.090_887_133_436_507e-2
+                    + w * (6.661_073_137_387_531e-2
+                        + w * (4.976_877_994_615_932_4e-2 + w * 1.628_582_011_536_578_2e-2)))));
+    let even = w
+        * (-1.999_999_999_987_648_3e-1
+            + w * (-1.111_111_040_546_235_6e-1
+                + w * (-7.691_876_205_044_83e-2
+                    + w * (-5.833_570_133_790_573_5e-2 + w * -3.653_157_274_421_691_6e-2))));
+    let arc = t - t * (odd + even);
+    let arc = if large { FRAC_PI_4 + arc } else { arc };
+    let arc = if steep { FRAC_PI_2 - arc } else { arc };
+    let arc = if x < 0.0 { PI - arc } else { arc };
+    arc.copysign(y)
+}
+
+/// Direction of (x, y) in turns, -½ to ½, as [`atan2`].
+#[inline(always)]
+#[must_use]
+pub fn atan2_turns(y: f64, x: f64) -> f64 {
+    atan2(y, x) * TURNS
+}
+
+/// atan in turns, -¼ to ¼.
+#[inline(always)]
+#[must_use]
+pub fn atan_turns(x: f64) -> f64 {
+    atan2(x, 1.0) * TURNS
+}
+
+/// Angle of (x, y, z) from the z axis in turns, 0 to ½, of numbers whose squares are neither infinite nor
+/// subnormal.
+#[inline(always)]
+#[must_use]
+pub fn inclination_turns(x: f64, y: f64, z: f64) -> f64 {
+    atan2((x * x + y * y).sqrt(), z) * TURNS
+}
 
 #[cfg(test)]
 mod tests {
@@ -120,6 +224,76 @@ mod tests {
                 assert!(error <= bound, "{x}: {is} for {should}");
             }
         }
+    }
+
+    /// The nearest `f64` to an arc of a rational, and its last place.
+    fn check(is: f64, should: &FBig<HalfEven, 2>, what: &str) {
+        let nearest = should.to_f64().value();
+        let ulp = nearest.abs() * f64::EPSILON;
+        assert!((is - nearest).abs() <= 3.5 * ulp, "{what}: {is} for {nearest}");
+    }
+
+    fn big(x: f64) -> FBig<HalfEven, 2> {
+        FBig::<HalfEven, 2>::try_from(x).unwrap().with_precision(160).value()
+    }
+
+    /// Numbers from 0 to 1, dense at both ends, at ½ and at tan π/8.
+    fn shares() -> Vec<f64> {
+        let mut all: Vec<f64> = (0..=3000).map(|i| f64::from(i) / 3000.0).collect();
+        for k in 1..70 {
+            let tiny = 2f64.powi(-k);
+            all.extend([tiny, 1.0 - tiny, 0.5 - 0.5 * tiny, 0.5 + 0.5 * tiny]);
+            all.extend([0.414_213_562_373_095 - tiny / 4.0, 0.414_213_562_373_095 + tiny / 4.0]);
+        }
+        all
+    }
+
+    #[test]
+    fn arcs_of_sines_are_within_4_ulp() {
+        for size in shares() {
+            for x in [size, -size] {
+                let asin = big(x).asin_unit(1);
+                check(asin_turns(x), &asin, "asin");
+                check(acos_turns(x), &(big(0.25) - asin), "acos");
+            }
+        }
+        assert_eq!((asin_turns(1.5), acos_turns(1.5)), (0.25, 0.0));
+        assert_eq!((asin_turns(-1.5), acos_turns(-1.5)), (-0.25, 0.5));
+        assert_eq!(asin_turns(-0.0).to_bits(), (-0.0f64).to_bits());
+        assert!(asin_turns(f64::NAN).is_nan());
+    }
+
+    #[test]
+    fn directions_are_within_4_ulp() {
+        for share in shares() {
+            for scale in [1.0, 1.0 / 3.0, 1e-150, 1e150] {
+                let (a, b) = (share * scale, scale);
+                if a == 0.0 || a / b < 1e-300 {
+                    continue;
+                }
+                let arc = (big(a) / big(b)).atan_unit(1);
+                check(atan2_turns(a, b), &arc, "first octant");
+                check(atan2_turns(b, a), &(big(0.25) - &arc), "second octant");
+                check(atan2_turns(b, -a), &(big(0.25) + &arc), "third octant");
+                check(atan2_turns(a, -b), &(big(0.5) - &arc), "fourth octant");
+                assert_eq!(atan2(-a, b).to_bits(), (-atan2(a, b)).to_bits());
+                assert_eq!(atan2(-a, -b).to_bits(), (-atan2(a, -b)).to_bits());
+                if a * a >= f64::MIN_POSITIVE && (a * a).is_finite() {
+                    check(inclination_turns(0.0, a, b), &arc, "inclination");
+                }
+            }
+            check(atan_turns(share), &big(share).atan_unit(1), "atan");
+        }
+        assert_eq!(atan2(0.0, 0.0).to_bits(), 0);
+        assert_eq!(atan2(0.0, 1.0).to_bits(), 0);
+        assert_eq!([atan2(0.0, -1.0), atan2(-0.0, -1.0)], [PI, -PI]);
+        assert_eq!([atan2(1.0, 0.0), atan2(-1.0, 0.0)], [FRAC_PI_2, -FRAC_PI_2]);
+        let far = f64::INFINITY;
+        assert_eq!(
+            [atan2(far, 1.0), atan2(far, far), atan2(1.0, -far)],
+            [FRAC_PI_2, FRAC_PI_4, PI]
+        );
+        assert!(atan2(f64::NAN, 1.0).is_nan() && atan2(1.0, f64::NAN).is_nan());
     }
 
     #[test]

@@ -538,6 +538,79 @@ fn engines_agree_with_the_reference_on_random_netlists() {
         .unwrap();
 }
 
+/// Ports whose words repeat from block to block: what depends on them only is computed once, and is
+/// the same to the last bit and overflow.
+#[test]
+fn what_repeats_is_computed_once() {
+    for seed in 0..150 {
+        let netlist = random_netlist(seed);
+        let mut random = Random::new(seed);
+        let mut columns = random_words(&netlist, seed, 4 * BLOCK);
+        let repeats: Vec<bool> = columns.iter().map(|_| random.chance(60)).collect();
+        for column in columns.iter_mut().zip(&repeats).filter(|(_, r)| **r).map(|(c, _)| c) {
+            for i in BLOCK..column.len() {
+                column[i] = column[i - BLOCK];
+            }
+        }
+        let outputs: Vec<NodeId> = netlist.outputs().iter().map(|output| output.node).collect();
+        let plain = Program::compile(&netlist, &outputs);
+        let mut runner = plain.runner();
+        let mut should = vec![Vec::new(); outputs.len()];
+        runner.run(&plain, &views(&columns), &mut should);
+        // Only what the outputs depend on is computed and counted.
+        let mut inside = vec![false; netlist.nodes().len()];
+        outputs.iter().for_each(|id| inside[id.index()] = true);
+        for id in netlist.ids().collect::<Vec<_>>().into_iter().rev() {
+            if inside[id.index()] {
+                netlist.node(id).operands.iter().for_each(|o| inside[o.index()] = true);
+            }
+        }
+        let counts = plain.narrows().iter().zip(runner.overflows());
+        let counted = counts.map(|(id, count)| if inside[id.index()] { *count } else { 0 });
+        let overflows: Vec<u64> = counted.collect();
+        // Only their first block may be read.
+        for column in columns.iter_mut().zip(&repeats).filter(|(_, r)| **r).map(|(c, _)| c) {
+            column[BLOCK..].fill(0);
+        }
+        let once = Program::compile_cone(&netlist, &outputs, &repeats);
+        let mut runner = once.runner();
+        for _ in 0..2 {
+            let mut given = vec![Vec::new(); outputs.len()];
+            let before = runner.overflows().to_vec();
+            runner.run(&once, &views(&columns), &mut given);
+            assert_eq!(given, should, "{repeats:?}\n{}", netlist.to_text());
+            let counted: Vec<u64> =
+                runner.overflows().iter().zip(before).map(|(now, before)| now - before).collect();
+            assert_eq!(counted, overflows, "{repeats:?}\n{}", netlist.to_text());
+        }
+
+        let real: Vec<NodeId> =
+            netlist.ids().filter(|id| netlist.node(*id).has_real).step_by(3).collect();
+        let values = |repeated: bool| -> Vec<Vec<f64>> {
+            let column = |(port, words): (&NodeId, &Vec<i64>)| {
+                let format = netlist.node(*port).format;
+                words.iter().map(|raw| format.value(*raw)).collect::<Vec<f64>>()
+            };
+            let mut values: Vec<Vec<f64>> =
+                netlist.inputs().iter().zip(&columns).map(column).collect();
+            for (column, _) in values.iter_mut().zip(&repeats).filter(|(_, r)| **r && repeated) {
+                for i in BLOCK..column.len() {
+                    column[i] = column[i - BLOCK];
+                }
+            }
+            values
+        };
+        let run = |program: &real::Program, values: &[Vec<f64>]| -> Vec<Vec<u64>> {
+            let mut given = vec![Vec::new(); real.len()];
+            program.runner().run(program, &views(values), &mut given);
+            given.iter().map(|c| c.iter().map(|x| x.to_bits()).collect()).collect()
+        };
+        let plain = run(&real::Program::compile(&netlist, &real), &values(true));
+        let once = real::Program::compile_cone(&netlist, &real, &repeats);
+        assert_eq!(run(&once, &values(false)), plain, "{repeats:?}\n{}", netlist.to_text());
+    }
+}
+
 /// If the generator stopped making an operation, the test above would say less than it claims.
 #[test]
 fn random_netlists_have_every_operation_and_width() {

@@ -3,7 +3,7 @@
 use super::Sim;
 use crate::cast;
 use crate::error::Result;
-use crate::measure::{self, Basis, Figures, Profile, Report, TableFigures, Witness};
+use crate::measure::{self, Basis, Cone, Figures, Profile, Report, TableFigures, Witness};
 use crate::netlist::{Netlist, Operators, Quantity};
 use crate::report::pareto;
 use crate::report::record::{Measured, Point, Record, parameters_of};
@@ -365,54 +365,13 @@ pub(super) fn sim(sim: &Sim) -> String {
         sim.inputs.sampler.name(),
         sim.inputs.seed
     );
-    let row = |f: &Figures| {
-        let (scale, unit) = if f.unit == "rad" { (1f64.to_degrees(), "°") } else { (1.0, "") };
-        let show = |x: f64| format!("{}{unit}", number(x * scale));
-        vec![
-            f.basis.name().to_owned(),
-            f.quantity.clone(),
-            show(f.max),
-            f.max_ulp.map(number).unwrap_or_default(),
-            show(f.mean),
-            show(f.bias),
-            show(f.rms),
-            show(f.p50),
-            show(f.p99),
-            show(f.p999),
-            f.witness.as_ref().map(|w| witness(netlist, w)).unwrap_or_default(),
-        ]
-    };
-    let rows: Vec<Vec<String>> = report.figures.iter().map(row).collect();
-    text.push_str(&table(
-        &[
-            "basis",
-            "error of",
-            ">max",
-            ">max ulp",
-            ">mean",
-            ">bias",
-            ">rms",
-            ">p50",
-            ">p99",
-            ">p99.9",
-            "worst input",
-        ],
-        &rows,
-    ));
+    text.push_str(&figures(netlist, &report.figures));
     text.push_str(
         "  total: bit-true against the golden of the quantised inputs = arithmetic (words and tables) + algorithm\n  \
            end-to-end: against the golden of the inputs before quantisation; dot: of any unit vector with the result\n  \
            percentiles are known to 1.6 %; 0 means below 2^-44\n",
     );
-    if !report.overflows.is_empty() {
-        text.push_str("\nnarrows that overflowed\n");
-        let rows: Vec<Vec<String>> = report
-            .overflows
-            .iter()
-            .map(|o| vec![o.node.clone(), o.mode.to_owned(), o.count.to_string()])
-            .collect();
-        text.push_str(&table(&["node", "mode", ">count"], &rows));
-    }
+    text.push_str(&overflows(report));
     if !sim.hard.is_empty() {
         text.push('\n');
         text.push_str(&hard_cases(sim));
@@ -433,6 +392,98 @@ pub(super) fn sim(sim: &Sim) -> String {
     }
     let _ = writeln!(text, "{}", speed(report));
     text
+}
+
+/// Figures in a table, with the input words of the worst.
+fn figures(netlist: &Netlist, all: &[Figures]) -> String {
+    let row = |f: &Figures| {
+        let (scale, unit) = if f.unit == "rad" { (1f64.to_degrees(), "°") } else { (1.0, "") };
+        let show = |x: f64| format!("{}{unit}", number(x * scale));
+        vec![
+            f.basis.name().to_owned(),
+            f.quantity.clone(),
+            show(f.max),
+            f.max_ulp.map(number).unwrap_or_default(),
+            show(f.mean),
+            show(f.bias),
+            show(f.rms),
+            show(f.p50),
+            show(f.p99),
+            show(f.p999),
+            f.witness.as_ref().map(|w| witness(netlist, w)).unwrap_or_default(),
+        ]
+    };
+    let rows: Vec<Vec<String>> = all.iter().map(row).collect();
+    table(
+        &[
+            "basis",
+            "error of",
+            ">max",
+            ">max ulp",
+            ">mean",
+            ">bias",
+            ">rms",
+            ">p50",
+            ">p99",
+            ">p99.9",
+            "worst input",
+        ],
+        &rows,
+    )
+}
+
+/// The `narrow`s that overflowed, if any did.
+fn overflows(report: &Report) -> String {
+    if report.overflows.is_empty() {
+        return String::new();
+    }
+    let rows: Vec<Vec<String>> = report
+        .overflows
+        .iter()
+        .map(|o| vec![o.node.clone(), o.mode.to_owned(), o.count.to_string()])
+        .collect();
+    format!("\nnarrows that overflowed\n{}", table(&["node", "mode", ">count"], &rows))
+}
+
+/// A node over every combination of the words that it depends on.
+pub(super) fn cone(design: &Design, cone: &Cone, report: &Report) -> String {
+    let netlist = &design.netlist;
+    let ports: Vec<&str> = cone.ports.iter().map(|port| netlist.input_name(*port)).collect();
+    format!(
+        "{} {}\n{} samples: every combination of the words of {}; errors of {} are absolute, with the input words of the worst (0 where it depends on none)\n\n{}  \
+           arithmetic: bit-true against the netlist on reals, of the same words; no golden knows inner nodes\n  \
+           percentiles are known to 1.6 %; 0 means below 2^-44\n{}\n{}\n",
+        design.values.unit().name,
+        parameter_line(&design.values),
+        report.samples,
+        ports.join(", "),
+        netlist.label(cone.node),
+        figures(netlist, &report.figures),
+        overflows(report),
+        speed(report)
+    )
+}
+
+/// The same as JSON.
+pub(super) fn cone_json(design: &Design, cone: &Cone, report: &Report) -> Value {
+    let netlist = &design.netlist;
+    json!({
+        "tool": "fixpath",
+        "version": env!("CARGO_PKG_VERSION"),
+        "unit": design.values.unit().name,
+        "parameters": parameters(&design.values),
+        "cone": netlist.label(cone.node),
+        "inputs": {
+            "sampler": "exhaustive",
+            "samples": report.samples,
+            // The fastest first; a witness has words of all ports of the unit.
+            "counted": cone.ports.iter().map(|port| netlist.input_name(*port)).collect::<Vec<_>>(),
+            "ports": (0..netlist.inputs().len()).map(|i| netlist.input_name(i)).collect::<Vec<_>>(),
+        },
+        "figures": report.figures,
+        "overflows": report.overflows,
+        "speed": report.speed,
+    })
 }
 
 /// Where the time of a measurement went.

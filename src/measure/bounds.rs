@@ -171,7 +171,7 @@ pub fn hard_results(design: &Design, group: &HardCase, bounds: &BoundCheck) -> V
     values_of(netlist, &judged, &words, &mut values);
     values_of(netlist, netlist.inputs(), &columns, &mut inputs);
     let (mut fixed, mut float64) = (Vec::new(), Vec::new());
-    as_golden(&design.groups, &values, &mut fixed);
+    as_golden(&design.groups, &mut values, &mut fixed);
     run_golden(design, &inputs, &mut float64);
     let inputs32: Vec<Vec<f32>> =
         inputs.iter().map(|column| column.iter().map(|x| cast::f32_of(*x)).collect()).collect();

@@ -2,17 +2,16 @@
 
 use crate::cast;
 use crate::error::{Error, Result};
-use crate::format::{Overflow, Round, float20, quantize};
+use crate::format::{Format, Overflow, Round, float20, quantize};
 use crate::netlist::{Netlist, NodeId, Quantity};
+use crate::simd::{Body, vectorised};
 use crate::trig::ROUNDER;
-use crate::units::{Design, Sampler};
-use rand_core::{RngCore, SeedableRng};
-use rand_pcg::Pcg64Mcg;
+use crate::units::{Design, Sampler, Uniform};
 
 /// Samples per chunk.
 pub(super) const CHUNK: u64 = 1 << 12;
 /// The most input words that `exhaustive` goes through.
-const EXHAUSTIVE_BITS: u32 = 32;
+pub(super) const EXHAUSTIVE_BITS: u32 = 32;
 
 /// Which inputs to measure over.
 #[derive(Clone, Copy, Debug)]
@@ -93,12 +92,9 @@ impl Inputs {
         match self.sampler {
             Sampler::Lit | Sampler::Sphere => {
                 // One stream per chunk: any chunk can be drawn on its own.
-                let mut rng = Pcg64Mcg::seed_from_u64(
-                    self.seed ^ (start / CHUNK).wrapping_mul(0x9e37_79b9_7f4a_7c15),
-                );
-                let mut next =
-                    || cast::f64_of(cast::word_of_bits(rng.next_u64() >> 11)) * 2f64.powi(-53);
-                (design.draw)(design, self.sampler, &mut next, columns, count);
+                let chunk = (start / CHUNK).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+                let mut uniform = Uniform::new(self.seed ^ chunk);
+                (design.draw)(design, self.sampler, &mut uniform, columns, count);
             }
             Sampler::Hard => {
                 let skip = usize::try_from(start).expect("bug: the list is short");
@@ -139,36 +135,62 @@ pub fn quantize_inputs(
     words.resize(values.len(), Vec::new());
     for ((id, column), to) in netlist.inputs().iter().zip(values).zip(words) {
         let node = netlist.node(*id);
-        let overflow = match node.quantity {
-            Quantity::Turns => Overflow::Wrap,
-            Quantity::Number | Quantity::Float20 => Overflow::Saturate,
-        };
-        to.clear();
-        let scale = 2f64.powi(node.format.frac_bits());
-        let (min, max) = (node.format.min_raw(), node.format.max_raw());
         let short = node.quantity == Quantity::Float20;
-        for value in column {
-            let value = if short { float20(*value) } else { *value };
-            let scaled = value * scale;
-            to.push(if scaled.abs() < 2f64.powi(51) {
-                // Adding 1.5 * 2^52 rounds to a whole number, ties to even, in the low bits.
-                let whole = cast::word_of_bits((scaled + ROUNDER).to_bits())
-                    - cast::word_of_bits(ROUNDER.to_bits());
-                match overflow {
-                    Overflow::Wrap => node.format.wrap(whole),
-                    Overflow::Saturate | Overflow::Symmetric | Overflow::Error => {
-                        whole.clamp(min, max)
-                    }
-                }
-            } else {
-                // Far out, or not finite.
-                let turns = node.quantity == Quantity::Turns;
-                let value = if turns { value % 1.0 } else { value };
-                quantize(value, node.format, Round::HalfEven, overflow)?.0
-            });
+        to.resize(column.len(), 0);
+        let mut far = false;
+        let wraps = node.quantity == Quantity::Turns;
+        vectorised(Quantise { column, to, format: node.format, wraps, short, far: &mut far });
+        if far {
+            for (to, value) in to.iter_mut().zip(column) {
+                let value = if short { float20(*value) } else { *value };
+                let (value, overflow) =
+                    if wraps { (value % 1.0, Overflow::Wrap) } else { (value, Overflow::Saturate) };
+                *to = quantize(value, node.format, Round::HalfEven, overflow)?.0;
+            }
         }
     }
     Ok(())
+}
+
+/// Words of a column; those of numbers that are far out or not finite are wrong, and told.
+struct Quantise<'a> {
+    column: &'a [f64],
+    to: &'a mut [i64],
+    format: Format,
+    wraps: bool,
+    short: bool,
+    far: &'a mut bool,
+}
+
+impl Body for Quantise<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let Self { column, to, format, wraps, short, far } = self;
+        let scale = 2f64.powi(format.frac_bits());
+        let (min, max) = (format.min_raw(), format.max_raw());
+        let mut any_far = false;
+        // Adding 1.5 * 2^52 rounds to a whole number, ties to even, in the low bits.
+        let mut whole = |value: f64| {
+            let scaled = value * scale;
+            any_far |= !(scaled.abs() < 2f64.powi(51));
+            cast::word_of_bits((scaled + ROUNDER).to_bits()) - cast::word_of_bits(ROUNDER.to_bits())
+        };
+        let pairs = to.iter_mut().zip(column);
+        if wraps {
+            for (to, value) in pairs {
+                *to = format.wrap(whole(*value));
+            }
+        } else if short {
+            for (to, value) in pairs {
+                *to = whole(float20(*value)).clamp(min, max);
+            }
+        } else {
+            for (to, value) in pairs {
+                *to = whole(*value).clamp(min, max);
+            }
+        }
+        *far = any_far;
+    }
 }
 
 /// Real values of columns of words.
@@ -179,11 +201,25 @@ pub(crate) fn values_of(
     to: &mut Vec<Vec<f64>>,
 ) {
     to.resize(nodes.len(), Vec::new());
-    for ((id, column), to) in nodes.iter().zip(words).zip(to) {
-        let format = netlist.node(*id).format;
-        let ulp = format.ulp();
-        to.clear();
-        to.extend(column.iter().map(|word| cast::f64_of(*word) * ulp));
+    for ((id, words), to) in nodes.iter().zip(words).zip(to) {
+        to.resize(words.len(), 0.0);
+        vectorised(Scale { words, ulp: netlist.node(*id).format.ulp(), to });
+    }
+}
+
+/// Values of a column of words.
+pub(super) struct Scale<'a> {
+    pub(super) words: &'a [i64],
+    pub(super) ulp: f64,
+    pub(super) to: &'a mut [f64],
+}
+
+impl Body for Scale<'_> {
+    #[inline(always)]
+    fn run(self) {
+        for (to, word) in self.to.iter_mut().zip(self.words) {
+            *to = cast::f64_of(*word) * self.ulp;
+        }
     }
 }
 

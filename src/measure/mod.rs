@@ -12,6 +12,7 @@
 //! share inputs and golden values.
 
 mod bounds;
+mod cone;
 mod inputs;
 mod stream;
 mod tables;
@@ -19,6 +20,7 @@ mod tables;
 pub use bounds::{
     BoundCheck, HardResult, HardVerdict, StatedBound, hard_columns, hard_results, hard_verdicts,
 };
+pub use cone::Cone;
 pub(crate) use inputs::values_of;
 pub use inputs::{Inputs, quantize_inputs, sample_words};
 pub use stream::angle_between;
@@ -36,23 +38,24 @@ use inputs::CHUNK;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
+use stream::{Angles, Counts, Differences, Lengths, Merged};
 pub(crate) use stream::{BINS, Histograms, Stream};
-use stream::{Lengths, Merged, angles_between};
 
-/// Columns of judged nodes as the golden has them: directions as x, y, z.
-pub(crate) fn as_golden(groups: &[Group], nodes: &[Vec<f64>], to: &mut Vec<Vec<f64>>) {
+/// Columns of judged nodes as the golden has them: directions as x, y, z. It takes the columns and leaves
+/// others.
+pub(crate) fn as_golden(groups: &[Group], nodes: &mut [Vec<f64>], to: &mut Vec<Vec<f64>>) {
     let columns = groups.iter().map(|group| group.shape.columns().len()).sum();
     to.resize(columns, Vec::new());
     let (mut node, mut column) = (0, 0);
     for group in groups {
-        let from = &nodes[node..node + group.shape.nodes()];
+        let from = &mut nodes[node..node + group.shape.nodes()];
         let to = &mut to[column..column + group.shape.columns().len()];
         node += from.len();
         column += to.len();
         match group.shape {
             Shape::Cartesian | Shape::Scalar | Shape::Scaled { .. } => {
                 for (to, from) in to.iter_mut().zip(from) {
-                    to.clone_from(from);
+                    std::mem::swap(to, from);
                 }
             }
             Shape::Polar => {
@@ -155,28 +158,25 @@ impl Measurand {
     ) {
         errors.resize(is[self.column].len(), 0.0);
         match self.kind {
-            Kind::Angle => angles_between(self.three(is), self.three(should), errors),
+            Kind::Angle => {
+                let (u, v) = (self.three(is), self.three(should));
+                vectorised(Angles { u, v, angles: errors });
+            }
             Kind::Dot => {
                 let (u, v) = (self.three(is), self.three(should));
                 vectorised(Lengths { u, v, lengths: errors });
             }
             Kind::Number | Kind::Texels(_) | Kind::Relative(_) => {
-                let pairs = is[self.column].iter().zip(&should[self.column]);
-                for (error, (is, should)) in errors.iter_mut().zip(pairs) {
-                    *error = is - should;
-                }
+                let factor =
+                    if let Kind::Texels(texels) = self.kind { f64::from(texels) } else { 1.0 };
+                let (is, should) = (&is[self.column], &should[self.column]);
+                vectorised(Differences { is, should, factor, errors });
             }
         }
-        match self.kind {
-            Kind::Angle | Kind::Dot | Kind::Number => {}
-            Kind::Texels(texels) => {
-                errors.iter_mut().for_each(|error| *error *= f64::from(texels));
-            }
-            Kind::Relative(scale) => {
-                for (error, scale) in errors.iter_mut().zip(&golden[scale]) {
-                    // Of nothing nothing is no error.
-                    *error = if *error == 0.0 { 0.0 } else { *error / scale };
-                }
+        if let Kind::Relative(scale) = self.kind {
+            for (error, scale) in errors.iter_mut().zip(&golden[scale]) {
+                // Of nothing nothing is no error.
+                *error = if *error == 0.0 { 0.0 } else { *error / scale };
             }
         }
     }
@@ -395,13 +395,13 @@ struct Set<'a> {
 }
 
 /// Columns of one thread for one design.
-struct Lanes {
+struct Lanes<'a> {
     runner: Runner,
     real_runner: real::Runner,
     words: Vec<Vec<i64>>,
     values: Vec<Vec<f64>>,
     reals: Vec<Vec<f64>>,
-    histograms: Vec<u32>,
+    counts: Counts<'a>,
 }
 
 /// Columns of one thread that designs share.
@@ -496,11 +496,14 @@ pub fn measure(
         let partials: Vec<Result<Vec<Partial>>> = these
             .par_iter()
             .map_init(
-                || (Shared::default(), compiled.iter().map(new_lanes).collect::<Vec<_>>()),
+                || {
+                    let both = compiled.iter().zip(&histograms);
+                    (Shared::default(), both.map(|(c, all)| new_lanes(c, all)).collect::<Vec<_>>())
+                },
                 |(shared, lanes), chunk| {
                     let from = chunk * CHUNK;
                     let len = usize::try_from(CHUNK.min(count - from)).expect("bug: a chunk");
-                    let chunk = Chunk { inputs, from, len, histograms: &histograms };
+                    let chunk = Chunk { inputs, from, len };
                     measure_chunk(&compiled, &sets, &chunk, shared, lanes)
                 },
             )
@@ -545,7 +548,7 @@ pub fn measure(
         .collect())
 }
 
-fn new_lanes(c: &Compiled<'_>) -> Lanes {
+fn new_lanes<'a>(c: &Compiled<'_>, all: &'a Histograms) -> Lanes<'a> {
     let outputs = c.judged.len();
     Lanes {
         runner: c.program.runner(),
@@ -553,7 +556,7 @@ fn new_lanes(c: &Compiled<'_>) -> Lanes {
         words: vec![Vec::new(); outputs],
         values: vec![Vec::new(); outputs],
         reals: vec![Vec::new(); outputs],
-        histograms: vec![0; c.streams() * BINS],
+        counts: Counts::new(all, c.streams()),
     }
 }
 
@@ -562,8 +565,6 @@ struct Chunk<'a> {
     inputs: &'a Inputs,
     from: u64,
     len: usize,
-    /// Of each design.
-    histograms: &'a [Histograms],
 }
 
 fn measure_chunk(
@@ -571,9 +572,9 @@ fn measure_chunk(
     sets: &[Set<'_>],
     chunk: &Chunk<'_>,
     shared: &mut Shared,
-    lanes: &mut [Lanes],
+    lanes: &mut [Lanes<'_>],
 ) -> Result<Vec<Partial>> {
-    let Chunk { inputs, from, len, histograms } = *chunk;
+    let Chunk { inputs, from, len } = *chunk;
     let Shared { sets: columns, bit_true, real, errors } = shared;
     columns.resize(sets.len(), SetColumns::default());
     let mut lap = Lap(Instant::now());
@@ -597,7 +598,7 @@ fn measure_chunk(
     }
     let share = 1.0 / cast::f64_of_len(compiled.len());
     let mut partials = Vec::with_capacity(compiled.len());
-    for ((c, lanes), histograms) in compiled.iter().zip(lanes).zip(histograms) {
+    for (c, lanes) in compiled.iter().zip(lanes) {
         let set = &columns[c.set];
         let words: Vec<&[i64]> = set.words.iter().map(Vec::as_slice).collect();
         let before = lanes.runner.overflows().to_vec();
@@ -615,8 +616,8 @@ fn measure_chunk(
         profile.statistics = lap.seconds();
         lanes.real_runner.run(&c.reals, &values, &mut lanes.reals);
         profile.reals = lap.seconds();
-        as_golden(&c.design.groups, &lanes.values, bit_true);
-        as_golden(&c.design.groups, &lanes.reals, real);
+        as_golden(&c.design.groups, &mut lanes.values, bit_true);
+        as_golden(&c.design.groups, &mut lanes.reals, real);
         let golden = &set.golden;
         let mut streams = Vec::with_capacity(c.streams());
         for basis in Basis::ALL {
@@ -630,9 +631,7 @@ fn measure_chunk(
             };
             for measurand in &c.measurands {
                 measurand.errors(is, should, golden, errors);
-                let start = streams.len() * BINS;
-                let histogram = &mut lanes.histograms[start..start + BINS];
-                streams.push(Stream::of(errors, from, histogram));
+                streams.push(Stream::of(errors, from, lanes.counts.of(streams.len())));
             }
         }
         let ports = c.design.netlist.outputs().len();
@@ -645,7 +644,6 @@ fn measure_chunk(
                 outputs: lanes.words.iter().take(ports).map(|column| column[i]).collect(),
             }
         };
-        histograms.take(&mut lanes.histograms);
         let after = lanes.runner.overflows();
         let streams = streams.iter().map(|stream| (*stream, witness(stream))).collect();
         profile.statistics += lap.seconds();

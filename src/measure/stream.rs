@@ -3,45 +3,29 @@
 use crate::cast;
 use crate::measure::{Basis, Figures, Witness};
 use crate::simd::{Body, vectorised};
+use crate::trig::atan2;
 use std::f64::consts::PI;
 use std::sync::{Mutex, PoisonError};
 
 /// Angle between two vectors in rad, good for small angles too. A null vector has no
 /// direction and counts as opposite to all but another.
+#[inline(always)]
 #[must_use]
 pub fn angle_between(u: [f64; 3], v: [f64; 3]) -> f64 {
     let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
     let dot = u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
     let sine = (cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]).sqrt();
-    if sine < 0.02 * dot {
-        // atan's series; the next term is below 1e-18 of the sum.
-        let t = sine / dot;
-        let t2 = t * t;
-        t * (1.0 - t2 * (1.0 / 3.0 - t2 * (0.2 - t2 * (1.0 / 7.0 - t2 / 9.0))))
-    } else if sine == 0.0 && dot == 0.0 {
-        if u == v { 0.0 } else { PI }
-    } else {
-        sine.atan2(dot)
-    }
+    let angle = atan2(sine, dot);
+    let same = u[0] == v[0] && u[1] == v[1] && u[2] == v[2];
+    let opposite = sine == 0.0 && dot == 0.0 && !same;
+    if opposite { PI } else { angle }
 }
 
-/// [`angle_between`] of columns of vectors, bit for bit.
-pub(super) fn angles_between(u: [&[f64]; 3], v: [&[f64]; 3], angles: &mut [f64]) {
-    let mut large = false;
-    vectorised(Angles { u, v, angles, large: &mut large });
-    if large {
-        for (i, angle) in angles.iter_mut().enumerate().filter(|(_, angle)| angle.is_nan()) {
-            *angle = angle_between(u.map(|u| u[i]), v.map(|v| v[i]));
-        }
-    }
-}
-
-/// The series of [`angle_between`]; where it doesn't hold, a NaN.
-struct Angles<'a> {
-    u: [&'a [f64]; 3],
-    v: [&'a [f64]; 3],
-    angles: &'a mut [f64],
-    large: &'a mut bool,
+/// [`angle_between`] of columns of vectors.
+pub(super) struct Angles<'a> {
+    pub(super) u: [&'a [f64]; 3],
+    pub(super) v: [&'a [f64]; 3],
+    pub(super) angles: &'a mut [f64],
 }
 
 impl Body for Angles<'_> {
@@ -49,23 +33,26 @@ impl Body for Angles<'_> {
     fn run(self) {
         let len = self.angles.len();
         let ([ux, uy, uz], [vx, vy, vz]) = (self.u.map(|u| &u[..len]), self.v.map(|v| &v[..len]));
-        let mut large = false;
         for i in 0..len {
-            let cross = [
-                uy[i] * vz[i] - uz[i] * vy[i],
-                uz[i] * vx[i] - ux[i] * vz[i],
-                ux[i] * vy[i] - uy[i] * vx[i],
-            ];
-            let dot = ux[i] * vx[i] + uy[i] * vy[i] + uz[i] * vz[i];
-            let sine = (cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]).sqrt();
-            let t = sine / dot;
-            let t2 = t * t;
-            let angle = t * (1.0 - t2 * (1.0 / 3.0 - t2 * (0.2 - t2 * (1.0 / 7.0 - t2 / 9.0))));
-            let small = sine < 0.02 * dot;
-            large |= !small;
-            self.angles[i] = if small { angle } else { f64::NAN };
+            self.angles[i] = angle_between([ux[i], uy[i], uz[i]], [vx[i], vy[i], vz[i]]);
         }
-        *self.large = large;
+    }
+}
+
+/// Differences of two columns, times a factor.
+pub(super) struct Differences<'a> {
+    pub(super) is: &'a [f64],
+    pub(super) should: &'a [f64],
+    pub(super) factor: f64,
+    pub(super) errors: &'a mut [f64],
+}
+
+impl Body for Differences<'_> {
+    #[inline(always)]
+    fn run(self) {
+        for ((error, is), should) in self.errors.iter_mut().zip(self.is).zip(self.should) {
+            *error = (is - should) * self.factor;
+        }
     }
 }
 
@@ -91,6 +78,8 @@ impl Body for Lengths<'_> {
 /// Octaves of the histogram: from 2^-44 to 2^24, for texels and reciprocals too.
 const OCTAVES: usize = 68;
 const LEAST_EXPONENT: u64 = 1023 - 44;
+/// What is below it is in the first bin.
+const LEAST: f64 = 5.684_341_886_080_802e-14; // 2^-44
 /// The same with the first bits of the mantissa below it.
 const LEAST_KEY: i32 = (1023 - 44) << BINS_PER_OCTAVE_BITS;
 const LAST_BIN: i32 = 68 * (1 << BINS_PER_OCTAVE_BITS) - 1;
@@ -122,7 +111,21 @@ impl Stream {
     /// Sums run in [`LANES`] lanes whatever the processor, so their roundings are the same on all.
     pub(crate) fn of(errors: &[f64], start: u64, histogram: &mut [u32]) -> Self {
         let mut sums = Sums::default();
-        vectorised(Accumulate { errors, sums: &mut sums, histogram });
+        // Where the largest is: a run of errors, searched when all are seen.
+        let mut largest = 0..0;
+        for run in (0..errors.len()).step_by(RUN) {
+            let run = run..errors.len().min(run + RUN);
+            let before = sums.largest();
+            vectorised(Accumulate { errors: &errors[run.clone()], sums: &mut sums });
+            if sums.largest() > before {
+                largest = run.clone();
+            }
+            if sums.largest() < LEAST && !sums.abs.iter().any(|sum| sum.is_nan()) {
+                histogram[0] += cast::id_of(run.len());
+            } else {
+                vectorised(Count { errors: &errors[run], histogram });
+            }
+        }
         let total = |lanes: [f64; LANES]| lanes.into_iter().fold(0.0, |sum, lane| sum + lane);
         let mut stream = Self {
             count: cast::count_of(errors.len()),
@@ -132,15 +135,16 @@ impl Stream {
             ..Self::EMPTY
         };
         // A NaN is larger than everything. Only a NaN makes a sum of absolute values one.
-        let largest = if stream.sum_abs.is_nan() {
+        let at = if stream.sum_abs.is_nan() {
             errors.iter().position(|error| error.is_nan())
         } else {
-            let max = sums.max.into_iter().fold(-1.0, f64::max);
-            errors.iter().position(|error| error.abs() == max)
+            let max = sums.largest();
+            let found = errors[largest.clone()].iter().position(|error| error.abs() == max);
+            found.map(|at| largest.start + at)
         };
-        if let Some(largest) = largest {
-            stream.max = errors[largest].abs();
-            stream.at = start + cast::count_of(largest);
+        if let Some(at) = at {
+            stream.max = errors[at].abs();
+            stream.at = start + cast::count_of(at);
         }
         stream
     }
@@ -218,43 +222,70 @@ impl Default for Sums {
     }
 }
 
+impl Sums {
+    /// The largest absolute value; NaNs don't count.
+    fn largest(&self) -> f64 {
+        self.max.into_iter().fold(-1.0, f64::max)
+    }
+}
+
+/// Errors in one pass over sums and one over the histogram: they stay in the first-level cache.
+const RUN: usize = 512;
+
 struct Accumulate<'a> {
     errors: &'a [f64],
     sums: &'a mut Sums,
-    histogram: &'a mut [u32],
 }
 
 impl Body for Accumulate<'_> {
     #[inline(always)]
     fn run(self) {
-        let Self { errors, sums, histogram } = self;
-        let Sums { mut abs, mut plain, mut squares, mut max } = *sums;
-        let blocks = errors.chunks_exact(LANES);
-        let rest = blocks.remainder();
-        let mut bins = [0; LANES];
-        for block in blocks {
-            for lane in 0..LANES {
-                let error = block[lane];
-                let size = error.abs();
-                abs[lane] += size;
-                plain[lane] += error;
-                squares[lane] += error * error;
-                max[lane] = if size > max[lane] { size } else { max[lane] };
-                bins[lane] = bin(size);
-            }
-            for bin in bins {
-                histogram[cast::index_of(i64::from(bin))] += 1;
-            }
-        }
-        for (lane, error) in rest.iter().enumerate() {
+        let Sums { mut abs, mut plain, mut squares, mut max } = *self.sums;
+        let mut add = |lane: usize, error: f64| {
             let size = error.abs();
             abs[lane] += size;
             plain[lane] += error;
             squares[lane] += error * error;
             max[lane] = if size > max[lane] { size } else { max[lane] };
-            histogram[cast::index_of(i64::from(bin(size)))] += 1;
+        };
+        let blocks = self.errors.chunks_exact(LANES);
+        let rest = blocks.remainder();
+        for block in blocks {
+            for lane in 0..LANES {
+                add(lane, block[lane]);
+            }
         }
-        *sums = Sums { abs, plain, squares, max };
+        for (lane, error) in rest.iter().enumerate() {
+            add(lane, *error);
+        }
+        *self.sums = Sums { abs, plain, squares, max };
+    }
+}
+
+/// Counts errors in a histogram.
+struct Count<'a> {
+    errors: &'a [f64],
+    histogram: &'a mut [u32],
+}
+
+impl Body for Count<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let Self { errors, histogram } = self;
+        let blocks = errors.chunks_exact(LANES);
+        let rest = blocks.remainder();
+        let mut bins = [0; LANES];
+        for block in blocks {
+            for (bin_of, error) in bins.iter_mut().zip(block) {
+                *bin_of = bin(error.abs());
+            }
+            for bin in bins {
+                histogram[cast::index_of(i64::from(bin))] += 1;
+            }
+        }
+        for error in rest {
+            histogram[cast::index_of(i64::from(bin(error.abs())))] += 1;
+        }
     }
 }
 
@@ -280,6 +311,30 @@ impl Histograms {
     pub(crate) fn of(&self, stream: usize) -> Vec<u64> {
         let totals = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         totals[stream * BINS..(stream + 1) * BINS].to_vec()
+    }
+}
+
+/// A thread's counts; what it has counted is added to all when it is done.
+#[derive(Debug)]
+pub(super) struct Counts<'a> {
+    all: &'a Histograms,
+    own: Vec<u32>,
+}
+
+impl<'a> Counts<'a> {
+    pub(super) fn new(all: &'a Histograms, streams: usize) -> Self {
+        Self { all, own: vec![0; streams * BINS] }
+    }
+
+    /// Counts of one quantity.
+    pub(super) fn of(&mut self, stream: usize) -> &mut [u32] {
+        &mut self.own[stream * BINS..(stream + 1) * BINS]
+    }
+}
+
+impl Drop for Counts<'_> {
+    fn drop(&mut self) {
+        self.all.take(&mut self.own);
     }
 }
 

@@ -35,6 +35,7 @@ use crate::simd::{Body, vectorised_for};
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, HashMap};
 use std::mem::take;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Samples per block: two kilobytes a column in 16-bit lanes.
@@ -136,6 +137,10 @@ pub struct Program {
     outputs: Vec<(Column, bool)>,
     /// The `narrow` nodes, in the order of the counters.
     narrows: Vec<NodeId>,
+    /// The first instructions give the same words in each block of a run, so many of them.
+    repeated: usize,
+    /// Which ports hold the same words in each block of a run.
+    repeats: Vec<bool>,
 }
 
 /// Columns are numbered as they are made, and shared between nodes at the end.
@@ -162,10 +167,39 @@ impl Program {
     /// If the netlist has an operation without a kernel: that is wrong code.
     #[must_use]
     pub fn compile(netlist: &Netlist, outputs: &[NodeId]) -> Self {
+        let (ports, nodes) = (netlist.inputs().len(), netlist.nodes().len());
+        Self::compile_counted(netlist, outputs, &vec![false; ports], &vec![true; nodes])
+    }
+
+    /// As [`Program::compile`] of the outputs' cone alone: a `narrow` that none of them depends on isn't computed, and
+    /// its count stays 0. The words at some ports may repeat: in each run of more than a block, all
+    /// blocks have the same at that port. What depends on such ports only is computed once a run.
+    ///
+    /// # Panics
+    /// As [`Program::compile`], or if there is not one `repeats` per port.
+    #[must_use]
+    pub fn compile_cone(netlist: &Netlist, outputs: &[NodeId], repeats: &[bool]) -> Self {
+        let mut inside = vec![false; netlist.nodes().len()];
+        outputs.iter().for_each(|id| inside[id.index()] = true);
+        for (index, node) in netlist.nodes().iter().enumerate().rev() {
+            if inside[index] {
+                node.operands.iter().for_each(|operand| inside[operand.index()] = true);
+            }
+        }
+        Self::compile_counted(netlist, outputs, repeats, &inside)
+    }
+
+    fn compile_counted(
+        netlist: &Netlist,
+        outputs: &[NodeId],
+        repeats: &[bool],
+        counted: &[bool],
+    ) -> Self {
+        assert_eq!(repeats.len(), netlist.inputs().len(), "bug: one per port");
         let nodes = netlist.nodes();
         let mut compiler = Compiler {
             netlist,
-            placed: place(netlist, outputs),
+            placed: place(netlist, outputs, counted),
             fused_into: vec![false; nodes.len()],
             instructions: Vec::new(),
             widths: Vec::new(),
@@ -183,6 +217,8 @@ impl Program {
                 inputs: Vec::new(),
                 outputs: Vec::new(),
                 narrows: Vec::new(),
+                repeated: 0,
+                repeats: repeats.to_vec(),
             },
         };
         for (index, node) in nodes.iter().enumerate() {
@@ -235,7 +271,13 @@ impl Program {
                 Width::W64 => store.lanes64[column.slot].fill(*raw),
             }
         }
-        Runner { store, overflows: vec![0; self.narrows.len().max(1)], narrows: self.narrows.len() }
+        let counters = self.narrows.len().max(1);
+        Runner {
+            store,
+            overflows: vec![0; counters],
+            repeated: vec![0; counters],
+            narrows: self.narrows.len(),
+        }
     }
 }
 
@@ -654,10 +696,31 @@ impl Compiler<'_> {
     /// are filled once, and ports, which are filled before the first instruction, keep theirs.
     fn finish(mut self, outputs: &[(usize, bool)]) -> Program {
         self.instructions = self.ordered(outputs);
+        // What repeats comes first, in the order that it has.
+        let mut repeats = vec![true; self.widths.len()];
+        for (input, port) in self.program.inputs.iter().zip(&self.program.repeats) {
+            if let Some(input) = input {
+                repeats[input.slot] = *port;
+            }
+        }
+        let (mut first, mut rest) = (Vec::new(), Vec::new());
+        for instruction in take(&mut self.instructions) {
+            let all = instruction.of[..instruction.operands].iter().all(|column| repeats[*column]);
+            repeats[instruction.to.slot] = all;
+            if let Action::ReadPair { second, .. } = instruction.action {
+                repeats[second] = all;
+            }
+            if all { first.push(instruction) } else { rest.push(instruction) }
+        }
+        self.program.repeated = first.len();
+        first.append(&mut rest);
+        self.instructions = first;
         let mut last_use = vec![0; self.widths.len()];
         for (at, instruction) in self.instructions.iter().enumerate() {
             for column in &instruction.of[..instruction.operands] {
-                last_use[*column] = at;
+                // What repeats is kept for the next block's instructions.
+                let kept = repeats[*column] && at >= self.program.repeated;
+                last_use[*column] = if kept { usize::MAX } else { at };
             }
         }
         let mut slots = vec![usize::MAX; self.widths.len()];
@@ -799,6 +862,8 @@ pub struct Runner {
     store: Store,
     /// Of each `narrow`, and at least one.
     overflows: Vec<u64>,
+    /// Those of one block, of instructions that are run once for all blocks.
+    repeated: Vec<u64>,
     narrows: usize,
 }
 
@@ -829,13 +894,28 @@ impl Runner {
         for column in outputs.iter_mut() {
             column.resize(count, O::default());
         }
-        let Self { store, overflows, .. } = self;
+        let some_repeats = program.repeats.contains(&true);
+        assert!(
+            !some_repeats || count <= BLOCK || count.is_multiple_of(BLOCK),
+            "bug: blocks repeat words, and the last is short"
+        );
+        let Self { store, overflows, repeated, .. } = self;
         let features = store.features;
         let mut start = 0;
         while start < count {
             let len = BLOCK.min(count - start);
-            vectorised_for(features, Load { program, store, inputs, start, len });
-            run_block(program, store, len, overflows);
+            let again = start > 0;
+            vectorised_for(features, Load { program, store, inputs, again, start, len });
+            if again {
+                // What isn't computed again would overflow again.
+                overflows.iter_mut().zip(&*repeated).for_each(|(count, more)| *count += more);
+            } else if program.repeated > 0 {
+                repeated.copy_from_slice(overflows);
+                run_block(program, store, 0..program.repeated, len, overflows);
+                repeated.iter_mut().zip(&*overflows).for_each(|(more, now)| *more = now - *more);
+            }
+            let rest = program.repeated..program.instructions.len();
+            run_block(program, store, rest, len, overflows);
             vectorised_for(features, Unload { program, store, outputs, start, len });
             start += len;
         }
@@ -875,6 +955,8 @@ struct Load<'a, 'b, I> {
     program: &'a Program,
     store: &'a mut Store,
     inputs: &'a [&'b [I]],
+    /// Not what repeats: it is there.
+    again: bool,
     start: usize,
     len: usize,
 }
@@ -882,9 +964,12 @@ struct Load<'a, 'b, I> {
 impl<I: Word> Body for Load<'_, '_, I> {
     #[inline(always)]
     fn run(self) {
-        let Self { program, store, inputs, start, len } = self;
-        for (column, input) in program.inputs.iter().zip(inputs) {
+        let Self { program, store, inputs, again, start, len } = self;
+        for ((column, input), repeats) in program.inputs.iter().zip(inputs).zip(&program.repeats) {
             let Some(Column { width, slot }) = *column else { continue };
+            if again && *repeats {
+                continue;
+            }
             let input = &input[start..start + len];
             match width {
                 Width::W16 => load(input, &mut store.lanes16[slot][..len]),
@@ -938,13 +1023,21 @@ fn unload<O: Word, L: Lane>(zero: bool, from: &[L], to: &mut [O]) {
 
 /// Not inlined: it is large, and the same for all columns of callers.
 #[inline(never)]
-fn run_block(program: &Program, store: &mut Store, len: usize, overflows: &mut [u64]) {
-    vectorised_for(store.features, Run { program, store, len, overflows });
+fn run_block(
+    program: &Program,
+    store: &mut Store,
+    instructions: Range<usize>,
+    len: usize,
+    overflows: &mut [u64],
+) {
+    let instructions = &program.instructions[instructions];
+    vectorised_for(store.features, Run { program, instructions, store, len, overflows });
 }
 
 /// The instructions over one block, to be compiled for the processor.
 struct Run<'a> {
     program: &'a Program,
+    instructions: &'a [Instruction],
     store: &'a mut Store,
     len: usize,
     overflows: &'a mut [u64],
@@ -953,8 +1046,8 @@ struct Run<'a> {
 impl Body for Run<'_> {
     #[inline(always)]
     fn run(self) {
-        let Self { program, store, len, overflows } = self;
-        for instruction in &program.instructions {
+        let Self { program, instructions, store, len, overflows } = self;
+        for instruction in instructions {
             match instruction.width {
                 Width::W16 => step::<i16>(program, instruction, store, len, overflows),
                 Width::W32 => step::<i32>(program, instruction, store, len, overflows),

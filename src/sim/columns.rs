@@ -12,30 +12,40 @@ pub(super) struct Columns {
 }
 
 impl Columns {
-    /// Gives each node with `operands` a column, in order; a column whose users are all done goes
+    /// Gives each node of `order` a column; one whose users are all done goes
     /// to a later node. Outputs keep theirs. So do constants, which are filled once, and ports,
-    /// which are filled before the first instruction: their columns were no other node's before.
+    /// which are filled before the first instruction: their columns were no other node's before;
+    /// and of the first nodes, so many as `repeated` says, those that later ones read.
     pub(super) fn new(
         netlist: &Netlist,
         operands: &[Option<Vec<usize>>],
+        order: &[usize],
+        repeated: usize,
         outputs: &[NodeId],
     ) -> Self {
         let nodes = netlist.nodes();
-        let keeps = |index: usize| matches!(nodes[index].op, Op::Input | Op::Const { .. });
+        let mut place = vec![usize::MAX; nodes.len()];
+        for (at, index) in order.iter().enumerate() {
+            place[*index] = at;
+        }
         let mut last_use = vec![0; nodes.len()];
-        for (index, operands) in operands.iter().enumerate() {
-            for operand in operands.iter().flatten() {
-                last_use[*operand] = index;
+        let mut read_again = vec![false; nodes.len()];
+        for (at, index) in order.iter().enumerate() {
+            for operand in operands[*index].iter().flatten() {
+                last_use[*operand] = *index;
+                read_again[*operand] |= at >= repeated && place[*operand] < repeated;
             }
         }
         for id in outputs {
             last_use[id.index()] = usize::MAX;
         }
+        let fresh = |index: usize| matches!(nodes[index].op, Op::Input | Op::Const { .. });
+        let keeps = |index: usize| fresh(index) || read_again[index];
         let mut columns = Self { of: vec![usize::MAX; nodes.len()], count: 0 };
         let mut free = Vec::new();
-        for (index, operands) in operands.iter().enumerate() {
-            let Some(operands) = operands else { continue };
-            let used = if keeps(index) { None } else { free.pop() };
+        for index in order.iter().copied() {
+            let Some(operands) = &operands[index] else { continue };
+            let used = if fresh(index) { None } else { free.pop() };
             columns.of[index] = used.unwrap_or_else(|| {
                 columns.count += 1;
                 columns.count - 1

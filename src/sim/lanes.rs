@@ -163,9 +163,9 @@ pub(super) fn alignment(a: Format, b: Format) -> [u32; 2] {
     [a, b].map(|format| frac.abs_diff(format.frac_bits()))
 }
 
-/// Places every node; `outputs` are asked for as words, and every `narrow` that can overflow is
-/// computed so that it can be counted.
-pub(super) fn place(netlist: &Netlist, outputs: &[NodeId]) -> Vec<Placed> {
+/// Places every node; `outputs` are asked for as words, and every `narrow` that can overflow and is
+/// `counted` is computed so that it can be counted.
+pub(super) fn place(netlist: &Netlist, outputs: &[NodeId], counted: &[bool]) -> Vec<Placed> {
     let nodes = netlist.nodes();
     let all: Vec<Words> =
         netlist.inputs().iter().map(|id| Words::all(netlist.node(*id).format)).collect();
@@ -195,7 +195,7 @@ pub(super) fn place(netlist: &Netlist, outputs: &[NodeId]) -> Vec<Placed> {
         } else {
             None
         };
-        let counts = narrowed.as_ref().is_some_and(|narrowed| narrowed.overflows);
+        let counts = counted[index] && narrowed.as_ref().is_some_and(|narrowed| narrowed.overflows);
         let place = &mut placed[index];
         place.range = range;
         if !want.whole && want.low == 0 && !want.address && !counts {

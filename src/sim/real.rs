@@ -5,6 +5,7 @@
 
 use super::batch::BLOCK;
 use super::columns::Columns;
+use crate::cast;
 use crate::format::Format;
 use crate::function::Function;
 use crate::netlist::{Netlist, NodeId};
@@ -20,7 +21,13 @@ enum Kernel {
     Add,
     Sub,
     Mul,
-    Modulo(Format),
+    /// Less as many spans as keep it from `low` to below `low + span`.
+    Modulo {
+        low: f64,
+        span: f64,
+    },
+    /// A product with a constant.
+    Times(f64),
     /// Any other operation.
     Op(Op, Format),
     Sin,
@@ -37,6 +44,10 @@ pub struct Program {
     slots: usize,
     inputs: Vec<usize>,
     outputs: Vec<usize>,
+    /// The first steps give the same in each block of a run, so many of them.
+    repeated: usize,
+    /// Which ports hold the same in each block of a run.
+    repeats: Vec<bool>,
 }
 
 impl Program {
@@ -46,6 +57,17 @@ impl Program {
     /// If an output has none.
     #[must_use]
     pub fn compile(netlist: &Netlist, outputs: &[NodeId]) -> Self {
+        Self::compile_cone(netlist, outputs, &vec![false; netlist.inputs().len()])
+    }
+
+    /// As [`Program::compile`], where the values at some ports are the same in each block of a run:
+    /// what depends on such ports only is computed once a run.
+    ///
+    /// # Panics
+    /// As [`Program::compile`], or if there is not one `repeats` per port.
+    #[must_use]
+    pub fn compile_cone(netlist: &Netlist, outputs: &[NodeId], repeats: &[bool]) -> Self {
+        assert_eq!(repeats.len(), netlist.inputs().len(), "bug: one per port");
         let nodes = netlist.nodes();
         let operands = |index: usize| -> Vec<usize> {
             match nodes[index].meaning {
@@ -71,16 +93,33 @@ impl Program {
                 if port { Some(Vec::new()) } else { needed[index].then(|| operands(index)) }
             })
             .collect();
-        let columns = Columns::new(netlist, &operands, outputs);
+        let mut same = vec![true; nodes.len()];
+        for (id, repeats) in netlist.inputs().iter().zip(repeats) {
+            same[id.index()] = *repeats;
+        }
+        for (index, operands) in operands.iter().enumerate() {
+            for operand in operands.iter().flatten() {
+                same[index] = same[index] && same[*operand];
+            }
+        }
+        // Ports and what repeats first; order among them stays.
+        let early = |index: &usize| same[*index] || nodes[*index].op == Op::Input;
+        let (mut order, rest): (Vec<usize>, Vec<usize>) =
+            (0..nodes.len()).filter(|index| operands[*index].is_some()).partition(early);
+        let first = order.len();
+        order.extend(rest);
+        let columns = Columns::new(netlist, &operands, &order, first, outputs);
         let mut program = Self {
             steps: Vec::new(),
             constants: Vec::new(),
             slots: columns.count,
             inputs: Vec::new(),
             outputs: outputs.iter().map(|id| columns.of(id.index())).collect(),
+            repeated: 0,
+            repeats: repeats.to_vec(),
         };
-        for (index, (node, operands)) in nodes.iter().zip(&operands).enumerate() {
-            let Some(operands) = operands else { continue };
+        for (at, index) in order.iter().copied().enumerate() {
+            let (node, operands) = (&nodes[index], operands[index].as_deref().unwrap_or_default());
             let to = columns.of(index);
             if node.op == Op::Input {
                 program.inputs.push(to);
@@ -89,6 +128,9 @@ impl Program {
             } else {
                 let kernel = kernel(node.op, node.meaning, node.format);
                 program.steps.push((kernel, columns.operands(operands), to));
+                if at < first {
+                    program.repeated += 1;
+                }
             }
         }
         program
@@ -145,10 +187,12 @@ impl Body for Run<'_, '_> {
         let mut start = 0;
         while start < count {
             let len = BLOCK.min(count - start);
-            for (slot, input) in program.inputs.iter().zip(inputs) {
+            let ports = program.inputs.iter().zip(inputs).zip(&program.repeats);
+            for ((slot, input), _) in ports.filter(|(_, repeats)| start == 0 || !**repeats) {
                 columns[*slot][..len].copy_from_slice(&input[start..start + len]);
             }
-            for (kernel, of, to_slot) in &program.steps {
+            let done = if start > 0 { program.repeated } else { 0 };
+            for (kernel, of, to_slot) in &program.steps[done..] {
                 let mut to = std::mem::take(&mut columns[*to_slot]);
                 let of = of.map(|slot| columns[slot].get(..len).unwrap_or_default());
                 step(*kernel, of, &mut to[..len], &mut other[..len]);
@@ -162,6 +206,36 @@ impl Body for Run<'_, '_> {
     }
 }
 
+/// A loop of its own for each of some operations or meanings, so that those without branches become
+/// vectors, and one for all others. They are written out: closures aren't always inlined, and
+/// only what is inlined uses the processor's features.
+macro_rules! loops {
+    (@loop $of:expr, $to:expr, $known:ident, $format:expr) => {{
+        let [a, b, c] = filled($of);
+        for (((to, a), b), c) in $to.iter_mut().zip(a).zip(b).zip(c) {
+            *to = $known.eval_real([*a, *b, *c], $format);
+        }
+    }};
+    (@loop $of:expr, $to:expr, $known:ident) => {{
+        let [a, b, c] = filled($of);
+        for (((to, a), b), c) in $to.iter_mut().zip(a).zip(b).zip(c) {
+            *to = $known.eval([*a, *b, *c]);
+        }
+    }};
+    ($of:expr, $to:expr, $op:expr, $format:expr; $($pattern:pat),+) => {
+        match $op {
+            $(known @ $pattern => loops!(@loop $of, $to, known, $format),)+
+            other => loops!(@loop $of, $to, other, $format),
+        }
+    };
+    ($of:expr, $to:expr, $meaning:expr; $($pattern:pat),+) => {
+        match $meaning {
+            $(known @ $pattern => loops!(@loop $of, $to, known),)+
+            other => loops!(@loop $of, $to, other),
+        }
+    };
+}
+
 #[inline(always)]
 fn step(kernel: Kernel, [a, b, c]: [&[f64]; 3], to: &mut [f64], other: &mut [f64]) {
     match kernel {
@@ -169,13 +243,44 @@ fn step(kernel: Kernel, [a, b, c]: [&[f64]; 3], to: &mut [f64], other: &mut [f64
         Kernel::Add => each(to, a, b, |a, b| a + b),
         Kernel::Sub => each(to, a, b, |a, b| a - b),
         Kernel::Mul => each(to, a, b, |a, b| a * b),
-        Kernel::Modulo(format) => {
-            each(to, a, a, |a, _| Op::Modulo.eval_real([a, 0.0, 0.0], format));
+        Kernel::Modulo { low, span } => {
+            let spans = span.recip();
+            for (to, a) in to.iter_mut().zip(a) {
+                *to = a - span * ((a - low) * spans).floor();
+            }
+        }
+        Kernel::Times(factor) => {
+            for (to, a) in to.iter_mut().zip(a) {
+                *to = a * factor;
+            }
         }
         Kernel::Sin => f64::sin_cos_turns(a, to, other),
         Kernel::Cos => f64::sin_cos_turns(a, other, to),
-        Kernel::Meaning(meaning) => each3(to, [a, b, c], |of| meaning.eval(of)),
-        Kernel::Op(op, format) => each3(to, [a, b, c], |of| op.eval_real(of, format)),
+        Kernel::Meaning(meaning) => loops!([a, b, c], to, meaning;
+            Meaning::Apply(Function::Asin, _),
+            Meaning::Apply(Function::Prop, _),
+            Meaning::Apply(Function::Atan, _),
+            Meaning::Apply(Function::HalfRecipSin, _),
+            Meaning::Apply(Function::HalfRecipCos, _),
+            Meaning::Apply(Function::Recip, _),
+            Meaning::Apply(Function::Secant, _),
+            Meaning::Atan2 { .. },
+            Meaning::Inclination { .. },
+            Meaning::OverTwice { function: Function::Sin, .. },
+            Meaning::OverTwice { function: Function::Cos, .. },
+            Meaning::Negative(_),
+            Meaning::CosNegative(_),
+            Meaning::Opposite(_),
+            Meaning::Quotient { .. },
+            Meaning::Root(_),
+            Meaning::RecipRoot(_),
+            Meaning::Largest { .. },
+            Meaning::Tilted { polar: false, .. },
+            Meaning::Tilted { polar: true, .. }
+        ),
+        Kernel::Op(op, format) => loops!([a, b, c], to, op, format;
+            Op::Neg, Op::Abs, Op::And, Op::Or, Op::Xor, Op::Less, Op::Mux, Op::AddSub
+        ),
     }
 }
 
@@ -188,12 +293,9 @@ fn each(to: &mut [f64], a: &[f64], b: &[f64], f: impl Fn(f64, f64) -> f64) {
 
 /// Operands that are not used read some column; any will do.
 #[inline(always)]
-fn each3(to: &mut [f64], [a, b, c]: [&[f64]; 3], f: impl Fn([f64; 3]) -> f64) {
+fn filled([a, b, c]: [&[f64]; 3]) -> [&[f64]; 3] {
     let filler = if a.is_empty() { b } else { a };
-    let [b, c] = [b, c].map(|x| if x.is_empty() { filler } else { x });
-    for (((to, a), b), c) in to.iter_mut().zip(a).zip(b).zip(c) {
-        *to = f([*a, *b, *c]);
-    }
+    [a, b, c].map(|x| if x.is_empty() { filler } else { x })
 }
 
 /// The loop for a node.
@@ -206,7 +308,11 @@ fn kernel(op: Op, meaning: Option<Meaning>, format: Format) -> Kernel {
         (None, Op::Add) => Kernel::Add,
         (None, Op::Sub) => Kernel::Sub,
         (None, Op::Mul) => Kernel::Mul,
-        (None, Op::Modulo) => Kernel::Modulo(format),
+        (None, Op::Modulo) => {
+            let span = 2f64.powi(cast::signed_count(format.bits()) - format.frac_bits());
+            Kernel::Modulo { low: format.value(format.min_raw()), span }
+        }
+        (None, Op::Shift { left }) => Kernel::Times(2f64.powi(left)),
         (None, op) => Kernel::Op(op, format),
     }
 }

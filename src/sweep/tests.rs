@@ -322,7 +322,7 @@ static TIGHT: Unit = Unit {
             // Not near 0, where a vector has no direction.
             binding: None,
             draw: |_, _, next, columns, count| {
-                columns[0] = (0..count).map(|_| 0.1 + 0.8 * next()).collect()
+                columns[0] = (0..count).map(|_| 0.1 + 0.8 * next.draw()).collect()
             },
         })
     },

@@ -11,7 +11,7 @@
 
 use super::plan::{self, rounding_ulp};
 use super::sampler::{FILTER, FRACTION_BITS, clamped};
-use super::{Bound, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Unit, Values};
+use super::{Bound, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Uniform, Unit, Values};
 use crate::cast;
 use crate::error::Result;
 use crate::format::{Format, Overflow, Round};
@@ -212,7 +212,7 @@ fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
 fn draw(
     design: &Design,
     _: Sampler,
-    next: &mut dyn FnMut() -> f64,
+    uniform: &mut Uniform,
     columns: &mut [Vec<f64>],
     count: usize,
 ) {
@@ -224,7 +224,7 @@ fn draw(
             let fraction = format.frac_bits() > 0;
             // Fractions are reals, codes are codes.
             let codes = cast::f64_of_count(format.words());
-            column.push(if fraction { next() } else { (next() * codes).floor() });
+            column.push(if fraction { uniform.draw() } else { (uniform.draw() * codes).floor() });
         }
     }
 }

@@ -1,7 +1,9 @@
 //! The dot product of three, and what units of vectors in words share.
 
 use super::plan::{self, rounding_ulp};
-use super::{Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Unit, Values};
+use super::{
+    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Uniform, Unit, Values,
+};
 use crate::cast;
 use crate::error::Result;
 use crate::format::{Format, Overflow, Round};
@@ -198,22 +200,22 @@ fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
 pub(super) fn draw_words(
     design: &Design,
     _: Sampler,
-    next: &mut dyn FnMut() -> f64,
+    uniform: &mut Uniform,
     columns: &mut [Vec<f64>],
     count: usize,
 ) {
     columns.iter_mut().for_each(Vec::clear);
     let netlist = &design.netlist;
     for _ in 0..count {
-        let uniform = next() < 0.5;
+        let evenly = uniform.draw() < 0.5;
         for (column, id) in columns.iter_mut().zip(netlist.inputs()) {
             let format = netlist.node(*id).format;
             let (low, high) = (format.value(format.min_raw()), format.value(format.max_raw()));
-            let value = if uniform {
-                low + (high - low) * next()
+            let value = if evenly {
+                low + (high - low) * uniform.draw()
             } else {
-                let size = high * (-next() * f64::from(format.bits())).exp2();
-                if next() < 0.5 && format.is_signed() { -size } else { size }
+                let size = high * (-uniform.draw() * f64::from(format.bits())).exp2();
+                if uniform.draw() < 0.5 && format.is_signed() { -size } else { size }
             };
             column.push(value);
         }

@@ -25,7 +25,8 @@ use super::normalise::{Block, NORM_BITS, block, direction_error, narrowed, unit_
 use super::plan::{self, number, rounding_ulp};
 use super::rsqrt::{ROOT_ADDR_BITS, ROOT_FRAC_BITS, ROOT_SCHEME, Root, length_error};
 use super::{
-    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Shape, Unit, Values,
+    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Shape, Uniform, Unit,
+    Values,
 };
 use crate::cast;
 use crate::error::Result;
@@ -865,25 +866,26 @@ impl Vertex {
     /// A random one: a rotation times ½ to 2, half of them reflected; T and B at right angles or, one
     /// in two, not, and then from ¾ to 5/4 long; the vertex within 1000 of the eye in each axis, the
     /// light 2^-6 to 2^10 from it, all sizes alike.
-    fn random(next: &mut dyn FnMut() -> f64) -> Self {
+    fn random(uniform: &mut Uniform) -> Self {
         let mut sphere = || {
-            let (z, turns) = (1.0 - 2.0 * next(), next());
+            let (z, turns) = (1.0 - 2.0 * uniform.draw(), uniform.draw());
             let (sin, cos) = (turns * std::f64::consts::TAU).sin_cos();
             let across = (1.0 - z * z).sqrt();
             DVec3::new(across * cos, across * sin, z)
         };
         let (axis, tangent, other, direction) = (sphere(), sphere(), sphere(), sphere());
-        let rotation = DQuat::from_axis_angle(axis, std::f64::consts::TAU * next());
-        let scale = (2.0 * next() - 1.0).exp2();
-        let mirror = if next() < 0.5 { DVec3::new(1.0, 1.0, -1.0) } else { DVec3::ONE };
+        let rotation = DQuat::from_axis_angle(axis, std::f64::consts::TAU * uniform.draw());
+        let scale = (2.0 * uniform.draw() - 1.0).exp2();
+        let mirror = if uniform.draw() < 0.5 { DVec3::new(1.0, 1.0, -1.0) } else { DVec3::ONE };
         let right = tangent.cross(other).normalize_or(tangent.any_orthonormal_vector());
         let (mut tangent, mut binormal) = (tangent, right);
-        if next() < 0.5 {
-            binormal = (right + tangent * (1.4 * next() - 0.7)).normalize() * (0.75 + 0.5 * next());
-            tangent *= 0.75 + 0.5 * next();
+        if uniform.draw() < 0.5 {
+            binormal = (right + tangent * (1.4 * uniform.draw() - 0.7)).normalize()
+                * (0.75 + 0.5 * uniform.draw());
+            tangent *= 0.75 + 0.5 * uniform.draw();
         }
-        let vertex = DVec3::from_array([(); 3].map(|()| 2000.0 * next() - 1000.0));
-        let distance = (16.0 * next() - 6.0).exp2();
+        let vertex = DVec3::from_array([(); 3].map(|()| 2000.0 * uniform.draw() - 1000.0));
+        let distance = (16.0 * uniform.draw() - 6.0).exp2();
         Self {
             matrix: DMat3::from_quat(rotation) * DMat3::from_diagonal(mirror) * scale,
             tangent,
@@ -891,12 +893,12 @@ impl Vertex {
             light: vertex + direction * distance,
             vertex,
             coordinates: [
-                32.0 * next() - 16.0,
-                32.0 * next() - 16.0,
-                2.0 * next() - 1.0,
-                0.5 + 1.5 * next(),
+                32.0 * uniform.draw() - 16.0,
+                32.0 * uniform.draw() - 16.0,
+                2.0 * uniform.draw() - 1.0,
+                0.5 + 1.5 * uniform.draw(),
             ],
-            constants: [2.0 * next() - 1.0, 2.0 * next() - 1.0],
+            constants: [2.0 * uniform.draw() - 1.0, 2.0 * uniform.draw() - 1.0],
         }
     }
 }
@@ -905,13 +907,13 @@ impl Vertex {
 pub(super) fn draw(
     design: &Design,
     _: Sampler,
-    next: &mut dyn FnMut() -> f64,
+    uniform: &mut Uniform,
     columns: &mut [Vec<f64>],
     count: usize,
 ) {
     columns.iter_mut().for_each(Vec::clear);
     for _ in 0..count {
-        let vertex = Vertex::random(next);
+        let vertex = Vertex::random(uniform);
         for (at, column) in columns.iter_mut().enumerate() {
             column.push(vertex.value(design.netlist.input_name(at)));
         }

@@ -11,7 +11,7 @@
 //!
 //! Angles are in turns; at a pole phi is 0, and psi suits that.
 
-use super::{Design, HardCase, Sampler};
+use super::{Design, HardCase, Sampler, Uniform};
 use crate::format::{Overflow, Round, quantize};
 use crate::netlist::{Netlist, NodeId, Quantity};
 use glam::DVec3;
@@ -134,9 +134,9 @@ impl Fragment {
 
     /// A random one: N, T and the vector to the eye uniform, the eye before the surface; the light
     /// before it too where `lit`; slopes of the perturbed normal uniform in ±1.
-    fn random(lit: bool, next: &mut dyn FnMut() -> f64) -> Self {
+    fn random(lit: bool, uniform: &mut Uniform) -> Self {
         let mut sphere = || {
-            let (z, turns) = (1.0 - 2.0 * next(), next());
+            let (z, turns) = (1.0 - 2.0 * uniform.draw(), uniform.draw());
             let (sin, cos) = (turns * TAU).sin_cos();
             let across = (1.0 - z * z).sqrt();
             DVec3::new(across * cos, across * sin, z)
@@ -147,7 +147,7 @@ impl Fragment {
         let eye = before(eye, normal);
         // Parallel or opposite vectors are as likely as two equal floats.
         let tangent = normal.cross(other).normalize_or(normal.any_orthonormal_vector());
-        let slopes = [2.0 * next() - 1.0, 2.0 * next() - 1.0];
+        let slopes = [2.0 * uniform.draw() - 1.0, 2.0 * uniform.draw() - 1.0];
         Self {
             normal,
             tangent,
@@ -165,7 +165,7 @@ impl Fragment {
 pub(super) fn draw(
     design: &Design,
     sampler: Sampler,
-    next: &mut dyn FnMut() -> f64,
+    uniform: &mut Uniform,
     columns: &mut [Vec<f64>],
     count: usize,
 ) {
@@ -175,7 +175,7 @@ pub(super) fn draw(
         .map(|at| port(at).expect("bug: ports of shading units are those of fragments"))
         .collect();
     for _ in 0..count {
-        let fragment = Fragment::random(sampler == Sampler::Lit, next);
+        let fragment = Fragment::random(sampler == Sampler::Lit, uniform);
         for (port, column) in ports.iter().zip(&mut *columns) {
             column.push(fragment.value(*port));
         }
@@ -258,12 +258,8 @@ mod tests {
     use super::*;
 
     fn random(count: usize) -> Vec<Fragment> {
-        let mut state = 1u64;
-        let mut next = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            f64::from(u32::try_from(state >> 32).unwrap()) / 2f64.powi(32)
-        };
-        (0..count).map(|_| Fragment::random(true, &mut next)).collect()
+        let mut uniform = Uniform::new(1);
+        (0..count).map(|_| Fragment::random(true, &mut uniform)).collect()
     }
 
     /// Rotating by -phi_n about z, -theta_n about y and -psi about z takes T, B, N to x, y, z.

@@ -28,6 +28,7 @@ pub mod rsqrt;
 pub mod sampler;
 mod tangent;
 
+use crate::cast;
 use crate::error::{Error, Result};
 use crate::format::{Format, Round};
 use crate::function::Function;
@@ -36,6 +37,8 @@ use crate::lut::{Scheme, Spec};
 use crate::netlist::{Netlist, NodeId};
 use crate::rtl::Rtl;
 use crate::schedule::{Binding, Depth, Kind as Shared, Plan, Rom, Schedule, Share};
+use rand_core::{RngCore, SeedableRng};
+use rand_pcg::Pcg64Mcg;
 use std::f64::consts::TAU;
 use std::fmt;
 use std::sync::Arc;
@@ -740,8 +743,26 @@ impl Sampler {
     }
 }
 
-/// Fills one column per input with values drawn from `next`, uniform in 0 to 1.
-pub type Draw = fn(&Design, Sampler, &mut dyn FnMut() -> f64, &mut [Vec<f64>], usize);
+/// Random numbers: a stream for each seed, the same everywhere.
+#[derive(Debug)]
+pub struct Uniform(Pcg64Mcg);
+
+impl Uniform {
+    /// The stream of a seed.
+    #[must_use]
+    pub fn new(seed: u64) -> Self {
+        Self(Pcg64Mcg::seed_from_u64(seed))
+    }
+
+    /// The next number, uniform in 0 to 1 without 1, of 53 bits.
+    #[inline]
+    pub fn draw(&mut self) -> f64 {
+        cast::f64_of(cast::word_of_bits(self.0.next_u64() >> 11)) * 2f64.powi(-53)
+    }
+}
+
+/// Fills one column per input with random values.
+pub type Draw = fn(&Design, Sampler, &mut Uniform, &mut [Vec<f64>], usize);
 
 /// A datapath with what it takes to run and judge it.
 #[derive(Debug)]

@@ -10,7 +10,8 @@
 use super::plan::{self, Plan, angle, number, rounding_ulp};
 use super::polar::{self, PolarTables};
 use super::{
-    Bound, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Shape, Unit, Value, Values,
+    Bound, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Shape, Uniform, Unit, Value,
+    Values,
 };
 use crate::cast;
 use crate::error::Result;
@@ -18,7 +19,8 @@ use crate::format::{Format, Overflow};
 use crate::function::Function;
 use crate::netlist::{Builder, NodeId, Quantity};
 use crate::op::Meaning;
-use crate::trig::{Real, sin_cos_turns};
+use crate::simd::{Body, vectorised};
+use crate::trig::{Real, acos_turns, sin_cos_turns};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -574,26 +576,42 @@ fn golden<F: Real>(_: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
 fn draw(
     _: &Design,
     sampler: Sampler,
-    next: &mut dyn FnMut() -> f64,
+    uniform: &mut Uniform,
     columns: &mut [Vec<f64>],
     count: usize,
 ) {
-    let [phi_a, theta_a, phi_n, theta_n] = columns else { panic!("bug: four inputs") };
-    for column in [&mut *phi_a, &mut *theta_a, &mut *phi_n, &mut *theta_n] {
-        column.clear();
+    for column in columns.iter_mut() {
+        column.resize(count, 0.0);
     }
-    for _ in 0..count {
-        let (mut pa, mut za, pn, zn) = (next(), 1.0 - 2.0 * next(), next(), 1.0 - 2.0 * next());
-        let cos_delta = sin_cos_turns(pa - pn).1;
-        let along = za * zn + ((1.0 - za * za) * (1.0 - zn * zn)).sqrt() * cos_delta;
-        if sampler == Sampler::Lit && along < 0.0 {
-            (pa, za) = ((pa + 0.5).fract(), -za);
+    for i in 0..count {
+        for column in columns.iter_mut() {
+            column[i] = uniform.draw();
         }
-        let (ta, tn) = (za.acos() / TAU, zn.acos() / TAU);
-        phi_a.push(pa);
-        theta_a.push(ta);
-        phi_n.push(pn);
-        theta_n.push(tn);
+    }
+    vectorised(Directions { columns, lit: sampler == Sampler::Lit });
+}
+
+/// From numbers in 0 to 1 to the azimuths and polar angles of directions.
+struct Directions<'a> {
+    columns: &'a mut [Vec<f64>],
+    lit: bool,
+}
+
+impl Body for Directions<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let [phi_a, theta_a, phi_n, theta_n] = self.columns else { panic!("bug: four inputs") };
+        let columns = phi_a.iter_mut().zip(theta_a).zip(phi_n).zip(theta_n);
+        for (((phi_a, theta_a), phi_n), theta_n) in columns {
+            let (za, zn) = (1.0 - 2.0 * *theta_a, 1.0 - 2.0 * *theta_n);
+            let cos_delta = sin_cos_turns(*phi_a - *phi_n).1;
+            let along = za * zn + ((1.0 - za * za) * (1.0 - zn * zn)).sqrt() * cos_delta;
+            let mirrored = self.lit && along < 0.0;
+            let half_on = if *phi_a < 0.5 { *phi_a + 0.5 } else { *phi_a - 0.5 };
+            *phi_a = if mirrored { half_on } else { *phi_a };
+            *theta_a = acos_turns(if mirrored { -za } else { za });
+            *theta_n = acos_turns(zn);
+        }
     }
 }
 

@@ -11,7 +11,9 @@
 //! always those of the exact position. What that takes off, less than an ulp of the fractions, it takes off
 //! every sample, and differences of samples hardly see it.
 
-use super::{Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Unit, Values};
+use super::{
+    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Uniform, Unit, Values,
+};
 use crate::cast;
 use crate::error::Result;
 use crate::format::{Format, Overflow, Round};
@@ -224,7 +226,7 @@ fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
 fn draw(
     design: &Design,
     _: Sampler,
-    next: &mut dyn FnMut() -> f64,
+    uniform: &mut Uniform,
     columns: &mut [Vec<f64>],
     count: usize,
 ) {
@@ -232,7 +234,7 @@ fn draw(
     columns.iter_mut().for_each(Vec::clear);
     for _ in 0..count {
         for column in &mut *columns {
-            column.push(reach * (2.0 * next() - 1.0));
+            column.push(reach * (2.0 * uniform.draw() - 1.0));
         }
     }
 }
