@@ -696,8 +696,9 @@ impl Compiler<'_> {
     /// are filled once, and ports, which are filled before the first instruction, keep theirs.
     fn finish(mut self, outputs: &[(usize, bool)]) -> Program {
         self.instructions = self.ordered(outputs);
-        // What repeats comes first, in the order that it has.
-        let mut repeats = vec![true; self.widths.len()];
+        // What repeats comes first, in the order that it has; nothing does where no port repeats,
+        // not even what has only constants: the last block may be short, and overflows are counted.
+        let mut repeats = vec![self.program.repeats.contains(&true); self.widths.len()];
         for (input, port) in self.program.inputs.iter().zip(&self.program.repeats) {
             if let Some(input) = input {
                 repeats[input.slot] = *port;
