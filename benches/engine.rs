@@ -133,11 +133,7 @@ fn bench(variant: &str, rounds: usize, only: &str) -> serde_json::Value {
     // The first row is what the others are compared with.
     let mut first = true;
     rows.retain(|row| std::mem::take(&mut first) || row.name.contains(only));
-    let verilated = if "verilator".contains(only) {
-        Verilated::build_all(&design, &stimulus, folder.path())
-    } else {
-        Vec::new()
-    };
+    let verilated = Verilated::build_all(&design, &stimulus, folder.path(), only);
     let mut best: Vec<Vec<f64>> =
         rows.iter().map(|row| vec![f64::INFINITY; row.pieces()]).collect();
     let mut outside: Vec<Vec<f64>> =
@@ -689,7 +685,16 @@ impl Verilated {
         self.piece == self.samples
     }
 
-    fn build_all(design: &Design, stimulus: &Stimulus, folder: &Path) -> Vec<Self> {
+    /// Those whose names contain a text.
+    fn build_all(design: &Design, stimulus: &Stimulus, folder: &Path, only: &str) -> Vec<Self> {
+        let rows = [
+            ("verilator, pipelined", SAMPLES, false),
+            ("verilator, pipelined, VCD of all signals", wave::VECTORS, true),
+        ];
+        let rows: Vec<_> = rows.into_iter().filter(|(name, ..)| name.contains(only)).collect();
+        if rows.is_empty() {
+            return Vec::new();
+        }
         let installed = Command::new("verilator").arg("--version").output();
         if !installed.is_ok_and(|output| output.status.success()) {
             println!("verilator isn't installed: its rows are left out");
@@ -706,47 +711,43 @@ impl Verilated {
         let package = Package::new(design, &settings).expect("the unit lowers");
         package.write_texts(folder, folder).expect("the module can't be written");
         let latency = package.rtl.schedule().latency();
-        [
-            ("verilator, pipelined", SAMPLES, false),
-            ("verilator, pipelined, VCD of all signals", wave::VECTORS, true),
-        ]
-        .into_iter()
-        .map(|(name, samples, traced)| {
-            let harness = harness(design, latency as usize, samples, traced);
-            let (source, object) =
-                if traced { ("traced.cpp", "obj_traced") } else { ("plain.cpp", "obj_plain") };
-            fs::write(folder.join(source), harness).expect("the harness can't be written");
-            let mut command = Command::new("verilator");
-            command.current_dir(folder).args([
-                "--cc",
-                "--exe",
-                "--build",
-                "-O3",
-                "--x-assign",
-                "fast",
-                "--x-initial",
-                "fast",
-                "--noassert",
-                "-CFLAGS",
-                "-O3 -march=native",
-                "-MAKEFLAGS",
-                "OPT_FAST= OPT_SLOW= OPT_GLOBAL=",
-                "--Mdir",
-                object,
-                "--top-module",
-                "rotation",
-            ]);
-            if traced {
-                command.arg("--trace");
-            }
-            let output = command.args(["rotation.v", source]).output().expect("verilator runs");
-            let text = String::from_utf8_lossy(&output.stderr);
-            assert!(output.status.success(), "verilator failed: {text}");
-            let program = folder.join(object).join("Vrotation");
-            let piece = if traced { samples } else { PIECE };
-            Self { name, program, folder: folder.to_owned(), samples, piece }
-        })
-        .collect()
+        rows.into_iter()
+            .map(|(name, samples, traced)| {
+                let harness = harness(design, latency as usize, samples, traced);
+                let (source, object) =
+                    if traced { ("traced.cpp", "obj_traced") } else { ("plain.cpp", "obj_plain") };
+                fs::write(folder.join(source), harness).expect("the harness can't be written");
+                let mut command = Command::new("verilator");
+                command.current_dir(folder).args([
+                    "--cc",
+                    "--exe",
+                    "--build",
+                    "-O3",
+                    "--x-assign",
+                    "fast",
+                    "--x-initial",
+                    "fast",
+                    "--noassert",
+                    "-CFLAGS",
+                    "-O3 -march=native",
+                    "-MAKEFLAGS",
+                    "OPT_FAST= OPT_SLOW= OPT_GLOBAL=",
+                    "--Mdir",
+                    object,
+                    "--top-module",
+                    "rotation",
+                ]);
+                if traced {
+                    command.arg("--trace");
+                }
+                let output = command.args(["rotation.v", source]).output().expect("verilator runs");
+                let text = String::from_utf8_lossy(&output.stderr);
+                assert!(output.status.success(), "verilator failed: {text}");
+                let program = folder.join(object).join("Vrotation");
+                let piece = if traced { samples } else { PIECE };
+                Self { name, program, folder: folder.to_owned(), samples, piece }
+            })
+            .collect()
     }
 
     fn run(&self) -> String {

@@ -10,7 +10,7 @@
 //! array, logic is a list of operations from slots to slots, and an edge is, for each phase, a list
 //! of slots that take another's word. A chain of registers is moved on word by word; pipelines are
 //! so short that a ring with a head costs more than it saves. Operations are those of
-//! [`Op::eval_raw`], with no second meaning: on the rotation unit a cycle takes 0.5 us.
+//! [`Op::eval_raw`], with no second meaning: on the rotation unit a cycle takes 0.4 us, a quarter of a wave's time.
 
 use crate::cast;
 use crate::format::{Format, Overflow};
