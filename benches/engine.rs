@@ -7,7 +7,9 @@
 //! Rows do the same work on the same 2^20 vectors of random words, on one thread, and must give the
 //! same checksum: the engine, the reference interpreter, kernels written by hand for the one setting
 //! with `fixed`'s types and in vectorised passes over blocks, and Verilator on the emitted Verilog, where it is
-//! installed, built with its best flags. Rows take turns, round by round; each row's stimulus is timed in pieces, and a
+//! installed, built with its best flags. Waves of the first 10^5 vectors, with every signal, are written to files of
+//! one folder by `fixpath wave`'s code and by Verilator's tracing, each timed from before its file is made to after it is
+//! closed; what the files hold is counted. Rows take turns, round by round; each row's stimulus is timed in pieces, and a
 //! piece counts with its best time over all rounds, so that what else the machine does is left out.
 #![allow(
     missing_docs,
@@ -29,6 +31,8 @@ use std::hint::black_box;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Instant;
+
+mod wave;
 
 /// Vectors of the stimulus.
 const SAMPLES: usize = 1 << 20;
@@ -129,21 +133,24 @@ fn bench(variant: &str, rounds: usize, only: &str) -> serde_json::Value {
     // The first row is what the others are compared with.
     let mut first = true;
     rows.retain(|row| std::mem::take(&mut first) || row.name.contains(only));
-    let verilated = if "verilator".contains(only) {
-        Verilated::build_all(&design, &stimulus, folder.path())
-    } else {
-        Vec::new()
-    };
+    let verilated = Verilated::build_all(&design, &stimulus, folder.path(), only);
     let mut best: Vec<Vec<f64>> =
         rows.iter().map(|row| vec![f64::INFINITY; row.pieces()]).collect();
     let mut outside: Vec<Vec<f64>> =
-        verilated.iter().map(|v| vec![f64::INFINITY; v.samples / PIECE]).collect();
+        verilated.iter().map(|v| vec![f64::INFINITY; v.samples / v.piece]).collect();
+    let waves: Vec<wave::Row<'_>> =
+        wave::rows(&design, folder.path()).into_iter().filter(|w| w.name.contains(only)).collect();
+    let samples = if waves.is_empty() { Vec::new() } else { wave::samples(&stimulus) };
+    let mut best_waves = vec![f64::INFINITY; waves.len()];
     for _ in 0..rounds {
         for (row, best) in rows.iter_mut().zip(&mut best) {
             row.round(&stimulus, outputs.len(), best);
         }
         for (verilated, best) in verilated.iter().zip(&mut outside) {
             verilated.round(best);
+        }
+        for (wave, best) in waves.iter().zip(&mut best_waves) {
+            *best = best.min(wave.write(&samples));
         }
     }
     let checksums: Vec<u64> =
@@ -166,12 +173,44 @@ fn bench(variant: &str, rounds: usize, only: &str) -> serde_json::Value {
             verilated.samples as f64 / best.iter().sum::<f64>() / 1e6,
         ));
     }
+    let should = rows[0].checksum_of(&stimulus, outputs.len(), wave::VECTORS);
+    let traced = verilated.iter().zip(&outside).filter(|(verilated, _)| verilated.is_traced());
+    let files = waves
+        .iter()
+        .zip(&best_waves)
+        .map(|(wave, best)| (wave.name, wave.file.clone(), *best))
+        .chain(traced.map(|(v, best)| (v.name, v.folder.join("trace.vcd"), best[0])));
+    let files: Vec<(&str, wave::Contents, f64)> =
+        files.map(|(name, file, best)| (name, wave::Contents::of(&file, &design), best)).collect();
+    for (name, contents, best) in &files {
+        assert_eq!(contents.checksum, should, "{name} shows other words");
+        if !table.iter().any(|(known, _)| known == name) {
+            table.push(((*name).to_owned(), wave::VECTORS as f64 / best / 1e6));
+        }
+    }
     let engine = table[0].1;
     println!(
         "\nrotation variant={variant}, million vectors per second on one thread; engine compiled in {compile_us:.0} us"
     );
     for (name, rate) in &table {
         println!("  {name:<40} {rate:>9.3}   engine / this {:>8.2}", engine / rate);
+    }
+    let theirs = files.iter().find(|(name, ..)| name.starts_with("verilator"));
+    let theirs = theirs.map(|(_, _, best)| *best);
+    if !files.is_empty() {
+        println!("VCD files of {} vectors", wave::VECTORS);
+    }
+    for (name, contents, best) in &files {
+        println!(
+            "  {name:<40} {best:>6.3} s {:>4} MB, {:>3} variables, {} changes of words and {} of reals{}",
+            contents.bytes / 1_000_000,
+            contents.variables,
+            contents.changes,
+            contents.reals,
+            theirs
+                .map(|theirs| format!("   Verilator's time / this {:.2}", theirs / best))
+                .unwrap_or_default(),
+        );
     }
     serde_json::json!({
         "unit": "rotation",
@@ -184,6 +223,16 @@ fn bench(variant: &str, rounds: usize, only: &str) -> serde_json::Value {
             "name": name,
             "million_samples_per_second": rate,
             "engine_over_this": engine / rate,
+        })).collect::<Vec<_>>(),
+        "waves": files.iter().map(|(name, contents, best)| serde_json::json!({
+            "name": name,
+            "vectors": wave::VECTORS,
+            "seconds": best,
+            "verilator_time_over_this": theirs.map(|theirs| theirs / best),
+            "bytes": contents.bytes,
+            "variables": contents.variables,
+            "word_changes": contents.changes,
+            "real_changes": contents.reals,
         })).collect::<Vec<_>>(),
     })
 }
@@ -263,9 +312,9 @@ impl<'a> Row<'a> {
     fn checksum_of(&mut self, stimulus: &Stimulus, outputs: usize, samples: usize) -> u64 {
         let mut to = vec![vec![0; PIECE]; outputs];
         let mut sum = 0;
-        for i in 0..samples / PIECE {
+        for i in 0..samples.div_ceil(PIECE) {
             (self.run)(&stimulus.piece(i * PIECE, true), &mut to);
-            for at in 0..PIECE {
+            for at in 0..PIECE.min(samples - i * PIECE) {
                 for column in &to {
                     sum = mixed(sum, column[at]);
                 }
@@ -627,10 +676,25 @@ struct Verilated {
     program: PathBuf,
     folder: PathBuf,
     samples: usize,
+    /// Vectors timed at once: with tracing all, from before the file is made to after it is closed.
+    piece: usize,
 }
 
 impl Verilated {
-    fn build_all(design: &Design, stimulus: &Stimulus, folder: &Path) -> Vec<Self> {
+    fn is_traced(&self) -> bool {
+        self.piece == self.samples
+    }
+
+    /// Those whose names contain a text.
+    fn build_all(design: &Design, stimulus: &Stimulus, folder: &Path, only: &str) -> Vec<Self> {
+        let rows = [
+            ("verilator, pipelined", SAMPLES, false),
+            ("verilator, pipelined, VCD of all signals", wave::VECTORS, true),
+        ];
+        let rows: Vec<_> = rows.into_iter().filter(|(name, ..)| name.contains(only)).collect();
+        if rows.is_empty() {
+            return Vec::new();
+        }
         let installed = Command::new("verilator").arg("--version").output();
         if !installed.is_ok_and(|output| output.status.success()) {
             println!("verilator isn't installed: its rows are left out");
@@ -647,49 +711,48 @@ impl Verilated {
         let package = Package::new(design, &settings).expect("the unit lowers");
         package.write_texts(folder, folder).expect("the module can't be written");
         let latency = package.rtl.schedule().latency();
-        [
-            ("verilator, pipelined", SAMPLES, false),
-            ("verilator, pipelined, VCD of all signals", FEW, true),
-        ]
-        .into_iter()
-        .map(|(name, samples, traced)| {
-            let harness = harness(design, latency as usize, samples, traced);
-            let (source, object) =
-                if traced { ("traced.cpp", "obj_traced") } else { ("plain.cpp", "obj_plain") };
-            fs::write(folder.join(source), harness).expect("the harness can't be written");
-            let mut command = Command::new("verilator");
-            command.current_dir(folder).args([
-                "--cc",
-                "--exe",
-                "--build",
-                "-O3",
-                "--x-assign",
-                "fast",
-                "--x-initial",
-                "fast",
-                "--noassert",
-                "-CFLAGS",
-                "-O3 -march=native",
-                "-MAKEFLAGS",
-                "OPT_FAST= OPT_SLOW= OPT_GLOBAL=",
-                "--Mdir",
-                object,
-                "--top-module",
-                "rotation",
-            ]);
-            if traced {
-                command.arg("--trace");
-            }
-            let output = command.args(["rotation.v", source]).output().expect("verilator runs");
-            let text = String::from_utf8_lossy(&output.stderr);
-            assert!(output.status.success(), "verilator failed: {text}");
-            let program = folder.join(object).join("Vrotation");
-            Self { name, program, folder: folder.to_owned(), samples }
-        })
-        .collect()
+        rows.into_iter()
+            .map(|(name, samples, traced)| {
+                let harness = harness(design, latency as usize, samples, traced);
+                let (source, object) =
+                    if traced { ("traced.cpp", "obj_traced") } else { ("plain.cpp", "obj_plain") };
+                fs::write(folder.join(source), harness).expect("the harness can't be written");
+                let mut command = Command::new("verilator");
+                command.current_dir(folder).args([
+                    "--cc",
+                    "--exe",
+                    "--build",
+                    "-O3",
+                    "--x-assign",
+                    "fast",
+                    "--x-initial",
+                    "fast",
+                    "--noassert",
+                    "-CFLAGS",
+                    "-O3 -march=native",
+                    "-MAKEFLAGS",
+                    "OPT_FAST= OPT_SLOW= OPT_GLOBAL=",
+                    "--Mdir",
+                    object,
+                    "--top-module",
+                    "rotation",
+                ]);
+                if traced {
+                    command.arg("--trace");
+                }
+                let output = command.args(["rotation.v", source]).output().expect("verilator runs");
+                let text = String::from_utf8_lossy(&output.stderr);
+                assert!(output.status.success(), "verilator failed: {text}");
+                let program = folder.join(object).join("Vrotation");
+                let piece = if traced { samples } else { PIECE };
+                Self { name, program, folder: folder.to_owned(), samples, piece }
+            })
+            .collect()
     }
 
     fn run(&self) -> String {
+        // Not there if it isn't traced.
+        let _ = fs::remove_file(self.folder.join("trace.vcd"));
         let output = Command::new(&self.program)
             .current_dir(&self.folder)
             .output()
@@ -749,19 +812,25 @@ fn harness(design: &Design, latency: usize, samples: usize, traced: bool) -> Str
         ("", "", "")
     };
     let count = outputs.len();
+    let start = "const auto start = std::chrono::steady_clock::now();";
+    let stop = "const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start; printf(\"seconds %.9f\\n\", took.count());";
+    // A wave is timed as a whole.
+    let (piece, [all_start, all_stop, piece_start, piece_stop]) =
+        if traced { (samples, [start, stop, "", ""]) } else { (PIECE, ["", "", start, stop]) };
     let _ = write!(
         text,
         "int main() {{\n\
          VerilatedContext context; Vrotation dut{{&context}};\n\
-         const size_t samples = {samples}, piece = {PIECE}, latency = {latency};\n\
+         const size_t samples = {samples}, piece = {piece}, latency = {latency};\n\
          std::vector<uint16_t> in(4 * samples);\n\
          FILE* file = fopen(\"stimulus\", \"rb\");\n\
          if (!file || fread(in.data(), 2, in.size(), file) != in.size()) return 1;\n\
          std::vector<int32_t> out[{count}]; for (auto& o : out) o.resize(samples);\n\
+         {all_start}\n\
          {open}\n\
          dut.rst = 0; dut.ce = 1; dut.valid_in = 1; dut.clk = 0; dut.eval();\n\
          for (size_t first = 0; first < samples; first += piece) {{\n\
-           const auto start = std::chrono::steady_clock::now();\n\
+           {piece_start}\n\
            const size_t end = first + piece + (first + piece == samples ? latency : 0);\n\
            for (size_t cycle = first; cycle < end; ++cycle) {{\n\
              const size_t at = cycle < samples ? cycle : samples - 1;\n\
@@ -770,10 +839,11 @@ fn harness(design: &Design, latency: usize, samples: usize, traced: bool) -> Str
              if (cycle >= latency) {{ const size_t n = cycle - latency; {get} }}\n\
              dut.clk = 1; dut.eval(); {dump}\n\
            }}\n\
-           const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;\n\
-           printf(\"seconds %.9f\\n\", took.count());\n\
+           {piece_stop}\n\
          }}\n\
-         {close} dut.final();\n\
+         {close}\n\
+         {all_stop}\n\
+         dut.final();\n\
          uint64_t sum = 0;\n\
          for (size_t n = 0; n < samples; ++n)\n\
            for (auto& o : out) sum = (sum ^ uint64_t(uint32_t(o[n]))) * UINT64_C(0x100000001b3);\n\

@@ -689,7 +689,9 @@ fn write_wave(
     let mut cycles = 0;
     // The save file is written while the VCD is not in place yet: both are there or none.
     output::write_file(out, |to| {
-        cycles = wave.write(samples, to, out)?;
+        let bar = progress_bar(end, "cycles");
+        cycles = wave.write_with(samples, to, out, &|done| bar.set_position(done))?;
+        bar.finish_and_clear();
         output::write_file(&save, |to| wave.write_gtkw(out, to).map_err(output::at(&save)))
     })?;
     Ok(format!(

@@ -5,33 +5,42 @@
 //! Registers are unknown until the first data reaches them; only the valid bits and the phase
 //! counter have a reset, as in the emitted hardware. Units are flat pipelines inside, so they are
 //! simulated by this same type.
+//!
+//! What a cycle does is worked out once, as a `Program`: all words of the hardware are slots of one
+//! array, logic is a list of operations from slots to slots, and an edge is, for each phase, a list
+//! of slots that take another's word. A chain of registers is moved on word by word; pipelines are
+//! so short that a ring with a head costs more than it saves. Operations are those of
+//! [`Op::eval_raw`], with no second meaning: on the rotation unit a cycle takes 0.4 us, a quarter of a wave's time.
 
 use crate::cast;
 use crate::format::{Format, Overflow};
-use crate::netlist::NodeId;
+use crate::netlist::{NodeId, Table};
 use crate::op::Op;
-use crate::rtl::{Rtl, Signal, Source};
+use crate::rtl::{Case, Rtl, Signal, Source};
 use std::sync::Arc;
 
 /// State of the hardware.
 #[derive(Clone, Debug)]
 pub struct Cycle {
-    rtl: Arc<Rtl>,
-    /// Word of each node in its own stage.
-    own: Vec<i64>,
-    /// Words of its registers.
-    registers: Vec<Vec<i64>>,
-    /// What reads on a clock take at the next edge.
-    read: Vec<i64>,
-    /// The valid input, and what the valid bits hold.
-    valid_in: bool,
-    valid: Vec<bool>,
-    phase: u32,
+    program: Arc<Program>,
+    /// The word in each slot.
+    words: Vec<i64>,
+    control: Control,
     units: Vec<UnitState>,
     /// Edges since the start.
     edges: u64,
     /// A `narrow` under overflow mode `error` that overflowed on valid data.
     forbidden: Option<NodeId>,
+}
+
+/// What is known of time and data.
+#[derive(Clone, Debug)]
+struct Control {
+    /// The valid input, and what the valid bits hold.
+    valid_in: bool,
+    valid: Vec<bool>,
+    phase: u32,
+    interval: u32,
 }
 
 /// State of a unit.
@@ -46,30 +55,214 @@ struct UnitState {
     sits: Vec<Option<usize>>,
 }
 
+/// What a cycle does.
+#[derive(Debug)]
+struct Program {
+    rtl: Arc<Rtl>,
+    /// Slot of each node's word in its own stage; those of its hold registers follow.
+    own: Vec<usize>,
+    /// Words at the start: constants, and 0.
+    start: Vec<i64>,
+    inputs: Vec<usize>,
+    steps: Vec<Step>,
+    units: Vec<Feeds>,
+    results: Vec<Taken>,
+    /// By phase, in order: slots that take the word of another at the edge that ends it.
+    moves: Vec<Vec<(usize, usize)>>,
+}
+
+/// The operation of a free node.
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    node: NodeId,
+    stage: u32,
+    op: Op,
+    format: Format,
+    /// Slots and formats of the operands.
+    of: [(usize, Format); 3],
+    operands: usize,
+    /// Where the word goes: for a read on a clock, to what is taken at the edge.
+    to: usize,
+}
+
+/// What goes into a unit.
+#[derive(Debug)]
+struct Feeds {
+    /// By phase: for each port what it takes and from which slot; nothing where a register keeps
+    /// its word.
+    ports: Vec<Vec<Option<(Case, usize)>>>,
+    /// Operation that is issued in each phase.
+    issued: Vec<Option<usize>>,
+}
+
+/// A node's word at the output of a unit.
+#[derive(Clone, Copy, Debug)]
+struct Taken {
+    unit: usize,
+    /// Slot inside the unit.
+    from: usize,
+    right: u32,
+    format: Format,
+    to: usize,
+}
+
+impl Control {
+    fn ready(&self) -> bool {
+        self.phase == 0
+    }
+
+    fn valid(&self, stage: u32) -> bool {
+        match stage.checked_sub(1) {
+            None => self.valid_in,
+            Some(before) => {
+                let bit = before / self.interval;
+                self.valid.get(cast::index_of_u32(bit)).copied().unwrap_or(false)
+            }
+        }
+    }
+
+    fn is_data(&self, stage: u32) -> bool {
+        self.valid(stage) && stage % self.interval == self.phase
+    }
+}
+
+impl Step {
+    #[inline(always)]
+    fn eval(&self, words: &[i64], tables: &[Table]) -> (i64, bool) {
+        let of = self.of.map(|(slot, format)| (words[slot], format));
+        self.op.eval_raw(&of[..self.operands], self.format, tables)
+    }
+}
+
+impl Program {
+    /// `inside` are the units' own.
+    fn new(rtl: Arc<Rtl>, inside: &[Arc<Self>]) -> Self {
+        let (netlist, schedule) = (rtl.netlist(), rtl.schedule());
+        let (mut own, mut start) = (Vec::new(), Vec::new());
+        for id in netlist.ids() {
+            own.push(start.len());
+            start.resize(start.len() + 1 + rtl.registers(id).count(), 0);
+        }
+        let mut program = Self {
+            own,
+            start,
+            inputs: Vec::new(),
+            steps: Vec::new(),
+            units: Vec::new(),
+            results: Vec::new(),
+            moves: vec![Vec::new(); cast::index_of_u32(schedule.interval())],
+            rtl: Arc::clone(&rtl),
+        };
+        for id in netlist.ids() {
+            let (node, own) = (netlist.node(id), program.own[id.index()]);
+            let mut edge = Vec::new();
+            let registers = rtl.registers(id).count();
+            edge.extend((own..own + registers).rev().map(|slot| (slot + 1, slot)));
+            let phase = schedule.phase(schedule.stage(id));
+            program.moves[cast::index_of_u32(phase)].extend(edge);
+            let mut to = own;
+            if schedule.is_clocked(netlist, id) {
+                // A read takes a word at every edge.
+                to = program.constant(0);
+                program.moves.iter_mut().for_each(|moves| moves.push((own, to)));
+            }
+            if node.op == Op::Input {
+                program.inputs.push(own);
+            } else if let Op::Const { raw } = node.op {
+                program.start[own] = raw;
+            } else if rtl.is_free(id) {
+                let mut of = [(own, Format::FLAG); 3];
+                for (slot, operand) in of.iter_mut().zip(&node.operands) {
+                    let signal = rtl.operand(id, *operand);
+                    *slot = (program.slot(signal), netlist.node(*operand).format);
+                }
+                program.steps.push(Step {
+                    node: id,
+                    stage: schedule.stage(id),
+                    op: node.op,
+                    format: node.format,
+                    of,
+                    operands: node.operands.len(),
+                    to,
+                });
+            }
+            if let Some(result) = rtl.result(id) {
+                let unit = &rtl.units()[result.unit].rtl;
+                let hull = unit.netlist().outputs()[result.output].node;
+                program.results.push(Taken {
+                    unit: result.unit,
+                    from: inside[result.unit].slot(unit.output(hull)),
+                    right: result.right,
+                    format: node.format,
+                    to: own,
+                });
+            }
+        }
+        program.units = (0..rtl.units().len()).map(|unit| program.feeds(unit)).collect();
+        program
+    }
+
+    fn feeds(&mut self, unit: usize) -> Feeds {
+        let rtl = Arc::clone(&self.rtl);
+        let mut feed = |case: &Case| match case.source {
+            Source::Signal(signal) => (*case, self.slot(signal)),
+            Source::Constant { raw, .. } => (*case, self.constant(raw)),
+        };
+        let phases = 0..rtl.schedule().interval();
+        let mut at = |phase: u32| -> Vec<Option<(Case, usize)>> {
+            let ports = rtl.units()[unit].ports.iter().map(|port| {
+                let idle = (!port.registered).then_some(&port.cases[0]);
+                port.case(phase).or(idle).map(&mut feed)
+            });
+            ports.collect()
+        };
+        let issued = |phase: u32| {
+            let operations = rtl.operations(unit).iter();
+            operations.map(|o| rtl.schedule().phase(o.issue)).position(|issue| issue == phase)
+        };
+        Feeds { ports: phases.clone().map(&mut at).collect(), issued: phases.map(issued).collect() }
+    }
+
+    /// A slot of its own that starts with a word.
+    fn constant(&mut self, raw: i64) -> usize {
+        self.start.push(raw);
+        self.start.len() - 1
+    }
+
+    fn slot(&self, signal: Signal) -> usize {
+        let (own, schedule) = (self.own[signal.node.index()], self.rtl.schedule());
+        match signal.stage.checked_sub(schedule.stage(signal.node) + 1) {
+            None => own,
+            Some(after) => own + 1 + cast::index_of_u32(after / schedule.interval()),
+        }
+    }
+}
+
 impl Cycle {
     /// Hardware before the first edge, with all valid bits clear.
     #[must_use]
     pub fn new(rtl: Arc<Rtl>) -> Self {
-        let nodes = rtl.netlist().nodes().len();
-        let registers = rtl.netlist().ids().map(|id| vec![0; rtl.registers(id).count()]).collect();
-        let units = rtl.units().iter().map(|unit| UnitState {
-            inside: Self::new(Arc::clone(&unit.rtl)),
-            ports: vec![0; unit.ports.len()],
-            next: vec![0; unit.ports.len()],
-            sits: vec![None; cast::index_of_u32(unit.rtl.schedule().latency()) + 1],
-        });
-        Self {
-            own: vec![0; nodes],
-            registers,
-            read: vec![0; nodes],
+        let units: Vec<UnitState> = rtl
+            .units()
+            .iter()
+            .map(|unit| UnitState {
+                inside: Self::new(Arc::clone(&unit.rtl)),
+                ports: vec![0; unit.ports.len()],
+                next: vec![0; unit.ports.len()],
+                sits: vec![None; cast::index_of_u32(unit.rtl.schedule().latency()) + 1],
+            })
+            .collect();
+        let inside: Vec<Arc<Program>> =
+            units.iter().map(|unit| Arc::clone(&unit.inside.program)).collect();
+        let control = Control {
             valid_in: false,
             valid: vec![false; cast::index_of_u32(rtl.valid_bits())],
             phase: 0,
-            units: units.collect(),
-            edges: 0,
-            forbidden: None,
-            rtl,
-        }
+            interval: rtl.schedule().interval(),
+        };
+        let program = Arc::new(Program::new(rtl, &inside));
+        let words = program.start.clone();
+        Self { program, words, control, units, edges: 0, forbidden: None }
     }
 
     /// Lets logic follow the input words; `valid` says whether they are data.
@@ -77,101 +270,39 @@ impl Cycle {
     /// # Panics
     /// If there is not one word per input port.
     pub fn settle(&mut self, inputs: &[i64], valid: bool) {
-        let rtl = Arc::clone(&self.rtl);
-        let netlist = rtl.netlist();
-        assert_eq!(inputs.len(), netlist.inputs().len(), "bug: one word per input");
-        self.valid_in = valid && self.ready();
-        let mut ports = inputs.iter();
-        for id in netlist.ids() {
-            let node = netlist.node(id);
-            if node.op == Op::Input {
-                self.own[id.index()] = *ports.next().expect("bug: counted above");
-                continue;
+        let Self { program, words, control, units, forbidden, .. } = self;
+        assert_eq!(inputs.len(), program.inputs.len(), "bug: one word per input");
+        control.valid_in = valid && control.ready();
+        for (slot, word) in program.inputs.iter().zip(inputs) {
+            words[*slot] = *word;
+        }
+        let tables = program.rtl.netlist().tables();
+        for step in &program.steps {
+            let (word, overflowed) = step.eval(words, tables);
+            let error = overflowed && step.op.overflow() == Some(Overflow::Error);
+            if error && control.is_data(step.stage) {
+                forbidden.get_or_insert(step.node);
             }
-            if !rtl.is_free(id) {
-                continue;
-            }
-            let mut of = [(0, Format::FLAG); 3];
-            for (slot, operand) in of.iter_mut().zip(&node.operands) {
-                *slot = (self.word(rtl.operand(id, *operand)), netlist.node(*operand).format);
-            }
-            let of = &of[..node.operands.len()];
-            let (word, overflowed) = node.op.eval_raw(of, node.format, netlist.tables());
-            let error = overflowed && node.op.overflow() == Some(Overflow::Error);
-            if error && self.is_data(rtl.schedule().stage(id)) {
-                self.forbidden.get_or_insert(id);
-            }
-            if rtl.schedule().is_clocked(netlist, id) {
-                self.read[id.index()] = word;
-            } else {
-                self.own[id.index()] = word;
+            words[step.to] = word;
+        }
+        for (number, (state, feeds)) in units.iter_mut().zip(&program.units).enumerate() {
+            if let Some(node) = state.settle(&program.rtl, number, feeds, words, control) {
+                forbidden.get_or_insert(node);
             }
         }
-        let mut units = std::mem::take(&mut self.units);
-        for (number, state) in units.iter_mut().enumerate() {
-            self.settle_unit(&rtl, number, state);
-        }
-        self.units = units;
-        for id in netlist.ids() {
-            if let Some(result) = rtl.result(id) {
-                let unit = rtl.units()[result.unit].rtl.netlist();
-                let hull = unit.outputs()[result.output].node;
-                let inside = &self.units[result.unit].inside;
-                let word = inside.word(inside.rtl.output(hull)) >> result.right;
-                self.own[id.index()] = netlist.node(id).format.wrap(word);
-            }
-        }
-    }
-
-    fn settle_unit(&mut self, rtl: &Rtl, number: usize, state: &mut UnitState) {
-        let unit = &rtl.units()[number];
-        for (at, port) in unit.ports.iter().enumerate() {
-            let case = port.case(self.phase);
-            let word = |case: &crate::rtl::Case| {
-                case.shifted(match case.source {
-                    Source::Signal(signal) => self.word(signal),
-                    Source::Constant { raw, .. } => raw,
-                })
-            };
-            match (port.registered, case) {
-                (true, Some(case)) => state.next[at] = word(case),
-                (true, None) => state.next[at] = state.ports[at],
-                (false, Some(case)) => state.ports[at] = word(case),
-                (false, None) => state.ports[at] = word(&port.cases[0]),
-            }
-        }
-        let operations = rtl.operations(number);
-        let issued = operations
-            .iter()
-            .position(|operation| rtl.schedule().phase(operation.issue) == self.phase);
-        let valid = issued.is_some_and(|at| self.valid(operations[at].issue));
-        state.sits[0] = issued.filter(|_| valid);
-        state.inside.settle(&state.ports, valid);
-        if let Some(inside) = state.inside.forbidden.take() {
-            // The node of the operation that sits there.
-            let stage = cast::index_of_u32(state.inside.rtl.schedule().stage(inside));
-            let position = rtl.schedule().units()[number].positions[inside.index()];
-            if let (Some(at), Some(position)) = (state.sits[stage], position) {
-                self.forbidden.get_or_insert(operations[at].nodes[position]);
-            }
+        for result in &program.results {
+            let word = units[result.unit].inside.words[result.from] >> result.right;
+            words[result.to] = result.format.wrap(word);
         }
     }
 
     /// Takes a rising edge.
     pub fn clock(&mut self) {
-        let rtl = Arc::clone(&self.rtl);
-        for id in rtl.netlist().ids() {
-            let loads = rtl.schedule().phase(rtl.schedule().stage(id)) == self.phase;
-            let registers = &mut self.registers[id.index()];
-            if !registers.is_empty() && loads {
-                registers.rotate_right(1);
-                registers[0] = self.own[id.index()];
-            }
-            if rtl.schedule().is_clocked(rtl.netlist(), id) {
-                self.own[id.index()] = self.read[id.index()];
-            }
+        let Self { program, words, control, units, edges, .. } = self;
+        for (to, from) in &program.moves[cast::index_of_u32(control.phase)] {
+            words[*to] = words[*from];
         }
-        for (state, unit) in self.units.iter_mut().zip(rtl.units()) {
+        for (state, unit) in units.iter_mut().zip(program.rtl.units()) {
             state.inside.clock();
             state.sits.rotate_right(1);
             state.sits[0] = None;
@@ -181,20 +312,20 @@ impl Cycle {
                 }
             }
         }
-        if self.ready() && !self.valid.is_empty() {
-            self.valid.rotate_right(1);
-            self.valid[0] = self.valid_in;
+        if control.ready() && !control.valid.is_empty() {
+            control.valid.rotate_right(1);
+            control.valid[0] = control.valid_in;
         }
-        self.valid_in = false;
-        self.phase = (self.phase + 1) % rtl.schedule().interval();
-        self.edges += 1;
+        control.valid_in = false;
+        control.phase = (control.phase + 1) % control.interval;
+        *edges += 1;
     }
 
     /// Clears the valid bits and the phase, as the reset does at an edge.
     pub fn reset(&mut self) {
-        self.valid_in = false;
-        self.valid.fill(false);
-        self.phase = 0;
+        self.control.valid_in = false;
+        self.control.valid.fill(false);
+        self.control.phase = 0;
         for state in &mut self.units {
             state.inside.reset();
             state.sits.fill(None);
@@ -204,13 +335,13 @@ impl Cycle {
     /// The phase: cycles modulo the interval.
     #[must_use]
     pub fn phase(&self) -> u32 {
-        self.phase
+        self.control.phase
     }
 
     /// True in the phase in which inputs are taken.
     #[must_use]
     pub fn ready(&self) -> bool {
-        self.phase == 0
+        self.control.ready()
     }
 
     /// The operation of valid data that sits in a stage of a unit; stage 0 is the issue and the
@@ -235,13 +366,19 @@ impl Cycle {
     /// Word of a signal; meaningless while it is not [known](Self::known).
     #[must_use]
     pub fn word(&self, signal: Signal) -> i64 {
-        let own = self.rtl.schedule().stage(signal.node);
-        if signal.stage == own {
-            self.own[signal.node.index()]
-        } else {
-            let register = (signal.stage - own - 1) / self.rtl.schedule().interval();
-            self.registers[signal.node.index()][cast::index_of_u32(register)]
-        }
+        self.words[self.program.slot(signal)]
+    }
+
+    /// Where in [`Cycle::words`] a signal's word is, in every cycle.
+    #[must_use]
+    pub fn slot(&self, signal: Signal) -> usize {
+        self.program.slot(signal)
+    }
+
+    /// The words of all signals.
+    #[must_use]
+    pub fn words(&self) -> &[i64] {
+        &self.words
     }
 
     /// The first `narrow` under [`Overflow::Error`] that overflowed on valid data.
@@ -265,27 +402,56 @@ impl Cycle {
     /// True if the sample that is in this stage in its phase is data.
     #[must_use]
     pub fn valid(&self, stage: u32) -> bool {
-        match stage.checked_sub(1) {
-            None => self.valid_in,
-            Some(before) => {
-                let bit = before / self.rtl.schedule().interval();
-                self.valid.get(cast::index_of_u32(bit)).copied().unwrap_or(false)
-            }
-        }
+        self.control.valid(stage)
     }
 
     /// True in a cycle in which a stage works on data: valid, and in its phase.
     #[must_use]
     pub fn is_data(&self, stage: u32) -> bool {
-        self.valid(stage) && self.rtl.schedule().phase(stage) == self.phase
+        self.control.is_data(stage)
     }
 
     /// Words of the output ports, if they are valid: in one cycle for each sample.
     #[must_use]
     pub fn outputs(&self) -> Option<Vec<i64>> {
-        let word = |node: NodeId| self.word(self.rtl.output(node));
-        let outputs = self.rtl.netlist().outputs();
-        self.is_data(self.rtl.schedule().latency())
+        let rtl = &self.program.rtl;
+        let word = |node: NodeId| self.word(rtl.output(node));
+        let outputs = rtl.netlist().outputs();
+        self.is_data(rtl.schedule().latency())
             .then(|| outputs.iter().map(|output| word(output.node)).collect())
+    }
+}
+
+impl UnitState {
+    /// Lets a unit follow the words and valid bits around it. Gives the node of the netlist that
+    /// overflowed and may not.
+    fn settle(
+        &mut self,
+        rtl: &Rtl,
+        number: usize,
+        feeds: &Feeds,
+        words: &[i64],
+        control: &Control,
+    ) -> Option<NodeId> {
+        let phase = cast::index_of_u32(control.phase);
+        for (at, (port, feed)) in
+            rtl.units()[number].ports.iter().zip(&feeds.ports[phase]).enumerate()
+        {
+            let word = feed.map(|(case, slot)| case.shifted(words[slot]));
+            if port.registered {
+                self.next[at] = word.unwrap_or(self.ports[at]);
+            } else if let Some(word) = word {
+                self.ports[at] = word;
+            }
+        }
+        let operations = rtl.operations(number);
+        let issued = feeds.issued[phase].filter(|at| control.valid(operations[*at].issue));
+        self.sits[0] = issued;
+        self.inside.settle(&self.ports, issued.is_some());
+        let inside = self.inside.forbidden.take()?;
+        // The node of the operation that sits there.
+        let stage = self.inside.program.rtl.schedule().stage(inside);
+        let position = rtl.schedule().units()[number].positions[inside.index()]?;
+        Some(operations[self.sits[cast::index_of_u32(stage)]?].nodes[position])
     }
 }

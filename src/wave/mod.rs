@@ -11,11 +11,18 @@
 //! With a time-shared schedule, a word in its own stage is shown in its phase only and is `x` in
 //! the others; the hold register of a word, `name_sN`, shows it for the whole interval. A node inside a
 //! unit has only that. Phase and units stand beside them.
+//!
+//! Every word comes from the cycle simulator, flat or shared, and only what changed is written. For flat
+//! pipelines the batch engine could give all words at once, but stepping is a
+//! small part of the time by now, and so the wave shows what registers really hold.
 
+mod text;
+mod twins;
 mod units;
 
 use crate::cast;
 use crate::error::{Error, Result};
+use crate::format::Format;
 use crate::netlist::{Netlist, NodeId, Quantity};
 use crate::op::Op;
 use crate::output;
@@ -23,13 +30,15 @@ use crate::rtl::{Rtl, Signal};
 use crate::sim::cycle::Cycle;
 use crate::timetable::Timetable;
 use crate::units::Design;
-use std::collections::{BTreeSet, VecDeque};
+use std::collections::BTreeSet;
 use std::io::{self, Write};
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
+use text::{Code, Lines};
+use twins::Twins;
 use units::UnitCodes;
-use vcd::{IdCode, ReferenceIndex, TimescaleUnit, Value, VarType};
+use vcd::{IdCode, ReferenceIndex, TimescaleUnit, VarType};
 
 /// What to put into a wave.
 #[derive(Clone, Debug, Default)]
@@ -171,7 +180,24 @@ impl<'a> Wave<'a> {
     /// # Panics
     /// If the samples don't match the input ports.
     pub fn write(&self, samples: &[Vec<i64>], to: &mut dyn Write, path: &Path) -> Result<u64> {
-        let cycle = self.write_cycles(samples, to).map_err(output::at(path))?;
+        self.write_with(samples, to, path, &|_| ())
+    }
+
+    /// As [`Wave::write`]; `progress` gets the cycles done.
+    ///
+    /// # Errors
+    /// As [`Wave::write`].
+    ///
+    /// # Panics
+    /// As [`Wave::write`].
+    pub fn write_with(
+        &self,
+        samples: &[Vec<i64>],
+        to: &mut dyn Write,
+        path: &Path,
+        progress: &dyn Fn(u64),
+    ) -> Result<u64> {
+        let cycle = self.write_cycles(samples, to, progress).map_err(output::at(path))?;
         match cycle.forbidden_overflow() {
             Some(node) => Err(Error::node_overflow(self.rtl.netlist().label(node), 1)),
             None => {
@@ -181,10 +207,21 @@ impl<'a> Wave<'a> {
         }
     }
 
-    fn write_cycles(&self, samples: &[Vec<i64>], to: &mut dyn Write) -> io::Result<Cycle> {
+    fn write_cycles(
+        &self,
+        samples: &[Vec<i64>],
+        to: &mut dyn Write,
+        progress: &dyn Fn(u64),
+    ) -> io::Result<Cycle> {
         let netlist = self.rtl.netlist();
-        let latency = self.rtl.schedule().latency();
-        let mut writer = vcd::Writer::new(to);
+        let (latency, interval) =
+            (self.rtl.schedule().latency(), u64::from(self.rtl.schedule().interval()));
+        let total = self.cycles(samples.len());
+        let window = self.options.cycles.clone().unwrap_or(0..total);
+        let end = total.min(window.end);
+        let mut cycle = Cycle::new(Arc::clone(&self.rtl));
+
+        let mut writer = vcd::Writer::new(&mut *to);
         writer.comment(&format!(
             "fixpath {}: unit {}, latency {latency} cycles; {}",
             env!("CARGO_PKG_VERSION"),
@@ -197,59 +234,40 @@ impl<'a> Wave<'a> {
                 .join(" ")
         ))?;
         writer.timescale(1, TimescaleUnit::PS)?;
-        let mut codes = Codes::declare(&mut writer, self)?;
+        // The oldest sample that can be in the pipeline then.
+        let oldest = window.start.saturating_sub(u64::from(latency) + interval) / interval;
+        let oldest = usize::try_from(oldest).unwrap_or(usize::MAX).min(samples.len());
+        let mut codes = Codes::declare(&mut writer, self, &cycle, oldest)?;
+        let mut lines = Lines::new(to);
 
-        let total = self.cycles(samples.len());
-        let interval = u64::from(self.rtl.schedule().interval());
-        let window = self.options.cycles.clone().unwrap_or(0..total);
-        let mut cycle = Cycle::new(Arc::clone(&self.rtl));
-        // Real values of the samples in the pipeline, the latest first.
-        let depth = cast::index_of_u32(latency + self.rtl.schedule().interval());
-        let mut ideals: VecDeque<Option<Ideal>> = VecDeque::with_capacity(depth + 1);
         let idle = vec![0; netlist.inputs().len()];
-        let mut first = true;
-        for at in 0..total.min(window.end) {
-            let ready = at % interval == 0;
-            let number = usize::try_from(at / interval).ok().filter(|_| ready);
+        for at in 0..end {
+            let number = usize::try_from(at / interval).ok().filter(|_| cycle.ready());
             let sample = number.and_then(|number| samples.get(number));
             cycle.settle(sample.unwrap_or(&idle), sample.is_some());
-            // Twins are only evaluated for samples that can be seen.
-            let seen = at + u64::from(latency) + interval > window.start;
-            ideals.push_front(sample.filter(|_| seen).map(|words| self.ideal(words)));
-            ideals.truncate(depth);
             if at >= window.start {
-                writer.timestamp(at * self.period_ps)?;
+                lines.timestamp(at * self.period_ps)?;
+                let first = at == window.start;
                 if first {
-                    writer.begin(vcd::SimulationCommand::Dumpvars)?;
+                    lines.text("$dumpvars\n")?;
+                    lines.flag(false, &codes.rst)?;
                 }
-                codes.change(&mut writer, self, &cycle, &ideals)?;
+                lines.flag(true, &codes.clk)?;
+                codes.change(&mut lines, &self.rtl, samples, &cycle)?;
                 if first {
-                    writer.end()?;
-                    first = false;
+                    lines.text("$end\n")?;
                 }
-                writer.timestamp(at * self.period_ps + self.period_ps / 2)?;
-                codes.fall(&mut writer)?;
+                lines.timestamp(at * self.period_ps + self.period_ps / 2)?;
+                lines.flag(false, &codes.clk)?;
             }
             cycle.clock();
+            if at % 4096 == 0 {
+                progress(at);
+            }
         }
-        writer.timestamp(total.min(window.end) * self.period_ps)?;
-        writer.flush()?;
+        lines.timestamp(end * self.period_ps)?;
+        lines.flush()?;
         Ok(cycle)
-    }
-
-    fn ideal(&self, words: &[i64]) -> Ideal {
-        let netlist = self.rtl.netlist();
-        let inputs: Vec<f64> = netlist
-            .inputs()
-            .iter()
-            .zip(words)
-            .map(|(id, word)| netlist.node(*id).format.value(*word))
-            .collect();
-        let columns: Vec<&[f64]> = inputs.iter().map(std::slice::from_ref).collect();
-        let mut golden = vec![vec![0.0]; self.design.golden_columns()];
-        (self.design.golden)(&self.design.values, &columns, &mut golden);
-        let golden: Vec<f64> = golden.iter().map(|column| column[0]).collect();
-        Ideal { nodes: netlist.eval_reals(&inputs), judged: self.design.of_golden(&golden) }
     }
 
     /// Writes the GTKWave save file for a VCD of this name.
@@ -370,12 +388,7 @@ impl<'a> Wave<'a> {
 }
 
 /// A word with its fixed-point shift in the save file.
-fn write_gtkw_word(
-    name: &str,
-    format: crate::format::Format,
-    color: u8,
-    to: &mut dyn Write,
-) -> io::Result<()> {
+fn write_gtkw_word(name: &str, format: Format, color: u8, to: &mut dyn Write) -> io::Result<()> {
     // GTKWave counts anew from 0 where the declared top index is not above 0.
     let range = if top_index(format) > 0 {
         format!("[{}:{}]", top_index(format), -format.frac_bits())
@@ -395,16 +408,14 @@ fn write_gtkw_word(
     }
 }
 
-/// Values on reals of one sample.
-#[derive(Debug)]
-struct Ideal {
-    nodes: Vec<f64>,
-    /// Golden values of the judged nodes, which start with the output ports.
-    judged: Vec<f64>,
+fn top_index(format: Format) -> i32 {
+    cast::signed_count(format.bits()) - format.frac_bits() - 1
 }
 
-fn top_index(format: crate::format::Format) -> i32 {
-    cast::signed_count(format.bits()) - format.frac_bits() - 1
+/// Indices of a word's bits with the binary point below 0; none for one bit.
+fn index_range(format: Format) -> Option<ReferenceIndex> {
+    let range = ReferenceIndex::Range(top_index(format), -format.frac_bits());
+    (format.bits() > 1).then_some(range)
 }
 
 fn path_text(netlist: &Netlist, trace: &Trace) -> String {
@@ -491,154 +502,124 @@ fn all_traces(rtl: &Rtl, options: &Options) -> Vec<Trace> {
 }
 
 /// Identifiers and last values of the signals.
-struct Codes {
-    clk: IdCode,
-    rst: IdCode,
-    valid_in: IdCode,
-    valid_out: IdCode,
-    last_valid: [Option<bool>; 2],
-    words: Vec<(IdCode, Option<Option<i64>>)>,
-    twins: Vec<Vec<(IdCode, Option<f64>)>>,
+struct Codes<'a> {
+    clk: Code,
+    rst: Code,
+    valid_in: Shown,
+    valid_out: Shown,
+    words: Vec<Word>,
+    twins: Twins<'a>,
     units: Option<UnitCodes>,
-    started: bool,
 }
 
-impl Codes {
-    fn declare<W: Write>(writer: &mut vcd::Writer<W>, wave: &Wave<'_>) -> io::Result<Self> {
-        let netlist = wave.rtl.netlist();
+/// What was written of a variable last: its pattern, or one of these, which no pattern is.
+const NOTHING: u64 = u64::MAX;
+const UNKNOWN: u64 = u64::MAX - 1;
+
+/// A variable of bits, and what it shows.
+struct Shown {
+    code: Code,
+    bits: u32,
+    last: u64,
+}
+
+impl Shown {
+    fn new(code: IdCode, bits: u32) -> Self {
+        Self { code: code.into(), bits, last: NOTHING }
+    }
+
+    /// Writes a pattern if it is another.
+    #[inline(always)]
+    fn change(&mut self, lines: &mut Lines<'_>, now: u64) -> io::Result<()> {
+        if self.last == now {
+            return Ok(());
+        }
+        self.last = now;
+        lines.word((now != UNKNOWN).then_some(now), self.bits, &self.code)
+    }
+}
+
+/// A signal's word.
+struct Word {
+    shown: Shown,
+    format: Format,
+    /// Where the simulator has it.
+    slot: usize,
+    stage: u64,
+    /// The phase that it means something in; a register holds its word.
+    phase: Option<u32>,
+}
+
+impl<'a> Codes<'a> {
+    fn declare<W: Write>(
+        writer: &mut vcd::Writer<W>,
+        wave: &'a Wave<'_>,
+        cycle: &Cycle,
+        oldest: usize,
+    ) -> io::Result<Self> {
+        let (netlist, schedule) = (wave.rtl.netlist(), wave.rtl.schedule());
         writer.add_module(netlist.name())?;
-        let mut wire = |name: &str| writer.add_wire(1, name);
-        let mut codes = Self {
-            clk: wire("clk")?,
-            rst: wire("rst")?,
-            valid_in: wire("valid_in")?,
-            valid_out: wire("valid_out")?,
-            last_valid: [None; 2],
-            words: Vec::new(),
-            twins: Vec::new(),
-            units: None,
-            started: false,
-        };
-        codes.units = UnitCodes::declare(writer, &wave.rtl)?;
-        let mut order: Vec<usize> = (0..wave.traces.len()).collect();
-        order.sort_by(|a, b| wave.traces[*a].path.cmp(&wave.traces[*b].path));
-        let placeholder = codes.clk;
-        codes.words = vec![(placeholder, None); wave.traces.len()];
-        codes.twins = vec![Vec::new(); wave.traces.len()];
-        let mut open: Vec<String> = Vec::new();
-        for index in order {
-            let trace = &wave.traces[index];
-            while !trace.path.starts_with(&open) {
+        let (clk, rst) = (writer.add_wire(1, "clk")?.into(), writer.add_wire(1, "rst")?.into());
+        let valid_in = Shown::new(writer.add_wire(1, "valid_in")?, 1);
+        let valid_out = Shown::new(writer.add_wire(1, "valid_out")?, 1);
+        let units = UnitCodes::declare(writer, &wave.rtl, &wave.table, cycle)?;
+        let mut order: Vec<&Trace> = wave.traces.iter().collect();
+        order.sort_by(|a, b| a.path.cmp(&b.path));
+        let (mut words, mut twins) = (Vec::new(), Vec::new());
+        let mut open: &[String] = &[];
+        for trace in order {
+            let common = trace.path.iter().zip(open).take_while(|(a, b)| a == b).count();
+            for _ in common..open.len() {
                 writer.upscope()?;
-                open.pop();
             }
-            for scope in &trace.path[open.len()..] {
+            for scope in &trace.path[common..] {
                 writer.add_module(scope)?;
-                open.push(scope.clone());
             }
-            let format = netlist.node(trace.signal.node).format;
-            let range = (format.bits() > 1)
-                .then(|| ReferenceIndex::Range(top_index(format), -format.frac_bits()));
-            codes.words[index].0 =
-                writer.add_var(VarType::Wire, format.bits(), &trace.name, range)?;
+            open = &trace.path;
+            let Signal { node, stage } = trace.signal;
+            let format = netlist.node(node).format;
+            let code =
+                writer.add_var(VarType::Wire, format.bits(), &trace.name, index_range(format))?;
+            words.push(Word {
+                shown: Shown::new(code, format.bits()),
+                format,
+                slot: cycle.slot(trace.signal),
+                stage: stage.into(),
+                phase: (stage == schedule.stage(node)).then(|| schedule.phase(stage)),
+            });
+            let mut codes = Vec::new();
             for name in trace.names().iter().take(trace.twins) {
-                codes.twins[index].push((writer.add_var(VarType::Real, 64, name, None)?, None));
+                codes.push(writer.add_var(VarType::Real, 64, name, None)?);
             }
+            twins.push((trace, codes));
         }
         for _ in open {
             writer.upscope()?;
         }
         writer.upscope()?;
         writer.enddefinitions()?;
-        Ok(codes)
+        let twins = Twins::new(wave.design, &wave.rtl, cycle, twins, oldest);
+        Ok(Self { clk, rst, valid_in, valid_out, words, twins, units })
     }
 
     /// Writes what changed after a rising edge.
-    fn change<W: Write>(
+    fn change(
         &mut self,
-        writer: &mut vcd::Writer<W>,
-        wave: &Wave<'_>,
+        lines: &mut Lines<'_>,
+        rtl: &Rtl,
+        samples: &[Vec<i64>],
         cycle: &Cycle,
-        ideals: &VecDeque<Option<Ideal>>,
     ) -> io::Result<()> {
-        let netlist = wave.rtl.netlist();
-        writer.change_scalar(self.clk, true)?;
-        if !self.started {
-            writer.change_scalar(self.rst, false)?;
-            self.started = true;
+        self.valid_in.change(lines, cycle.is_data(0).into())?;
+        self.valid_out.change(lines, cycle.is_data(rtl.schedule().latency()).into())?;
+        let (words, edges, phase) = (cycle.words(), cycle.edges(), cycle.phase());
+        for word in &mut self.words {
+            let known = edges >= word.stage && word.phase.is_none_or(|own| own == phase);
+            let now = if known { word.format.pattern(words[word.slot]) } else { UNKNOWN };
+            word.shown.change(lines, now)?;
         }
-        let valid = [cycle.is_data(0), cycle.is_data(wave.rtl.schedule().latency())];
-        for ((code, now), last) in
-            [self.valid_in, self.valid_out].into_iter().zip(valid).zip(&mut self.last_valid)
-        {
-            if *last != Some(now) {
-                writer.change_scalar(code, now)?;
-                *last = Some(now);
-            }
-        }
-        for ((trace, word), twins) in wave.traces.iter().zip(&mut self.words).zip(&mut self.twins) {
-            let node = netlist.node(trace.signal.node);
-            let schedule = wave.rtl.schedule();
-            let stage = trace.signal.stage;
-            // In its own stage a word means something in its phase; a register holds it.
-            let is_own = stage == schedule.stage(trace.signal.node);
-            let ago =
-                (cycle.phase() + schedule.interval() - schedule.phase(stage)) % schedule.interval();
-            let known = cycle.known(stage) && !(is_own && ago > 0);
-            let now = known.then(|| cycle.word(trace.signal));
-            if word.1 != Some(now) {
-                word.1 = Some(now);
-                change_word(writer, word.0, node.format, now)?;
-            }
-            let entered = cast::index_of_u32(stage + ago);
-            let (Some(now), Some(Some(ideal))) = (now, ideals.get(entered)) else { continue };
-            let scale = trace.scale();
-            let value = node.format.value(now) * scale;
-            let ideal_value = ideal.nodes[trace.signal.node.index()] * scale;
-            // Angles differ by half a turn at most.
-            let difference = |other: f64| {
-                let difference = value - other;
-                match trace.quantity {
-                    Quantity::Turns => difference - 360.0 * (difference / 360.0).round(),
-                    Quantity::Number | Quantity::Float20 => difference,
-                }
-            };
-            let golden = trace.port.map_or(0.0, |port| ideal.judged[port] * scale);
-            let shown = [value, ideal_value, difference(ideal_value), golden, difference(golden)];
-            for (twin, shown) in twins.iter_mut().zip(shown) {
-                if twin.1.map(f64::to_bits) != Some(shown.to_bits()) {
-                    twin.1 = Some(shown);
-                    writer.change_real(twin.0, shown)?;
-                }
-            }
-        }
-        if let Some(units) = &mut self.units {
-            units.change(writer, &wave.rtl, &wave.table, cycle)?;
-        }
-        Ok(())
-    }
-
-    fn fall<W: Write>(&mut self, writer: &mut vcd::Writer<W>) -> io::Result<()> {
-        writer.change_scalar(self.clk, false)
-    }
-}
-
-fn change_word<W: Write>(
-    writer: &mut vcd::Writer<W>,
-    code: IdCode,
-    format: crate::format::Format,
-    word: Option<i64>,
-) -> io::Result<()> {
-    if format.bits() == 1 {
-        return writer.change_scalar(code, word.map_or(Value::X, |word| (word != 0).into()));
-    }
-    match word {
-        None => writer.change_vector(code, [Value::X]),
-        Some(word) => {
-            let pattern = format.pattern(word);
-            let bits = (0..format.bits()).rev().map(|bit| Value::from(pattern >> bit & 1 == 1));
-            writer.change_vector(code, bits)
-        }
+        self.twins.change(lines, samples, cycle)?;
+        self.units.as_mut().map_or(Ok(()), |units| units.change(lines, cycle))
     }
 }
 

@@ -8,14 +8,16 @@
 //! one that is issued to the one at the output. Only operations on valid data are shown. The words at
 //! ports are there in every cycle, whatever sits in the unit: where `issue` and `out` are `-` they mean nothing.
 
-use super::{change_word, top_index};
+use super::text::{Code, Lines};
+use super::{Shown, index_range};
 use crate::cast;
 use crate::format::Format;
 use crate::rtl::{Instance, Rtl};
 use crate::sim::cycle::Cycle;
 use crate::timetable::{Name, Timetable};
+use std::collections::BTreeMap;
 use std::io::{self, Write};
-use vcd::{IdCode, ReferenceIndex, VarType};
+use vcd::VarType;
 
 /// Scope of all units.
 pub(super) const SCOPE: &str = "units";
@@ -47,13 +49,47 @@ pub(super) fn words(unit: &Instance) -> Vec<(String, Format)> {
     ports.chain(outputs).collect()
 }
 
-/// Identifiers and last values.
+/// Identifiers, texts and last values.
 pub(super) struct UnitCodes {
-    phase: IdCode,
-    ready: IdCode,
-    last_phase: Option<u32>,
-    strings: Vec<Vec<(IdCode, Option<String>)>>,
-    words: Vec<Vec<(IdCode, Option<i64>)>>,
+    phase: Shown,
+    ready: Shown,
+    units: Vec<UnitCode>,
+}
+
+/// Those of one unit.
+struct UnitCode {
+    load: Option<Text>,
+    issue: Text,
+    inside: Option<Text>,
+    out: Text,
+    /// By phase: what can be loaded at its end, and the stage whose data it is.
+    loads: Vec<Vec<(u32, String)>>,
+    /// By operation: what it is at its issue, and what it gives.
+    formulas: Vec<String>,
+    results: Vec<String>,
+    latency: u32,
+    /// The text of `inside`, made anew in each cycle.
+    all: String,
+    /// Ports, then outputs with their slots inside.
+    ports: Vec<(Shown, Format)>,
+    outputs: Vec<(Shown, Format, usize)>,
+}
+
+/// A string, and what it shows.
+struct Text {
+    code: Code,
+    last: String,
+}
+
+impl Text {
+    /// Writes a text if it is another; none is empty.
+    fn change(&mut self, lines: &mut Lines<'_>, now: &str) -> io::Result<()> {
+        if self.last == now {
+            return Ok(());
+        }
+        now.clone_into(&mut self.last);
+        lines.string(now, &self.code)
+    }
 }
 
 impl UnitCodes {
@@ -61,74 +97,131 @@ impl UnitCodes {
     pub(super) fn declare<W: Write>(
         writer: &mut vcd::Writer<W>,
         rtl: &Rtl,
+        table: &Timetable,
+        cycle: &Cycle,
     ) -> io::Result<Option<Self>> {
         if rtl.phase_bits() == 0 && rtl.units().is_empty() {
             return Ok(None);
         }
-        let ready = writer.add_wire(1, "ready")?;
-        let bits = rtl.phase_bits().max(1);
-        let range = (bits > 1).then(|| ReferenceIndex::Range(cast::signed_count(bits) - 1, 0));
-        let phase = writer.add_var(VarType::Wire, bits, "phase", range)?;
-        let (mut all_strings, mut all_words) = (Vec::new(), Vec::new());
+        let ready = Shown::new(writer.add_wire(1, "ready")?, 1);
+        let format = Format::integer(rtl.phase_bits().max(1)).expect("bug: a few bits");
+        let phase = writer.add_var(VarType::Wire, format.bits(), "phase", index_range(format))?;
+        let phase = Shown::new(phase, format.bits());
         writer.add_module(SCOPE)?;
-        for unit in rtl.units() {
-            writer.add_module(&unit.name)?;
-            let mut codes = Vec::new();
-            for name in strings(unit) {
-                codes.push((writer.add_var(VarType::String, 1, name, None)?, None));
-            }
-            all_strings.push(codes);
-            let mut codes = Vec::new();
-            for (name, format) in words(unit) {
-                let range = (format.bits() > 1)
-                    .then(|| ReferenceIndex::Range(top_index(format), -format.frac_bits()));
-                codes.push((writer.add_var(VarType::Wire, format.bits(), &name, range)?, None));
-            }
-            all_words.push(codes);
-            writer.upscope()?;
+        let mut units = Vec::new();
+        for number in 0..rtl.units().len() {
+            units.push(UnitCode::declare(writer, rtl, number, &table.names[number], cycle)?);
         }
         writer.upscope()?;
-        Ok(Some(Self { phase, ready, last_phase: None, strings: all_strings, words: all_words }))
+        Ok(Some(Self { phase, ready, units }))
     }
 
     /// Writes what changed after a rising edge.
-    pub(super) fn change<W: Write>(
-        &mut self,
+    pub(super) fn change(&mut self, lines: &mut Lines<'_>, cycle: &Cycle) -> io::Result<()> {
+        self.ready.change(lines, cycle.ready().into())?;
+        self.phase.change(lines, cycle.phase().into())?;
+        let mut units = self.units.iter_mut().enumerate();
+        units.try_for_each(|(number, unit)| unit.change(lines, number, cycle))
+    }
+}
+
+impl UnitCode {
+    fn declare<W: Write>(
         writer: &mut vcd::Writer<W>,
         rtl: &Rtl,
-        table: &Timetable,
+        number: usize,
+        names: &[Name],
         cycle: &Cycle,
-    ) -> io::Result<()> {
-        if self.last_phase != Some(cycle.phase()) {
-            writer.change_scalar(self.ready, cycle.ready())?;
-            let format = Format::integer(rtl.phase_bits().max(1)).expect("bug: a few bits");
-            change_word(writer, self.phase, format, Some(i64::from(cycle.phase())))?;
-            self.last_phase = Some(cycle.phase());
+    ) -> io::Result<Self> {
+        let unit = &rtl.units()[number];
+        writer.add_module(&unit.name)?;
+        let mut texts = BTreeMap::new();
+        for name in strings(unit) {
+            let code = writer.add_var(VarType::String, 1, name, None)?.into();
+            texts.insert(name, Text { code, last: String::new() });
         }
-        for (number, unit) in rtl.units().iter().enumerate() {
-            let texts = texts(rtl, number, &table.names[number], cycle);
-            for ((code, last), text) in self.strings[number].iter_mut().zip(texts) {
-                if last.as_ref() != Some(&text) {
-                    writer.change_string(*code, &text)?;
-                    *last = Some(text);
-                }
-            }
-            let inside = cycle.inside(number);
-            let outputs = unit.rtl.netlist().outputs().iter();
-            let outputs = outputs.map(|o| inside.word(unit.rtl.output(o.node)));
-            let now = (0..unit.ports.len()).map(|port| cycle.port(number, port)).chain(outputs);
-            let formats = words(unit);
-            for (((code, last), now), (_, format)) in
-                self.words[number].iter_mut().zip(now).zip(formats)
-            {
-                if *last != Some(now) {
-                    change_word(writer, *code, format, Some(now))?;
-                    *last = Some(now);
-                }
-            }
+        let mut ports = Vec::new();
+        for (name, format) in words(unit) {
+            let code = writer.add_var(VarType::Wire, format.bits(), &name, index_range(format))?;
+            ports.push((Shown::new(code, format.bits()), format));
         }
-        Ok(())
+        writer.upscope()?;
+        let outputs = ports.split_off(unit.ports.len()).into_iter();
+        let nodes = unit.rtl.netlist().outputs().iter();
+        let slots = nodes.map(|o| cycle.inside(number).slot(unit.rtl.output(o.node)));
+        let formula = |name: &Name| match name.formula.as_str() {
+            "" => tight(&name.result),
+            formula => tight(&format!("{}={formula}", name.result)),
+        };
+        Ok(Self {
+            load: texts.remove("load"),
+            issue: texts.remove("issue").expect("bug: every unit has it"),
+            inside: texts.remove("inside"),
+            out: texts.remove("out").expect("bug: every unit has it"),
+            loads: (0..rtl.schedule().interval())
+                .map(|phase| loads(rtl, number, names, phase))
+                .collect(),
+            formulas: names.iter().map(formula).collect(),
+            results: names.iter().map(|name| tight(&name.result)).collect(),
+            latency: unit.rtl.schedule().latency(),
+            all: String::new(),
+            ports,
+            outputs: outputs
+                .zip(slots)
+                .map(|((shown, format), slot)| (shown, format, slot))
+                .collect(),
+        })
     }
+
+    fn change(&mut self, lines: &mut Lines<'_>, number: usize, cycle: &Cycle) -> io::Result<()> {
+        if let Some(load) = &mut self.load {
+            let loads = self.loads[cast::index_of_u32(cycle.phase())].iter();
+            let mut now = loads.filter(|(stage, _)| cycle.valid(*stage)).map(|(_, text)| text);
+            load.change(lines, now.next().map_or(NONE, String::as_str))?;
+        }
+        let sits = |stage| cycle.sits(number, stage);
+        self.issue.change(lines, sits(0).map_or(NONE, |at| &self.formulas[at]))?;
+        if let Some(inside) = &mut self.inside {
+            self.all.clear();
+            for stage in 0..=self.latency {
+                let before = if stage == 0 { "" } else { "|" };
+                self.all.push_str(before);
+                self.all.push_str(sits(stage).map_or(NONE, |at| &self.results[at]));
+            }
+            inside.change(lines, &self.all)?;
+        }
+        self.out.change(lines, sits(self.latency).map_or(NONE, |at| &self.results[at]))?;
+        for (port, (shown, format)) in self.ports.iter_mut().enumerate() {
+            shown.change(lines, format.pattern(cycle.port(number, port)))?;
+        }
+        let words = cycle.inside(number).words();
+        let mut outputs = self.outputs.iter_mut();
+        outputs
+            .try_for_each(|(shown, format, slot)| shown.change(lines, format.pattern(words[*slot])))
+    }
+}
+
+/// What operand registers of a unit can take at the end of a phase: the stage whose data it is,
+/// and the operands' names.
+fn loads(rtl: &Rtl, number: usize, names: &[Name], phase: u32) -> Vec<(u32, String)> {
+    let unit = &rtl.units()[number];
+    let operations = rtl.operations(number).iter().enumerate();
+    let loads = operations.filter_map(|(at, operation)| {
+        let stage = operation.issue.checked_sub(1)?;
+        let takes = |side: usize| {
+            let ports = unit.ports.iter().filter(|port| port.registered && port.side == side);
+            ports
+                .flat_map(|port| &port.cases)
+                .any(|case| case.operation == at && case.phase == phase)
+        };
+        let sides = names[at].operands.iter().enumerate();
+        let sides = sides
+            .filter(|(side, name)| takes(*side) && !name.is_empty())
+            .map(|(_, name)| tight(name));
+        let text = sides.collect::<Vec<String>>().join(",");
+        (rtl.schedule().phase(stage) == phase && !text.is_empty()).then_some((stage, text))
+    });
+    loads.collect()
 }
 
 /// A name without blanks and in ASCII.
@@ -154,47 +247,4 @@ fn tight(text: &str) -> String {
         }
     }
     tight
-}
-
-/// Texts of a unit's strings in this cycle.
-fn texts(rtl: &Rtl, number: usize, names: &[Name], cycle: &Cycle) -> Vec<String> {
-    let unit = &rtl.units()[number];
-    let latency = unit.rtl.schedule().latency();
-    let result = |stage: u32| {
-        let sits = cycle.sits(number, stage);
-        sits.map_or_else(|| NONE.to_owned(), |at| tight(&names[at].result))
-    };
-    let one = |name: &&str| match *name {
-        "load" => {
-            let mut loads =
-                rtl.operations(number).iter().enumerate().filter_map(|(at, operation)| {
-                    let stage =
-                        operation.issue.checked_sub(1).filter(|stage| cycle.is_data(*stage))?;
-                    let phase = rtl.schedule().phase(stage);
-                    let takes = |side: usize| {
-                        let ports =
-                            unit.ports.iter().filter(|port| port.registered && port.side == side);
-                        ports
-                            .flat_map(|port| &port.cases)
-                            .any(|case| case.operation == at && case.phase == phase)
-                    };
-                    let sides = names[at].operands.iter().enumerate();
-                    let sides = sides
-                        .filter(|(side, name)| takes(*side) && !name.is_empty())
-                        .map(|(_, name)| tight(name));
-                    Some(sides.collect::<Vec<String>>().join(",")).filter(|text| !text.is_empty())
-                });
-            loads.next().unwrap_or_else(|| NONE.to_owned())
-        }
-        "issue" => cycle.sits(number, 0).map_or_else(
-            || NONE.to_owned(),
-            |at| match names[at].formula.as_str() {
-                "" => tight(&names[at].result),
-                formula => tight(&format!("{}={formula}", names[at].result)),
-            },
-        ),
-        "inside" => (0..=latency).map(result).collect::<Vec<String>>().join("|"),
-        _ => result(latency),
-    };
-    strings(unit).iter().map(one).collect()
 }
