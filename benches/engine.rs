@@ -9,7 +9,7 @@
 //! with `fixed`'s types and in vectorised passes over blocks, and Verilator on the emitted Verilog, where it is
 //! installed, built with its best flags. Waves of the first 10^5 vectors, with every signal, are written to files of
 //! one folder by `fixpath wave`'s code and by Verilator's tracing, each timed from before its file is made to after it is
-//! closed; what the files hold is counted. Rows take turns, round by round; each row's stimulus is timed in pieces, and a
+//! closed; what the files hold is counted. The whole of `sim`, on one thread and on all, draws vectors of its own. Rows take turns, round by round; each row's stimulus is timed in pieces, and a
 //! piece counts with its best time over all rounds, so that what else the machine does is left out.
 #![allow(
     missing_docs,
@@ -21,10 +21,11 @@
 
 use fixed::types::{I14F18, I46F18};
 use fixpath::emit::{Package, Settings};
+use fixpath::measure::{Inputs, measure};
 use fixpath::netlist::{Netlist, NodeId};
 use fixpath::op::Op;
 use fixpath::sim::batch::{Features, Program, Runner};
-use fixpath::units::{Design, Unit};
+use fixpath::units::{Design, Sampler, Unit};
 use std::fmt::Write as _;
 use std::fs;
 use std::hint::black_box;
@@ -188,12 +189,16 @@ fn bench(variant: &str, rounds: usize, only: &str) -> serde_json::Value {
             table.push(((*name).to_owned(), wave::VECTORS as f64 / best / 1e6));
         }
     }
+    let whole = "whole sim".contains(only).then(|| Whole::time(&design, rounds));
     let engine = table[0].1;
     println!(
         "\nrotation variant={variant}, million vectors per second on one thread; engine compiled in {compile_us:.0} us"
     );
     for (name, rate) in &table {
         println!("  {name:<40} {rate:>9.3}   engine / this {:>8.2}", engine / rate);
+    }
+    if let Some(whole) = &whole {
+        println!("{}", whole.text());
     }
     let theirs = files.iter().find(|(name, ..)| name.starts_with("verilator"));
     let theirs = theirs.map(|(_, _, best)| *best);
@@ -224,6 +229,7 @@ fn bench(variant: &str, rounds: usize, only: &str) -> serde_json::Value {
             "million_samples_per_second": rate,
             "engine_over_this": engine / rate,
         })).collect::<Vec<_>>(),
+        "whole_sim": whole.map(|whole| whole.json()),
         "waves": files.iter().map(|(name, contents, best)| serde_json::json!({
             "name": name,
             "vectors": wave::VECTORS,
@@ -235,6 +241,75 @@ fn bench(variant: &str, rounds: usize, only: &str) -> serde_json::Value {
             "real_changes": contents.reals,
         })).collect::<Vec<_>>(),
     })
+}
+
+/// What `sim` does with vectors: it draws them, runs engine, golden and reals, and counts errors on four bases.
+struct Whole {
+    /// Million vectors per second on one thread and on all.
+    rates: Vec<(usize, f64)>,
+    /// Of the engine alone, in the same runs on one thread.
+    engine: f64,
+    /// Share of each part of the time on one thread.
+    shares: Vec<(&'static str, f64)>,
+}
+
+impl Whole {
+    /// The best of some runs.
+    fn time(design: &Design, rounds: usize) -> Self {
+        let inputs = Inputs { sampler: Sampler::Lit, samples: 1 << 22, seed: 1 };
+        let cores = std::thread::available_parallelism().map_or(1, usize::from);
+        let mut whole = Self { rates: Vec::new(), engine: 0.0, shares: Vec::new() };
+        for threads in if cores > 1 { vec![1, cores] } else { vec![1] } {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+            let pool = pool.expect("threads");
+            let mut best = 0.0;
+            for _ in 0..rounds {
+                let reports = pool.install(|| measure(&[design], &inputs, &|_| ()));
+                let speed = reports.expect("nothing overflows").remove(0).speed;
+                if threads == 1 && speed.samples_per_second > best {
+                    whole.engine = speed.engine_samples_per_second_per_thread / 1e6;
+                    let parts = speed.profile.parts();
+                    let total: f64 = parts.iter().map(|(_, seconds)| seconds).sum();
+                    let share = |(name, seconds)| (name, seconds / total);
+                    whole.shares = parts.into_iter().map(share).collect();
+                }
+                best = speed.samples_per_second.max(best);
+            }
+            whole.rates.push((threads, best / 1e6));
+        }
+        whole
+    }
+
+    fn text(&self) -> String {
+        let mut text = String::new();
+        for (threads, rate) in &self.rates {
+            let _ = writeln!(
+                text,
+                "  whole sim, {threads} threads{:<21} {rate:>9.3}   one thread / this {:>8.2}",
+                "",
+                self.rates[0].1 / rate
+            );
+        }
+        let _ = write!(
+            text,
+            "  its engine {:.0} on 64-bit columns, so the whole takes {:.1} times as long:",
+            self.engine,
+            self.engine / self.rates[0].1
+        );
+        for (name, share) in &self.shares {
+            let _ = write!(text, " {name} {:.0} %", 100.0 * share);
+        }
+        text
+    }
+
+    fn json(&self) -> serde_json::Value {
+        serde_json::json!({
+            "million_samples_per_second": self.rates.iter().map(|(threads, rate)| serde_json::json!({"threads": threads, "rate": rate})).collect::<Vec<_>>(),
+            "engine_million_samples_per_second": self.engine,
+            "whole_time_over_engine_time": self.engine / self.rates[0].1,
+            "shares": self.shares.iter().map(|(name, share)| (*name, *share)).collect::<std::collections::BTreeMap<_, _>>(),
+        })
+    }
 }
 
 /// Input words, of 16 bits.
