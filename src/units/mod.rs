@@ -26,7 +26,7 @@ mod root;
 pub mod rotation;
 pub mod rsqrt;
 pub mod sampler;
-mod tangent;
+mod setup;
 
 use crate::error::{Error, Result};
 use crate::format::{Format, Round};
