@@ -11,8 +11,8 @@
 //! The tangent T is the direction of dP/du; B = N x T with the normal N of the vertex; the rows of the map are
 //! T, B, N, and a vector of the texture is their dot products with one of the object. With
 //! `frame=faceted` N isn't given: the second tangent is the direction of dP/dv and N that of their cross
-//! product, `T x dP/dv = det (e1 x e2)`, so the hardware takes the exact `e1 x e2`, and slivers, whose tangents
-//! are nearly parallel, lose nothing.
+//! product. `dP/du x dP/dv = (e1 x e2)/det`, so the hardware takes the exact `e1 x e2`, and slivers, whose
+//! tangents are nearly parallel, lose nothing.
 //!
 //! Triangles are wound so that N is on the side of `e1 x e2`: counterclockwise as seen from outside.
 //!
