@@ -1,7 +1,8 @@
 //! Waves are read back by independent readers and compared with the reference.
 
+use fixpath::measure::{Inputs, sample_words};
 use fixpath::units::rotation::ROTATION;
-use fixpath::units::{Design, Shape};
+use fixpath::units::{Design, Sampler, Shape, Unit};
 use fixpath::wave::{Options, Wave};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -155,6 +156,77 @@ fn the_golden_stands_beside_output_ports() {
     let end = *read.times.last().unwrap();
     let z: f64 = read.at("rotation.z_golden", end).parse().unwrap();
     assert!((z - 0.5f64.sqrt()).abs() < 1e-15);
+}
+
+/// Twins are evaluated for blocks of samples: long waves have several, and windows start in one.
+#[test]
+fn twins_are_those_of_their_sample_in_long_waves() {
+    let shared = ["schedule=shared", "share_mul=2", "share_add=3"];
+    let cases = [
+        ("rotation", &[][..], 3000, None),
+        ("rotation", &["output=polar-table"], 3000, Some(2040..2120)),
+        ("emboss", &shared, 1200, None),
+        ("emboss", &shared, 2300, Some(16_101..16_400)),
+    ];
+    for (unit, assignments, count, cycles) in cases {
+        let design = Unit::find(unit).unwrap().values(assignments).unwrap().build().unwrap();
+        let inputs = Inputs { sampler: Sampler::Lit, samples: count, seed: 5 };
+        let rows = sample_words(&design, &inputs).unwrap();
+        let netlist = &design.netlist;
+        let folder = tempfile::tempdir().unwrap();
+        let options = Options { cycles: cycles.clone(), ..Options::default() };
+        let wave = Wave::new(&design, options.clone()).unwrap();
+        let read = ReadBack::open(&write(&design, options, &rows, folder.path()));
+        let period = read.times[2] - read.times[0];
+        let interval = u64::from(wave.rtl().schedule().interval());
+        assert_eq!(interval > 1, unit == "emboss");
+        let window = cycles.unwrap_or(0..wave.cycles(rows.len()));
+        let (mut ideals, mut goldens) = (0, 0);
+        for (sample, words) in rows.iter().enumerate() {
+            let first = sample as u64 * interval;
+            let latency = u64::from(wave.rtl().schedule().latency());
+            if first + latency < window.start || first >= window.end {
+                continue;
+            }
+            let values: Vec<f64> = words
+                .iter()
+                .zip(netlist.inputs())
+                .map(|(word, id)| netlist.node(*id).format.value(*word))
+                .collect();
+            let reals = netlist.eval_reals(&values);
+            let columns: Vec<&[f64]> = values.iter().map(std::slice::from_ref).collect();
+            let mut golden = vec![vec![0.0]; design.golden_columns()];
+            (design.golden)(&design.values, &columns, &mut golden);
+            let golden: Vec<f64> = golden.iter().map(|column| column[0]).collect();
+            let golden = design.of_golden(&golden);
+            for (name, node, stage) in wave.signals() {
+                let now = first + u64::from(stage);
+                if !window.contains(&now) {
+                    continue;
+                }
+                let port = netlist.outputs().iter().position(|output| output.name == name);
+                for (unit_of, scale) in [("", 1.0), ("_deg", 360.0)] {
+                    let shown = |twin: &str| -> Option<f64> {
+                        let full = format!("{unit}.{name}_{twin}{unit_of}");
+                        let (_, text) =
+                            read.signals.get(&full)?.range(..=now * period).next_back()?;
+                        Some(text.parse().unwrap())
+                    };
+                    if let Some(ideal) = shown("ideal") {
+                        let should = reals[node.index()] * scale;
+                        assert_eq!(ideal.to_bits(), should.to_bits(), "{name} of {sample}");
+                        ideals += 1;
+                    }
+                    if let Some(shown) = shown("golden") {
+                        let should = golden[port.unwrap()] * scale;
+                        assert_eq!(shown.to_bits(), should.to_bits(), "{name} of {sample}");
+                        goldens += 1;
+                    }
+                }
+            }
+        }
+        assert!(ideals > 200 && goldens > 50, "{unit} {assignments:?}: {ideals}, {goldens}");
+    }
 }
 
 #[test]

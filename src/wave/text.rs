@@ -192,7 +192,7 @@ mod tests {
         let mut state = 1u64;
         for round in 0..20_000u64 {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            let id = IdCode::from(state >> (20 + round % 44));
+            let id = IdCode::from(state >> (28 + round % 36));
             let code = Code::from(id);
             let bits = u32::try_from(1 + round % 63).unwrap();
             let pattern = state.rotate_left(17) >> (64 - bits);
