@@ -56,7 +56,8 @@ use super::normalise::{Block, NORM_BITS, block, direction_error, narrowed, unit_
 use super::plan::{self, number, rounding_ulp};
 use super::rsqrt::{ROOT_ADDR_BITS, ROOT_FRAC_BITS, ROOT_SCHEME, Root, length_error};
 use super::{
-    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Shape, Unit, Values,
+    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Shape, Uniform, Unit,
+    Values,
 };
 use crate::cast;
 use crate::error::Result;
@@ -758,18 +759,18 @@ impl Triangle {
     /// they fit; half of the textures are mirrored; view and lights are ⅛ to 1 of the longest. With `lit`
     /// no angle is below 30°, in space and in the texture, the normal is no more than 45° off the face's, and
     /// view and lights are on its side; else corners and normal are anywhere.
-    fn random(values: &Values, lit: bool, next: &mut dyn FnMut() -> f64) -> Self {
+    fn random(values: &Values, lit: bool, uniform: &mut Uniform) -> Self {
         let range = |name: &str| f64::from(values.bits(name)).exp2();
         let limits = ["position_int_bits", "uv_int_bits", "vector_int_bits"].map(range);
         let mut sphere = || {
-            let (z, turns) = (1.0 - 2.0 * next(), next());
+            let (z, turns) = (1.0 - 2.0 * uniform.draw(), uniform.draw());
             let (sin, cos) = (turns * TAU).sin_cos();
             let across = (1.0 - z * z).sqrt();
             DVec3::new(across * cos, across * sin, z)
         };
         let (axis, normal, aside) = (sphere(), sphere(), sphere());
         let (corners, directions) = ([(); 3].map(|()| sphere()), [(); 9].map(|()| sphere()));
-        let mut within = |low: f64, high: f64| low + (high - low) * next();
+        let mut within = |low: f64, high: f64| low + (high - low) * uniform.draw();
         // Corners on a circle, a third of a turn apart but for a twelfth: arcs are a sixth or more.
         let mut circle = |sign: f64| {
             let first = within(0.0, 1.0);
@@ -779,8 +780,8 @@ impl Triangle {
             })
         };
         let (flat, regular) = (circle(1.0), circle(1.0));
-        let mirror = if next() < 0.5 { -1.0 } else { 1.0 };
-        let mut within = |low: f64, high: f64| low + (high - low) * next();
+        let mirror = if uniform.draw() < 0.5 { -1.0 } else { 1.0 };
+        let mut within = |low: f64, high: f64| low + (high - low) * uniform.draw();
         // Half the range for the size, half for the place.
         let [size, uv_size] =
             [limits[0], limits[1]].map(|limit| 0.5 * limit * within(-8.0, 0.0).exp2());
@@ -814,13 +815,13 @@ impl Triangle {
 fn draw(
     design: &Design,
     sampler: Sampler,
-    next: &mut dyn FnMut() -> f64,
+    uniform: &mut Uniform,
     columns: &mut [Vec<f64>],
     count: usize,
 ) {
     columns.iter_mut().for_each(Vec::clear);
     for _ in 0..count {
-        let triangle = Triangle::random(&design.values, sampler == Sampler::Lit, next);
+        let triangle = Triangle::random(&design.values, sampler == Sampler::Lit, uniform);
         for (at, column) in columns.iter_mut().enumerate() {
             column.push(triangle.value(design.netlist.input_name(at)));
         }
