@@ -172,7 +172,7 @@ impl Body for Quantise<'_> {
         // Adding 1.5 * 2^52 rounds to a whole number, ties to even, in the low bits.
         let mut whole = |value: f64| {
             let scaled = value * scale;
-            any_far |= !(scaled.abs() < 2f64.powi(51));
+            any_far |= scaled.is_nan() || scaled.abs() >= 2f64.powi(51);
             cast::word_of_bits((scaled + ROUNDER).to_bits()) - cast::word_of_bits(ROUNDER.to_bits())
         };
         let pairs = to.iter_mut().zip(column);

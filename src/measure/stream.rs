@@ -251,8 +251,8 @@ impl Body for Accumulate<'_> {
         let blocks = self.errors.chunks_exact(LANES);
         let rest = blocks.remainder();
         for block in blocks {
-            for lane in 0..LANES {
-                add(lane, block[lane]);
+            for (lane, error) in block.iter().enumerate() {
+                add(lane, *error);
             }
         }
         for (lane, error) in rest.iter().enumerate() {
