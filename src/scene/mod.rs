@@ -87,6 +87,7 @@
 //! With `[orbit]` a scene has several pictures: in frame k of n the light is turned about the axis by
 //! `turns k/n`, counter-clockwise seen from the axis's tip.
 
+mod assembly;
 mod gltf;
 mod map;
 mod mesh;
@@ -96,8 +97,9 @@ mod text;
 mod trace;
 
 pub use crate::srgb::from_srgb;
+pub use assembly::{SharedVertex, Sharing, Topology};
 pub use map::{Bumps, Texture};
-pub use tessellation::{Seen, Tessellation, Vertex};
+pub use tessellation::{Assembly, Seen, Tessellation, Vertex};
 pub use trace::{CURVED, Fragments};
 
 use crate::error::{Error, Result};

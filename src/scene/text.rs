@@ -215,7 +215,7 @@ pub(super) fn read(text: &str, path: &Path) -> Result<Scene> {
         materials.push(material);
         let (shape, placement) = reader.object(object)?;
         if let Shape::Mesh(_, of_mesh) = &shape {
-            triangles += of_mesh.len();
+            triangles += of_mesh.triangles.len();
         }
         if triangles > MAX_TRIANGLES {
             let problem = format!(
@@ -563,8 +563,8 @@ impl Reader<'_> {
                     self.fail(&given.span(), problem)
                 })?;
                 let file = self.beside(file.get_ref());
-                let triangles = mesh::read(&file)?;
-                Shape::Mesh(file, triangles)
+                let mesh = mesh::read(&file)?;
+                Shape::Mesh(file, mesh)
             }
         };
         Ok((shape, placement))

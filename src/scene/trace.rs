@@ -1,6 +1,6 @@
 //! The pixels that a scene covers: rays against faces and spheres, and what is there where they meet.
 
-use super::mesh::Triangle;
+use super::assembly::{Mesh, SharedVertex};
 use super::{Camera, Image, Projection, Scene};
 use crate::cast;
 use crate::trig::Real;
@@ -180,8 +180,8 @@ pub(super) enum Shape {
     Plane,
     Cube,
     Sphere,
-    /// Triangles and the file that they are from.
-    Mesh(PathBuf, Vec<Triangle>),
+    /// A mesh and the file that it is from.
+    Mesh(PathBuf, Mesh),
 }
 
 /// Where an object is and how large.
@@ -237,9 +237,18 @@ pub(super) struct Unfit {
 pub(super) struct Surfaces {
     pub(super) faces: Vec<Face>,
     pub(super) balls: Vec<Ball>,
+    /// What the faces that are triangles were assembled from.
+    pub(super) meshes: Vec<PlacedMesh>,
     /// Faces, then balls, in the order of the tree's leaves.
     order: Vec<u32>,
     nodes: Vec<TreeNode>,
+}
+
+/// A mesh in the world, of unit normals, and the object that it is.
+#[derive(Clone, Debug)]
+pub(super) struct PlacedMesh {
+    pub(super) object: u32,
+    pub(super) mesh: Mesh,
 }
 
 /// A triangle or a parallelogram of points a + s (b-a) + r (c-a). Seen from its own side, a, b, c turn
@@ -265,7 +274,7 @@ pub(super) struct Place {
 /// A placed sphere.
 #[derive(Clone, Debug)]
 pub(super) struct Ball {
-    object: u32,
+    pub(super) object: u32,
     linear: DMat3,
     inverse: DMat3,
     offset: DVec3,
@@ -305,7 +314,7 @@ const CUBE: [(DVec3, DVec3); 6] = [
 impl Surfaces {
     /// Places shapes; with bumps, every face needs an area in the texture.
     pub(super) fn new(objects: &[(Shape, Placement)], has_bumps: bool) -> Result<Self, Unfit> {
-        let (mut faces, mut balls) = (Vec::new(), Vec::new());
+        let (mut faces, mut balls, mut meshes) = (Vec::new(), Vec::new(), Vec::new());
         for (i, (shape, placement)) in objects.iter().enumerate() {
             let object = cast::id_of(i);
             let normal_matrix = placement.linear.inverse().transpose();
@@ -333,37 +342,47 @@ impl Surfaces {
                     offset: placement.offset,
                     handedness: placement.linear.determinant().signum(),
                 }),
-                Shape::Mesh(_, triangles) => {
-                    for (number, triangle) in (0..).zip(triangles) {
+                Shape::Mesh(_, mesh) => {
+                    let placed = |vertex: &SharedVertex| SharedVertex {
+                        position: placement.point(vertex.position),
+                        normal: (normal_matrix * vertex.normal).normalize(),
+                        uv: vertex.uv,
+                    };
+                    let vertices: Vec<SharedVertex> = mesh.vertices.iter().map(placed).collect();
+                    for (number, corners) in (0..).zip(&mesh.triangles) {
+                        let of = corners.map(|corner| vertices[cast::index_of_u32(corner)]);
                         let face = Face::new(
                             Place { object, number, triangle: true },
-                            triangle.points.map(|point| placement.point(point)),
-                            triangle.uvs,
-                            triangle.normals.map(|normal| (normal_matrix * normal).normalize()),
+                            of.map(|vertex| vertex.position),
+                            of.map(|vertex| vertex.uv),
+                            of.map(|vertex| vertex.normal),
                         );
+                        let line = mesh.lines.get(cast::index_of_u32(number)).copied();
                         if !face.has_area() {
                             let problem = format!(
                                 "triangle {number} (they count from 0) has no area: remove it"
                             );
-                            return Err(Unfit { object: i, line: triangle.line, problem });
+                            return Err(Unfit { object: i, line, problem });
                         }
                         if has_bumps && face.uv_determinant() == 0.0 {
                             let problem = format!(
                                 "triangle {number} (they count from 0) has no area in the texture, so bumps have no direction: unwrap it, or leave [height] out"
                             );
-                            return Err(Unfit { object: i, line: triangle.line, problem });
+                            return Err(Unfit { object: i, line, problem });
                         }
                         faces.push(face);
                     }
+                    meshes.push(PlacedMesh { object, mesh: Mesh { vertices, ..mesh.clone() } });
                 }
             }
         }
-        Ok(Self::over(faces, balls))
+        Ok(Self { meshes, ..Self::over(faces, balls) })
     }
 
     /// A tree over what is placed already.
     pub(super) fn over(faces: Vec<Face>, balls: Vec<Ball>) -> Self {
-        let mut surfaces = Self { faces, balls, order: Vec::new(), nodes: Vec::new() };
+        let meshes = Vec::new();
+        let mut surfaces = Self { faces, balls, meshes, order: Vec::new(), nodes: Vec::new() };
         surfaces.grow();
         surfaces
     }
@@ -651,17 +670,17 @@ mod tests {
         let mut real = || f64::from(random.next_u32()) / 2_147_483_648.0 - 1.0;
         let mut vector = || DVec3::new(real(), real(), real());
         let mut objects = Vec::new();
-        let triangles = (0..700).map(|_| {
-            let at = vector();
-            Triangle {
-                points: [at, at + 0.2 * vector(), at + 0.2 * vector()],
-                normals: [vector().normalize(); 3],
-                uvs: [DVec2::ZERO, DVec2::X, DVec2::Y],
-                line: None,
+        let mut mesh = Mesh::default();
+        for i in 0..700 {
+            let (at, normal) = (vector(), vector().normalize());
+            let points = [at, at + 0.2 * vector(), at + 0.2 * vector()];
+            for (position, uv) in points.into_iter().zip([DVec2::ZERO, DVec2::X, DVec2::Y]) {
+                mesh.vertices.push(SharedVertex { position, normal, uv });
             }
-        });
+            mesh.triangles.push([3 * i, 3 * i + 1, 3 * i + 2]);
+        }
         let here = Placement::new(DVec3::ZERO, [0.0; 3], DVec3::ONE);
-        objects.push((Shape::Mesh(PathBuf::new(), triangles.collect()), here));
+        objects.push((Shape::Mesh(PathBuf::new(), mesh), here));
         for _ in 0..30 {
             let placement = Placement::new(vector(), vector().to_array(), DVec3::splat(0.05));
             objects.push((Shape::Sphere, placement));
