@@ -11,10 +11,13 @@
 //! equation, N' = N + B_u (N × P_v) - B_v (N × P_u) normalised, is evaluated beside it: with an
 //! orthonormal frame (scales are in texels) both are one.
 //!
-//! Emboss pipelines are another family, with a golden of their own: see [`emboss`].
+//! Emboss pipelines are another family, with a golden of their own: see [`emboss`]. Those of the tangent-space
+//! set-up have this golden and one more, of their own flow: see [`tangent`].
 
 pub mod emboss;
+mod named;
 mod specialised;
+pub mod tangent;
 
 pub use specialised::{SeenPort, SpecialisedStage, specialise_to};
 
@@ -65,6 +68,9 @@ const BUMP_PIPELINES: [&str; 4] = ["printed", "corrected", "exact-polar", "exact
 /// Pipelines that are settings of the emboss unit.
 pub const EMBOSS_PIPELINES: [&str; 2] = ["emboss-gx", "emboss-nv"];
 
+/// Pipelines that are settings of the tangent-space set-up.
+pub const TANGENT_PIPELINES: [&str; 2] = ["tangent-smooth", "tangent-faceted"];
+
 /// Parameters that come from the scene.
 pub const MATERIAL: [&str; 4] = ["ambient", "diffuse", "specular", "exponent"];
 
@@ -105,7 +111,8 @@ impl Pipeline {
     /// # Errors
     /// If there is none.
     pub fn named(name: &str) -> Result<Self> {
-        let names: Vec<&str> = Self::names().into_iter().chain(EMBOSS_PIPELINES).collect();
+        let names: Vec<&str> =
+            Self::names().into_iter().chain(TANGENT_PIPELINES).chain(EMBOSS_PIPELINES).collect();
         if !names.contains(&name) {
             let (hint, names) = (nearest(name, names.iter().copied()), names.join(", "));
             return Err(Error::usage(format!("no pipeline `{name}`{hint}: legal is {names}")));
@@ -113,6 +120,10 @@ impl Pipeline {
         if let Some(setting) = name.strip_prefix("emboss-") {
             let assignments = vec![format!("setting={setting}")];
             return Ok(Self { name: name.to_owned(), unit: Unit::find("emboss")?, assignments });
+        }
+        if let Some(frame) = name.strip_prefix("tangent-") {
+            let assignments = vec![format!("frame={frame}")];
+            return Ok(Self { name: name.to_owned(), unit: Unit::find("tangent")?, assignments });
         }
         let (unit, assignments) = match Unit::find(name) {
             Ok(unit) => (unit, Vec::new()),
@@ -125,6 +136,12 @@ impl Pipeline {
     #[must_use]
     pub fn is_emboss(&self) -> bool {
         EMBOSS_PIPELINES.contains(&self.name.as_str())
+    }
+
+    /// True if it sets triangles up and lights in texture space.
+    #[must_use]
+    pub fn is_tangent(&self) -> bool {
+        TANGENT_PIPELINES.contains(&self.name.as_str())
     }
 
     /// Parameters of all its units.
@@ -169,6 +186,12 @@ impl Pipeline {
             if emboss::FROM_SCENE.contains(&key) && pipelines.iter().any(Self::is_emboss) {
                 let text = format!(
                     "parameter `{key}` comes from the name of the emboss pipeline, or the scene's [emboss], lights and height map"
+                );
+                return Err(Error::usage(text));
+            }
+            if tangent::FROM_SCENE.contains(&key) && pipelines.iter().any(Self::is_tangent) {
+                let text = format!(
+                    "parameter `{key}` comes from the name of the tangent pipeline, or the scene's lights"
                 );
                 return Err(Error::usage(text));
             }
@@ -401,6 +424,8 @@ pub struct Shot {
     pub behind: Vec<Arc<Design>>,
     /// What is known of an emboss.
     pub emboss: Option<emboss::Known>,
+    /// What is known of a tangent-space set-up.
+    pub setup: Option<Box<tangent::Known>>,
     /// Time in the bit-true engine, all threads together.
     pub engine: Duration,
     /// Samples per second and thread of the engine alone: the median of all samples by the rate of the
@@ -547,11 +572,30 @@ pub fn render(
     if embosses > 0 {
         return Err(mixed());
     }
-    let shaders: Vec<Shader> = pipelines
+    let (setups, others): (Vec<&Pipeline>, Vec<&Pipeline>) =
+        pipelines.iter().partition(|pipeline| pipeline.is_tangent());
+    let shaders: Vec<Shader> = others
         .iter()
         .map(|pipeline| Shader::new(scene, pipeline, vectors))
         .collect::<Result<_>>()?;
-    shoot(scene, &shaders.iter().collect::<Vec<_>>(), progress)
+    let shaders: Vec<&Shader> = shaders.iter().collect();
+    if setups.is_empty() {
+        return shoot(scene, &shaders, progress);
+    }
+    let start = Instant::now();
+    let height = u64::from(scene.image.height);
+    // Two passes over the rows.
+    let mut rendered = shoot(scene, &shaders, &|done| progress(done / 2))?;
+    let setups = tangent::shots(scene, &setups, &|done| progress((height + done) / 2))?;
+    let (mut setups, mut others) = (setups.into_iter(), rendered.shots.into_iter());
+    // As they were asked for.
+    let shots = pipelines.iter().map(|pipeline| {
+        let next = if pipeline.is_tangent() { setups.next() } else { others.next() };
+        next.expect("bug: a shot for each pipeline")
+    });
+    rendered.shots = shots.collect();
+    rendered.elapsed = start.elapsed();
+    Ok(rendered)
 }
 
 /// The error for emboss pipelines among others.
@@ -605,6 +649,7 @@ pub fn shoot(
             design: Arc::clone(shader.design()),
             behind: Vec::new(),
             emboss: None,
+            setup: None,
             engine: total.engine,
             samples_per_second: median_rate(&mut rates[index]),
             samples: total.samples,

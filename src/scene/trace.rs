@@ -103,6 +103,12 @@ fn push(columns: &mut [Vec<f64>; 3], vector: DVec3) {
 }
 
 impl Scene {
+    /// The unit vector V from a point to the eye; 0 in the eye itself.
+    #[must_use]
+    pub fn to_eye(&self, point: DVec3) -> DVec3 {
+        Rays::new(&self.camera, &self.image).to_eye(point)
+    }
+
     /// What the pixels of some rows see, in order; pixels that see no object are left out. Replaces
     /// what `fragments` held. Rows below the image have no pixels.
     pub fn trace(&self, rows: Range<u32>, fragments: &mut Fragments) {
