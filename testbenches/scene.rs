@@ -36,7 +36,8 @@ fn builtin_scenes_are_whole() {
         assert!(f.len() > pixels as usize / 3, "{name}: {}", f.len());
         assert!(f.pixel.is_sorted_by(|a, b| a < b) && *f.pixel.last().unwrap() < pixels);
         let facts = scene.facts();
-        assert!(facts.specular && facts.right_handed && !facts.flat_bumps);
+        assert!(facts.specular && !facts.flat_bumps);
+        assert_eq!(facts.right_handed, *name != "mirrored");
         let mut faces = HashMap::new();
         for i in 0..f.len() {
             let (n, t, v) = (normal(&f, i), tangent(&f, i), Fragments::vector(&f.eye, i));
@@ -44,7 +45,7 @@ fn builtin_scenes_are_whole() {
                 assert!((unit.length() - 1.0).abs() < 1e-12, "{name} {i} {unit}");
             }
             assert!(n.dot(t).abs() < 1e-12 && n.dot(v) > 0.0, "{name} {i}");
-            assert_eq!(f.face[i] == CURVED, ["sphere", "light-orbit"].contains(name));
+            assert_eq!(f.face[i] == CURVED, ["sphere", "light-orbit", "mirrored"].contains(name));
             // To the last bit, so that a datapath may keep them per face.
             let of_face = faces.entry(f.face[i]).or_insert((n, t));
             assert!(f.face[i] == CURVED || (n, t) == *of_face);
@@ -54,7 +55,7 @@ fn builtin_scenes_are_whole() {
     }
     assert_eq!(
         Scene::builtin("teapot").unwrap_err().to_string(),
-        "no built-in scene `teapot`: there are plane, cube, sphere, lettering-raised, lettering-lowered, brick, light-orbit; or give the path of a scene file"
+        "no built-in scene `teapot`: there are plane, cube, sphere, lettering-raised, lettering-lowered, brick, light-orbit, mirrored; or give the path of a scene file"
     );
     let sphere = Scene::builtin("sphere").unwrap();
     assert_eq!(sphere.bumps.size(), (512, 256));
@@ -738,7 +739,7 @@ fn wrong_scenes_are_refused() {
         s.toml: 0 objects: legal are 1 to 1000; an object is `[[object]]` with `shape = "sphere"` below it
         s.toml, line 1: missing field `shape` in `[[object]]`
         s.toml, line 2: unknown variant `torus`, expected one of `plane`, `cube`, `sphere`, `mesh` in `shape = "torus"`
-        s.toml, line 1: a mesh needs `file`, an .obj, .gltf or .glb file
+        s.toml, line 1: a mesh needs `file`, an .obj, .gltf or .glb file, or `source = "shell"`
         s.toml, line 3: `file` has no use here: it is for `shape = "mesh"`; leave it out
         none.obj: can't read: No such file or directory (os error 2)
         s.toml, line 3: `scale` = 0: legal is 0.000001 to 1000000, or the negative of that, which mirrors

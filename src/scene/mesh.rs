@@ -12,6 +12,40 @@ use std::path::Path;
 /// Most triangles of a mesh, and of all objects of a scene together.
 pub(super) const MAX_TRIANGLES: usize = 1_000_000;
 
+/// Strips of a made-up mesh, and squares of each.
+const SHELL_SQUARES: u32 = 48;
+
+/// A dome over the square [-1, 1]² whose halves left and right of x = 0 share a texture: u = |x|, v = 2 (y + 1), and
+/// z = 0.6 (1 - x²) (1 - y²). Rows of one strip each; the vertices of x = 0 belong to both halves.
+pub(super) fn shell() -> Mesh {
+    let mut mesh = Mesh::default();
+    let along = |i: u32| 2.0 * f64::from(i) / f64::from(SHELL_SQUARES) - 1.0; // exact at 0 and ±1
+    for j in 0..=SHELL_SQUARES {
+        for i in 0..=SHELL_SQUARES {
+            let (x, y) = (along(i), along(j));
+            let (across, up) = (1.0 - x * x, 1.0 - y * y);
+            mesh.vertices.push(SharedVertex {
+                position: DVec3::new(x, y, 0.6 * across * up),
+                normal: DVec3::new(1.2 * x * up, 1.2 * y * across, 1.0),
+                uv: DVec2::new(x.abs(), 2.0 * (y + 1.0)),
+            });
+        }
+    }
+    let id = |i: u32, j: u32| j * (SHELL_SQUARES + 1) + i;
+    for j in 0..SHELL_SQUARES {
+        let (lower, upper) = (|i| id(i, j), |i| id(i, j + 1));
+        let half = SHELL_SQUARES / 2;
+        // A corner that comes twice turns the strip over: its squares are cut as in a mirror, left and right.
+        let mut strip = vec![lower(0)];
+        strip.extend((0..=half).flat_map(|i| [lower(i), upper(i)]));
+        strip.push(lower(half));
+        strip.extend((half + 1..=SHELL_SQUARES).flat_map(|i| [upper(i), lower(i)]));
+        mesh.assemble(Topology::Strip, &strip).expect("bug: a whole strip");
+        mesh.indices += cast::count_of(strip.len());
+    }
+    mesh
+}
+
 /// Reads a mesh by its file's extension.
 pub(super) fn read(path: &Path) -> Result<Mesh> {
     let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default();

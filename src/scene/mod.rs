@@ -30,8 +30,11 @@
 //!   and θ the angle from +z, u = az/turn in [0, 1) and v = 1 - θ/(half a turn). It is no mesh:
 //!   rays meet it exactly and normals are exact. On the pole itself az is 0.
 //! - *mesh*: triangles of an `.obj`, `.gltf` or `.glb` file, coordinates as in the file (glTF's y is up:
-//!   `rotate_degrees = [90, 0, 0]` stands it upright). Triangles count from 0 in the file's order;
-//!   polygons of more corners are cut into fans.
+//!   `rotate_degrees = [90, 0, 0]` stands it upright): lists, strips and fans; polygons of more corners are fans.
+//!   Triangles count from 0 in the file's order, without those of strips that have one point for two corners.
+//!   With `source = "shell"` instead of a file it is a dome over [-1, 1]^2 whose halves left and right of x = 0 share a
+//!   texture: u = |x|, v = 2 (y + 1), z = 0.6 (1 - x²) (1 - y²), in 48 x 48 squares, each cut
+//!   in two from its lower corner nearer to x = 0 to its upper one farther from it.
 //!
 //! # Texture frames
 //! `T = normalise(dP/du - N (N·dP/du))` and `B = h (N x T)`, with handedness h = +1, or -1 where
@@ -118,6 +121,7 @@ pub const BUILTIN: &[(&str, &str)] = &[
     ("lettering-lowered", include_str!("builtin/lettering-lowered.toml")),
     ("brick", include_str!("builtin/brick.toml")),
     ("light-orbit", include_str!("builtin/light-orbit.toml")),
+    ("mirrored", include_str!("builtin/mirrored.toml")),
 ];
 
 /// A scene, checked and ready to be traced. Camera, lights and materials may be changed; shapes and
