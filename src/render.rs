@@ -60,6 +60,19 @@ pub struct Pipeline {
     /// Parameters that differ from the defaults, as `key=value`. Those of the material come from the
     /// scene.
     pub assignments: Vec<String>,
+    /// Where the texture frames of pixels come from.
+    pub frames: Frames,
+}
+
+/// Where texture frames (T, B, N) of pixels come from.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum Frames {
+    /// Floating point, for each pixel: those of the golden.
+    #[default]
+    Float,
+    /// The fixed-point set-up (unit `tangent`), for each corner of each face; interpolated. Spheres, which have no
+    /// corners, keep their own. See [`tangent`].
+    Setup,
 }
 
 /// Pipelines that are settings of the bump unit.
@@ -119,17 +132,21 @@ impl Pipeline {
         }
         if let Some(setting) = name.strip_prefix("emboss-") {
             let assignments = vec![format!("setting={setting}")];
-            return Ok(Self { name: name.to_owned(), unit: Unit::find("emboss")?, assignments });
+            return Ok(Self::with(name, Unit::find("emboss")?, assignments));
         }
         if let Some(frame) = name.strip_prefix("tangent-") {
             let assignments = vec![format!("frame={frame}")];
-            return Ok(Self { name: name.to_owned(), unit: Unit::find("tangent")?, assignments });
+            return Ok(Self::with(name, Unit::find("tangent")?, assignments));
         }
         let (unit, assignments) = match Unit::find(name) {
             Ok(unit) => (unit, Vec::new()),
             Err(_) => (Unit::find("bump")?, vec![format!("pipeline={name}")]),
         };
-        Ok(Self { name: name.to_owned(), unit, assignments })
+        Ok(Self::with(name, unit, assignments))
+    }
+
+    fn with(name: &str, unit: &'static Unit, assignments: Vec<String>) -> Self {
+        Self { name: name.to_owned(), unit, assignments, frames: Frames::Float }
     }
 
     /// True if it embosses: its golden is another one than that of the others.
@@ -146,7 +163,11 @@ impl Pipeline {
 
     /// Parameters of all its units.
     pub fn params(&self) -> impl Iterator<Item = &'static Param> + use<> {
-        let behind: &[&'static Unit] = if self.is_emboss() { &emboss::BEHIND } else { &[] };
+        let behind: &[&'static Unit] = match self.frames {
+            _ if self.is_emboss() => &emboss::BEHIND,
+            Frames::Float => &[],
+            Frames::Setup => &tangent::BEFORE,
+        };
         self.unit.all_params().chain(behind.iter().flat_map(|unit| unit.all_params()))
     }
 
@@ -156,18 +177,15 @@ impl Pipeline {
         let from_scene =
             |set: &&String| set.split_once('=').is_some_and(|(key, _)| MATERIAL.contains(&key));
         let assignments = assignments.iter().filter(|set| !from_scene(set)).cloned().collect();
-        Self { name: name.to_owned(), unit, assignments }
+        Self::with(name, unit, assignments)
     }
 
     /// The pipeline of all parameters of a unit but those of the material.
     #[must_use]
     pub fn of_values(values: &Values) -> Self {
         let given = values.iter().filter(|(key, _)| !MATERIAL.contains(key));
-        Self {
-            name: values.unit().name.to_owned(),
-            unit: values.unit(),
-            assignments: given.map(|(key, value)| format!("{key}={value}")).collect(),
-        }
+        let assignments = given.map(|(key, value)| format!("{key}={value}")).collect();
+        Self::with(values.unit().name, values.unit(), assignments)
     }
 
     /// Sets parameters for all pipelines that have them.
@@ -225,7 +243,14 @@ impl Pipeline {
     /// # Errors
     /// If the parameters don't go together.
     pub fn design(&self, ambient: f64, light: &Light, material: &Material) -> Result<Design> {
-        let mut assignments = self.assignments.clone();
+        // Others are for the set-up of the frames.
+        let mut assignments = match self.frames {
+            Frames::Float => self.assignments.clone(),
+            Frames::Setup => {
+                let known = |set: &&String| named::knows(self.unit, set);
+                self.assignments.iter().filter(known).cloned().collect()
+            }
+        };
         if light.intensity * material.specular > 0.0
             && assignments.iter().any(|set| set == "highlight=off")
         {
@@ -301,6 +326,8 @@ pub struct Shader {
     stages: Vec<Stage>,
     /// Stage of each material under each light.
     of: Vec<Vec<usize>>,
+    /// Frames of its own.
+    frames: Option<tangent::FaceFrames>,
 }
 
 impl Shader {
@@ -341,7 +368,11 @@ impl Shader {
             }
             of.push(row);
         }
-        Ok(Self { pipeline: pipeline.clone(), stages, of })
+        let frames = match pipeline.frames {
+            Frames::Float => None,
+            Frames::Setup => Some(tangent::FaceFrames::new(scene, pipeline)?),
+        };
+        Ok(Self { pipeline: pipeline.clone(), stages, of, frames })
     }
 
     /// One of its designs: that of the first material under the first light. The others differ in
@@ -647,7 +678,7 @@ pub fn shoot(
             pipeline: shader.pipeline.clone(),
             picture,
             design: Arc::clone(shader.design()),
-            behind: Vec::new(),
+            behind: shader.frames.iter().map(|frames| Arc::clone(frames.design())).collect(),
             emboss: None,
             setup: None,
             engine: total.engine,
@@ -857,9 +888,19 @@ fn block(scene: &Scene, shaders: &[&Shader], rows: Range<u32>, lanes: &mut Lanes
                         .entry(stage.design.netlist.input_name(at))
                         .or_insert_with(|| points.iter().map(|p| p.value(*port)).collect());
                 }
-                let columns: Vec<Vec<f64>> = (0..stage.ports.len())
-                    .map(|at| values[stage.design.netlist.input_name(at)].clone())
-                    .collect();
+                let columns: Vec<Vec<f64>> = match &shader.frames {
+                    None => (0..stage.ports.len())
+                        .map(|at| values[stage.design.netlist.input_name(at)].clone())
+                        .collect(),
+                    Some(frames) => {
+                        let framed = points.iter().zip(members).map(|(point, i)| {
+                            frames.frame(scene, fragments, *i, point).unwrap_or(*point)
+                        });
+                        let framed: Vec<Fragment> = framed.collect();
+                        let value = |port: &Port| framed.iter().map(|p| p.value(*port)).collect();
+                        stage.ports.iter().map(value).collect()
+                    }
+                };
                 let overflows = runner.overflows().to_vec();
                 shade(stage, runner, &columns, members, sums, shot, histogram)?;
                 for ((total, after), before) in

@@ -10,7 +10,8 @@ use crate::picture::{
     check_pixels_per_degree, sheet, signed_map,
 };
 use crate::render::{
-    EMBOSS_PIPELINES, Pipeline, Rendered, Shot, SpecialisedStage, mixed, render, specialise_to,
+    EMBOSS_PIPELINES, Frames, Pipeline, Rendered, Shot, SpecialisedStage, mixed, render,
+    specialise_to,
 };
 use crate::report::record::RankBy;
 use crate::scene::{Scene, Sharing};
@@ -41,6 +42,10 @@ pub(super) struct RenderArgs {
     /// Set a parameter of every pipeline that has it; those of the material come from the scene.
     #[arg(short = 'p', long = "param", value_name = "KEY=VALUE")]
     params: Vec<String>,
+    /// Where texture frames come from: float, for each pixel; or setup, by the fixed-point unit tangent for each corner
+    /// of planes, cubes and meshes, which -p then sets, too.
+    #[arg(long, value_name = "SOURCE", default_value = "float", value_parser = ["float", "setup"])]
+    frames: String,
     /// Pixels per degree of sight, for FLIP.
     #[arg(long, default_value_t = PIXELS_PER_DEGREE)]
     pixels_per_degree: f64,
@@ -69,6 +74,7 @@ impl RenderArgs {
             out: out.to_owned(),
             pipelines: pipelines.iter().map(|&name| name.to_owned()).collect(),
             params: Vec::new(),
+            frames: "float".to_owned(),
             pixels_per_degree: PIXELS_PER_DEGREE,
             specialise: false,
             ladder: None,
@@ -142,6 +148,16 @@ fn pipelines_of(args: &RenderArgs, scene: &Scene) -> Result<Vec<Pipeline>> {
             return Err(Error::usage(format!("pipeline `{name}` is named twice")));
         }
         pipelines.push(Pipeline::named(name)?);
+    }
+    if args.frames == "setup" {
+        if let Some(other) = pipelines.iter().find(|p| p.is_emboss() || p.is_tangent()) {
+            let text = format!(
+                "--frames=setup is for pipelines that shade bumps: `{}` has frames of its own; leave one of them out",
+                other.name
+            );
+            return Err(Error::usage(text));
+        }
+        pipelines.iter_mut().for_each(|pipeline| pipeline.frames = Frames::Setup);
     }
     Pipeline::set(&mut pipelines, &args.params)?;
     // Before the work, not after it.
@@ -300,6 +316,10 @@ pub(super) fn run(args: &RenderArgs) -> Result<(String, bool)> {
     }
     if args.specialise {
         let pipelines = pipelines_of(args, &scene)?;
+        if args.frames == "setup" {
+            let text = "--specialise takes frames in floating point: leave --frames out";
+            return Err(Error::usage(text.to_owned()));
+        }
         if pipelines.iter().any(|pipeline| pipeline.is_emboss() || pipeline.is_tangent()) {
             let text = "--specialise is for pipelines that shade bumps: leave it out for an emboss or a tangent-space set-up";
             return Err(Error::usage(text.to_owned()));

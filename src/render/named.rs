@@ -10,6 +10,12 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Instant;
 
+/// True if an assignment is to a parameter of a unit.
+pub(super) fn knows(unit: &'static Unit, set: &str) -> bool {
+    let key = set.split_once('=').map_or("", |(key, _)| key);
+    unit.all_params().any(|param| param.name == key)
+}
+
 /// A design with its program.
 pub(super) struct Stage {
     pub(super) design: Arc<Design>,
@@ -19,11 +25,7 @@ pub(super) struct Stage {
 impl Stage {
     /// A unit with those assignments of the pipeline that it knows, and the scene's.
     pub(super) fn new(unit: &'static Unit, pipeline: &Pipeline, scene: &[String]) -> Result<Self> {
-        let knows = |set: &&String| {
-            let key = set.split_once('=').map_or("", |(key, _)| key);
-            unit.all_params().any(|param| param.name == key)
-        };
-        let own = pipeline.assignments.iter().filter(knows);
+        let own = pipeline.assignments.iter().filter(|set| knows(unit, set));
         let all: Vec<&String> = own.chain(scene).collect();
         let design = unit.values(&all)?.build()?;
         let nodes: Vec<NodeId> =

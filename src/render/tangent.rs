@@ -21,6 +21,14 @@
 //! power of two each, so that they fill the unit's words; then each is a word of the buffer, the same for all its
 //! triangles. Neither changes a direction. A texture whose determinant is 0 in these words, or a triangle
 //! without area in them, gets the unit's fallback frame and is counted.
+//!
+//! # Frames for the other pipelines
+//! With [`Frames::Setup`](super::Frames) pipelines that shade bumps per pixel take their frames from the unit, too: the
+//! rows of the map at the corners of a face are interpolated, N made unit, and T its part at right angles to N made
+//! unit, from which come the angles φ_N, θ_N and ψ (angles themselves wrap, so they aren't interpolated). Units have
+//! B = N × T; so where the map's own B is on the other side, which is where a texture is mirrored, p_y changes sign. So
+//! it does with frames in floating point. T isn't turned: with T and N × T both turned, bumps would be
+//! dents.
 
 use super::named::Stage;
 use super::{Block, BlockShot, Gathered, Pipeline, Shot, colour, gather, overflows, reflected};
@@ -30,10 +38,11 @@ use crate::format::Format;
 use crate::measure::{quantize_inputs, run_golden};
 use crate::netlist::Counts;
 use crate::picture::Picture;
-use crate::scene::{Assembly, Scene, Seen, SharedVertex, Sharing, halfway};
+use crate::scene::{Assembly, CURVED, Fragments, Scene, Seen, SharedVertex, Sharing, halfway};
 use crate::specialise::{Known as KnownWords, Rate, Words, specialise};
-use crate::units::Design;
 use crate::units::fragment::Fragment;
+use crate::units::tangent::TANGENT;
+use crate::units::{Design, Unit};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -43,6 +52,9 @@ use std::time::Duration;
 
 /// Parameters of the unit that the pipeline's name and the scene give.
 pub(super) const FROM_SCENE: &[&str] = &["frame", "lights"];
+
+/// Units before a pipeline whose frames are set up.
+pub(super) static BEFORE: [&Unit; 1] = [&TANGENT];
 
 /// Corners that a thread sets up at a time.
 const TOGETHER: usize = 3 << 10;
@@ -124,8 +136,7 @@ struct Outputs {
 
 impl Setup {
     fn new(pipeline: &Pipeline, lights: usize, vertices: &[SharedVertex]) -> Result<Self> {
-        let unit = crate::units::Unit::find("tangent")?;
-        let stage = Stage::new(unit, pipeline, &[format!("lights={lights}")])?;
+        let stage = Stage::new(&TANGENT, pipeline, &[format!("lights={lights}")])?;
         let bounds = |of: &dyn Fn(&SharedVertex) -> DVec3| {
             let far = (DVec3::INFINITY, DVec3::NEG_INFINITY);
             vertices.iter().map(of).fold(far, |(low, high), at| (low.min(at), high.max(at)))
@@ -429,6 +440,77 @@ pub(super) fn shots(
         });
     }
     Ok(shots)
+}
+
+/// Frames at the corners of a scene's faces, by the unit.
+pub(super) struct FaceFrames {
+    design: Arc<Design>,
+    /// Components of T, B and N of each corner of each face, by column.
+    rows: Vec<Vec<f64>>,
+}
+
+impl FaceFrames {
+    pub(super) fn new(scene: &Scene, pipeline: &Pipeline) -> Result<Self> {
+        let corners: Vec<SharedVertex> = scene.faces().flatten().collect();
+        // A scene of spheres has no corners, and any place will do.
+        let setup = Setup::new(pipeline, 1, &corners)?;
+        let corner = |at: usize| {
+            let face = &corners[at / 3 * 3..][..3];
+            let of = [0, 1, 2].map(|i| face[i]);
+            Corner {
+                positions: of.map(|vertex| vertex.position),
+                uvs: of.map(|vertex| vertex.uv),
+                normal: corners[at].normal,
+                view: DVec3::ZERO,
+                lights: [DVec3::ZERO; 8],
+            }
+        };
+        let names: Vec<String> = ["t", "b", "n"]
+            .iter()
+            .flat_map(|row| ["x", "y", "z"].map(|axis| format!("{row}_{axis}")))
+            .collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let mut shot = BlockShot::of([&setup.stage.program].into_iter());
+        let outputs = setup.run(corners.len(), corner, &names, &mut shot)?;
+        let Stage { design, program } = setup.stage;
+        // Under `overflow=error` a word that doesn't fit is one.
+        overflows([(&design, &program)].into_iter(), &shot.overflows)?;
+        Ok(Self { design, rows: outputs.fixed })
+    }
+
+    pub(super) fn design(&self) -> &Arc<Design> {
+        &self.design
+    }
+
+    /// A shading point with the frame of the set-up; `None` on a sphere.
+    pub(super) fn frame(
+        &self,
+        scene: &Scene,
+        fragments: &Fragments,
+        i: usize,
+        point: &Fragment,
+    ) -> Option<Fragment> {
+        if fragments.primitive[i] == CURVED {
+            return None;
+        }
+        let first = 3 * cast::index_of_u32(fragments.primitive[i]);
+        let [s, r] = [0, 1].map(|axis| fragments.weights[axis][i]);
+        let weights = [1.0 - s - r, s, r];
+        let row = |row: usize| {
+            let at = |axis: usize| -> f64 {
+                let column = &self.rows[3 * row + axis];
+                (0..3).map(|corner| weights[corner] * column[first + corner]).sum()
+            };
+            DVec3::new(at(0), at(1), at(2))
+        };
+        let normal = row(2).normalize_or(point.normal);
+        let across = row(0) - normal * normal.dot(row(0));
+        let tangent = across.normalize_or(normal.any_orthonormal_vector());
+        let side = if row(1).dot(normal.cross(tangent)) < 0.0 { -1.0 } else { 1.0 };
+        let bump = scene.bumps.vector(fragments.bump[i]);
+        let perturbed = DVec3::new(bump.x, bump.y * side, bump.z);
+        Some(Fragment { normal, tangent, perturbed, ..*point })
+    }
 }
 
 /// Corners per second of the engine.

@@ -44,6 +44,10 @@ pub struct Fragments {
     pub handedness: Vec<f64>,
     /// Unit vector V to the eye.
     pub eye: [Vec<f64>; 3],
+    /// Number of the face among those of [`Scene::faces`], or [`CURVED`] on a sphere.
+    pub primitive: Vec<u32>,
+    /// What the face's second and third corner count there; the first counts what is left of 1.
+    pub weights: [Vec<f64>; 2],
     /// Index of the texel in the texture.
     pub texel: Vec<u32>,
     /// Index of the texel in the bump vector map.
@@ -69,6 +73,8 @@ impl Fragments {
         self.object.clear();
         self.face.clear();
         self.handedness.clear();
+        self.primitive.clear();
+        self.weights.iter_mut().for_each(Vec::clear);
         self.texel.clear();
         self.bump.clear();
         for vectors in [&mut self.position, &mut self.normal, &mut self.tangent, &mut self.eye] {
@@ -103,6 +109,17 @@ fn push(columns: &mut [Vec<f64>; 3], vector: DVec3) {
 }
 
 impl Scene {
+    /// Corners of all faces, in the world: of planes and of cubes those at (u, v) = (0, 0), (1, 0) and (0, 1), and
+    /// triangles of meshes. They turn counter-clockwise seen from the side of their normals.
+    pub fn faces(&self) -> impl Iterator<Item = [SharedVertex; 3]> + '_ {
+        let corner = |face: &Face, i: usize| SharedVertex {
+            position: face.points[i],
+            normal: face.normals[i],
+            uv: face.uvs[i],
+        };
+        self.surfaces.faces.iter().map(move |face| [0, 1, 2].map(|i| corner(face, i)))
+    }
+
     /// The unit vector V from a point to the eye; 0 in the eye itself.
     #[must_use]
     pub fn to_eye(&self, point: DVec3) -> DVec3 {
@@ -117,7 +134,12 @@ impl Scene {
         for y in rows.start..rows.end.min(self.image.height) {
             for x in 0..self.image.width {
                 let ray = rays.through(x, y);
-                let Some(seen) = self.surfaces.look(&ray) else { continue };
+                let Some((t, i, place)) = self.surfaces.meet(&ray) else { continue };
+                let seen = self.surfaces.at(&ray, t, i, place);
+                let is_face = cast::index_of_u32(i) < self.surfaces.faces.len();
+                fragments.primitive.push(if is_face { i } else { CURVED });
+                fragments.weights[0].push(place.x);
+                fragments.weights[1].push(place.y);
                 fragments.pixel.push(y * self.image.width + x);
                 fragments.object.push(seen.object);
                 fragments.face.push(seen.face);
@@ -441,18 +463,17 @@ impl Surfaces {
         }
     }
 
-    /// The nearest thing that a ray meets from in front; of several at one distance, the one that is
-    /// first in the scene.
-    fn look(&self, ray: &Ray) -> Option<Seen> {
-        let (t, i, place) = self.meet(ray)?;
+    /// What there is where [`Self::meet`] says.
+    fn at(&self, ray: &Ray, t: f64, i: u32, place: DVec2) -> Seen {
         let index = cast::index_of_u32(i);
-        Some(match self.faces.get(index) {
+        match self.faces.get(index) {
             Some(face) => face.at(place),
             None => self.balls[index - self.faces.len()].at(ray, t),
-        })
+        }
     }
 
-    /// How far away that is, its number among faces and then balls, and where on a face.
+    /// The nearest thing that a ray meets from in front; of several at one distance, the one that is
+    /// first in the scene: how far away it is, its number among faces and then balls, and where on a face.
     pub(super) fn meet(&self, ray: &Ray) -> Option<(f64, u32, DVec2)> {
         // A direction of 0 along an axis would give NaN at the faces of a box.
         let inverse = DVec3::from_array(
@@ -709,7 +730,7 @@ mod tests {
                 .iter()
                 .filter_map(|ball| Some((ball.meet(&ray)?, ball.object, CURVED)));
             let nearest = faces.chain(balls).min_by(|a, b| a.0.total_cmp(&b.0));
-            let seen = surfaces.look(&ray);
+            let seen = surfaces.meet(&ray).map(|(t, i, place)| surfaces.at(&ray, t, i, place));
             hits += u32::from(seen.is_some());
             assert_eq!(
                 seen.map(|seen| (seen.object, seen.face)),
