@@ -8,7 +8,7 @@ use super::illumination::{
     intensity_bound, light_ports, specular_bound,
 };
 use super::plan::{Plan, rounding_ulp};
-use super::{Bound, BoundFn, Design, Group, Param, Shape, Unit, Values, fragment, tangent};
+use super::{Bound, BoundFn, Design, Group, Param, Shape, Unit, Values, fragment, setup};
 use crate::cast;
 use crate::error::Result;
 use crate::format::{Format, Overflow, Round, quantize};
@@ -31,16 +31,16 @@ pub static ERNST: Unit = Unit {
 };
 
 static PARAMS: &[Param] = &[
-    tangent::PARAMS[0],
-    tangent::PARAMS[1],
-    tangent::PARAMS[2],
-    tangent::PARAMS[3],
-    tangent::PARAMS[4],
-    tangent::PARAMS[5],
-    tangent::PARAMS[6],
-    tangent::PARAMS[7],
-    tangent::PARAMS[8],
-    tangent::PARAMS[9],
+    setup::PARAMS[0],
+    setup::PARAMS[1],
+    setup::PARAMS[2],
+    setup::PARAMS[3],
+    setup::PARAMS[4],
+    setup::PARAMS[5],
+    setup::PARAMS[6],
+    setup::PARAMS[7],
+    setup::PARAMS[8],
+    setup::PARAMS[9],
     illumination::HIGHLIGHT,
     illumination::SPECULAR_ADDR_BITS,
     illumination::LIGHT_SCHEME,
@@ -55,7 +55,7 @@ fn build(values: &Values) -> Result<Design> {
     let highlight = values.choice("highlight") == "on";
     let mut plan = Plan::new(values)?;
     let mut b = Builder::new("ernst");
-    let units = tangent::set_up(&mut b, &mut plan, highlight)?;
+    let units = setup::set_up(&mut b, &mut plan, highlight)?;
     let (p, lights) = units.split_last().expect("bug: N' is there");
     let dots = lights
         .iter()
@@ -71,7 +71,7 @@ fn build(values: &Values) -> Result<Design> {
     let mut groups = Group::ports(&netlist, light_ports(values));
     groups.extend(dot_groups(&netlist, highlight));
     for (name, scope) in ["lt", "ht"].into_iter().zip(["light", "half"]).take(lights.len()) {
-        let labels = tangent::labels(scope);
+        let labels = setup::labels(scope);
         let labels = [&labels[0][..], &labels[1], &labels[2]];
         groups.push(Group::inside(&netlist, name, Shape::Cartesian, &labels));
     }
@@ -84,7 +84,7 @@ fn build(values: &Values) -> Result<Design> {
         bound("intensity", &["intensity"], |v, w| {
             intensity_bound(v, &product(v, w), dot_bound(v, w))
         }),
-        tangent::bound(if highlight { components } else { &components[..3] }),
+        setup::bound(if highlight { components } else { &components[..3] }),
     ];
     Ok(Design {
         values: values.clone(),
@@ -153,7 +153,7 @@ fn lit(b: &mut Builder, plan: &mut Plan<'_>, dots: &[NodeId]) -> Result<Light> {
 
 /// Of N'·A: both are unit vectors but for their components' error.
 fn dot_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
-    let vector = 3f64.sqrt() * tangent::component_bound(values, worst);
+    let vector = 3f64.sqrt() * setup::component_bound(values, worst);
     let last = rounding_ulp(values) * 2f64.powi(-cast::signed_count(values.bits("frac_bits")));
     vector + vector * (1.0 + vector) + last
 }
@@ -167,7 +167,7 @@ fn product<'a>(values: &'a Values, worst: &'a dyn Fn(&str) -> f64) -> impl Fn(&s
 
 /// The golden model: unit vectors in the texture frame, their dot products, the reflection formula.
 fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
-    let units = tangent::golden(inputs);
+    let units = setup::golden(inputs);
     let (p, lights) = units.split_last().expect("bug: N' is there");
     let dots: Vec<Vec<F>> =
         lights.iter().map(|v| golden_dot([&v[0], &v[1], &v[2]], [&p[0], &p[1], &p[2]])).collect();

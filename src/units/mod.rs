@@ -26,7 +26,8 @@ mod root;
 pub mod rotation;
 pub mod rsqrt;
 pub mod sampler;
-mod tangent;
+mod setup;
+pub mod tangent;
 
 use crate::error::{Error, Result};
 use crate::format::{Format, Round};
@@ -57,6 +58,7 @@ pub static UNITS: &[&Unit] = &[
     &emboss::EMBOSS,
     &sampler::SAMPLER,
     &combine::COMBINE,
+    &tangent::TANGENT,
 ];
 
 /// A parameterised datapath.

@@ -70,7 +70,7 @@ pub(super) fn block(b: &mut Builder, name: &str, v: [NodeId; 3]) -> Block {
         let largest = b.shift(any, -format.frac_bits());
         b.means(largest, Meaning::Largest { x: v[0], y: v[1], z: v[2] });
         b.name(largest, "largest");
-        let (_, count) = divide::normalise(b, any, 1);
+        let (_, count) = divide::normalise(b, largest, 1);
         let top = cast::signed_count(bits) - format.frac_bits();
         let places = b.means(count, Meaning::Headroom { a: largest, top });
         b.name(places, "places");

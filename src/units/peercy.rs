@@ -4,7 +4,7 @@
 //! dividers normalise L', H' and N'. The paper gives no illumination for it.
 
 use super::plan::Plan;
-use super::{Bounds, Design, Group, Param, Shape, Unit, Values, fragment, tangent};
+use super::{Bounds, Design, Group, Param, Shape, Unit, Values, fragment, setup};
 use crate::error::Result;
 use crate::netlist::Builder;
 use crate::trig::Real;
@@ -22,7 +22,7 @@ pub static PEERCY: Unit = Unit {
     build,
 };
 
-static PARAMS: &[Param] = &tangent::PARAMS;
+static PARAMS: &[Param] = &setup::PARAMS;
 
 const QUANTITIES: &[&str] =
     &["lt_x", "lt_y", "lt_z", "ht_x", "ht_y", "ht_z", "np_x", "np_y", "np_z"];
@@ -30,7 +30,7 @@ const QUANTITIES: &[&str] =
 fn build(values: &Values) -> Result<Design> {
     let mut plan = Plan::new(values)?;
     let mut b = Builder::new("peercy");
-    let units = tangent::set_up(&mut b, &mut plan, true)?;
+    let units = setup::set_up(&mut b, &mut plan, true)?;
     for (node, name) in units.iter().flatten().zip(QUANTITIES) {
         b.output(name, *node);
     }
@@ -49,7 +49,7 @@ fn build(values: &Values) -> Result<Design> {
         netlist: Arc::new(netlist),
         golden: golden::<f64>,
         golden_f32: golden::<f32>,
-        bounds: Bounds::Stated(vec![tangent::bound(QUANTITIES)]),
+        bounds: Bounds::Stated(vec![setup::bound(QUANTITIES)]),
         tabulated,
         draw: fragment::draw,
         binding: None,
@@ -58,7 +58,7 @@ fn build(values: &Values) -> Result<Design> {
 
 /// The golden model: the matrix of T, B, N, and division by lengths.
 fn golden<F: Real>(_: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
-    for (column, axis) in outputs.iter_mut().zip(tangent::golden(inputs).into_iter().flatten()) {
+    for (column, axis) in outputs.iter_mut().zip(setup::golden(inputs).into_iter().flatten()) {
         *column = axis;
     }
 }

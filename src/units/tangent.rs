@@ -1,247 +1,1036 @@
-//! The tangent-space set-up that `peercy` and `ernst` share: two 3×3 transforms and three
-//! normalisations, with real dividers and square roots.
+//! The set-up of tangent-space bump mapping: from one triangle and one of its vertices to the map from
+//! object space to texture space, and the view vector and lights through it (seed 004, US 7,843,463).
 //!
-//! L and H go from the world into the frame of tangent T, binormal B and normal N; then they and
-//! N' are made unit vectors. A vector of length 0 stays 0.
+//! With edges `e1 = p1 - p0`, `e2 = p2 - p0` and those of the texture `(du1, dv1)`, `(du2, dv2)`, position
+//! changes along the axes of the texture as
+//!
+//! ```text
+//! dP/du = (dv2 e1 - dv1 e2)/det    dP/dv = (du1 e2 - du2 e1)/det    det = du1 dv2 - du2 dv1
+//! ```
+//!
+//! The tangent T is the direction of dP/du; B = N x T with the normal N of the vertex; the rows of the map are
+//! T, B, N, and a vector of the texture is their dot products with one of the object. With
+//! `frame=faceted` N isn't given: the second tangent is the direction of dP/dv and N that of their cross
+//! product, `T x dP/dv = det (e1 x e2)`, so the hardware takes the exact `e1 x e2`, and slivers, whose tangents
+//! are nearly parallel, lose nothing.
+//!
+//! Triangles are wound so that N is on the side of `e1 x e2`: counterclockwise as seen from outside.
+//!
+//! # What the seed prints, and what isn't right
+//!
+//! - **Mirrored textures.** (dP/du, dP/dv, N) is right-handed where det > 0 and left-handed where det < 0. There N x T
+//!   points along -dP/dv. The seed negates the tangent there (`mirror=printed`): then B points along
+//!   dP/dv, and T along -dP/du. A map [T; N x T; N] is right-handed whatever T is, so no sign of T makes
+//!   both right: it only moves the fault from one axis to the other. Bumps along u are lit from the wrong side.
+//!   With `mirror=off` they are along v. `mirror=handed` has T = dP/du and B = sign(det) N x T: both right.
+//! - **Mirrored facets.** T x dP/dv points inward where det < 0: with `mirror=off` the facet is lit from behind. The
+//!   seed's negated tangent mends the normal, and bumps along u are wrong. `mirror=handed` takes
+//!   N = sign(det) T x dP/dv: all three right.
+//! - **"Orthonormal".** The seed calls the map so, and it isn't where T isn't at right angles to N, as with
+//!   every vertex normal that isn't the face's: then B is shorter than 1 and light leaks from N to T. With
+//!   `basis=printed` it is as printed: T as it is, B = N x T as long as it comes, of a facet dP/dv as it is.
+//!   `basis=orthonormal` takes B = N x T over its length and T = B x N, which is T's part at right
+//!   angles to N; of a facet B = N x T, which is the part of dP/dv at right angles to T.
+//!
+//! # Without a frame
+//!
+//! Differences and products are exact, so that "zero" is exactly zero of the given words. `degenerate` is the
+//! or of three flags: `zero_uv`, det is 0; `zero_area`, `e1 x e2` is 0; with vertex normals
+//! `parallel`, `N x (dv2 e1 - dv1 e2)` is 0. Then nothing is mirrored, and
+//!
+//! - a vertex has T along the x axis, or the y axis where |N_x| > |N_y|, and B = N x T, made orthonormal as
+//!   `basis` says: a frame that depends on N alone. With N = 0, B is 0, and so is an orthonormal T.
+//! - a facet without uv area has T along e1 (and, with `basis=printed`, e2 for dP/dv) and its own
+//!   normal; one without area has T, B, N along x, y, z.
+//!
+//! Next to zero nothing happens: bounds hold for the least det and slivers of any length, since vectors are
+//! block-normalised from exact words and N x T is taken of the exact T.
 
-use super::divide::{self, divide};
-use super::plan::{self, Plan, number, rounding_ulp};
-use super::root::{self, reciprocal_root};
-use super::{Bound, BoundFn, Kind, Param, Values};
+use super::basis::{
+    COMPONENT_BITS, DOT_FRAC_BITS, GUARD_BITS, component, golden_unit, longest, rounded,
+    unit_error, vector_frac_bits, vector_rounding,
+};
+use super::cross::cross;
+use super::dot::{dot, extremes, vector_ports};
+use super::normalise::{Block, NORM_BITS, block, direction_error, narrowed, unit_vector};
+use super::plan::{self, number, rounding_ulp};
+use super::rsqrt::{ROOT_ADDR_BITS, ROOT_FRAC_BITS, ROOT_SCHEME, Root, length_error};
+use super::{
+    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Shape, Unit, Values,
+};
 use crate::cast;
 use crate::error::Result;
-use crate::format::{Format, Overflow, Round};
-use crate::function::Function;
-use crate::netlist::{Builder, NodeId, Quantity};
+use crate::format::{Format, Overflow, Round, quantize};
+use crate::netlist::{Builder, Netlist, NodeId, Quantity};
 use crate::trig::Real;
+use glam::{DVec2, DVec3};
+use std::sync::Arc;
 
-pub(super) const NORMALISE: Param = Param {
-    name: "normalise",
-    kind: Kind::Choice(&["divide", "reciprocal-root"]),
-    default: "divide",
-    help: "a square root and three dividers, or a reciprocal square root and three multipliers",
+/// The unit.
+pub static TANGENT: Unit = Unit {
+    name: "tangent",
+    summary: "tangent-space set-up of a triangle's vertex: map, view vector and lights in texture space",
+    source: "seed 004 (US 7,843,463), with its mirroring rule and facets as printed and mended",
+    params: PARAMS,
+    golden_params: &[
+        "frame",
+        "mirror",
+        "basis",
+        "lights",
+        "position_int_bits",
+        "uv_int_bits",
+        "vector_bits",
+        "vector_int_bits",
+    ],
+    inputs: "p0_x … p2_z: positions of the triangle's vertices in object space, counterclockwise from outside; \
+             uv0_u … uv2_v: their texture coordinates; with frame=smooth normal_x … normal_z: unit normal of the vertex, from -2 to 2; \
+             view_x … view_z, light0_x … : vectors from the vertex to the eye and each of `lights` lights in object space, of any length",
+    outputs: "t_x … t_z, b_x … b_z, n_x … n_z: rows of the map; ts_view_x … , ts_light0_x … : view vector and lights in texture space, \
+              along T, B and N, as long as they come; mirrored: 1 where the texture's determinant is negative; degenerate: 1 where a fixed \
+              frame is taken; why: zero_uv, zero_area and, with frame=smooth, parallel",
+    build,
 };
 
-pub(super) const DIVIDER: Param = Param {
-    name: "divider",
-    kind: Kind::Choice(&["restoring", "non-restoring", "table"]),
-    default: "non-restoring",
-    help: "digit recurrences, or a normalised reciprocal table and a product (normalise=divide)",
-};
+static PARAMS: &[Param] = &[
+    Param {
+        name: "frame",
+        kind: Kind::Choice(&["smooth", "faceted"]),
+        default: "smooth",
+        help: "a map per vertex with its normal, or one for the triangle with a second tangent",
+    },
+    Param {
+        name: "mirror",
+        kind: Kind::Choice(&["handed", "printed", "off"]),
+        default: "handed",
+        help: "mirrored textures: B (of a facet N) turned, T turned as the seed has it, or nothing",
+    },
+    Param {
+        name: "basis",
+        kind: Kind::Choice(&["orthonormal", "printed"]),
+        default: "orthonormal",
+        help: "T, B, N made orthonormal, or T and N x T (of a facet dP/dv) as they are",
+    },
+    Param {
+        name: "lights",
+        kind: Kind::Int { min: 1, max: 8, auto: None },
+        default: "1",
+        help: "number of lights",
+    },
+    Param {
+        name: "position_int_bits",
+        kind: Kind::Int { min: 0, max: 22, auto: None },
+        default: "4",
+        help: "positions are from -2^position_int_bits to 2^position_int_bits",
+    },
+    Param {
+        name: "position_frac_bits",
+        kind: Kind::Int { min: 0, max: 23, auto: None },
+        default: "11",
+        help: "fraction bits of positions; with sign and whole bits 2 to 24",
+    },
+    Param {
+        name: "uv_int_bits",
+        kind: Kind::Int { min: 0, max: 22, auto: None },
+        default: "2",
+        help: "texture coordinates are from -2^uv_int_bits to 2^uv_int_bits",
+    },
+    Param {
+        name: "uv_frac_bits",
+        kind: Kind::Int { min: 0, max: 23, auto: None },
+        default: "13",
+        help: "fraction bits of texture coordinates; with sign and whole bits 2 to 24",
+    },
+    COMPONENT_BITS,
+    Param { default: "2", ..GUARD_BITS },
+    Param {
+        name: "vector_int_bits",
+        kind: Kind::Int { min: 0, max: 20, auto: None },
+        default: "1",
+        help: "view vector and lights are from -2^vector_int_bits to 2^vector_int_bits",
+    },
+    Param {
+        name: "vector_bits",
+        kind: Kind::Int { min: 2, max: 24, auto: None },
+        default: "16",
+        help: "bits of their components, signed",
+    },
+    Param {
+        name: "out_frac_bits",
+        kind: Kind::Int { min: 0, max: 30, auto: None },
+        default: "14",
+        help: "fraction bits of view vector and lights in texture space",
+    },
+    Param { default: "16", ..NORM_BITS },
+    Param { default: "18", ..DOT_FRAC_BITS },
+    ROOT_SCHEME,
+    Param { default: "7", ..ROOT_ADDR_BITS },
+    Param { default: "16", ..ROOT_FRAC_BITS },
+    plan::ROUNDING,
+];
 
-pub(super) const ROOT: Param = Param {
-    name: "root",
-    kind: Kind::Choice(&["digits", "table"]),
-    default: "digits",
-    help: "a digit recurrence or a normalised table (normalise=divide)",
-};
-
-pub(super) const ROOT_ADDR_BITS: Param = Param {
-    name: "root_addr_bits",
-    kind: Kind::Int { min: 2, max: 20, auto: Some("table_addr_bits") },
-    default: "auto",
-    help: "address bits of the table of roots or reciprocal roots",
-};
-
-/// Integer bits of a transformed component: three products of words below 2 in magnitude.
-const INT_BITS: u32 = 4;
-
-/// Vectors of input ports, in order.
-fn vectors(highlight: bool) -> &'static [&'static str] {
-    if highlight { &["l", "h", "n", "t", "b", "p"] } else { &["l", "n", "t", "b", "p"] }
+/// What mirrored textures turn.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Mirror {
+    Handed,
+    Printed,
+    Off,
 }
 
-/// Scopes in `setup`: of L', of H', of N'.
-fn scopes(highlight: bool) -> &'static [&'static str] {
-    if highlight { &["light", "half", "bump"] } else { &["light", "bump"] }
+/// The switches.
+#[derive(Clone, Copy, Debug)]
+struct Switches {
+    faceted: bool,
+    mirror: Mirror,
+    orthonormal: bool,
+    lights: usize,
 }
 
-/// Labels of the components of a unit vector in a scope of `setup`.
-pub(super) fn labels(scope: &str) -> [String; 3] {
-    ["x", "y", "z"].map(|axis| format!("setup.{scope}.unit_{axis}.{axis}"))
+impl Switches {
+    fn new(values: &Values) -> Self {
+        Self {
+            faceted: values.choice("frame") == "faceted",
+            mirror: match values.choice("mirror") {
+                "handed" => Mirror::Handed,
+                "printed" => Mirror::Printed,
+                _ => Mirror::Off,
+            },
+            orthonormal: values.choice("basis") == "orthonormal",
+            lights: cast::index_of(i64::from(values.bits("lights"))),
+        }
+    }
+
+    /// Which rows of the map change their sign where the texture is mirrored, if they come of the
+    /// tangent `dv2 e1 - dv1 e2`, which has that of det in it already, of `N x` that or of
+    /// `du1 e2 - du2 e1`, and of `e1 x e2`.
+    fn turned(self) -> [bool; 3] {
+        let t = self.mirror != Mirror::Printed;
+        match (self.faceted, self.orthonormal) {
+            (false, _) => [t, self.mirror == Mirror::Off, false],
+            // N x T is dP/dv already, in the sign of the exact e1 x e2.
+            (true, true) => [t, false, self.mirror == Mirror::Off],
+            (true, false) => [t, true, self.mirror == Mirror::Off],
+        }
+    }
 }
 
-/// Makes the input ports, and unit vectors L', H' (with a highlight) and N' from them.
-pub(super) fn set_up(
-    b: &mut Builder,
-    plan: &mut Plan<'_>,
-    highlight: bool,
-) -> Result<Vec<[NodeId; 3]>> {
-    let component = number(1, plan.frac_bits)?;
-    let ports: Vec<[NodeId; 3]> = vectors(highlight)
-        .iter()
-        .map(|v| {
-            ["x", "y", "z"].map(|axis| b.input(&format!("{v}_{axis}"), component, Quantity::Number))
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Names of lights: ports, groups and quantities.
+const LIGHTS: [(&str, &str, &[&str]); 8] = [
+    ("light0", "ts_light0", &["ts_light0_x", "ts_light0_y", "ts_light0_z", "ts_light0_dot"]),
+    ("light1", "ts_light1", &["ts_light1_x", "ts_light1_y", "ts_light1_z", "ts_light1_dot"]),
+    ("light2", "ts_light2", &["ts_light2_x", "ts_light2_y", "ts_light2_z", "ts_light2_dot"]),
+    ("light3", "ts_light3", &["ts_light3_x", "ts_light3_y", "ts_light3_z", "ts_light3_dot"]),
+    ("light4", "ts_light4", &["ts_light4_x", "ts_light4_y", "ts_light4_z", "ts_light4_dot"]),
+    ("light5", "ts_light5", &["ts_light5_x", "ts_light5_y", "ts_light5_z", "ts_light5_dot"]),
+    ("light6", "ts_light6", &["ts_light6_x", "ts_light6_y", "ts_light6_z", "ts_light6_dot"]),
+    ("light7", "ts_light7", &["ts_light7_x", "ts_light7_y", "ts_light7_z", "ts_light7_dot"]),
+];
+
+/// A signed format of positions or texture coordinates: no more bits than make the golden's
+/// differences and products of two exact in an `f64`.
+fn coordinate(values: &Values, int_bits: &str, frac_bits: &str) -> Result<Format> {
+    let bits = 1 + values.bits(int_bits) + values.bits(frac_bits);
+    if !(2..=24).contains(&bits) {
+        let (least, most) =
+            (1i64 - i64::from(values.bits(frac_bits)), 23 - i64::from(values.bits(frac_bits)));
+        let legal = format!(
+            "{} to {most} with {frac_bits}={}: words have 2 to 24 bits",
+            least.max(0),
+            values.bits(frac_bits)
+        );
+        return Err(values.refuse(int_bits, &legal));
+    }
+    number(values.bits(int_bits), values.bits(frac_bits))
+}
+
+/// The most bits that a position, a texture coordinate and a component have together: N x T is exact.
+const EXACT_BITS: u32 = 58;
+
+fn build(values: &Values) -> Result<Design> {
+    let switches = Switches::new(values);
+    let position = coordinate(values, "position_int_bits", "position_frac_bits")?;
+    let uv = coordinate(values, "uv_int_bits", "uv_frac_bits")?;
+    let coordinates = position.bits() + uv.bits();
+    if !switches.faceted && coordinates + values.bits("component_bits") > EXACT_BITS {
+        let legal = format!(
+            "2 to {} with positions of {} and texture coordinates of {} bits: N x T is exact, and \
+             {EXACT_BITS} bits of the three together make 63",
+            EXACT_BITS - coordinates,
+            position.bits(),
+            uv.bits()
+        );
+        return Err(values.refuse("component_bits", &legal));
+    }
+    let mut b = Builder::new("tangent");
+    let p = ["p0", "p1", "p2"].map(|name| vector_ports(&mut b, name, position, Quantity::Number));
+    let uv = ["uv0", "uv1", "uv2"].map(|name| {
+        ["u", "v"].map(|axis| b.input(&format!("{name}_{axis}"), uv, Quantity::Number))
+    });
+    let normal = if switches.faceted {
+        None
+    } else {
+        Some(vector_ports(&mut b, "normal", component(values)?, Quantity::Number))
+    };
+    let vector_bits = values.bits("vector_bits");
+    let frac_bits =
+        cast::signed_count(vector_bits - 1) - cast::signed_count(values.bits("vector_int_bits"));
+    let format = Format::signed(vector_bits, frac_bits)?;
+    let vectors: Vec<[NodeId; 3]> = std::iter::once("view")
+        .chain(LIGHTS[..switches.lights].iter().map(|(port, ..)| *port))
+        .map(|name| vector_ports(&mut b, name, format, Quantity::Number))
+        .collect();
+
+    let mut root = Root::new(values)?;
+    let edges = b.scope("primitive", |b| edges(b, p, uv));
+    let map = match normal {
+        Some(n) => b.scope("vertex", |b| vertex_map(b, &mut root, switches, &edges, n))?,
+        None => b.scope("primitive", |b| facet_map(b, &mut root, switches, &edges))?,
+    };
+    let mut names = Vec::new();
+    for (row, name) in map.rows.iter().zip(["t", "b", "n"]) {
+        names.push(name);
+        for (word, axis) in row.iter().zip(AXES) {
+            b.output(&format!("{name}_{axis}"), *word);
+        }
+    }
+    // No word is past these: components of |v| and rows of 1, or of the longest N.
+    let int_bits = values.bits("vector_int_bits") + if switches.faceted { 1 } else { 3 };
+    let format = number(int_bits, values.bits("out_frac_bits"))?;
+    let groups = std::iter::once("ts_view").chain(LIGHTS.iter().map(|(_, group, _)| *group));
+    for (v, name) in vectors.into_iter().zip(groups) {
+        names.push(name);
+        let words = b.scope("vertex", |b| {
+            [0, 1, 2].map(|i| {
+                let exact = dot(b, &format!("{name}_{}", ["t", "b", "n"][i]), map.rows[i], v);
+                let word = b.narrow(exact, format, root.round, Overflow::Saturate);
+                b.name(word, &format!("{name}_{}", AXES[i]))
+            })
+        });
+        for (word, axis) in words.into_iter().zip(AXES) {
+            b.output(&format!("{name}_{axis}"), word);
+        }
+    }
+    let mut flags = vec![
+        ("mirrored", edges.mirrored),
+        ("degenerate", map.degenerate),
+        ("zero_uv", edges.zero_uv),
+        ("zero_area", edges.zero_area),
+    ];
+    flags.extend(map.parallel.map(|flag| ("parallel", flag)));
+    for (name, flag) in &flags {
+        b.output(name, *flag);
+    }
+    let tabulated = root.tabulated;
+    let netlist = b.build()?;
+    let mut groups: Vec<Group> = names
+        .into_iter()
+        .enumerate()
+        .map(|(at, name)| Group {
+            name,
+            shape: Shape::Cartesian,
+            nodes: netlist.outputs()[3 * at..3 * at + 3].iter().map(|output| output.node).collect(),
         })
         .collect();
-    let (lights, frame) = ports.split_at(ports.len() - 4);
-    let [n, t, binormal, p] = *frame else { panic!("bug: N, T, B, N'") };
-    let work = number(INT_BITS, plan.work_bits)?;
-    b.scope("setup", |b| {
-        let mut units = Vec::new();
-        for (v, scope) in lights.iter().zip(scopes(highlight)) {
-            units.push(b.scope(scope, |b| {
-                let rows = [("x", t), ("y", binormal), ("z", n)];
-                let transformed = rows.map(|(axis, row)| {
-                    let [x, y, z] = [0, 1, 2].map(|i| b.mul(row[i], v[i]));
-                    let sum = b.add(x, y);
-                    let sum = b.add(sum, z); // -12 <= sum <= 12
-                    let word = b.narrow(sum, work, plan.round, Overflow::Saturate);
-                    b.name(word, &format!("frame_{axis}"))
-                });
-                normalised(b, plan, transformed)
-            })?);
-        }
-        units.push(b.scope("bump", |b| normalised(b, plan, p))?);
-        Ok(units)
+    let flags: Vec<&'static str> = flags.into_iter().map(|(name, _)| name).collect();
+    groups.extend(Group::ports(&netlist, &flags));
+    let mut hard = hard_cases(&netlist);
+    hard.extend(extremes(&netlist));
+    Ok(Design {
+        values: values.clone(),
+        groups,
+        hard,
+        netlist: Arc::new(netlist),
+        golden: golden::<f64>,
+        golden_f32: golden::<f32>,
+        bounds: bounds(switches),
+        tabulated,
+        draw,
+        binding: None,
     })
 }
 
-/// The vector over its length, in the words of ports.
-fn normalised(b: &mut Builder, plan: &mut Plan<'_>, v: [NodeId; 3]) -> Result<[NodeId; 3]> {
-    let values = plan.values;
-    let (round, work_bits) = (plan.round, plan.work_bits);
-    let work_frac = cast::signed_count(work_bits);
-    let [x, y, z] = v.map(|axis| b.mul(axis, axis));
-    let sum = b.add(x, y);
-    let sum = b.add(sum, z);
-    let squares = b.format(sum); // signed as all products of signed words, but never negative
-    let unsigned = Format::unsigned(squares.bits() - 1, squares.frac_bits())?;
-    let square = b.narrow(sum, unsigned, Round::Floor, Overflow::Saturate);
-    b.name(square, "square");
-    let output = number(1, plan.frac_bits)?;
-    let axes = ["x", "y", "z"];
-    let kept_bits = kept_bits(work_bits);
-    let mut roots = |name: &'static str, function| -> Result<_> {
-        let argument = root::argument(unsigned, kept_bits)?;
-        let format = Format::unsigned(work_bits + 2, work_frac)?; // up to 2
-        Ok(plan.tabulate(name, "root_addr_bits", &[function], 0.25, format, argument))
+/// What a triangle gives, exact.
+struct Edges {
+    e1: [NodeId; 3],
+    e2: [NodeId; 3],
+    duv1: [NodeId; 2],
+    duv2: [NodeId; 2],
+    /// `dv2 e1 - dv1 e2`: dP/du times det.
+    tangent: [NodeId; 3],
+    /// `e1 x e2`.
+    area: [NodeId; 3],
+    mirrored: NodeId,
+    zero_uv: NodeId,
+    zero_area: NodeId,
+}
+
+fn edges(b: &mut Builder, p: [[NodeId; 3]; 3], uv: [[NodeId; 2]; 3]) -> Edges {
+    let [e1, e2] = [1, 2].map(|k| {
+        [0, 1, 2].map(|i| {
+            let edge = b.sub(p[k][i], p[0][i]);
+            b.name(edge, &format!("e{k}_{}", AXES[i]))
+        })
+    });
+    let [duv1, duv2] = [1, 2].map(|k| {
+        [0, 1].map(|i| {
+            let edge = b.sub(uv[k][i], uv[0][i]);
+            b.name(edge, &format!("d{}{k}", ["u", "v"][i]))
+        })
+    });
+    let det = determinant(b, "det", [duv1[0], duv2[1]], [duv2[0], duv1[1]]);
+    let zero = b.constant(0, Format::FLAG);
+    let zero_uv = b.equal(det, zero);
+    let mirrored = b.negative(det);
+    let tangent = [0, 1, 2]
+        .map(|i| determinant(b, &format!("t_det_{}", AXES[i]), [duv2[1], e1[i]], [duv1[1], e2[i]]));
+    let area = cross(b, "e1_cross_e2", e1, e2);
+    let zero_area = is_zero(b, area);
+    b.name(zero_uv, "zero_uv");
+    b.name(zero_area, "zero_area");
+    b.name(mirrored, "mirrored");
+    Edges { e1, e2, duv1, duv2, tangent, area, mirrored, zero_uv, zero_area }
+}
+
+/// `a b - c d`.
+fn determinant(b: &mut Builder, name: &str, plus: [NodeId; 2], minus: [NodeId; 2]) -> NodeId {
+    let (plus, minus) = (b.mul(plus[0], plus[1]), b.mul(minus[0], minus[1]));
+    let exact = b.sub(plus, minus);
+    b.name(exact, name)
+}
+
+/// Flag: a vector is 0.
+fn is_zero(b: &mut Builder, v: [NodeId; 3]) -> NodeId {
+    let zero = b.constant(0, Format::FLAG);
+    let [x, y, z] = v.map(|x| b.equal(x, zero));
+    let both = b.and(x, y);
+    b.and(both, z)
+}
+
+/// The map of a vertex or a facet.
+struct Map {
+    rows: [[NodeId; 3]; 3],
+    degenerate: NodeId,
+    /// Of a vertex.
+    parallel: Option<NodeId>,
+}
+
+/// The rows with their signs where the texture is mirrored.
+fn map(
+    b: &mut Builder,
+    switches: Switches,
+    edges: &Edges,
+    degenerate: NodeId,
+    rows: [[NodeId; 3]; 3],
+) -> [[NodeId; 3]; 3] {
+    let one = b.constant(1, Format::FLAG);
+    let regular = b.xor(degenerate, one);
+    let flag = b.and(edges.mirrored, regular);
+    let turned = switches.turned();
+    [0, 1, 2].map(|row| {
+        rows[row].map(|word| {
+            if !turned[row] {
+                return word;
+            }
+            let opposite = b.neg(word);
+            let either = b.mux(flag, opposite, word);
+            // Rows are about 1 long: their most negative word is never there.
+            let format = b.format(word);
+            b.narrow(either, format, Round::Floor, Overflow::Saturate)
+        })
+    })
+}
+
+/// `flag ? v : w`, v moved to the fraction bits of w: only the direction counts.
+fn choose(b: &mut Builder, flag: NodeId, v: [NodeId; 3], w: [NodeId; 3]) -> [NodeId; 3] {
+    [0, 1, 2].map(|i| {
+        let left = b.format(v[i]).frac_bits() - b.format(w[i]).frac_bits();
+        let moved = b.shift(v[i], left);
+        b.mux(flag, moved, w[i])
+    })
+}
+
+/// An axis as a vector of the least words of a format.
+fn axis(b: &mut Builder, axis: usize, format: Format) -> [NodeId; 3] {
+    [0, 1, 2].map(|i| b.constant(i64::from(i == axis), format))
+}
+
+/// Signed format of a vector's components that holds 1.
+fn unit_format(values: &Values) -> Result<Format> {
+    let frac_bits = vector_frac_bits(values);
+    Format::signed((frac_bits + 2).unsigned_abs(), frac_bits)
+}
+
+/// T, B and N of a vertex.
+fn vertex_map(
+    b: &mut Builder,
+    root: &mut Root<'_>,
+    switches: Switches,
+    edges: &Edges,
+    n: [NodeId; 3],
+) -> Result<Map> {
+    // The axis that is used without a tangent, and N x it.
+    let magnitudes = n.map(|x| b.abs(x));
+    let along_x = b.less(magnitudes[1], magnitudes[0]);
+    b.name(along_x, "along_x");
+    let zero = b.constant(0, b.format(n[0]));
+    let opposite = n.map(|x| b.neg(x));
+    let n_cross_axis = [
+        b.mux(along_x, opposite[2], zero),
+        b.mux(along_x, zero, n[2]),
+        b.mux(along_x, n[0], opposite[1]),
+    ];
+    let any = b.or(edges.zero_uv, edges.zero_area);
+    let (frac_bits, round) = (vector_frac_bits(root.values), root.round);
+    let flags = |b: &mut Builder, exact| {
+        let parallel = is_zero(b, exact);
+        b.name(parallel, "parallel");
+        let degenerate = b.or(any, parallel);
+        (parallel, b.name(degenerate, "degenerate"))
     };
-    if values.choice("normalise") == "reciprocal-root" {
-        let table = roots("recip_root", Function::RecipSqrt)?;
-        let table = root::Table { spec: table.spec(), kept_bits };
-        // Up to 4: vectors of ¼ and longer.
-        let factor = Format::unsigned(work_bits + 2, work_frac)?;
-        let factor = reciprocal_root(b, "reciprocal_length", square, factor, round, &table, None);
-        b.name(factor, "reciprocal_length");
-        return Ok([0, 1, 2].map(|i| {
-            b.scope(&format!("unit_{}", axes[i]), |b| {
-                let product = b.mul(v[i], factor);
-                let word = b.narrow(product, output, round, Overflow::Saturate);
-                b.name(word, axes[i])
-            })
-        }));
-    }
-    let length = Format::unsigned(work_bits + INT_BITS + 1, work_frac)?;
-    let table;
-    let method = if values.choice("root") == "table" {
-        table = roots("root", Function::Sqrt)?;
-        root::Method::Table(root::Table { spec: table.spec(), kept_bits })
+    let format = unit_format(root.values)?;
+    let long = number(2, frac_bits.unsigned_abs())?; // no longer than N, which is below 4
+    let (t, binormal, parallel, degenerate) = if switches.orthonormal {
+        let exact = cross(b, "n_cross_t", n, edges.tangent);
+        let (parallel, degenerate) = flags(b, exact);
+        let exact = choose(b, degenerate, n_cross_axis, exact);
+        let (binormal, _) = unit_vector(b, root, "b", exact, format)?;
+        let exact = cross(b, "b_cross_n", binormal, n);
+        let t = exact.map(|x| b.narrow(x, long, round, Overflow::Saturate));
+        (t, binormal, parallel, degenerate)
     } else {
-        root::Method::Digits
+        // N x T by the reciprocal length of T, from the exact words of T.
+        let Block { words, .. } = block(b, "t_block", edges.tangent);
+        let exact = cross(b, "n_cross_t", n, words);
+        let (parallel, degenerate) = flags(b, exact);
+        let words = narrowed(b, "t_norm", words, root.norm_bits, round);
+        // The axis as ½, since 1 has no code, and N x that.
+        let one = b.constant(1, Format::FLAG);
+        let none = b.constant(0, Format::FLAG);
+        let not_along_x = b.xor(along_x, one);
+        let half_axis = [not_along_x, along_x, none].map(|flag| b.shift(flag, -1));
+        let words = [0, 1, 2].map(|i| {
+            let word = b.mux(degenerate, half_axis[i], words[i]);
+            let format = b.format(words[i]);
+            b.narrow(word, format, round, Overflow::Saturate)
+        });
+        let square = dot(b, "t_square", words, words);
+        let factor = root.of_square(b, "t_length", square)?;
+        let t = words.map(|word| {
+            let exact = b.mul(word, factor);
+            b.narrow(exact, format, round, Overflow::Saturate)
+        });
+        let half_cross = n_cross_axis.map(|x| b.shift(x, -1));
+        let binormal = [0, 1, 2].map(|i| {
+            let either = b.mux(degenerate, half_cross[i], exact[i]);
+            let either = rounded(b, either, frac_bits, round);
+            let exact = b.mul(either, factor);
+            b.narrow(exact, long, round, Overflow::Saturate)
+        });
+        (t, binormal, parallel, degenerate)
     };
-    let length = root::root(b, "length", square, length, round, &method);
-    b.name(length, "length");
-    let table;
-    let method = match values.choice("divider") {
-        "restoring" => divide::Method::Restoring,
-        "non-restoring" => divide::Method::NonRestoring,
-        _ => {
-            let argument = divide::argument(b.format(length))?;
-            let format = Format::unsigned(work_bits + 2, work_frac)?;
-            let size = "recip_addr_bits";
-            table = plan.tabulate("recip", size, &[Function::Recip], 0.5, format, argument);
-            divide::Method::Table(table.spec())
-        }
+    let rows = map(b, switches, edges, degenerate, [t, binormal, n]);
+    Ok(Map { rows, degenerate, parallel: Some(parallel) })
+}
+
+/// T, B and N of a facet.
+fn facet_map(
+    b: &mut Builder,
+    root: &mut Root<'_>,
+    switches: Switches,
+    edges: &Edges,
+) -> Result<Map> {
+    let format = unit_format(root.values)?;
+    let degenerate = b.or(edges.zero_uv, edges.zero_area);
+    b.name(degenerate, "degenerate");
+    let mut direction = |b: &mut Builder, name: &str, exact: [NodeId; 3], edge, along: usize| {
+        let exact = match edge {
+            Some(edge) => choose(b, edges.zero_uv, edge, exact),
+            None => exact,
+        };
+        let along = axis(b, along, b.format(exact[0]));
+        let exact = choose(b, edges.zero_area, along, exact);
+        Ok::<_, crate::error::Error>(unit_vector(b, root, name, exact, format)?.0)
     };
-    Ok([0, 1, 2].map(|i| {
-        let name = format!("unit_{}", axes[i]);
-        let word = divide(b, &name, [v[i], length], output, round, &method);
-        b.name(word, axes[i])
-    }))
-}
-
-/// Bits of the root tables' argument: more than their words have.
-fn kept_bits(work_bits: u32) -> u32 {
-    (work_bits + 2).max(4)
-}
-
-/// The bound on each component of the unit vectors.
-pub(super) fn bound(quantities: &'static [&'static str]) -> Bound {
-    Bound { what: "component", quantities, bound: component_bound as BoundFn }
-}
-
-/// Each component of L', H' and N', for vectors from ½ to 2 long after the transform.
-pub(super) fn component_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
-    let ulp = |bits: u32| 2f64.powi(-cast::signed_count(bits));
-    let work_bits = values.bits("frac_bits") + values.bits("guard_bits");
-    let (work_ulp, rounding) = (ulp(work_bits), rounding_ulp(values));
-    let last = rounding * ulp(values.bits("frac_bits"));
-    // The transformed vector is off by `vector`; projected onto the sphere, by that over the length.
-    let vector = 3f64.sqrt() * rounding * work_ulp;
-    let length = 0.5 - vector;
-    if length <= 0.25 {
-        return 4.0; // words so short say nothing: components are from -2 to 2
-    }
-    let dropped = ulp(kept_bits(work_bits));
-    let scaled = if values.choice("normalise") == "reciprocal-root" {
-        // The factor is off by the table's share of it, and one rounding, of up to 2.
-        worst("recip_root") + 4.0 * dropped + (2.0 + vector) * rounding * work_ulp
+    let t = direction(b, "t", edges.tangent, Some(edges.e1), 0)?;
+    let n = direction(b, "n", edges.area, None, 2)?;
+    let binormal = if switches.orthonormal {
+        let exact = cross(b, "n_cross_t", n, t);
+        exact.map(|x| b.narrow(x, format, root.round, Overflow::Saturate))
     } else {
-        let table = match values.choice("root") {
-            "table" => 2.0 * (worst("root") + dropped),
-            _ => 0.0,
-        };
-        let root = table + rounding * work_ulp / length; // relative
-        if root >= 0.5 {
-            return 4.0;
-        }
-        let ratio = 1.0 / (1.0 - root);
-        let divider = match values.choice("divider") {
-            "table" => ratio * worst("recip"),
-            _ => 0.0,
-        };
-        root * ratio + divider
+        let ([du1, _], [du2, _]) = (edges.duv1, edges.duv2);
+        let exact = [0, 1, 2].map(|i| {
+            let name = format!("s_det_{}", AXES[i]);
+            determinant(b, &name, [du1, edges.e2[i]], [du2, edges.e1[i]])
+        });
+        direction(b, "b", exact, Some(edges.e2), 1)?
     };
-    (vector / length + scaled + last).min(4.0)
+    let rows = map(b, switches, edges, degenerate, [t, binormal, n]);
+    Ok(Map { rows, degenerate, parallel: None })
 }
 
-/// The golden unit vectors: L', H' (with a highlight) and N' in the texture frame.
-pub(super) fn golden<F: Real>(inputs: &[&[F]]) -> Vec<[Vec<F>; 3]> {
-    let vectors: Vec<&[&[F]]> = inputs.chunks(3).collect();
-    let (lights, frame) = vectors.split_at(vectors.len() - 4);
-    let [n, t, binormal, p] = *frame else { panic!("bug: N, T, B, N'") };
-    let len = n[0].len();
-    let dot = |u: &[&[F]], v: &[&[F]], i: usize| {
-        u[0][i] * v[0][i] + u[1][i] * v[1][i] + u[2][i] * v[2][i]
+/// Bounds on the rows and on what they map.
+fn bounds(switches: Switches) -> Bounds {
+    let bound = |what, quantities, bound: BoundFn| Bound { what, quantities, bound };
+    let mapped: BoundFn = |v, w| mapped_error(v, w);
+    let mut bounds = vec![
+        bound("tangent", &["t_x", "t_y", "t_z", "t_dot"], |v, w| row_errors(v, w)[0]),
+        bound("binormal", &["b_x", "b_y", "b_z", "b_dot"], |v, w| row_errors(v, w)[1]),
+        bound("normal", &["n_x", "n_y", "n_z", "n_dot"], |v, w| row_errors(v, w)[2]),
+        bound("view", &["ts_view_x", "ts_view_y", "ts_view_z", "ts_view_dot"], mapped),
+    ];
+    let lights = LIGHTS[..switches.lights].iter();
+    bounds.extend(lights.map(|(name, _, quantities)| bound(name, quantities, mapped)));
+    let flags: &[&str] = if switches.faceted {
+        &["mirrored", "degenerate", "zero_uv", "zero_area"]
+    } else {
+        &["mirrored", "degenerate", "zero_uv", "zero_area", "parallel"]
     };
-    let unit = |v: [Vec<F>; 3]| -> [Vec<F>; 3] {
-        let [mut x, mut y, mut z] = v;
-        for i in 0..len {
-            let length = (x[i] * x[i] + y[i] * y[i] + z[i] * z[i]).sqrt();
-            if length > F::zero() {
-                (x[i], y[i], z[i]) = (x[i] / length, y[i] / length, z[i] / length);
+    bounds.push(bound("flags", flags, |_, _| 0.0));
+    Bounds::Stated(bounds)
+}
+
+/// Length of the error of each row, for any words.
+///
+/// A unit vector of exact words is off by `unit` ([`unit_error`]), and so is every row that is one. Of
+/// others:
+///
+/// - orthonormal T of a vertex, `B x N`: `|N| unit` and a rounding;
+/// - printed B of a vertex, `c/|T|` with c = N x T in words of T over a power of two, |T| ½ or more: c' is
+///   rounded; the reciprocal length, up to 2, is off by the share `length` for narrowed words, whose length
+///   is off by no more than their direction, as `direction_error` bounds their difference over the shorter;
+/// - orthonormal B of a facet, `N x T`: `unit` for each factor, their product, and a rounding.
+fn row_errors(values: &Values, worst: &dyn Fn(&str) -> f64) -> [f64; 3] {
+    let switches = Switches::new(values);
+    let (unit, rounding) = (unit_error(values, worst), vector_rounding(values));
+    match (switches.faceted, switches.orthonormal) {
+        (false, true) => [longest() * unit + rounding, unit, 0.0],
+        (false, false) => {
+            let length = length_error(values, worst);
+            let share = (1.0 + length) * (1.0 + direction_error(values)) - 1.0;
+            let b = longest() * share + 2.0 * (1.0 + share) * rounding + rounding;
+            [unit, b, 0.0]
+        }
+        (true, true) => [unit, 2.0 * unit + unit * unit + rounding, unit],
+        (true, false) => [unit; 3],
+    }
+}
+
+/// Length of the error of a vector in texture space: the rows' times the longest vector, and a
+/// rounding.
+fn mapped_error(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
+    let rows = row_errors(values, worst).iter().map(|error| error * error).sum::<f64>().sqrt();
+    let longest = 3f64.sqrt() * f64::from(values.bits("vector_int_bits")).exp2();
+    let ulp = 2f64.powi(-cast::signed_count(values.bits("out_frac_bits")));
+    rows * longest + 3f64.sqrt() * rounding_ulp(values) * ulp
+}
+
+/// `a b - c d` with one rounding or two, whatever cancels; 0 only where it is 0.
+fn difference<F: Real>([a, b]: [F; 2], [c, d]: [F; 2]) -> F {
+    let product = c * d;
+    let lost = (-c).mul_add(d, product);
+    a.mul_add(b, -product) + lost
+}
+
+/// `u x v`, likewise.
+fn golden_cross<F: Real>(u: [F; 3], v: [F; 3]) -> [F; 3] {
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| difference([u[i], v[j]], [u[j], v[i]]))
+}
+
+/// The golden model. In an `f64` differences of coordinates, and of two products of such, are exact for
+/// words of up to 24 bits; N x T is good to two roundings.
+fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
+    let switches = Switches::new(values);
+    let (zero, one) = (F::zero(), F::one());
+    let flag = |holds: bool| if holds { one } else { zero };
+    let is_zero = |v: [F; 3]| v.iter().all(|x| *x == zero);
+    let times = |sign: F, v: [F; 3]| v.map(|x| sign * x);
+    let first_vector = if switches.faceted { 15 } else { 18 };
+    for i in 0..inputs[0].len() {
+        let vector = |at: usize| [0, 1, 2].map(|axis| inputs[at + axis][i]);
+        let minus = |to: [F; 3], from: [F; 3]| [0, 1, 2].map(|axis| to[axis] - from[axis]);
+        let (e1, e2) = (minus(vector(3), vector(0)), minus(vector(6), vector(0)));
+        let [du1, dv1] = [0, 1].map(|axis| inputs[11 + axis][i] - inputs[9 + axis][i]);
+        let [du2, dv2] = [0, 1].map(|axis| inputs[13 + axis][i] - inputs[9 + axis][i]);
+        let det = difference([du1, dv2], [du2, dv1]);
+        // dP/du and dP/dv times det.
+        let mut by_u = [0, 1, 2].map(|axis| difference([dv2, e1[axis]], [dv1, e2[axis]]));
+        let mut by_v = [0, 1, 2].map(|axis| difference([du1, e2[axis]], [du2, e1[axis]]));
+        let mut area = golden_cross(e1, e2);
+        let (mirrored, zero_uv, zero_area) = (det < zero, det == zero, is_zero(area));
+        let mut degenerate = zero_uv || zero_area;
+        let mut parallel = false;
+        let sign = |degenerate: bool| if mirrored && !degenerate { -one } else { one };
+        let rows = if switches.faceted {
+            if zero_area {
+                by_u = [one, zero, zero];
+                by_v = [zero, one, zero];
+                area = [zero, zero, one];
+            } else if zero_uv {
+                (by_u, by_v) = (e1, e2);
+            }
+            let sign = sign(degenerate);
+            let (outward, dp_du) = (golden_unit(area), times(sign, golden_unit(by_u)));
+            // dP/dv, or what of it is at right angles to dP/du: outward x dP/du is on its side where
+            // dP/du, dP/dv and outward are right-handed.
+            let dp_dv = if switches.orthonormal {
+                times(sign, golden_cross(outward, dp_du))
+            } else {
+                times(sign, golden_unit(by_v))
+            };
+            // dP/du x dP/dv is e1 x e2 over det.
+            let product = times(sign, outward);
+            match switches.mirror {
+                Mirror::Handed => [dp_du, dp_dv, times(sign, product)],
+                Mirror::Printed => [times(sign, dp_du), dp_dv, times(sign, product)],
+                Mirror::Off => [dp_du, dp_dv, product],
+            }
+        } else {
+            let n = vector(15);
+            let mut product = golden_cross(n, by_u);
+            parallel = is_zero(product);
+            degenerate |= parallel;
+            if degenerate {
+                let along_x = n[0].abs() > n[1].abs();
+                by_u = if along_x { [zero, one, zero] } else { [one, zero, zero] };
+                product = golden_cross(n, by_u);
+            }
+            let sign = sign(degenerate);
+            let (dp_du, n_cross) = if switches.orthonormal {
+                let unit = golden_unit(product);
+                (golden_cross(unit, n), unit)
+            } else {
+                let length = by_u.iter().fold(zero, |sum, x| sum + *x * *x).sqrt();
+                (golden_unit(by_u), product.map(|x| x / length))
+            };
+            let (dp_du, n_cross) = (times(sign, dp_du), times(sign, n_cross)); // N x dP/du
+            match switches.mirror {
+                Mirror::Handed => [dp_du, times(sign, n_cross), n],
+                Mirror::Printed => [times(sign, dp_du), times(sign, n_cross), n],
+                Mirror::Off => [dp_du, n_cross, n],
+            }
+        };
+        let mut at = 0;
+        let mut put = |x: F| {
+            outputs[at][i] = x;
+            at += 1;
+        };
+        rows.iter().flatten().for_each(|x| put(*x));
+        for k in 0..=switches.lights {
+            let v = vector(first_vector + 3 * k);
+            rows.iter().for_each(|row| put(row[0] * v[0] + row[1] * v[1] + row[2] * v[2]));
+        }
+        [mirrored, degenerate, zero_uv, zero_area].into_iter().for_each(|holds| put(flag(holds)));
+        if !switches.faceted {
+            put(flag(parallel));
+        }
+    }
+}
+
+/// A triangle and what goes with its vertex, as real numbers.
+#[derive(Clone, Copy, Debug)]
+struct Triangle {
+    p: [DVec3; 3],
+    uv: [DVec2; 3],
+    normal: DVec3,
+    view: DVec3,
+    lights: [DVec3; 8],
+}
+
+impl Triangle {
+    /// Value of an input port.
+    fn value(&self, port: &str) -> f64 {
+        let (name, axis) = port.rsplit_once('_').expect("bug: a component");
+        let axis = ["x", "y", "z", "u", "v"].iter().position(|known| *known == axis);
+        let axis = axis.expect("bug: an axis");
+        let number = |prefix: &str| -> Option<usize> { name.strip_prefix(prefix)?.parse().ok() };
+        if let Some(k) = number("uv") {
+            return self.uv[k][axis - 3];
+        }
+        let vector = match (name, number("p"), number("light")) {
+            ("normal", ..) => self.normal,
+            ("view", ..) => self.view,
+            (_, Some(k), _) => self.p[k],
+            (_, _, Some(k)) => self.lights[k],
+            _ => panic!("bug: no port `{port}`"),
+        };
+        vector[axis]
+    }
+
+    /// A random one: positions and texture coordinates each over eight octaves of scale, anywhere that
+    /// they fit; half of the textures are mirrored. The normal is anywhere, or with `lit` no more than 45° off
+    /// the face's, and then view and lights are on its side; they are ⅛ to 1 of the longest.
+    fn random(values: &Values, lit: bool, next: &mut dyn FnMut() -> f64) -> Self {
+        let range = |name: &str| f64::from(values.bits(name)).exp2();
+        let (position, uv) = (range("position_int_bits"), range("uv_int_bits"));
+        let mut sphere = || {
+            let (z, turns) = (1.0 - 2.0 * next(), next());
+            let (sin, cos) = (turns * std::f64::consts::TAU).sin_cos();
+            let across = (1.0 - z * z).sqrt();
+            DVec3::new(across * cos, across * sin, z)
+        };
+        let corners = [(); 3].map(|()| sphere());
+        let directions = [(); 9].map(|()| sphere());
+        let (normal, aside) = (sphere(), sphere());
+        let mut scaled = |limit: f64, least: f64| limit * (least * next()).exp2();
+        // Half the range for the size, half for the place.
+        let (size, uv_size) = (scaled(0.5 * position, -8.0), scaled(0.5 * uv, -8.0));
+        let longest = range("vector_int_bits");
+        let mut at = 0;
+        let mut vectors = directions.map(|v| v * scaled(longest, -3.0));
+        let mut place = |limit: f64| limit * (next() - 0.5);
+        let center = DVec3::new(place(position), place(position), place(position));
+        let uv_center = DVec2::new(place(uv), place(uv));
+        let p = corners.map(|corner| center + corner * size);
+        let uv = [(); 3].map(|()| {
+            at += 1;
+            uv_center + DVec2::new(place(2.0 * uv_size), place(2.0 * uv_size))
+        });
+        let face = (p[1] - p[0]).cross(p[2] - p[0]).normalize_or_zero();
+        let normal = if lit && face != DVec3::ZERO {
+            (face + aside * (0.5f64.sqrt() * next())).normalize_or_zero()
+        } else {
+            normal
+        };
+        if lit {
+            for v in &mut vectors {
+                *v = if v.dot(normal) < 0.0 { -*v } else { *v };
             }
         }
-        [x, y, z]
-    };
-    let in_frame =
-        |v: &&[&[F]]| unit([t, binormal, n].map(|row| (0..len).map(|i| dot(row, v, i)).collect()));
-    let mut units: Vec<[Vec<F>; 3]> = lights.iter().map(in_frame).collect();
-    units.push(unit([p[0].to_vec(), p[1].to_vec(), p[2].to_vec()]));
-    units
+        let [view, lights @ ..] = vectors;
+        Self { p, uv, normal, view, lights }
+    }
 }
 
-/// Parameters of the set-up.
-pub(super) const PARAMS: [Param; 10] = [
-    NORMALISE,
-    DIVIDER,
-    ROOT,
-    plan::FRAC_BITS,
-    plan::GUARD_BITS,
-    plan::ROUNDING,
-    plan::TABLE_ADDR_BITS,
-    plan::SCHEME,
-    plan::RECIP_ADDR_BITS,
-    ROOT_ADDR_BITS,
-];
+fn draw(
+    design: &Design,
+    sampler: Sampler,
+    next: &mut dyn FnMut() -> f64,
+    columns: &mut [Vec<f64>],
+    count: usize,
+) {
+    columns.iter_mut().for_each(Vec::clear);
+    for _ in 0..count {
+        let triangle = Triangle::random(&design.values, sampler == Sampler::Lit, next);
+        for (at, column) in columns.iter_mut().enumerate() {
+            column.push(triangle.value(design.netlist.input_name(at)));
+        }
+    }
+}
+
+fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
+    let words = |triangle: &Triangle| -> Vec<i64> {
+        let word = |(port, id): (usize, &NodeId)| {
+            let value = triangle.value(netlist.input_name(port));
+            let format = netlist.node(*id).format;
+            let word = quantize(value, format, Round::HalfEven, Overflow::Saturate);
+            word.expect("bug: triangles are finite").0
+        };
+        netlist.inputs().iter().enumerate().map(word).collect()
+    };
+    let format = |name: &str| {
+        let mut ports = 0..netlist.inputs().len();
+        let port = ports.find(|port| netlist.input_name(*port) == name);
+        netlist.node(netlist.inputs()[port.expect("bug: a port")]).format
+    };
+    let (position, uv) = (format("p0_x"), format("uv0_u"));
+    let (lsb, uv_lsb) = (position.ulp(), uv.ulp());
+    let (span, uv_span) = (-position.value(position.min_raw()), -uv.value(uv.min_raw()));
+    let cases =
+        |name, list: Vec<Triangle>| HardCase { name, words: list.iter().map(words).collect() };
+    let two = |u: f64, v: f64| DVec2::new(u, v);
+    let corners = |e1: DVec3, e2: DVec3| {
+        let p0 = DVec3::new(-0.25, 0.125, 0.0625) * span;
+        [p0, p0 + e1, p0 + e2]
+    };
+    let unit = 0.25 * span; // a usual edge
+    let (e1, e2) = (DVec3::new(0.96, 0.28, 0.0) * unit, DVec3::new(-0.28, 0.768, 0.576) * unit);
+    let normal = e1.cross(e2).normalize();
+    let usual = Triangle {
+        p: corners(e1, e2),
+        uv: [two(0.125, 0.25), two(0.625, 0.25), two(0.125, 0.75)].map(|at| at * uv_span),
+        normal: (normal + DVec3::new(0.125, -0.25, 0.0625)).normalize(),
+        view: DVec3::new(0.48, -0.36, 0.8),
+        lights: [DVec3::new(0.6, 0.64, 0.48); 8],
+    };
+    let textures =
+        |list: Vec<[DVec2; 3]>| list.into_iter().map(|uv| Triangle { uv, ..usual }).collect();
+    let shapes = |list: Vec<(DVec3, DVec3)>| {
+        list.into_iter().map(|(e1, e2)| Triangle { p: corners(e1, e2), ..usual }).collect()
+    };
+    let [uv0, uv1, uv2] = usual.uv;
+    let mirror = |uv: [DVec2; 3], u: f64, v: f64| uv.map(|at| at * two(u, v));
+    let axes = [DVec3::X, DVec3::Y, DVec3::Z];
+    let normals = |list: Vec<DVec3>| -> Vec<Triangle> {
+        list.into_iter().map(|normal| Triangle { normal, ..usual }).collect()
+    };
+    // dP/du along e1: exact in words where the edge is along an axis.
+    let along = |axis: usize| Triangle {
+        p: corners(axes[axis] * unit, axes[(axis + 1) % 3] * unit),
+        normal: axes[(axis + 2) % 3],
+        ..usual
+    };
+    let seam = |u: [f64; 3]| [two(u[0], 0.2), two(u[1], 0.2), two(u[2], 0.4)];
+    vec![
+        cases("mirrored texture, along u, v, both, and turned", {
+            let turned = usual.uv.map(|at| two(at.y, at.x));
+            let list = [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)];
+            let mut list: Vec<[DVec2; 3]> = list.map(|(u, v)| mirror(usual.uv, u, v)).to_vec();
+            list.extend([turned, [uv0, uv2, uv1], [uv1, uv0, uv2]]);
+            textures(list)
+        }),
+        cases("determinant of the texture one LSB from 0, either side, and 0 there", {
+            // (k, 1) and (k + 1, 1): -1; with the edges exchanged 1.
+            let near = |k: f64| {
+                let edges = [two(k, 1.0), two(k + 1.0, 1.0)].map(|edge| uv0 + edge * uv_lsb);
+                [[uv0, edges[0], edges[1]], [uv0, edges[1], edges[0]], [uv0, edges[0], edges[0]]]
+            };
+            // (k, k - 1) and (k + 1, k): 1, both long.
+            let long = |k: f64| {
+                let edges = [two(k, k - 1.0), two(k + 1.0, k)].map(|edge| uv0 + edge * uv_lsb);
+                [[uv0, edges[0], edges[1]], [uv0, edges[1], edges[0]]]
+            };
+            let most = (0.5 * uv_span / uv_lsb).floor();
+            let mut list: Vec<[DVec2; 3]> =
+                [0.0, 1.0, 100.0, most].into_iter().flat_map(near).collect();
+            list.extend([2.0, 100.0, most].into_iter().flat_map(long));
+            textures(list)
+        }),
+        cases("zero area of the texture", {
+            textures(vec![
+                [uv0; 3],
+                [uv0, uv1, uv1],
+                [uv0, uv0, uv1],
+                [uv0, uv1, uv0],
+                [uv0, uv1, uv0 * 2.0 - uv1],
+                [two(0.0, 0.0), two(1.0, 1.0) * 0.25 * uv_span, two(1.0, 1.0) * 0.5 * uv_span],
+            ])
+        }),
+        cases("a seam of the texture", {
+            textures(vec![
+                seam([0.99, 0.01, 0.99]),
+                seam([0.01, 0.99, 0.01]),
+                seam([0.99, 0.01, 0.01]),
+                seam([0.99, 1.01, 0.99]),
+            ])
+        }),
+        cases("slivers of aspect 1:10^4", {
+            let thin = 1e-4 * 2.0;
+            shapes(vec![
+                (e1 * 2.0, e2 * thin),
+                (e1 * thin, e2 * 2.0),
+                (e1 * 2.0, e1 * 2.0 + e2 * thin),
+                (e1 * 2.0, e1 * -1.0 + e2 * thin),
+                (e1 * 2.0, DVec3::Z * lsb),
+                (DVec3::X * span, DVec3::X * (span - lsb) + DVec3::Y * lsb),
+            ])
+        }),
+        cases("repeated vertices and triangles without area", {
+            shapes(vec![
+                (DVec3::ZERO, DVec3::ZERO),
+                (e1, e1),
+                (DVec3::ZERO, e2),
+                (e1, DVec3::ZERO),
+                (DVec3::X * unit, DVec3::X * unit * -0.5),
+                (DVec3::ONE * 4.0 * lsb, DVec3::ONE * 8.0 * lsb),
+            ])
+        }),
+        cases("both without area", {
+            vec![
+                Triangle { p: corners(e1, e1), uv: [uv0, uv1, uv1], ..usual },
+                Triangle { p: corners(DVec3::ZERO, DVec3::ZERO), uv: [uv0; 3], ..usual },
+            ]
+        }),
+        cases("triangles of one LSB", {
+            let p = usual.p[0];
+            let small = axes.iter().flat_map(|e1| axes.iter().map(move |e2| (*e1, *e2)));
+            small
+                .flat_map(|(e1, e2)| {
+                    let small = [uv0, uv0 + two(uv_lsb, 0.0), uv0 + two(0.0, uv_lsb)];
+                    let p = [p, p + e1 * lsb, p + e2 * lsb];
+                    [Triangle { p, ..usual }, Triangle { p, uv: small, ..usual }]
+                })
+                .collect()
+        }),
+        cases("the longest edges", {
+            let far = 1e9; // past every position
+            let ends = |bits: usize| {
+                DVec3::from_array([0, 1, 2].map(|i| if bits >> i & 1 == 0 { -far } else { far }))
+            };
+            let uv_ends = |bits: usize| {
+                two(if bits & 1 == 0 { -far } else { far }, if bits & 2 == 0 { -far } else { far })
+            };
+            [[0, 7, 1], [7, 0, 4], [0, 3, 5], [1, 6, 2], [5, 2, 0], [0, 1, 2]]
+                .into_iter()
+                .flat_map(|of| {
+                    let p = of.map(ends);
+                    [[0, 1, 2], [3, 0, 1], [0, 3, 2]].map(|uv| Triangle {
+                        p,
+                        uv: uv.map(uv_ends),
+                        normal: DVec3::Z,
+                        ..usual
+                    })
+                })
+                .collect()
+        }),
+        cases("T parallel to N", {
+            (0..3)
+                .flat_map(|axis| {
+                    [1.0, -1.0].map(|sign| Triangle { normal: axes[axis] * sign, ..along(axis) })
+                })
+                .collect()
+        }),
+        cases("T parallel to N but for one LSB", {
+            let normal_lsb = 2f64.powi(-14);
+            (0..3)
+                .flat_map(|axis| {
+                    [1, 2].into_iter().flat_map(move |aside| {
+                        [1.0, -1.0].map(|sign| Triangle {
+                            normal: axes[axis] + axes[(axis + aside) % 3] * sign * normal_lsb,
+                            ..along(axis)
+                        })
+                    })
+                })
+                .collect()
+        }),
+        cases("T parallel to N but for one LSB of an edge", {
+            (0..3)
+                .map(|axis| {
+                    let aside = axes[(axis + 1) % 3] * lsb;
+                    let p = corners(axes[axis] * unit + aside, axes[(axis + 2) % 3] * unit);
+                    Triangle { p, normal: axes[axis], ..along(axis) }
+                })
+                .collect()
+        }),
+        cases("N 0, along axes, longest, inward, or at right angles to the face", {
+            let mut list =
+                normals(vec![DVec3::ZERO, DVec3::splat(1e9), DVec3::splat(-1e9), -normal]);
+            list.extend(normals(axes.into_iter().flat_map(|axis| [axis, -axis]).collect()));
+            list.extend(normals(vec![e1.normalize(), e2.normalize()]));
+            list
+        }),
+        cases("N 0 or along axes without a frame", {
+            let uv = [uv0; 3];
+            let list =
+                [DVec3::ZERO, DVec3::ONE, DVec3::new(1.0, -1.0, 0.0), DVec3::new(-1.0, 0.5, 0.0)];
+            let list = list.into_iter().chain(axes.into_iter().flat_map(|axis| [axis, -axis]));
+            list.map(|normal| Triangle { normal, uv, ..usual }).collect()
+        }),
+        cases("positions and textures over eight octaves of scale", {
+            (0..=8)
+                .flat_map(|octave| {
+                    let scale = f64::from(-octave).exp2();
+                    let uv = [uv0, uv0 + (uv1 - uv0) * scale, uv0 + (uv2 - uv0) * scale];
+                    let p = corners(e1 * scale, e2 * scale);
+                    [Triangle { p, ..usual }, Triangle { uv, ..usual }, Triangle { p, uv, ..usual }]
+                })
+                .collect()
+        }),
+        cases("view and light 0, of one LSB, and longest", {
+            let lsb = format("view_x").ulp();
+            let list = [DVec3::ZERO, DVec3::X * lsb, DVec3::ONE * 1e9, DVec3::ONE * -1e9];
+            let list = list.into_iter().chain(axes.map(|axis| axis * -1e9));
+            list.map(|v| Triangle { view: v, lights: [-v; 8], ..usual }).collect()
+        }),
+    ]
+}
