@@ -33,5 +33,6 @@ mod specialise;
 mod specialised;
 mod texgen;
 mod texture;
+mod texture_space;
 mod verify;
 mod wave;

@@ -225,10 +225,12 @@ impl File<'_> {
             }
             let to_world = above * transform(node);
             if let Some(mesh) = node.mesh {
+                // Vertices that several of its primitives name are there once.
+                let mut known = HashMap::new();
                 for (j, primitive) in
                     get(&document.meshes, "mesh", mesh)?.primitives.iter().enumerate()
                 {
-                    self.primitive(primitive, to_world, &mut whole)
+                    self.primitive(primitive, to_world, &mut known, &mut whole)
                         .map_err(|why| format!("mesh {mesh}, primitive {j}: {why}"))?;
                 }
             }
@@ -241,6 +243,7 @@ impl File<'_> {
         &self,
         primitive: &Primitive,
         to_world: DMat4,
+        known: &mut HashMap<[usize; 3], (u32, usize)>,
         mesh: &mut Mesh,
     ) -> Result<(), String> {
         let topology = match primitive.mode {
@@ -256,9 +259,44 @@ impl File<'_> {
         let Attributes { points, normals, uvs } = primitive.attributes;
         let without =
             |what: &str| format!("has no {what}: export with texture coordinates and normals");
-        let points = self.floats(points.ok_or_else(|| without("points (POSITION)"))?, 3)?;
-        let normals = self.floats(normals.ok_or_else(|| without("normals (NORMAL)"))?, 3)?;
-        let uvs = self.floats(uvs.ok_or_else(|| without("uv (TEXCOORD_0)"))?, 2)?;
+        let points = points.ok_or_else(|| without("points (POSITION)"))?;
+        let normals = normals.ok_or_else(|| without("normals (NORMAL)"))?;
+        let uvs = uvs.ok_or_else(|| without("uv (TEXCOORD_0)"))?;
+        let accessors = [points, normals, uvs];
+        let (first, vertices) = match known.get(&accessors) {
+            Some(buffer) => *buffer,
+            None => {
+                let first = cast::id_of(mesh.vertices.len());
+                self.vertices(accessors, to_world, &mut mesh.vertices)?;
+                let count = mesh.vertices.len() - cast::index_of_u32(first);
+                known.insert(accessors, (first, count));
+                (first, count)
+            }
+        };
+        let corners: Vec<u32> = match primitive.indices {
+            Some(accessor) => {
+                let indices = self.indices(accessor)?;
+                if let Some(index) = indices.iter().find(|index| **index >= vertices) {
+                    return Err(format!("vertex {index} is named, and there are {vertices}"));
+                }
+                mesh.indices += cast::count_of(indices.len());
+                indices.into_iter().map(|index| first + cast::id_of(index)).collect()
+            }
+            None => (0..cast::id_of(vertices)).map(|i| first + i).collect(),
+        };
+        mesh.assemble(topology, &corners)
+    }
+
+    /// Adds the vertices of accessors of points, normals and uv.
+    fn vertices(
+        &self,
+        [points, normals, uvs]: [usize; 3],
+        to_world: DMat4,
+        to: &mut Vec<SharedVertex>,
+    ) -> Result<(), String> {
+        let points = self.floats(points, 3)?;
+        let normals = self.floats(normals, 3)?;
+        let uvs = self.floats(uvs, 2)?;
         let vertices = points.len() / 3;
         if normals.len() / 3 != vertices || uvs.len() / 2 != vertices {
             return Err("points, normals and uv differ in number".to_owned());
@@ -268,8 +306,7 @@ impl File<'_> {
         if !normal_matrix.is_finite() {
             return Err("the matrix of its node can't be inverted".to_owned());
         }
-        let first = cast::id_of(mesh.vertices.len());
-        mesh.vertices.reserve(vertices);
+        to.reserve(vertices);
         for i in 0..vertices {
             let given = DVec3::from_slice(&points[3 * i..]);
             let position = to_world.transform_point3(given);
@@ -285,20 +322,9 @@ impl File<'_> {
             check_normal(&what, normal)?;
             let uv = DVec2::new(uvs[2 * i], 1.0 - uvs[2 * i + 1]);
             check_coordinates(&format!("the uv of vertex {i}"), &uv.to_array())?;
-            mesh.vertices.push(SharedVertex { position, normal, uv });
+            to.push(SharedVertex { position, normal, uv });
         }
-        let corners: Vec<u32> = match primitive.indices {
-            Some(accessor) => {
-                let indices = self.indices(accessor)?;
-                if let Some(index) = indices.iter().find(|index| **index >= vertices) {
-                    return Err(format!("vertex {index} is named, and there are {vertices}"));
-                }
-                mesh.indices += cast::count_of(indices.len());
-                indices.into_iter().map(|index| first + cast::id_of(index)).collect()
-            }
-            None => (0..cast::id_of(vertices)).map(|i| first + i).collect(),
-        };
-        mesh.assemble(topology, &corners)
+        Ok(())
     }
 
     fn floats(&self, index: usize, components: usize) -> Result<Vec<f64>, String> {
