@@ -306,6 +306,13 @@ impl File<'_> {
         if !normal_matrix.is_finite() {
             return Err("the matrix of its node can't be inverted".to_owned());
         }
+        // Each node that shows a mesh has vertices of its own.
+        if to.len() + vertices > 3 * MAX_TRIANGLES {
+            return Err(format!(
+                "more than {} vertices, the most that a mesh may have: simplify it, or show it fewer times",
+                3 * MAX_TRIANGLES
+            ));
+        }
         to.reserve(vertices);
         for i in 0..vertices {
             let given = DVec3::from_slice(&points[3 * i..]);
