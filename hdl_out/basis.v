@@ -237,7 +237,7 @@ module basis (
     wire [32:0] bn_n21 = bn_n16 | bn_n18; // u33f0
     wire [32:0] bn_n22 = bn_n21 | bn_n20; // u33f0
     wire [4:-28] bn_largest = bn_n22; // u33f28
-    wire [32:0] bn_n25 = bn_n22; // u33f0
+    wire [32:0] bn_n25 = bn_largest; // u33f0
     wire [31:0] bn_n26 = bn_n25[32:1]; // u32f0
     wire bn_n28 = bn_n25[0]; // u1f0
     wire [32:0] bn_n30 = {bn_n28, bn_n29}; // u33f0

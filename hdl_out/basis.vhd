@@ -697,7 +697,7 @@ begin
     bn_n21 <= bn_n16 or bn_n18;
     bn_n22 <= bn_n21 or bn_n20;
     bn_largest <= bn_n22;
-    bn_n25 <= bn_n22;
+    bn_n25 <= bn_largest;
     bn_n26 <= bn_n25(32 downto 1);
     bn_n28 <= bn_n25(0 downto 0);
     bn_n30 <= bn_n28 & bn_n29;

@@ -236,7 +236,7 @@ module emboss (
     wire [28:0] l_block_n69 = l_block_n68 | l_block_n67; // u29f0
     wire [13:-15] l_block_largest = l_block_n69; // u29f15
     wire l_block_n71 = 1'b0; // u1f0
-    wire [28:0] l_block_n72 = l_block_n69; // u29f0
+    wire [28:0] l_block_n72 = l_block_largest; // u29f0
     wire [15:0] l_block_n73 = l_block_n72[28:13]; // u16f0
     wire [12:0] l_block_n75 = l_block_n72[12:0]; // u13f0
     wire [15:0] l_block_n76 = 16'h0; // u16f0

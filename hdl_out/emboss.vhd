@@ -695,7 +695,7 @@ begin
     l_block_n69 <= l_block_n68 or l_block_n67;
     l_block_largest <= l_block_n69;
     l_block_n71 <= "0";
-    l_block_n72 <= l_block_n69;
+    l_block_n72 <= l_block_largest;
     l_block_n73 <= l_block_n72(28 downto 13);
     l_block_n75 <= l_block_n72(12 downto 0);
     l_block_n76 <= 16x"0000";

@@ -225,7 +225,7 @@ module emboss_nv (
     wire [28:0] l_block_n230 = l_block_n225 | l_block_n227; // u29f0
     wire [28:0] l_block_n231 = l_block_n230 | l_block_n229; // u29f0
     wire [13:-15] l_block_largest = l_block_n231; // u29f15
-    wire [28:0] l_block_n233 = l_block_n231; // u29f0
+    wire [28:0] l_block_n233 = l_block_largest; // u29f0
     wire [15:0] l_block_n234 = l_block_n233[28:13]; // u16f0
     wire [12:0] l_block_n236 = l_block_n233[12:0]; // u13f0
     wire [28:0] l_block_n237 = {l_block_n236, bn_n45}; // u29f0
@@ -322,7 +322,7 @@ module emboss_nv (
     wire [32:0] bn_n31 = bn_n26 | bn_n28; // u33f0
     wire [32:0] bn_n32 = bn_n31 | bn_n30; // u33f0
     wire [4:-28] bn_largest = bn_n32; // u33f28
-    wire [32:0] bn_n35 = bn_n32; // u33f0
+    wire [32:0] bn_n35 = bn_largest; // u33f0
     wire [31:0] bn_n36 = bn_n35[32:1]; // u32f0
     wire bn_n38 = bn_n35[0]; // u1f0
     wire [32:0] bn_n40 = {bn_n38, bn_n39}; // u33f0

@@ -1176,7 +1176,7 @@ begin
     l_block_n230 <= l_block_n225 or l_block_n227;
     l_block_n231 <= l_block_n230 or l_block_n229;
     l_block_largest <= l_block_n231;
-    l_block_n233 <= l_block_n231;
+    l_block_n233 <= l_block_largest;
     l_block_n234 <= l_block_n233(28 downto 13);
     l_block_n236 <= l_block_n233(12 downto 0);
     l_block_n237 <= l_block_n236 & bn_n45;
@@ -1254,7 +1254,7 @@ begin
     bn_n31 <= bn_n26 or bn_n28;
     bn_n32 <= bn_n31 or bn_n30;
     bn_largest <= bn_n32;
-    bn_n35 <= bn_n32;
+    bn_n35 <= bn_largest;
     bn_n36 <= bn_n35(32 downto 1);
     bn_n38 <= bn_n35(0 downto 0);
     bn_n40 <= bn_n38 & bn_n39;

@@ -813,7 +813,7 @@ begin
     l_block_n67 <= l_block_n66;
     l_block_n69 <= l_block_n68_s10 or l_block_n67;
     l_block_largest <= l_block_n69;
-    l_block_n72 <= l_block_n69;
+    l_block_n72 <= l_block_largest;
     l_block_n73 <= l_block_n72(28 downto 13);
     l_block_n74 <= "1" when l_block_n73 = resize(l_block_n71, 16) else "0";
     l_block_n75 <= l_block_n72(12 downto 0);

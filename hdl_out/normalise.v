@@ -42,7 +42,7 @@ module normalise (
     wire [15:0] block_n10 = block_n9 | block_n8; // u16f0
     wire [7:-8] block_largest = block_n10; // u16f8
     wire block_n12 = 1'b0; // u1f0
-    wire [15:0] block_n13 = block_n10; // u16f0
+    wire [15:0] block_n13 = block_largest; // u16f0
     wire [7:0] block_n14 = block_n13[15:8]; // u8f0
     wire block_n15 = block_n14 == {7'h0, block_n12}; // u1f0
     wire [7:0] block_n16 = block_n13[7:0]; // u8f0

@@ -168,7 +168,7 @@ begin
     block_n10 <= block_n9 or block_n8;
     block_largest <= block_n10;
     block_n12 <= "0";
-    block_n13 <= block_n10;
+    block_n13 <= block_largest;
     block_n14 <= block_n13(15 downto 8);
     block_n15 <= "1" when block_n14 = resize(block_n12, 8) else "0";
     block_n16 <= block_n13(7 downto 0);

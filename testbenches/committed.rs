@@ -36,6 +36,8 @@ pub(crate) const COMMITTED: &[(&str, &str, &[&str])] = &[
     ("emboss_printed", "emboss", &["schedule=printed", "period_ps=6000", "l_sign=vertex-light"]),
     ("sampler", "sampler", &[]),
     ("combine", "combine", &[]),
+    ("tangent", "tangent", &[]),
+    ("tangent_faceted", "tangent", &["frame=faceted"]),
 ];
 
 /// Netlist, module in both languages and tables go to `hdl_out`, what tests them to a folder of

@@ -31,6 +31,7 @@ mod shading;
 mod shared;
 mod specialise;
 mod specialised;
+mod tangent;
 mod texgen;
 mod texture;
 mod texture_space;

@@ -160,11 +160,11 @@ static PARAMS: &[Param] = &[
         default: "14",
         help: "fraction bits of view vector and lights in texture space",
     },
-    Param { default: "16", ..NORM_BITS },
-    Param { default: "18", ..DOT_FRAC_BITS },
+    NORM_BITS,
+    DOT_FRAC_BITS,
     ROOT_SCHEME,
-    Param { default: "7", ..ROOT_ADDR_BITS },
-    Param { default: "16", ..ROOT_FRAC_BITS },
+    Param { default: "8", ..ROOT_ADDR_BITS },
+    ROOT_FRAC_BITS,
     plan::ROUNDING,
 ];
 
