@@ -29,14 +29,15 @@ const PIPELINES: [&str; 4] = ["printed", "corrected", "exact-polar", "exact-cart
 #[derive(Args)]
 pub(super) struct RenderArgs {
     /// Scene file, or a built-in scene: plane, cube, sphere, lettering-raised, lettering-lowered, brick,
-    /// light-orbit.
+    /// light-orbit, mirrored.
     scene: PathBuf,
     /// Folder to write.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     /// Pipelines to compare; if not given emboss-gx,emboss-nv for a scene with an [emboss] section, else
     /// printed,corrected,exact-polar,exact-cartesian, and for a ladder all that shade bumps. Those that emboss have
-    /// a golden of their own and go into a folder of their own.
+    /// a golden of their own and go into a folder of their own. tangent-smooth and tangent-faceted set triangles up and
+    /// light them in texture space; their difference is told in two parts.
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     pipelines: Vec<String>,
     /// Set a parameter of every pipeline that has it; those of the material come from the scene.
