@@ -684,6 +684,8 @@ fn wrong_scenes_are_refused() {
         "[[object]]\nshape = \"torus\"",
         "[[object]]\nshape = \"mesh\"",
         "[[object]]\nshape = \"cube\"\nfile = \"a.obj\"",
+        "[[object]]\nshape = \"cube\"\nsource = \"shell\"",
+        "[[object]]\nshape = \"mesh\"\nsource = \"shell\"\nfile = \"a.obj\"",
         "[[object]]\nshape = \"mesh\"\nfile = \"none.obj\"",
         "[[object]]\nshape = \"cube\"\nscale = 0",
         "[[object]]\nshape = \"cube\"\nscale = [1, nan, 1]",
@@ -741,11 +743,13 @@ fn wrong_scenes_are_refused() {
         s.toml, line 2: unknown variant `torus`, expected one of `plane`, `cube`, `sphere`, `mesh` in `shape = "torus"`
         s.toml, line 1: a mesh needs `file`, an .obj, .gltf or .glb file, or `source = "shell"`
         s.toml, line 3: `file` has no use here: it is for `shape = "mesh"`; leave it out
+        s.toml, line 3: `source` has no use here: it is for `shape = "mesh"`; leave it out
+        s.toml, line 4: `file` has no use here: the mesh is that of `source`; leave it out
         none.obj: can't read: No such file or directory (os error 2)
         s.toml, line 3: `scale` = 0: legal is 0.000001 to 1000000, or the negative of that, which mirrors
         s.toml, line 3: `scale` = NaN: legal is 0.000001 to 1000000, or the negative of that, which mirrors
         s.toml, line 3: scale is a number or three numbers in brackets in `scale = "big"`
-        s.toml, line 3: unknown field `color`, expected one of `shape`, `file`, `translate`, `rotate_degrees`, `scale`, `material` in `color = 1`
+        s.toml, line 3: unknown field `color`, expected one of `shape`, `file`, `source`, `translate`, `rotate_degrees`, `scale`, `material` in `color = 1`
         s.toml, line 3: `rotate_degrees` = inf: legal is -1000000 to 1000000
         s.toml, line 4: `specular` = 2: legal is 0 to 1
     "#]].assert_eq(&seen);

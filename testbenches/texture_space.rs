@@ -111,7 +111,8 @@ fn mirrored_apart(a: &Picture, b: &Picture) -> f64 {
 /// wrong.
 #[test]
 fn bumps_stand_out_on_both_halves() {
-    let scene = small("mirrored", 192);
+    // A side at which no pixel is on the border of a texel, of which either may be seen.
+    let scene = small("mirrored", 194);
     let mut turned = scene.clone();
     let Place::Direction(light) = scene.lights[0].place else { panic!("a far light") };
     turned.lights[0].place = Place::Direction(DVec3::new(-light.x, light.y, light.z));
@@ -272,7 +273,7 @@ fn strips_and_fans_are_set_up_as_lists() {
         String::from_utf8(output.stdout).unwrap()
     };
     let told = run(&[]);
-    assert!(told.contains("99 vertices, 162 triangles of 202 indices, 28 more that only stitch; shared, the vertex stage works on 99 vertices, and on 486"), "{told}");
+    assert!(told.contains("99 vertices, 162 triangles of 194 indices, 28 more that only stitch; shared, the vertex stage works on 99 vertices, and on 486"), "{told}");
     let value: serde_json::Value = serde_json::from_str(&run(&["--json"])).unwrap();
     let first = &value["pipelines"][0];
     assert_eq!(first["setup"]["sharing"]["vertex_operations"], 99);
@@ -489,7 +490,9 @@ fn lone_triangles_have_the_standard_tangent() {
 /// triangles that share vertex and handedness, each put at right angles to N and weighted by the corner's
 /// angle; the seed has one for each triangle. So its tangent is no farther from ours than ours of any of those
 /// triangles are from each other (a cone of less than half a turn holds every mean of vectors in it), and on a plane,
-/// where all are one, both agree.
+/// where all are one, both agree. Measured, at most and in the mean: 2.82° and 1.70° on the sphere of 32 rows (whose
+/// triangles at a pole meet in a fan, each with a tangent of its own), 2.02° and 0.30° on the dome of `mirrored`, 0.70° and
+/// 0.20° on the wavy sheet, whose triangles are 10 to a side.
 #[test]
 fn meshes_have_the_standard_handedness() {
     let set = ["position_int_bits=2", "position_frac_bits=18", "uv_int_bits=3", "uv_frac_bits=17"];

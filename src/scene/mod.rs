@@ -86,6 +86,10 @@
 //! scale. Beyond the map it repeats or its border goes on, by axis. To each channel comes
 //! `2^gain_log2 Σ (height - displaced height)` over the lights, and it ends at 0 and 1.
 //!
+//! # In texture space
+//! Pipelines of the tangent-space set-up ([`crate::render::tangent`]) light the same triangles, with vertices shared
+//! ([`Scene::assemble`]) and as fine as `tessellation` in `[emboss]` says, in texture space instead.
+//!
 //! # Frames
 //! With `[orbit]` a scene has several pictures: in frame k of n the light is turned about the axis by
 //! `turns k/n`, counter-clockwise seen from the axis's tip.
