@@ -1,6 +1,7 @@
 //! The tangent-space set-up against what the seed's words mean, worked out here in whole numbers.
 
-use fixpath::measure::{BoundCheck, Inputs, hard_verdicts, measure, sample_words};
+use fixpath::measure::{Basis, BoundCheck, Inputs, hard_verdicts, measure, sample_words};
+use fixpath::specialise::{Known, Rate, specialise};
 use fixpath::units::{Design, Sampler, Unit};
 
 type Vector = [f64; 3];
@@ -551,5 +552,57 @@ fn widths_that_do_not_go_together_are_refused() {
         ],
     ] {
         design(set);
+    }
+}
+
+/// On reals the netlists are the goldens, where exact products fit an `f64`: there is no algorithm error.
+#[test]
+fn netlists_on_reals_are_the_goldens() {
+    for set in VARIANTS {
+        let design = design(set);
+        for sampler in [Sampler::Lit, Sampler::Sphere, Sampler::Hard] {
+            let inputs = Inputs { sampler, samples: 5000, seed: 9 };
+            let report = &measure(&[&design], &inputs, &|_| ()).unwrap()[0];
+            for figures in report.figures.iter().filter(|f| f.basis == Basis::Algorithm) {
+                assert!(figures.max < 1e-12, "{set:?} {sampler:?}: {figures:?}");
+            }
+        }
+    }
+}
+
+/// What a triangle gives is taken once for its vertices: with smooth normals the exact edges, of a facet the map.
+#[test]
+fn triangles_share_what_does_not_depend_on_the_vertex() {
+    for (set, primitive, vertex) in
+        [(&[][..], 14, 36), (&["frame=faceted"], 32, 18), (&["basis=printed"], 14, 33)]
+    {
+        let design = design(set);
+        let netlist = &design.netlist;
+        let known = |(port, id): (usize, &fixpath::netlist::NodeId)| {
+            let name = netlist.input_name(port);
+            let rate = if name.starts_with('p') || name.starts_with("uv") {
+                Rate::Face
+            } else {
+                Rate::Pixel
+            };
+            Known { rate, ..Known::nothing(netlist.node(*id).format) }
+        };
+        let known: Vec<Known> = netlist.inputs().iter().enumerate().map(known).collect();
+        let outputs: Vec<&str> =
+            netlist.outputs().iter().map(|output| output.name.as_str()).collect();
+        let special = specialise(netlist, &known, &outputs);
+        let face = special.face.as_ref().unwrap();
+        let multipliers = [&face.netlist, &special.pixel.netlist]
+            .map(|netlist| netlist.counts().datapath.multipliers);
+        assert_eq!(multipliers, [primitive, vertex], "{set:?}");
+        for words in samples(&design, Sampler::Lit, 200) {
+            let values = |netlist: &fixpath::netlist::Netlist, words: &[i64]| -> Vec<i64> {
+                let all = netlist.eval(words).0;
+                netlist.outputs().iter().map(|output| all[output.node.index()]).collect()
+            };
+            let of_face = values(&face.netlist, &face.select(&words, &[]));
+            let of_vertex = values(&special.pixel.netlist, &special.pixel.select(&words, &of_face));
+            assert_eq!(of_vertex, values(netlist, &words), "{set:?} {words:?}");
+        }
     }
 }

@@ -11,8 +11,8 @@
 //! The tangent T is the direction of dP/du; B = N x T with the normal N of the vertex; the rows of the map are
 //! T, B, N, and a vector of the texture is their dot products with one of the object. With
 //! `frame=faceted` N isn't given: the second tangent is the direction of dP/dv and N that of their cross
-//! product, `T x dP/dv = det (e1 x e2)`, so the hardware takes the exact `e1 x e2`, and slivers, whose tangents
-//! are nearly parallel, lose nothing.
+//! product. `dP/du x dP/dv = (e1 x e2)/det`, so the hardware takes the exact `e1 x e2`, and slivers, whose
+//! tangents are nearly parallel, lose nothing.
 //!
 //! Triangles are wound so that N is on the side of `e1 x e2`: counterclockwise as seen from outside.
 //!
@@ -64,6 +64,7 @@ use crate::format::{Format, Overflow, Round, quantize};
 use crate::netlist::{Builder, Netlist, NodeId, Quantity};
 use crate::trig::Real;
 use glam::{DVec2, DVec3};
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// The unit.
@@ -758,41 +759,53 @@ impl Triangle {
     }
 
     /// A random one: positions and texture coordinates each over eight octaves of scale, anywhere that
-    /// they fit; half of the textures are mirrored. The normal is anywhere, or with `lit` no more than 45° off
-    /// the face's, and then view and lights are on its side; they are ⅛ to 1 of the longest.
+    /// they fit; half of the textures are mirrored; view and lights are ⅛ to 1 of the longest. With `lit`
+    /// no angle is below 30°, in space and in the texture, the normal is no more than 45° off the face's, and
+    /// view and lights are on its side; else corners and normal are anywhere.
     fn random(values: &Values, lit: bool, next: &mut dyn FnMut() -> f64) -> Self {
         let range = |name: &str| f64::from(values.bits(name)).exp2();
-        let (position, uv) = (range("position_int_bits"), range("uv_int_bits"));
+        let limits = ["position_int_bits", "uv_int_bits", "vector_int_bits"].map(range);
         let mut sphere = || {
             let (z, turns) = (1.0 - 2.0 * next(), next());
-            let (sin, cos) = (turns * std::f64::consts::TAU).sin_cos();
+            let (sin, cos) = (turns * TAU).sin_cos();
             let across = (1.0 - z * z).sqrt();
             DVec3::new(across * cos, across * sin, z)
         };
-        let corners = [(); 3].map(|()| sphere());
-        let directions = [(); 9].map(|()| sphere());
-        let (normal, aside) = (sphere(), sphere());
-        let mut scaled = |limit: f64, least: f64| limit * (least * next()).exp2();
-        // Half the range for the size, half for the place.
-        let (size, uv_size) = (scaled(0.5 * position, -8.0), scaled(0.5 * uv, -8.0));
-        let longest = range("vector_int_bits");
-        let mut at = 0;
-        let mut vectors = directions.map(|v| v * scaled(longest, -3.0));
-        let mut place = |limit: f64| limit * (next() - 0.5);
-        let center = DVec3::new(place(position), place(position), place(position));
-        let uv_center = DVec2::new(place(uv), place(uv));
-        let p = corners.map(|corner| center + corner * size);
-        let uv = [(); 3].map(|()| {
-            at += 1;
-            uv_center + DVec2::new(place(2.0 * uv_size), place(2.0 * uv_size))
-        });
-        let face = (p[1] - p[0]).cross(p[2] - p[0]).normalize_or_zero();
-        let normal = if lit && face != DVec3::ZERO {
-            (face + aside * (0.5f64.sqrt() * next())).normalize_or_zero()
-        } else {
-            normal
+        let (axis, normal, aside) = (sphere(), sphere(), sphere());
+        let (corners, directions) = ([(); 3].map(|()| sphere()), [(); 9].map(|()| sphere()));
+        let mut within = |low: f64, high: f64| low + (high - low) * next();
+        // Corners on a circle, a third of a turn apart but for a twelfth: arcs are a sixth or more.
+        let mut circle = |sign: f64| {
+            let first = within(0.0, 1.0);
+            [0.0, 1.0, 2.0].map(|k| {
+                let turns = sign * (first + k / 3.0 + within(-1.0, 1.0) / 12.0);
+                DVec2::from_angle(turns * TAU)
+            })
         };
+        let (flat, regular) = (circle(1.0), circle(1.0));
+        let mirror = if next() < 0.5 { -1.0 } else { 1.0 };
+        let mut within = |low: f64, high: f64| low + (high - low) * next();
+        // Half the range for the size, half for the place.
+        let [size, uv_size] =
+            [limits[0], limits[1]].map(|limit| 0.5 * limit * within(-8.0, 0.0).exp2());
+        let mut place = |limit: f64| within(-0.5 * limit, 0.5 * limit);
+        let center = DVec3::from_array([(); 3].map(|()| place(limits[0])));
+        let uv_center = DVec2::from_array([(); 2].map(|()| place(limits[1])));
+        let anywhere = [(); 3].map(|()| DVec2::new(place(2.0), place(2.0)));
+        let (u, v) = axis.any_orthonormal_pair();
+        let p = [0, 1, 2].map(|k| {
+            let corner = if lit { u * flat[k].x + v * flat[k].y } else { corners[k] };
+            center + corner * size
+        });
+        let uv = [0, 1, 2].map(|k| {
+            let corner = if lit { regular[k] * DVec2::new(mirror, 1.0) } else { anywhere[k] };
+            uv_center + corner * uv_size
+        });
+        let mut vectors = directions.map(|v| v * limits[2] * within(-3.0, 0.0).exp2());
+        let mut normal = normal;
         if lit {
+            let face = (p[1] - p[0]).cross(p[2] - p[0]).normalize_or_zero();
+            normal = (face + aside * within(0.0, 0.5f64.sqrt())).normalize_or(face);
             for v in &mut vectors {
                 *v = if v.dot(normal) < 0.0 { -*v } else { *v };
             }
@@ -828,11 +841,11 @@ fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
         };
         netlist.inputs().iter().enumerate().map(word).collect()
     };
-    let format = |name: &str| {
-        let mut ports = 0..netlist.inputs().len();
-        let port = ports.find(|port| netlist.input_name(*port) == name);
-        netlist.node(netlist.inputs()[port.expect("bug: a port")]).format
+    let found = |name: &str| {
+        let port = (0..netlist.inputs().len()).find(|port| netlist.input_name(*port) == name)?;
+        Some(netlist.node(netlist.inputs()[port]).format)
     };
+    let format = |name: &str| found(name).expect("bug: a port");
     let (position, uv) = (format("p0_x"), format("uv0_u"));
     let (lsb, uv_lsb) = (position.ulp(), uv.ulp());
     let (span, uv_span) = (-position.value(position.min_raw()), -uv.value(uv.min_raw()));
@@ -871,7 +884,7 @@ fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
         ..usual
     };
     let seam = |u: [f64; 3]| [two(u[0], 0.2), two(u[1], 0.2), two(u[2], 0.4)];
-    vec![
+    let mut list = vec![
         cases("mirrored texture, along u, v, both, and turned", {
             let turned = usual.uv.map(|at| two(at.y, at.x));
             let list = [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)];
@@ -973,6 +986,26 @@ fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
                 })
                 .collect()
         }),
+        cases("positions and textures over eight octaves of scale", {
+            (0..=8)
+                .flat_map(|octave| {
+                    let scale = f64::from(-octave).exp2();
+                    let uv = [uv0, uv0 + (uv1 - uv0) * scale, uv0 + (uv2 - uv0) * scale];
+                    let p = corners(e1 * scale, e2 * scale);
+                    [Triangle { p, ..usual }, Triangle { uv, ..usual }, Triangle { p, uv, ..usual }]
+                })
+                .collect()
+        }),
+        cases("view and light 0, of one LSB, and longest", {
+            let lsb = format("view_x").ulp();
+            let list = [DVec3::ZERO, DVec3::X * lsb, DVec3::ONE * 1e9, DVec3::ONE * -1e9];
+            let list = list.into_iter().chain(axes.map(|axis| axis * -1e9));
+            list.map(|v| Triangle { view: v, lights: [-v; 8], ..usual }).collect()
+        }),
+    ];
+    let Some(normal_format) = found("normal_x") else { return list };
+    let normal_lsb = normal_format.ulp();
+    list.extend([
         cases("T parallel to N", {
             (0..3)
                 .flat_map(|axis| {
@@ -981,7 +1014,6 @@ fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
                 .collect()
         }),
         cases("T parallel to N but for one LSB", {
-            let normal_lsb = 2f64.powi(-14);
             (0..3)
                 .flat_map(|axis| {
                     [1, 2].into_iter().flat_map(move |aside| {
@@ -1016,21 +1048,6 @@ fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
             let list = list.into_iter().chain(axes.into_iter().flat_map(|axis| [axis, -axis]));
             list.map(|normal| Triangle { normal, uv, ..usual }).collect()
         }),
-        cases("positions and textures over eight octaves of scale", {
-            (0..=8)
-                .flat_map(|octave| {
-                    let scale = f64::from(-octave).exp2();
-                    let uv = [uv0, uv0 + (uv1 - uv0) * scale, uv0 + (uv2 - uv0) * scale];
-                    let p = corners(e1 * scale, e2 * scale);
-                    [Triangle { p, ..usual }, Triangle { uv, ..usual }, Triangle { p, uv, ..usual }]
-                })
-                .collect()
-        }),
-        cases("view and light 0, of one LSB, and longest", {
-            let lsb = format("view_x").ulp();
-            let list = [DVec3::ZERO, DVec3::X * lsb, DVec3::ONE * 1e9, DVec3::ONE * -1e9];
-            let list = list.into_iter().chain(axes.map(|axis| axis * -1e9));
-            list.map(|v| Triangle { view: v, lights: [-v; 8], ..usual }).collect()
-        }),
-    ]
+    ]);
+    list
 }
