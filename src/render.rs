@@ -620,10 +620,9 @@ pub fn render(
     let setups = tangent::shots(scene, &setups, &|done| progress((height + done) / 2))?;
     let (mut setups, mut others) = (setups.into_iter(), rendered.shots.into_iter());
     // As they were asked for.
-    let shots = pipelines.iter().map(|pipeline| {
-        let next = if pipeline.is_tangent() { setups.next() } else { others.next() };
-        next.expect("bug: a shot for each pipeline")
-    });
+    let shots = pipelines
+        .iter()
+        .filter_map(|pipeline| if pipeline.is_tangent() { setups.next() } else { others.next() });
     rendered.shots = shots.collect();
     rendered.elapsed = start.elapsed();
     Ok(rendered)

@@ -411,8 +411,9 @@ fn bit_true(design: &Design, rows: &[Vec<i64>]) -> Vec<Corner> {
     let corner = |i: usize| {
         let (t, b, n) = (vector("t", i), vector("b", i), vector("n", i));
         let handed = n.cross(t).dot(b) > 0.0;
-        assert_eq!(at("mirrored", i) != 0.0, !handed || at("degenerate", i) != 0.0 && !handed);
-        Corner { tangent: t, handed, degenerate: at("degenerate", i) != 0.0 }
+        let degenerate = at("degenerate", i) != 0.0;
+        assert!(degenerate || handed == (at("mirrored", i) == 0.0));
+        Corner { tangent: t, handed, degenerate }
     };
     (0..rows.len()).map(corner).collect()
 }
