@@ -231,18 +231,14 @@ const LIGHTS: [(&str, &str, &[&str]); 8] = [
 /// A signed format of positions or texture coordinates: no more bits than make the golden's
 /// differences and products of two exact in an `f64`.
 fn coordinate(values: &Values, int_bits: &str, frac_bits: &str) -> Result<Format> {
-    let bits = 1 + values.bits(int_bits) + values.bits(frac_bits);
-    if !(2..=24).contains(&bits) {
-        let (least, most) =
-            (1i64 - i64::from(values.bits(frac_bits)), 23 - i64::from(values.bits(frac_bits)));
-        let legal = format!(
-            "{} to {most} with {frac_bits}={}: words have 2 to 24 bits",
-            least.max(0),
-            values.bits(frac_bits)
-        );
+    let (whole, fraction) = (values.bits(int_bits), values.bits(frac_bits));
+    if !(1..=23).contains(&(whole + fraction)) {
+        let (least, most) = (1u32.saturating_sub(fraction), 23 - fraction);
+        let legal =
+            format!("{least} to {most} with {frac_bits}={fraction}: words have 2 to 24 bits");
         return Err(values.refuse(int_bits, &legal));
     }
-    number(values.bits(int_bits), values.bits(frac_bits))
+    number(whole, fraction)
 }
 
 /// The most bits that a position, a texture coordinate and a component have together: N x T is exact.
