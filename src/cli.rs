@@ -211,7 +211,7 @@ enum Command {
     Compare(compare::CompareArgs),
     /// Render a scene by pipelines: fixed, golden and difference pictures, and figures.
     #[command(
-        after_help = "Examples:\n  fixpath render sphere --out sphere\n  fixpath render scene.toml --pipelines exact-polar -p angle_bits=12 -p scheme=linear --out pictures\n  fixpath render plane --ladder --out ladder\n  fixpath render sphere --ladder=8,12,16 --pipelines exact-polar,exact-cartesian -p scheme=linear --exponents 8,64 --out ladder\n  fixpath render lettering-raised --pipelines emboss-gx,emboss-nv --out emboss\n  fixpath render light-orbit --pipelines emboss-gx --out frames"
+        after_help = "Examples:\n  fixpath render sphere --out sphere\n  fixpath render scene.toml --pipelines exact-polar -p angle_bits=12 -p scheme=linear --out pictures\n  fixpath render plane --ladder --out ladder\n  fixpath render sphere --ladder=8,12,16 --pipelines exact-polar,exact-cartesian -p scheme=linear --exponents 8,64 --out ladder\n  fixpath render lettering-raised --pipelines emboss-gx,emboss-nv --out emboss\n  fixpath render light-orbit --pipelines emboss-gx --out frames\n  fixpath render mirrored --pipelines tangent-smooth,tangent-faceted -p mirror=handed --out set-up\n  fixpath render mirrored --pipelines exact-polar --frames setup -p component_bits=12 --out frames"
     )]
     Render(render::RenderArgs),
     /// Check calls of a texture-coordinate interface: GXSetTexCoordGen, GL_NV_texgen_emboss.

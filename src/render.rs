@@ -11,10 +11,13 @@
 //! equation, N' = N + B_u (N × P_v) - B_v (N × P_u) normalised, is evaluated beside it: with an
 //! orthonormal frame (scales are in texels) both are one.
 //!
-//! Emboss pipelines are another family, with a golden of their own: see [`emboss`].
+//! Emboss pipelines are another family, with a golden of their own: see [`emboss`]. Those of the tangent-space
+//! set-up have this golden and one more, of their own flow: see [`tangent`].
 
 pub mod emboss;
+mod named;
 mod specialised;
+pub mod tangent;
 
 pub use specialised::{SeenPort, SpecialisedStage, specialise_to};
 
@@ -57,6 +60,19 @@ pub struct Pipeline {
     /// Parameters that differ from the defaults, as `key=value`. Those of the material come from the
     /// scene.
     pub assignments: Vec<String>,
+    /// Where the texture frames of pixels come from.
+    pub frames: Frames,
+}
+
+/// Where texture frames (T, B, N) of pixels come from.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum Frames {
+    /// Floating point, for each pixel: those of the golden.
+    #[default]
+    Float,
+    /// The fixed-point set-up (unit `tangent`), for each corner of each face; interpolated. Spheres, which have no
+    /// corners, keep their own. See [`tangent`].
+    Setup,
 }
 
 /// Pipelines that are settings of the bump unit.
@@ -64,6 +80,9 @@ const BUMP_PIPELINES: [&str; 4] = ["printed", "corrected", "exact-polar", "exact
 
 /// Pipelines that are settings of the emboss unit.
 pub const EMBOSS_PIPELINES: [&str; 2] = ["emboss-gx", "emboss-nv"];
+
+/// Pipelines that are settings of the tangent-space set-up.
+pub const TANGENT_PIPELINES: [&str; 2] = ["tangent-smooth", "tangent-faceted"];
 
 /// Parameters that come from the scene.
 pub const MATERIAL: [&str; 4] = ["ambient", "diffuse", "specular", "exponent"];
@@ -105,20 +124,29 @@ impl Pipeline {
     /// # Errors
     /// If there is none.
     pub fn named(name: &str) -> Result<Self> {
-        let names: Vec<&str> = Self::names().into_iter().chain(EMBOSS_PIPELINES).collect();
+        let names: Vec<&str> =
+            Self::names().into_iter().chain(TANGENT_PIPELINES).chain(EMBOSS_PIPELINES).collect();
         if !names.contains(&name) {
             let (hint, names) = (nearest(name, names.iter().copied()), names.join(", "));
             return Err(Error::usage(format!("no pipeline `{name}`{hint}: legal is {names}")));
         }
         if let Some(setting) = name.strip_prefix("emboss-") {
             let assignments = vec![format!("setting={setting}")];
-            return Ok(Self { name: name.to_owned(), unit: Unit::find("emboss")?, assignments });
+            return Ok(Self::with(name, Unit::find("emboss")?, assignments));
+        }
+        if let Some(frame) = name.strip_prefix("tangent-") {
+            let assignments = vec![format!("frame={frame}")];
+            return Ok(Self::with(name, Unit::find("tangent")?, assignments));
         }
         let (unit, assignments) = match Unit::find(name) {
             Ok(unit) => (unit, Vec::new()),
             Err(_) => (Unit::find("bump")?, vec![format!("pipeline={name}")]),
         };
-        Ok(Self { name: name.to_owned(), unit, assignments })
+        Ok(Self::with(name, unit, assignments))
+    }
+
+    fn with(name: &str, unit: &'static Unit, assignments: Vec<String>) -> Self {
+        Self { name: name.to_owned(), unit, assignments, frames: Frames::Float }
     }
 
     /// True if it embosses: its golden is another one than that of the others.
@@ -127,9 +155,19 @@ impl Pipeline {
         EMBOSS_PIPELINES.contains(&self.name.as_str())
     }
 
+    /// True if it sets triangles up and lights in texture space.
+    #[must_use]
+    pub fn is_tangent(&self) -> bool {
+        TANGENT_PIPELINES.contains(&self.name.as_str())
+    }
+
     /// Parameters of all its units.
     pub fn params(&self) -> impl Iterator<Item = &'static Param> + use<> {
-        let behind: &[&'static Unit] = if self.is_emboss() { &emboss::BEHIND } else { &[] };
+        let behind: &[&'static Unit] = match self.frames {
+            _ if self.is_emboss() => &emboss::BEHIND,
+            Frames::Float => &[],
+            Frames::Setup => &tangent::BEFORE,
+        };
         self.unit.all_params().chain(behind.iter().flat_map(|unit| unit.all_params()))
     }
 
@@ -139,18 +177,15 @@ impl Pipeline {
         let from_scene =
             |set: &&String| set.split_once('=').is_some_and(|(key, _)| MATERIAL.contains(&key));
         let assignments = assignments.iter().filter(|set| !from_scene(set)).cloned().collect();
-        Self { name: name.to_owned(), unit, assignments }
+        Self::with(name, unit, assignments)
     }
 
     /// The pipeline of all parameters of a unit but those of the material.
     #[must_use]
     pub fn of_values(values: &Values) -> Self {
         let given = values.iter().filter(|(key, _)| !MATERIAL.contains(key));
-        Self {
-            name: values.unit().name.to_owned(),
-            unit: values.unit(),
-            assignments: given.map(|(key, value)| format!("{key}={value}")).collect(),
-        }
+        let assignments = given.map(|(key, value)| format!("{key}={value}")).collect();
+        Self::with(values.unit().name, values.unit(), assignments)
     }
 
     /// Sets parameters for all pipelines that have them.
@@ -169,6 +204,12 @@ impl Pipeline {
             if emboss::FROM_SCENE.contains(&key) && pipelines.iter().any(Self::is_emboss) {
                 let text = format!(
                     "parameter `{key}` comes from the name of the emboss pipeline, or the scene's [emboss], lights and height map"
+                );
+                return Err(Error::usage(text));
+            }
+            if tangent::FROM_SCENE.contains(&key) && pipelines.iter().any(Self::is_tangent) {
+                let text = format!(
+                    "parameter `{key}` comes from the name of the tangent pipeline, or the scene's lights"
                 );
                 return Err(Error::usage(text));
             }
@@ -202,7 +243,14 @@ impl Pipeline {
     /// # Errors
     /// If the parameters don't go together.
     pub fn design(&self, ambient: f64, light: &Light, material: &Material) -> Result<Design> {
-        let mut assignments = self.assignments.clone();
+        // Others are for the set-up of the frames.
+        let mut assignments = match self.frames {
+            Frames::Float => self.assignments.clone(),
+            Frames::Setup => {
+                let known = |set: &&String| named::knows(self.unit, set);
+                self.assignments.iter().filter(known).cloned().collect()
+            }
+        };
         if light.intensity * material.specular > 0.0
             && assignments.iter().any(|set| set == "highlight=off")
         {
@@ -278,6 +326,8 @@ pub struct Shader {
     stages: Vec<Stage>,
     /// Stage of each material under each light.
     of: Vec<Vec<usize>>,
+    /// Frames of its own.
+    frames: Option<tangent::FaceFrames>,
 }
 
 impl Shader {
@@ -318,7 +368,11 @@ impl Shader {
             }
             of.push(row);
         }
-        Ok(Self { pipeline: pipeline.clone(), stages, of })
+        let frames = match pipeline.frames {
+            Frames::Float => None,
+            Frames::Setup => Some(tangent::FaceFrames::new(scene, pipeline)?),
+        };
+        Ok(Self { pipeline: pipeline.clone(), stages, of, frames })
     }
 
     /// One of its designs: that of the first material under the first light. The others differ in
@@ -401,6 +455,8 @@ pub struct Shot {
     pub behind: Vec<Arc<Design>>,
     /// What is known of an emboss.
     pub emboss: Option<emboss::Known>,
+    /// What is known of a tangent-space set-up.
+    pub setup: Option<Box<tangent::Known>>,
     /// Time in the bit-true engine, all threads together.
     pub engine: Duration,
     /// Samples per second and thread of the engine alone: the median of all samples by the rate of the
@@ -547,11 +603,29 @@ pub fn render(
     if embosses > 0 {
         return Err(mixed());
     }
-    let shaders: Vec<Shader> = pipelines
+    let (setups, others): (Vec<&Pipeline>, Vec<&Pipeline>) =
+        pipelines.iter().partition(|pipeline| pipeline.is_tangent());
+    let shaders: Vec<Shader> = others
         .iter()
         .map(|pipeline| Shader::new(scene, pipeline, vectors))
         .collect::<Result<_>>()?;
-    shoot(scene, &shaders.iter().collect::<Vec<_>>(), progress)
+    let shaders: Vec<&Shader> = shaders.iter().collect();
+    if setups.is_empty() {
+        return shoot(scene, &shaders, progress);
+    }
+    let start = Instant::now();
+    let height = u64::from(scene.image.height);
+    // Two passes over the rows.
+    let mut rendered = shoot(scene, &shaders, &|done| progress(done / 2))?;
+    let setups = tangent::shots(scene, &setups, &|done| progress((height + done) / 2))?;
+    let (mut setups, mut others) = (setups.into_iter(), rendered.shots.into_iter());
+    // As they were asked for.
+    let shots = pipelines
+        .iter()
+        .filter_map(|pipeline| if pipeline.is_tangent() { setups.next() } else { others.next() });
+    rendered.shots = shots.collect();
+    rendered.elapsed = start.elapsed();
+    Ok(rendered)
 }
 
 /// The error for emboss pipelines among others.
@@ -603,8 +677,9 @@ pub fn shoot(
             pipeline: shader.pipeline.clone(),
             picture,
             design: Arc::clone(shader.design()),
-            behind: Vec::new(),
+            behind: shader.frames.iter().map(|frames| Arc::clone(frames.design())).collect(),
             emboss: None,
+            setup: None,
             engine: total.engine,
             samples_per_second: median_rate(&mut rates[index]),
             samples: total.samples,
@@ -812,9 +887,19 @@ fn block(scene: &Scene, shaders: &[&Shader], rows: Range<u32>, lanes: &mut Lanes
                         .entry(stage.design.netlist.input_name(at))
                         .or_insert_with(|| points.iter().map(|p| p.value(*port)).collect());
                 }
-                let columns: Vec<Vec<f64>> = (0..stage.ports.len())
-                    .map(|at| values[stage.design.netlist.input_name(at)].clone())
-                    .collect();
+                let columns: Vec<Vec<f64>> = match &shader.frames {
+                    None => (0..stage.ports.len())
+                        .map(|at| values[stage.design.netlist.input_name(at)].clone())
+                        .collect(),
+                    Some(frames) => {
+                        let framed = points.iter().zip(members).map(|(point, i)| {
+                            frames.frame(scene, fragments, *i, point).unwrap_or(*point)
+                        });
+                        let framed: Vec<Fragment> = framed.collect();
+                        let value = |port: &Port| framed.iter().map(|p| p.value(*port)).collect();
+                        stage.ports.iter().map(value).collect()
+                    }
+                };
                 let overflows = runner.overflows().to_vec();
                 shade(stage, runner, &columns, members, sums, shot, histogram)?;
                 for ((total, after), before) in

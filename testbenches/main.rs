@@ -34,5 +34,6 @@ mod specialised;
 mod tangent;
 mod texgen;
 mod texture;
+mod texture_space;
 mod verify;
 mod wave;

@@ -36,7 +36,8 @@ fn builtin_scenes_are_whole() {
         assert!(f.len() > pixels as usize / 3, "{name}: {}", f.len());
         assert!(f.pixel.is_sorted_by(|a, b| a < b) && *f.pixel.last().unwrap() < pixels);
         let facts = scene.facts();
-        assert!(facts.specular && facts.right_handed && !facts.flat_bumps);
+        assert!(facts.specular && !facts.flat_bumps);
+        assert_eq!(facts.right_handed, *name != "mirrored");
         let mut faces = HashMap::new();
         for i in 0..f.len() {
             let (n, t, v) = (normal(&f, i), tangent(&f, i), Fragments::vector(&f.eye, i));
@@ -44,7 +45,7 @@ fn builtin_scenes_are_whole() {
                 assert!((unit.length() - 1.0).abs() < 1e-12, "{name} {i} {unit}");
             }
             assert!(n.dot(t).abs() < 1e-12 && n.dot(v) > 0.0, "{name} {i}");
-            assert_eq!(f.face[i] == CURVED, ["sphere", "light-orbit"].contains(name));
+            assert_eq!(f.face[i] == CURVED, ["sphere", "light-orbit", "mirrored"].contains(name));
             // To the last bit, so that a datapath may keep them per face.
             let of_face = faces.entry(f.face[i]).or_insert((n, t));
             assert!(f.face[i] == CURVED || (n, t) == *of_face);
@@ -54,7 +55,7 @@ fn builtin_scenes_are_whole() {
     }
     assert_eq!(
         Scene::builtin("teapot").unwrap_err().to_string(),
-        "no built-in scene `teapot`: there are plane, cube, sphere, lettering-raised, lettering-lowered, brick, light-orbit; or give the path of a scene file"
+        "no built-in scene `teapot`: there are plane, cube, sphere, lettering-raised, lettering-lowered, brick, light-orbit, mirrored; or give the path of a scene file"
     );
     let sphere = Scene::builtin("sphere").unwrap();
     assert_eq!(sphere.bumps.size(), (512, 256));
@@ -387,6 +388,136 @@ fn one_cube_in_every_format_is_the_cube() {
     }
 }
 
+/// A glTF file of vertices (point, normal, uv with v up), drawn as modes with indices.
+pub(crate) fn gltf_of(
+    vertices: &[(DVec3, DVec3, DVec2)],
+    draws: &[(u32, Option<&[u16]>)],
+) -> String {
+    let mut bytes = Vec::new();
+    let mut put = |values: &[f64]| {
+        values.iter().for_each(|x| bytes.extend_from_slice(&(*x as f32).to_le_bytes()));
+    };
+    vertices.iter().for_each(|(p, ..)| put(&p.to_array()));
+    vertices.iter().for_each(|(_, n, _)| put(&n.to_array()));
+    vertices.iter().for_each(|(.., uv)| put(&[uv.x, 1.0 - uv.y]));
+    let count = vertices.len();
+    let accessor = |view: usize, component: u32, count: usize, kind: &str| {
+        format!(
+            "{{\"bufferView\": {view}, \"componentType\": {component}, \"count\": {count}, \"type\": \"{kind}\"}}"
+        )
+    };
+    let view = |at: usize, len: usize| {
+        format!("{{\"buffer\": 0, \"byteOffset\": {at}, \"byteLength\": {len}}}")
+    };
+    let mut accessors: Vec<String> = [(0, "VEC3"), (1, "VEC3"), (2, "VEC2")]
+        .map(|(at, kind)| accessor(at, 5126, count, kind))
+        .into();
+    let mut views =
+        vec![view(0, 12 * count), view(12 * count, 12 * count), view(24 * count, 8 * count)];
+    let mut primitives = Vec::new();
+    for (mode, indices) in draws {
+        let mut more = String::new();
+        if let Some(indices) = indices {
+            more = format!(", \"indices\": {}", accessors.len());
+            accessors.push(accessor(views.len(), 5123, indices.len(), "SCALAR"));
+            views.push(view(bytes.len(), 2 * indices.len()));
+            indices.iter().for_each(|i| bytes.extend_from_slice(&i.to_le_bytes()));
+            bytes.resize(bytes.len().next_multiple_of(4), 0);
+        }
+        primitives.push(format!(
+            "{{\"attributes\": {{\"POSITION\": 0, \"NORMAL\": 1, \"TEXCOORD_0\": 2}}, \"mode\": {mode}{more}}}"
+        ));
+    }
+    format!(
+        "{{\"nodes\": [{{\"mesh\": 0}}], \"meshes\": [{{\"primitives\": [{}]}}], \"accessors\": [{}], \"bufferViews\": [{}], \"buffers\": [{{\"byteLength\": {}, \"uri\": \"data:;base64,{}\"}}]}}",
+        primitives.join(", "),
+        accessors.join(", "),
+        views.join(", "),
+        bytes.len(),
+        base64(&bytes)
+    )
+}
+
+/// A wavy sheet as a list, as strips stitched into one, and as strips of vertices without indices; and a hexagon as a
+/// list and as a fan: the same pictures, and vertices that triangles share are there once.
+#[test]
+fn lists_strips_and_fans_are_one_shape() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = |gltf: &str| {
+        fs::write(folder.path().join("m.gltf"), gltf).unwrap();
+        let text = "[image]\nwidth = 60\nheight = 60\n[camera]\neye = [1, -2, 5]\n[height]\nsource = \"wood\"\n[[object]]\nshape = \"mesh\"\nfile = \"m.gltf\"";
+        Scene::parse(text, &folder.path().join("s.toml")).unwrap()
+    };
+    let vertex = |p: DVec3, n: DVec3| (p, n, DVec2::new(p.x, p.y) / 4.0 + 0.5);
+    let (columns, rows) = (7u16, 5u16);
+    let mut sheet = Vec::new();
+    for j in 0..=rows {
+        for i in 0..=columns {
+            let (x, y) = (f64::from(i) / 2.0 - 1.75, f64::from(j) / 2.0 - 1.25);
+            let n = DVec3::new(-0.3 * x.cos(), 0.2 * y.sin(), 1.0);
+            sheet.push(vertex(DVec3::new(x, y, 0.3 * x.sin() + 0.2 * y.cos()), n));
+        }
+    }
+    let id = |i: u16, j: u16| j * (columns + 1) + i;
+    let (mut list, mut strip) = (Vec::new(), Vec::new());
+    for j in 0..rows {
+        for i in 0..columns {
+            let [a, b, c, d] = [id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)];
+            list.extend([d, a, c, a, b, c]);
+        }
+        if j > 0 {
+            strip.extend([id(columns, j - 1), id(0, j + 1)]);
+        }
+        strip.extend((0..=columns).flat_map(|i| [id(i, j + 1), id(i, j)]));
+    }
+    let whole: Vec<_> = strip.iter().map(|i| sheet[usize::from(*i)]).collect();
+    let hexagon: Vec<_> = (0..6)
+        .map(|i| {
+            let (sin, cos) = (TAU * f64::from(i) / 6.0).sin_cos();
+            vertex(DVec3::new(1.5 * cos, 1.2 * sin, 0.0), DVec3::new(0.2 * cos, 0.2 * sin, 1.0))
+        })
+        .collect();
+    let fan = [0, 1, 2, 3, 4, 5];
+    let triangles = u64::from(2 * columns * rows);
+    let shared = u64::from((columns + 1) * (rows + 1));
+    let corners = strip.len() as u64;
+    let stitches = 4 * u64::from(rows - 1);
+    let cases = [
+        (gltf_of(&sheet, &[(4, Some(&list))]), [shared, triangles, 3 * triangles, 0]),
+        (gltf_of(&sheet, &[(5, Some(&strip))]), [shared, triangles, corners, stitches]),
+        (gltf_of(&whole, &[(5, None)]), [corners, triangles, 0, stitches]),
+        (gltf_of(&hexagon, &[(4, Some(&[0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5]))]), [6, 4, 12, 0]),
+        (gltf_of(&hexagon, &[(6, Some(&fan))]), [6, 4, 6, 0]),
+        (gltf_of(&hexagon, &[(6, None)]), [6, 4, 0, 0]),
+    ];
+    let mut first: Option<Fragments> = None;
+    for (number, (gltf, [vertices, primitives, indices, stitches])) in cases.iter().enumerate() {
+        let scene = scene(gltf);
+        let sharing = scene.assemble().unwrap().sharing();
+        assert_eq!(
+            [sharing.vertices, sharing.primitives, sharing.indices, sharing.stitches],
+            [*vertices, *primitives, *indices, *stitches],
+            "{number}"
+        );
+        // Without indices a stitch has vertices of its own, which no triangle has.
+        let idle = if *indices == 0 { stitches / 2 } else { 0 };
+        assert_eq!(sharing.vertex_operations, vertices - idle, "{number}");
+        assert_eq!(sharing.replicated_operations, 3 * primitives);
+        let f = traced(&scene);
+        assert!(f.len() > 400, "{number}: {}", f.len());
+        if number == 3 {
+            first = None;
+        }
+        let expected = first.get_or_insert_with(|| f.clone());
+        assert_eq!(f.pixel, expected.pixel, "{number}");
+        assert_eq!(f.face, expected.face, "{number}");
+        for i in 0..f.len() {
+            assert!((normal(&f, i) - normal(expected, i)).length() < 1e-12, "{number} {i}");
+            assert!((tangent(&f, i) - tangent(expected, i)).length() < 1e-12, "{number} {i}");
+        }
+    }
+}
+
 const SQUARE: &str =
     "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvn 0 0 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
 
@@ -553,6 +684,8 @@ fn wrong_scenes_are_refused() {
         "[[object]]\nshape = \"torus\"",
         "[[object]]\nshape = \"mesh\"",
         "[[object]]\nshape = \"cube\"\nfile = \"a.obj\"",
+        "[[object]]\nshape = \"cube\"\nsource = \"shell\"",
+        "[[object]]\nshape = \"mesh\"\nsource = \"shell\"\nfile = \"a.obj\"",
         "[[object]]\nshape = \"mesh\"\nfile = \"none.obj\"",
         "[[object]]\nshape = \"cube\"\nscale = 0",
         "[[object]]\nshape = \"cube\"\nscale = [1, nan, 1]",
@@ -608,13 +741,15 @@ fn wrong_scenes_are_refused() {
         s.toml: 0 objects: legal are 1 to 1000; an object is `[[object]]` with `shape = "sphere"` below it
         s.toml, line 1: missing field `shape` in `[[object]]`
         s.toml, line 2: unknown variant `torus`, expected one of `plane`, `cube`, `sphere`, `mesh` in `shape = "torus"`
-        s.toml, line 1: a mesh needs `file`, an .obj, .gltf or .glb file
+        s.toml, line 1: a mesh needs `file`, an .obj, .gltf or .glb file, or `source = "shell"`
         s.toml, line 3: `file` has no use here: it is for `shape = "mesh"`; leave it out
+        s.toml, line 3: `source` has no use here: it is for `shape = "mesh"`; leave it out
+        s.toml, line 4: `file` has no use here: the mesh is that of `source`; leave it out
         none.obj: can't read: No such file or directory (os error 2)
         s.toml, line 3: `scale` = 0: legal is 0.000001 to 1000000, or the negative of that, which mirrors
         s.toml, line 3: `scale` = NaN: legal is 0.000001 to 1000000, or the negative of that, which mirrors
         s.toml, line 3: scale is a number or three numbers in brackets in `scale = "big"`
-        s.toml, line 3: unknown field `color`, expected one of `shape`, `file`, `translate`, `rotate_degrees`, `scale`, `material` in `color = 1`
+        s.toml, line 3: unknown field `color`, expected one of `shape`, `file`, `source`, `translate`, `rotate_degrees`, `scale`, `material` in `color = 1`
         s.toml, line 3: `rotate_degrees` = inf: legal is -1000000 to 1000000
         s.toml, line 4: `specular` = 2: legal is 0 to 1
     "#]].assert_eq(&seen);
@@ -708,6 +843,7 @@ fn wrong_files_are_refused() {
         ("stride.glb", "\"byteLength\": 288", "\"byteLength\": 288, \"byteStride\": 4"),
         ("memory.glb", "\"type\": \"VEC2\"", "\"type\": \"VEC2\", \"sparse\": {}"),
         ("lines.glb", "\"indices\": 3", "\"indices\": 3, \"mode\": 1"),
+        ("strip.glb", "\"count\": 36, \"type\": \"SCALAR\"", "\"count\": 2, \"type\": \"SCALAR\""),
         ("loop.glb", "\"mesh\": 0", "\"mesh\": 0, \"children\": [0]"),
         ("singular.glb", "\"rotation\": [0, 0, 0, 1]", "\"scale\": [1, 1, 0]"),
         ("huge.glb", "\"rotation\": [0, 0, 0, 1]", "\"scale\": [1e9, 1e9, 1e9]"),
@@ -722,7 +858,11 @@ fn wrong_files_are_refused() {
         ("none.glb", "\"mesh\": 0, ", ""),
     ] {
         assert!(document.contains(from), "{name}");
-        refused(mesh, name, &glb(&document.replace(from, to), &binary));
+        let mut document = document.replace(from, to);
+        if name == "strip.glb" {
+            document = document.replace("\"indices\": 3", "\"indices\": 3, \"mode\": 5");
+        }
+        refused(mesh, name, &glb(&document, &binary));
     }
     let mut wrong = binary.clone();
     wrong[0..4].copy_from_slice(&f32::NAN.to_le_bytes());
@@ -784,7 +924,8 @@ fn wrong_files_are_refused() {
         overflow.glb: mesh 0, primitive 0: accessor 1: reaches beyond its buffer
         stride.glb: mesh 0, primitive 0: accessor 2: reaches beyond its buffer
         memory.glb: mesh 0, primitive 0: accessor 2: sparse data isn't read: export without it
-        lines.glb: mesh 0, primitive 0: its mode is 1: only lists of triangles (4) are read
+        lines.glb: mesh 0, primitive 0: its mode is 1: only triangles are read, as lists (4), strips (5) and fans (6)
+        strip.glb: mesh 0, primitive 0: a strip of 2 corners: 3 or more make one
         loop.glb: node 0 has two parents
         singular.glb: mesh 0, primitive 0: the matrix of its node can't be inverted
         huge.glb: mesh 0, primitive 0: vertex 0 has 1e9: legal is -1000000 to 1000000

@@ -6,14 +6,15 @@ use crate::error::{Error, Result};
 use crate::netlist::Counts;
 use crate::output;
 use crate::picture::{
-    Amplify, Difference, PIXELS_PER_DEGREE, Panel, Srgb8, absolute_map, check_pixels_per_degree,
-    sheet, signed_map,
+    Amplify, Difference, PIXELS_PER_DEGREE, Panel, Picture, Srgb8, absolute_map,
+    check_pixels_per_degree, sheet, signed_map,
 };
 use crate::render::{
-    EMBOSS_PIPELINES, Pipeline, Rendered, Shot, SpecialisedStage, mixed, render, specialise_to,
+    EMBOSS_PIPELINES, Frames, Pipeline, Rendered, Shot, SpecialisedStage, mixed, render,
+    specialise_to,
 };
 use crate::report::record::RankBy;
-use crate::scene::Scene;
+use crate::scene::{Scene, Sharing};
 use crate::sweep::View;
 use crate::units::Design;
 use clap::Args;
@@ -28,19 +29,24 @@ const PIPELINES: [&str; 4] = ["printed", "corrected", "exact-polar", "exact-cart
 #[derive(Args)]
 pub(super) struct RenderArgs {
     /// Scene file, or a built-in scene: plane, cube, sphere, lettering-raised, lettering-lowered, brick,
-    /// light-orbit.
+    /// light-orbit, mirrored.
     scene: PathBuf,
     /// Folder to write.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     /// Pipelines to compare; if not given emboss-gx,emboss-nv for a scene with an [emboss] section, else
     /// printed,corrected,exact-polar,exact-cartesian, and for a ladder all that shade bumps. Those that emboss have
-    /// a golden of their own and go into a folder of their own.
+    /// a golden of their own and go into a folder of their own. tangent-smooth and tangent-faceted set triangles up and
+    /// light them in texture space; their difference is told in two parts.
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     pipelines: Vec<String>,
     /// Set a parameter of every pipeline that has it; those of the material come from the scene.
     #[arg(short = 'p', long = "param", value_name = "KEY=VALUE")]
     params: Vec<String>,
+    /// Where texture frames come from: float, for each pixel; or setup, by the fixed-point unit tangent for each corner
+    /// of planes, cubes and meshes, which -p then sets, too.
+    #[arg(long, value_name = "SOURCE", default_value = "float", value_parser = ["float", "setup"])]
+    frames: String,
     /// Pixels per degree of sight, for FLIP.
     #[arg(long, default_value_t = PIXELS_PER_DEGREE)]
     pixels_per_degree: f64,
@@ -69,6 +75,7 @@ impl RenderArgs {
             out: out.to_owned(),
             pipelines: pipelines.iter().map(|&name| name.to_owned()).collect(),
             params: Vec::new(),
+            frames: "float".to_owned(),
             pixels_per_degree: PIXELS_PER_DEGREE,
             specialise: false,
             ladder: None,
@@ -81,7 +88,7 @@ impl RenderArgs {
 /// Renders and writes; returns a row of the demo's table for each pipeline.
 pub(super) fn demo_rows(args: &RenderArgs) -> Result<Vec<String>> {
     let made = render_and_write(args, scene_of(&args.scene)?)?;
-    let value = figures(&made.rendered, &made.differences);
+    let value = figures(&made.rendered, &made.differences, &parts(&made.rendered, args)?);
     output::write_text(&args.out.join("figures.json"), &pretty(&value))?;
     let row = |(shot, d): (&Shot, &Difference)| {
         format!(
@@ -142,6 +149,16 @@ fn pipelines_of(args: &RenderArgs, scene: &Scene) -> Result<Vec<Pipeline>> {
             return Err(Error::usage(format!("pipeline `{name}` is named twice")));
         }
         pipelines.push(Pipeline::named(name)?);
+    }
+    if args.frames == "setup" {
+        if let Some(other) = pipelines.iter().find(|p| p.is_emboss() || p.is_tangent()) {
+            let text = format!(
+                "--frames=setup is for pipelines that shade bumps: `{}` has frames of its own; leave one of them out",
+                other.name
+            );
+            return Err(Error::usage(text));
+        }
+        pipelines.iter_mut().for_each(|pipeline| pipeline.frames = Frames::Setup);
     }
     Pipeline::set(&mut pipelines, &args.params)?;
     // Before the work, not after it.
@@ -214,7 +231,7 @@ fn run_frames(args: &RenderArgs, scene: &Scene) -> Result<(String, bool)> {
             rows[2 + 2 * i].push(absolute_map(&shot.picture, &rendered.golden, Amplify::Fit)?);
         }
         held &= bounds_hold(&rendered, &differences);
-        values.push(figures(&rendered, &differences));
+        values.push(figures(&rendered, &differences, &parts(&rendered, args)?));
         for (shot, difference) in rendered.shots.iter().zip(&differences) {
             told.push(vec![
                 number.to_string(),
@@ -290,20 +307,33 @@ pub(super) fn run(args: &RenderArgs) -> Result<(String, bool)> {
         if pipelines.iter().any(Pipeline::is_emboss) {
             return Err(mixed());
         }
+        if pipelines.iter().any(Pipeline::is_tangent) {
+            let text = "--ladder is for pipelines that shade bumps or emboss: leave tangent pipelines out, and set their widths by -p";
+            return Err(Error::usage(text.to_owned()));
+        }
         let ladder = ladder::ladder(pipelines, widths, exponents, args.pixels_per_degree)?;
         let told = ladder::run(&ladder, &scene, &name_of(&args.scene), &args.out, args.json)?;
         return Ok((told, true));
     }
-    if args.specialise && pipelines_of(args, &scene)?.iter().any(Pipeline::is_emboss) {
-        let text = "--specialise is for pipelines that shade bumps: leave it out for an emboss";
-        return Err(Error::usage(text.to_owned()));
+    if args.specialise {
+        let pipelines = pipelines_of(args, &scene)?;
+        if args.frames == "setup" {
+            let text = "--specialise takes frames in floating point: leave --frames out";
+            return Err(Error::usage(text.to_owned()));
+        }
+        if pipelines.iter().any(|pipeline| pipeline.is_emboss() || pipeline.is_tangent()) {
+            let text = "--specialise is for pipelines that shade bumps: leave it out for an emboss or a tangent-space set-up";
+            return Err(Error::usage(text.to_owned()));
+        }
     }
     if scene.orbit.is_some() {
         return run_frames(args, &scene);
     }
     let Made { scene, pipelines, rendered, differences } = render_and_write(args, scene)?;
-    let mut value = figures(&rendered, &differences);
+    let parts = parts(&rendered, args)?;
+    let mut value = figures(&rendered, &differences, &parts);
     let mut told = table(&rendered, &differences);
+    told.push_str(&setups(&rendered, &differences, &parts));
     let mut same = bounds_hold(&rendered, &differences);
     if !same {
         told.push_str(BROKEN);
@@ -402,6 +432,13 @@ fn write_pictures(out: &Path, rendered: &Rendered) -> Result<()> {
         difference.save_png(&out.join(format!("{name}_difference.png")))?;
         signed_map(&shot.picture, &rendered.golden, Amplify::Fit)?
             .save_png(&out.join(format!("{name}_signed.png")))?;
+        if let Some(setup) = &shot.setup {
+            setup.flow.to_srgb8().save_png(&out.join(format!("{name}_flow.png")))?;
+            absolute_map(&shot.picture, &setup.flow, Amplify::Fit)?
+                .save_png(&out.join(format!("{name}_arithmetic.png")))?;
+            absolute_map(&setup.flow, &rendered.golden, Amplify::Fit)?
+                .save_png(&out.join(format!("{name}_algorithm.png")))?;
+        }
         pictures.push((name.as_str(), picture, difference));
     }
     // Rows of pictures, the golden first, with their differences below.
@@ -422,11 +459,118 @@ fn write_pictures(out: &Path, rendered: &Rendered) -> Result<()> {
     sheet(&panels, columns + 1)?.save_png(&out.join("sheet.png"))
 }
 
-fn figures(rendered: &Rendered, differences: &[Difference]) -> Value {
+/// What a set-up's difference to the golden is made of: arithmetic (to its own flow with the golden of the
+/// set-up) and algorithm (of that flow to the golden).
+type Parts = Option<[Difference; 2]>;
+
+fn parts(rendered: &Rendered, args: &RenderArgs) -> Result<Vec<Parts>> {
+    let between = |a: &Picture, b: &Picture| Difference::between(a, b, args.pixels_per_degree);
+    let of = |shot: &Shot| match &shot.setup {
+        None => Ok(None),
+        Some(setup) => Ok(Some([
+            between(&shot.picture, &setup.flow)?,
+            between(&setup.flow, &rendered.golden)?,
+        ])),
+    };
+    rendered.shots.iter().map(of).collect()
+}
+
+/// What set-ups take and save, and what their differences are made of.
+fn setups(rendered: &Rendered, differences: &[Difference], parts: &[Parts]) -> String {
+    let mut told = String::new();
+    let shots = rendered.shots.iter().zip(differences).zip(parts);
+    let mut rows = Vec::new();
+    let mut work = Vec::new();
+    let mut sharing = None;
+    for ((shot, total), parts) in shots {
+        let (Some(setup), Some([arithmetic, algorithm])) = (&shot.setup, parts) else { continue };
+        let of = |what: &str, d: &Difference| {
+            vec![
+                shot.pipeline.name.clone(),
+                what.to_owned(),
+                text::number(d.max.difference * 255.0),
+                text::number(d.mean * 255.0),
+                format!("{:.1}", d.psnr_db),
+                format!("{:.4}", d.ssim),
+                format!("{:.4}", d.flip),
+                format!("{:.2} %", d.srgb8_differing * 100.0),
+            ]
+        };
+        rows.extend([of("arithmetic", arithmetic), of("algorithm", algorithm), of("total", total)]);
+        let operations = |counts: &Counts| {
+            let all = [&counts.datapath, &counts.schemes, &counts.parts];
+            [
+                all.iter().map(|operators| operators.multipliers).sum::<u64>(),
+                all.iter().map(|operators| operators.adders).sum::<u64>(),
+                counts.reads,
+            ]
+        };
+        let primitive = setup.per_primitive.as_ref().map_or([0; 3], operations);
+        let vertex = operations(&setup.per_vertex);
+        let [triangles, corners] = [setup.sharing.primitives, setup.sharing.replicated_operations];
+        for (rate, operations, times) in
+            [("per triangle", primitive, triangles), ("per vertex of a triangle", vertex, corners)]
+        {
+            let mut row = vec![shot.pipeline.name.clone(), rate.to_owned(), times.to_string()];
+            row.extend(operations.map(|count| count.to_string()));
+            work.push(row);
+        }
+        let _ = writeln!(
+            told,
+            "{}: {} of {triangles} triangles mirrored, {} of {corners} corners without a frame of their own; a step of positions is {} and of texture coordinates {}",
+            shot.pipeline.name,
+            setup.mirrored,
+            setup.degenerate,
+            text::number(setup.position_step),
+            text::number(setup.uv_step)
+        );
+        sharing = Some(setup.sharing);
+    }
+    let Some(sharing) = sharing else { return told };
+    let Sharing {
+        vertices,
+        primitives,
+        indices,
+        stitches,
+        vertex_operations,
+        replicated_operations,
+        bytes,
+        replicated_bytes,
+    } = sharing;
+    let saved = |less: u64, more: u64| {
+        format!("{:.2} x", cast::f64_of_count(more) / cast::f64_of_count(less.max(1)))
+    };
+    format!(
+        "\nset-up per triangle: arithmetic is to the same flow with the set-up in floating point, algorithm of that to the golden\n{}{told}\
+         {vertices} vertices, {primitives} triangles of {indices} indices, {stitches} more that only stitch; shared, the vertex stage works on {vertex_operations} vertices, and on \
+         {replicated_operations} if each triangle has its own ({}); buffers have {bytes} bytes, and would have {replicated_bytes} ({})\n{}",
+        text::table(
+            &[
+                "pipeline",
+                "difference",
+                ">max/255",
+                ">mean/255",
+                ">PSNR dB",
+                ">SSIM",
+                ">FLIP",
+                ">8-bit differing"
+            ],
+            &rows
+        ),
+        saved(vertex_operations, replicated_operations),
+        saved(bytes, replicated_bytes),
+        text::table(
+            &["pipeline", "set-up", ">times", ">multipliers", ">adders", ">table reads"],
+            &work
+        )
+    )
+}
+
+fn figures(rendered: &Rendered, differences: &[Difference], parts: &[Parts]) -> Value {
     let parameters = |design: &Design| -> serde_json::Map<_, _> {
         design.values.iter().map(|(k, v)| (k.to_owned(), json!(v.to_string()))).collect()
     };
-    let shot = |(shot, difference): (&Shot, &Difference)| {
+    let shot = |((shot, difference), parts): ((&Shot, &Difference), &Parts)| {
         json!({
             "pipeline": shot.pipeline.name,
             "unit": shot.pipeline.unit.name,
@@ -437,6 +581,9 @@ fn figures(rendered: &Rendered, differences: &[Difference]) -> Value {
             })).collect::<Vec<_>>(),
             "difference": difference,
             "emboss": shot.emboss,
+            "setup": shot.setup,
+            "arithmetic": parts.as_ref().map(|[arithmetic, _]| arithmetic),
+            "algorithm": parts.as_ref().map(|[_, algorithm]| algorithm),
             "vectors": shot.vectors,
             "overflows": shot.overflowed(),
             "samples": shot.samples,
@@ -452,7 +599,7 @@ fn figures(rendered: &Rendered, differences: &[Difference]) -> Value {
         "blinn_max": rendered.blinn,
         "pixels_per_second":
             cast::f64_of_len(rendered.golden.pixels().len()) / rendered.elapsed.as_secs_f64(),
-        "pipelines": rendered.shots.iter().zip(differences).map(shot).collect::<Vec<_>>(),
+        "pipelines": rendered.shots.iter().zip(differences).zip(parts).map(shot).collect::<Vec<_>>(),
     })
 }
 

@@ -28,17 +28,17 @@
 //! d texels is off by at most d times the largest difference of neighbouring texels. Positions of vertices
 //! are compared with the golden's; interpolation makes no error larger.
 
+use super::named::Stage;
 use super::{Block, BlockShot, Gathered, Pipeline, Rendered, Shot, gather, median_rate, overflows};
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::format::Format;
 use crate::measure::{BoundCheck, quantize_inputs};
-use crate::netlist::NodeId;
 use crate::scene::{Address, Filter, Light, LightSign, Place, Scene, Seen, Tessellation, Vertex};
-use crate::sim::batch::{Program, Runner};
+use crate::sim::batch::Runner;
+use crate::units::Unit;
 use crate::units::combine::COMBINE;
 use crate::units::sampler::SAMPLER;
-use crate::units::{Design, Unit};
 use glam::{DMat3, DVec2, DVec3};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -77,80 +77,6 @@ pub const FAR_AWAY: f64 = 1024.0;
 
 /// Codes of texels and channels that stand for 1, of 8 bits: what a map holds.
 const TEXEL_MAX: f64 = 255.0;
-
-/// A design with its program.
-struct Stage {
-    design: Arc<Design>,
-    program: Program,
-}
-
-impl Stage {
-    /// A unit with those assignments of the pipeline that it knows, and the scene's.
-    fn new(unit: &'static Unit, pipeline: &Pipeline, scene: &[String]) -> Result<Self> {
-        let knows = |set: &&String| {
-            let key = set.split_once('=').map_or("", |(key, _)| key);
-            unit.all_params().any(|param| param.name == key)
-        };
-        let own = pipeline.assignments.iter().filter(knows);
-        let all: Vec<&String> = own.chain(scene).collect();
-        let design = unit.values(&all)?.build()?;
-        let nodes: Vec<NodeId> =
-            design.netlist.outputs().iter().map(|output| output.node).collect();
-        let program = Program::compile(&design.netlist, &nodes);
-        Ok(Self { design: Arc::new(design), program })
-    }
-
-    /// Input columns of the ports in order, taken from columns by name.
-    fn inputs<T>(&self, mut columns: BTreeMap<String, Vec<T>>) -> Vec<Vec<T>> {
-        let netlist = &self.design.netlist;
-        let column = |at| {
-            let name = netlist.input_name(at);
-            columns.remove(name).unwrap_or_else(|| panic!("bug: nothing for the port `{name}`"))
-        };
-        (0..netlist.inputs().len()).map(column).collect()
-    }
-
-    /// Words of all outputs by name.
-    fn run(
-        &self,
-        runner: &mut Runner,
-        words: &[Vec<i64>],
-        shot: &mut BlockShot,
-        stage: usize,
-    ) -> BTreeMap<&str, Vec<i64>> {
-        let outputs = self.design.netlist.outputs();
-        let slices: Vec<&[i64]> = words.iter().map(Vec::as_slice).collect();
-        let mut out = vec![Vec::new(); outputs.len()];
-        let before = runner.overflows().to_vec();
-        let start = Instant::now();
-        runner.run(&self.program, &slices, &mut out);
-        shot.engine += start.elapsed();
-        let counts = runner.overflows().iter().zip(before);
-        for (total, (after, before)) in shot.overflows[stage].iter_mut().zip(counts) {
-            *total += after - before;
-        }
-        outputs.iter().map(|output| output.name.as_str()).zip(out).collect()
-    }
-
-    fn ulp(&self, name: &str) -> f64 {
-        let netlist = &self.design.netlist;
-        let port = netlist.outputs().iter().find(|output| output.name == name);
-        netlist.node(port.expect("bug: a port of this name").node).format.ulp()
-    }
-
-    /// Format of an input port, if there is one of this name.
-    fn port(&self, name: &str) -> Option<Format> {
-        let netlist = &self.design.netlist;
-        let at = (0..netlist.inputs().len()).find(|at| netlist.input_name(*at) == name);
-        at.map(|at| netlist.node(netlist.inputs()[at]).format)
-    }
-
-    /// Largest magnitude of both signs that an input port holds.
-    fn reach(&self, port: &str) -> f64 {
-        let format = self.port(port).expect("bug: a port of this name");
-        format.value(format.max_raw())
-    }
-}
 
 /// What is known of an emboss beside its picture.
 #[derive(Clone, Copy, PartialEq, Debug, Serialize)]
@@ -603,6 +529,7 @@ pub fn render(
             design: Arc::clone(&shader.emboss.design),
             behind: [&shader.sampler, &shader.combine].map(|s| Arc::clone(&s.design)).to_vec(),
             emboss: Some(shader.known),
+            setup: None,
             engine: total.engine + shader.vertices.engine,
             samples_per_second: median_rate(rates),
             samples: total.samples,

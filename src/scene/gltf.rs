@@ -1,10 +1,11 @@
-//! Triangles from glTF 2.0: as much as shapes need, every number checked before it is used.
+//! Meshes from glTF 2.0: as much as shapes need, every number checked before it is used.
 //!
 //! A reader of our own, since a file may name any offset, count and stride: each must lead to
 //! a message and none to a panic. Materials, skins, animations and cameras are passed over.
 
+use super::assembly::{Mesh, SharedVertex, Topology};
 use super::map;
-use super::mesh::{MAX_TRIANGLES, Triangle, check_coordinates, check_normal, too_many};
+use super::mesh::{MAX_TRIANGLES, check_coordinates, check_normal, too_many};
 use crate::cast;
 use crate::error::{Error, Result};
 use glam::{DMat3, DMat4, DQuat, DVec2, DVec3};
@@ -22,7 +23,7 @@ struct Document {
     #[serde(default)]
     nodes: Vec<Node>,
     #[serde(default)]
-    meshes: Vec<Mesh>,
+    meshes: Vec<MeshNode>,
     #[serde(default)]
     accessors: Vec<Accessor>,
     #[serde(default)]
@@ -51,7 +52,7 @@ struct Node {
 }
 
 #[derive(Deserialize)]
-struct Mesh {
+struct MeshNode {
     primitives: Vec<Primitive>,
 }
 
@@ -105,12 +106,12 @@ struct Buffer {
 }
 
 /// Reads a `.gltf` or `.glb` file of which these are the bytes.
-pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Vec<Triangle>> {
+pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Mesh> {
     read_within(bytes, path, map::MAX_BYTES)
 }
 
 /// As [`read`], with so many bytes in all buffers together.
-fn read_within(bytes: &[u8], path: &Path, max_bytes: u64) -> Result<Vec<Triangle>> {
+fn read_within(bytes: &[u8], path: &Path, max_bytes: u64) -> Result<Mesh> {
     let fail = |problem| Error::file(path, problem);
     let (json, binary) =
         if bytes.starts_with(b"glTF") { chunks(bytes).map_err(fail)? } else { (bytes, None) };
@@ -166,7 +167,7 @@ fn read_within(bytes: &[u8], path: &Path, max_bytes: u64) -> Result<Vec<Triangle
         buffers.push(place);
     }
     let buffers: Vec<&[u8]> = buffers.into_iter().map(|place| &*data[place]).collect();
-    File { document: &document, buffers: &buffers }.triangles().map_err(fail)
+    File { document: &document, buffers: &buffers }.mesh().map_err(fail)
 }
 
 /// JSON and binary chunk of a `.glb` file.
@@ -205,7 +206,7 @@ fn get<'a, T>(list: &'a [T], what: &str, index: usize) -> Result<&'a T, String> 
 }
 
 impl File<'_> {
-    fn triangles(&self) -> Result<Vec<Triangle>, String> {
+    fn mesh(&self) -> Result<Mesh, String> {
         let document = self.document;
         let roots: Vec<usize> = if document.scenes.is_empty() {
             let children = document.nodes.iter().flat_map(|node| &node.children);
@@ -214,7 +215,7 @@ impl File<'_> {
         } else {
             get(&document.scenes, "scene", document.scene.unwrap_or(0))?.nodes.clone()
         };
-        let mut triangles = Vec::new();
+        let mut whole = Mesh::default();
         let mut seen = vec![false; document.nodes.len()];
         let mut stack: Vec<_> = roots.into_iter().rev().map(|i| (i, DMat4::IDENTITY)).collect();
         while let Some((i, above)) = stack.pop() {
@@ -224,33 +225,78 @@ impl File<'_> {
             }
             let to_world = above * transform(node);
             if let Some(mesh) = node.mesh {
+                // Vertices that several of its primitives name are there once.
+                let mut known = HashMap::new();
                 for (j, primitive) in
                     get(&document.meshes, "mesh", mesh)?.primitives.iter().enumerate()
                 {
-                    self.primitive(primitive, to_world, &mut triangles)
+                    self.primitive(primitive, to_world, &mut known, &mut whole)
                         .map_err(|why| format!("mesh {mesh}, primitive {j}: {why}"))?;
                 }
             }
             stack.extend(node.children.iter().rev().map(|child| (*child, to_world)));
         }
-        Ok(triangles)
+        Ok(whole)
     }
 
     fn primitive(
         &self,
         primitive: &Primitive,
         to_world: DMat4,
-        triangles: &mut Vec<Triangle>,
+        known: &mut HashMap<[usize; 3], (u32, usize)>,
+        mesh: &mut Mesh,
     ) -> Result<(), String> {
-        if let Some(mode) = primitive.mode.filter(|mode| *mode != 4) {
-            return Err(format!("its mode is {mode}: only lists of triangles (4) are read"));
-        }
+        let topology = match primitive.mode {
+            None | Some(4) => Topology::List,
+            Some(5) => Topology::Strip,
+            Some(6) => Topology::Fan,
+            Some(mode) => {
+                return Err(format!(
+                    "its mode is {mode}: only triangles are read, as lists (4), strips (5) and fans (6)"
+                ));
+            }
+        };
         let Attributes { points, normals, uvs } = primitive.attributes;
         let without =
             |what: &str| format!("has no {what}: export with texture coordinates and normals");
-        let points = self.floats(points.ok_or_else(|| without("points (POSITION)"))?, 3)?;
-        let normals = self.floats(normals.ok_or_else(|| without("normals (NORMAL)"))?, 3)?;
-        let uvs = self.floats(uvs.ok_or_else(|| without("uv (TEXCOORD_0)"))?, 2)?;
+        let points = points.ok_or_else(|| without("points (POSITION)"))?;
+        let normals = normals.ok_or_else(|| without("normals (NORMAL)"))?;
+        let uvs = uvs.ok_or_else(|| without("uv (TEXCOORD_0)"))?;
+        let accessors = [points, normals, uvs];
+        let (first, vertices) = match known.get(&accessors) {
+            Some(buffer) => *buffer,
+            None => {
+                let first = cast::id_of(mesh.vertices.len());
+                self.vertices(accessors, to_world, &mut mesh.vertices)?;
+                let count = mesh.vertices.len() - cast::index_of_u32(first);
+                known.insert(accessors, (first, count));
+                (first, count)
+            }
+        };
+        let corners: Vec<u32> = match primitive.indices {
+            Some(accessor) => {
+                let indices = self.indices(accessor)?;
+                if let Some(index) = indices.iter().find(|index| **index >= vertices) {
+                    return Err(format!("vertex {index} is named, and there are {vertices}"));
+                }
+                mesh.indices += cast::count_of(indices.len());
+                indices.into_iter().map(|index| first + cast::id_of(index)).collect()
+            }
+            None => (0..cast::id_of(vertices)).map(|i| first + i).collect(),
+        };
+        mesh.assemble(topology, &corners)
+    }
+
+    /// Adds the vertices of accessors of points, normals and uv.
+    fn vertices(
+        &self,
+        [points, normals, uvs]: [usize; 3],
+        to_world: DMat4,
+        to: &mut Vec<SharedVertex>,
+    ) -> Result<(), String> {
+        let points = self.floats(points, 3)?;
+        let normals = self.floats(normals, 3)?;
+        let uvs = self.floats(uvs, 2)?;
         let vertices = points.len() / 3;
         if normals.len() / 3 != vertices || uvs.len() / 2 != vertices {
             return Err("points, normals and uv differ in number".to_owned());
@@ -260,13 +306,20 @@ impl File<'_> {
         if !normal_matrix.is_finite() {
             return Err("the matrix of its node can't be inverted".to_owned());
         }
-        let mut corners = Vec::with_capacity(vertices);
+        // Each node that shows a mesh has vertices of its own.
+        if to.len() + vertices > 3 * MAX_TRIANGLES {
+            return Err(format!(
+                "more than {} vertices, the most that a mesh may have: simplify it, or show it fewer times",
+                3 * MAX_TRIANGLES
+            ));
+        }
+        to.reserve(vertices);
         for i in 0..vertices {
             let given = DVec3::from_slice(&points[3 * i..]);
-            let point = to_world.transform_point3(given);
+            let position = to_world.transform_point3(given);
             check_coordinates(
                 &format!("vertex {i}"),
-                &[given.to_array(), point.to_array()].concat(),
+                &[given.to_array(), position.to_array()].concat(),
             )?;
             let what = format!("the normal of vertex {i}");
             let given = DVec3::from_slice(&normals[3 * i..]);
@@ -276,27 +329,7 @@ impl File<'_> {
             check_normal(&what, normal)?;
             let uv = DVec2::new(uvs[2 * i], 1.0 - uvs[2 * i + 1]);
             check_coordinates(&format!("the uv of vertex {i}"), &uv.to_array())?;
-            corners.push((point, normal, uv));
-        }
-        let indices = match primitive.indices {
-            Some(accessor) => self.indices(accessor)?,
-            None => (0..vertices).collect(),
-        };
-        if indices.len() % 3 != 0 {
-            return Err(format!("{} corners don't make whole triangles", indices.len()));
-        }
-        if triangles.len() + indices.len() / 3 > MAX_TRIANGLES {
-            return Err(too_many());
-        }
-        for three in indices.chunks_exact(3) {
-            let corner = |i: usize| get(&corners, "vertex", three[i]).copied();
-            let (a, b, c) = (corner(0)?, corner(1)?, corner(2)?);
-            triangles.push(Triangle {
-                points: [a.0, b.0, c.0],
-                normals: [a.1, b.1, c.1],
-                uvs: [a.2, b.2, c.2],
-                line: None,
-            });
+            to.push(SharedVertex { position, normal, uv });
         }
         Ok(())
     }
@@ -454,7 +487,7 @@ mod tests {
             let buffers: Vec<String> = uris.iter().map(buffer).collect();
             let text = format!("{{\"buffers\": [{}]}}", buffers.join(", "));
             let read = read_within(text.as_bytes(), &folder.path().join("x.gltf"), max_bytes);
-            read.map(|triangles| triangles.len()).map_err(|why| why.to_string())
+            read.map(|mesh| mesh.triangles.len()).map_err(|why| why.to_string())
         };
         assert_eq!(read(&["a.bin"; 200], 10), Ok(0));
         assert_eq!(read(&["a.bin", "b.bin", "a.bin"], 20), Ok(0));

@@ -1,29 +1,55 @@
-//! Triangles from files. The OBJ reader is ours because it names lines and refuses what can't be lit.
+//! Meshes from files. The OBJ reader is ours because it names lines and refuses what can't be lit.
 
+use super::assembly::{Mesh, SharedVertex, Topology};
 use super::text::{self, FAR};
 use super::{gltf, map};
+use crate::cast;
 use crate::error::{Error, Result};
 use glam::{DVec2, DVec3};
+use std::collections::HashMap;
 use std::path::Path;
 
 /// Most triangles of a mesh, and of all objects of a scene together.
 pub(super) const MAX_TRIANGLES: usize = 1_000_000;
 
-/// A triangle as in its file, v up.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Triangle {
-    pub(super) points: [DVec3; 3],
-    /// Of any length but zero.
-    pub(super) normals: [DVec3; 3],
-    pub(super) uvs: [DVec2; 3],
-    /// Line of its file, where that has lines.
-    pub(super) line: Option<u64>,
+/// Strips of a made-up mesh, and squares of each.
+const SHELL_SQUARES: u32 = 48;
+
+/// A dome over the square [-1, 1]² whose halves left and right of x = 0 share a texture: u = |x|, v = 2 (y + 1), and
+/// z = 0.6 (1 - x²) (1 - y²). Rows of one strip each; the vertices of x = 0 belong to both halves.
+pub(super) fn shell() -> Mesh {
+    let mut mesh = Mesh::default();
+    let along = |i: u32| 2.0 * f64::from(i) / f64::from(SHELL_SQUARES) - 1.0; // exact at 0 and ±1
+    for j in 0..=SHELL_SQUARES {
+        for i in 0..=SHELL_SQUARES {
+            let (x, y) = (along(i), along(j));
+            let (across, up) = (1.0 - x * x, 1.0 - y * y);
+            mesh.vertices.push(SharedVertex {
+                position: DVec3::new(x, y, 0.6 * across * up),
+                normal: DVec3::new(1.2 * x * up, 1.2 * y * across, 1.0),
+                uv: DVec2::new(x.abs(), 2.0 * (y + 1.0)),
+            });
+        }
+    }
+    let id = |i: u32, j: u32| j * (SHELL_SQUARES + 1) + i;
+    for j in 0..SHELL_SQUARES {
+        let (lower, upper) = (|i| id(i, j), |i| id(i, j + 1));
+        let half = SHELL_SQUARES / 2;
+        // A corner that comes twice turns the strip over: its squares are cut as in a mirror, left and right.
+        let mut strip = vec![lower(0)];
+        strip.extend((0..=half).flat_map(|i| [lower(i), upper(i)]));
+        strip.push(lower(half));
+        strip.extend((half + 1..=SHELL_SQUARES).flat_map(|i| [upper(i), lower(i)]));
+        mesh.assemble(Topology::Strip, &strip).expect("bug: a whole strip");
+        mesh.indices += cast::count_of(strip.len());
+    }
+    mesh
 }
 
 /// Reads a mesh by its file's extension.
-pub(super) fn read(path: &Path) -> Result<Vec<Triangle>> {
+pub(super) fn read(path: &Path) -> Result<Mesh> {
     let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
-    let triangles = match extension.to_ascii_lowercase().as_str() {
+    let mesh = match extension.to_ascii_lowercase().as_str() {
         "obj" => read_obj(&String::from_utf8_lossy(&map::read_file(path)?), path)?,
         "gltf" | "glb" => gltf::read(&map::read_file(path)?, path)?,
         _ => {
@@ -31,10 +57,10 @@ pub(super) fn read(path: &Path) -> Result<Vec<Triangle>> {
             return Err(Error::file(path, problem));
         }
     };
-    if triangles.is_empty() {
+    if mesh.triangles.is_empty() {
         return Err(Error::file(path, "has no triangles".to_owned()));
     }
-    Ok(triangles)
+    Ok(mesh)
 }
 
 /// What is wrong with the coordinates of a vertex.
@@ -57,10 +83,12 @@ pub(super) fn check_normal(what: &str, normal: DVec3) -> Result<(), String> {
     Ok(())
 }
 
-fn read_obj(text: &str, path: &Path) -> Result<Vec<Triangle>> {
+fn read_obj(text: &str, path: &Path) -> Result<Mesh> {
     let (mut points, mut normals, mut uvs) = (Vec::new(), Vec::new(), Vec::new());
-    let mut triangles = Vec::new();
+    let mut mesh = Mesh::default();
     let mut corners = Vec::new();
+    // Corners that name the same point, texture coordinate and normal are one vertex.
+    let mut known: HashMap<[usize; 3], u32> = HashMap::new();
     for (line, number) in text.lines().zip(1..) {
         let fail = |problem| Error::line(path, number, problem);
         let mut words = line.split('#').next().unwrap_or_default().split_whitespace();
@@ -82,11 +110,23 @@ fn read_obj(text: &str, path: &Path) -> Result<Vec<Triangle>> {
                 corners.clear();
                 for word in words {
                     let mut indices = word.split('/');
-                    let point = pick(&points, "point", word, indices.next()).map_err(fail)?;
-                    let uv =
-                        pick(&uvs, "texture coordinate", word, indices.next()).map_err(fail)?;
-                    let normal = pick(&normals, "normal", word, indices.next()).map_err(fail)?;
-                    corners.push((point, normal, uv));
+                    let names = [
+                        pick(points.len(), "point", word, indices.next()),
+                        pick(uvs.len(), "texture coordinate", word, indices.next()),
+                        pick(normals.len(), "normal", word, indices.next()),
+                    ];
+                    let [point, uv, normal] = names;
+                    let names = [point.map_err(fail)?, uv.map_err(fail)?, normal.map_err(fail)?];
+                    let vertices = &mut mesh.vertices;
+                    corners.push(*known.entry(names).or_insert_with(|| {
+                        let [point, uv, normal] = names;
+                        vertices.push(SharedVertex {
+                            position: points[point],
+                            normal: normals[normal],
+                            uv: uvs[uv],
+                        });
+                        cast::id_of(vertices.len() - 1)
+                    }));
                 }
                 if corners.len() < 3 {
                     return Err(fail(format!(
@@ -94,24 +134,15 @@ fn read_obj(text: &str, path: &Path) -> Result<Vec<Triangle>> {
                         corners.len()
                     )));
                 }
-                for i in 2..corners.len() {
-                    let (a, b, c) = (corners[0], corners[i - 1], corners[i]);
-                    triangles.push(Triangle {
-                        points: [a.0, b.0, c.0],
-                        normals: [a.1, b.1, c.1],
-                        uvs: [a.2, b.2, c.2],
-                        line: Some(number),
-                    });
-                }
-                if triangles.len() > MAX_TRIANGLES {
-                    return Err(fail(too_many()));
-                }
+                mesh.assemble(Topology::Fan, &corners).map_err(fail)?;
+                mesh.indices += cast::count_of(corners.len());
+                mesh.lines.resize(mesh.triangles.len(), number);
             }
             // Names, groups, materials and what else there is change no shape.
             _ => {}
         }
     }
-    Ok(triangles)
+    Ok(mesh)
 }
 
 pub(super) fn too_many() -> String {
@@ -132,8 +163,8 @@ fn numbers<'a, const N: usize>(
     Ok(values)
 }
 
-/// What a corner's index names: from 1, or from -1 backwards.
-fn pick<T: Copy>(list: &[T], what: &str, corner: &str, index: Option<&str>) -> Result<T, String> {
+/// The place in a list of so many that a corner's index names: from 1, or from -1 backwards.
+fn pick(len: usize, what: &str, corner: &str, index: Option<&str>) -> Result<usize, String> {
     let corner = shown(corner);
     let Some(index) = index.filter(|index| !index.is_empty()) else {
         return Err(format!(
@@ -144,15 +175,12 @@ fn pick<T: Copy>(list: &[T], what: &str, corner: &str, index: Option<&str>) -> R
     let position = parsed.and_then(|index| match index {
         1.. => usize::try_from(index - 1).ok(),
         0 => None,
-        _ => {
-            usize::try_from(index.unsigned_abs()).ok().and_then(|back| list.len().checked_sub(back))
-        }
+        _ => usize::try_from(index.unsigned_abs()).ok().and_then(|back| len.checked_sub(back)),
     });
-    position.and_then(|position| list.get(position)).copied().ok_or_else(|| {
+    position.filter(|position| *position < len).ok_or_else(|| {
         format!(
-            "corner `{corner}` names {what} {}, and up to here there are {} (they count from 1)",
-            shown(index),
-            list.len()
+            "corner `{corner}` names {what} {}, and up to here there are {len} (they count from 1)",
+            shown(index)
         )
     })
 }

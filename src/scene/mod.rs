@@ -30,8 +30,11 @@
 //!   and θ the angle from +z, u = az/turn in [0, 1) and v = 1 - θ/(half a turn). It is no mesh:
 //!   rays meet it exactly and normals are exact. On the pole itself az is 0.
 //! - *mesh*: triangles of an `.obj`, `.gltf` or `.glb` file, coordinates as in the file (glTF's y is up:
-//!   `rotate_degrees = [90, 0, 0]` stands it upright). Triangles count from 0 in the file's order;
-//!   polygons of more corners are cut into fans.
+//!   `rotate_degrees = [90, 0, 0]` stands it upright): lists, strips and fans; polygons of more corners are fans.
+//!   Triangles count from 0 in the file's order, without those of strips that have one point for two corners.
+//!   With `source = "shell"` instead of a file it is a dome over [-1, 1]^2 whose halves left and right of x = 0 share a
+//!   texture: u = |x|, v = 2 (y + 1), z = 0.6 (1 - x²) (1 - y²), in 48 x 48 squares, each cut
+//!   in two from its lower corner nearer to x = 0 to its upper one farther from it.
 //!
 //! # Texture frames
 //! `T = normalise(dP/du - N (N·dP/du))` and `B = h (N x T)`, with handedness h = +1, or -1 where
@@ -83,10 +86,15 @@
 //! scale. Beyond the map it repeats or its border goes on, by axis. To each channel comes
 //! `2^gain_log2 Σ (height - displaced height)` over the lights, and it ends at 0 and 1.
 //!
+//! # In texture space
+//! Pipelines of the tangent-space set-up ([`crate::render::tangent`]) light the same triangles, with vertices shared
+//! ([`Scene::assemble`]) and as fine as `tessellation` in `[emboss]` says, in texture space instead.
+//!
 //! # Frames
 //! With `[orbit]` a scene has several pictures: in frame k of n the light is turned about the axis by
 //! `turns k/n`, counter-clockwise seen from the axis's tip.
 
+mod assembly;
 mod gltf;
 mod map;
 mod mesh;
@@ -96,8 +104,9 @@ mod text;
 mod trace;
 
 pub use crate::srgb::from_srgb;
+pub use assembly::{SharedVertex, Sharing, Topology};
 pub use map::{Bumps, Texture};
-pub use tessellation::{Seen, Tessellation, Vertex};
+pub use tessellation::{Assembly, Seen, Tessellation, Vertex};
 pub use trace::{CURVED, Fragments};
 
 use crate::error::{Error, Result};
@@ -116,6 +125,7 @@ pub const BUILTIN: &[(&str, &str)] = &[
     ("lettering-lowered", include_str!("builtin/lettering-lowered.toml")),
     ("brick", include_str!("builtin/brick.toml")),
     ("light-orbit", include_str!("builtin/light-orbit.toml")),
+    ("mirrored", include_str!("builtin/mirrored.toml")),
 ];
 
 /// A scene, checked and ready to be traced. Camera, lights and materials may be changed; shapes and

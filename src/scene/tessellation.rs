@@ -1,13 +1,18 @@
-//! A scene as vertices and triangles, for what is computed per vertex and interpolated: the emboss.
+//! A scene as vertices and triangles, for what is computed per vertex and interpolated.
+//!
+//! Two forms: a [`Tessellation`] has texture frames at its vertices, as the emboss takes them, so that triangles of
+//! meshes, which have a dP/du each, have vertices of their own; an [`Assembly`] has only what triangles
+//! share, each vertex once.
 //!
 //! Planes and faces of cubes become grids of `tessellation` by `tessellation` squares, a sphere one of
-//! `tessellation` rows (2 at least) from pole to pole and twice as many columns, each square two triangles; at a pole
-//! a square is one triangle, whose tip has the azimuth of the square's middle. Triangles of meshes stay
-//! as they are, each with vertices of its own. The weights of a pixel's corners are those of the place that
+//! `tessellation` rows (2 at least) from pole to pole and twice as many columns, each row a strip of triangles, two to
+//! a square; at a pole a square is one triangle, whose tip has the azimuth of the square's middle. Triangles of
+//! meshes stay as they are. The weights of a pixel's corners are those of the place that
 //! its ray meets, so what is interpolated with them is right in perspective.
 
 use super::Scene;
-use super::trace::{Face, Place, Rays, Surfaces};
+use super::assembly::{SharedVertex, Sharing, Topology};
+use super::trace::{self, Face, Place, Rays, Surfaces};
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::trig::Real;
@@ -36,12 +41,30 @@ pub struct Vertex {
     pub object: u32,
 }
 
-/// A scene's surfaces as triangles.
+/// A scene's surfaces as triangles with texture frames.
 #[derive(Clone, Debug)]
 pub struct Tessellation {
     /// All vertices.
     pub vertices: Vec<Vertex>,
-    /// Vertices of each triangle, by number.
+    triangles: Triangles,
+}
+
+/// A scene's surfaces as triangles that share vertices.
+#[derive(Clone, Debug)]
+pub struct Assembly {
+    /// All vertices, in the world, each once; normals are unit vectors.
+    pub vertices: Vec<SharedVertex>,
+    /// Words of index buffers.
+    indices: u64,
+    /// Triangles left out of strips.
+    stitches: u64,
+    triangles: Triangles,
+}
+
+/// Triangles between vertices that are known by number, and what rays meet of them.
+#[derive(Clone, Debug)]
+struct Triangles {
+    /// Vertices of each, turning counter-clockwise seen from the side of their normals.
     corners: Vec<[u32; 3]>,
     surfaces: Surfaces,
 }
@@ -51,6 +74,8 @@ pub struct Tessellation {
 pub struct Seen {
     /// Index of the pixel, `row * width + column`, row 0 on top; increasing.
     pub pixel: Vec<u32>,
+    /// Number of the triangle.
+    pub triangle: Vec<u32>,
     /// The triangle's vertices.
     pub corners: Vec<[u32; 3]>,
     /// What each of them counts; together 1.
@@ -82,11 +107,62 @@ impl Seen {
 }
 
 impl Scene {
-    /// Its surfaces as triangles.
+    /// Its surfaces as triangles with texture frames.
     ///
     /// # Errors
     /// If they are more than 2^22.
     pub fn tessellate(&self) -> Result<Tessellation> {
+        let vertex = |seen: &trace::Seen| Vertex {
+            position: seen.position,
+            normal: seen.normal,
+            tangent: seen.tangent,
+            binormal: seen.handedness * seen.normal.cross(seen.tangent),
+            handedness: seen.handedness,
+            uv: seen.uv,
+            object: seen.object,
+        };
+        let shared = |v: &Vertex| SharedVertex { position: v.position, normal: v.normal, uv: v.uv };
+        let mut grower = self.grow(vertex, shared)?;
+        for face in self.surfaces.faces.iter().filter(|face| face.place.triangle) {
+            let corners = [DVec2::ZERO, DVec2::X, DVec2::Y].map(|at| grower.vertex(&face.at(at)));
+            grower.triangle(face.place.object, corners);
+        }
+        let (vertices, triangles) = (std::mem::take(&mut grower.vertices), grower.done());
+        Ok(Tessellation { vertices, triangles })
+    }
+
+    /// Its surfaces as triangles that share vertices: the grids' own, and those of meshes as their files have
+    /// them.
+    ///
+    /// # Errors
+    /// If there are more than 2^22 triangles.
+    pub fn assemble(&self) -> Result<Assembly> {
+        let vertex = |seen: &trace::Seen| SharedVertex {
+            position: seen.position,
+            normal: seen.normal,
+            uv: seen.uv,
+        };
+        let mut grower = self.grow(vertex, |vertex| *vertex)?;
+        for placed in &self.surfaces.meshes {
+            let first = cast::id_of(grower.vertices.len());
+            grower.vertices.extend(&placed.mesh.vertices);
+            for corners in &placed.mesh.triangles {
+                grower.triangle(placed.object, corners.map(|corner| first + corner));
+            }
+            grower.indices += placed.mesh.indices;
+            grower.stitches += placed.mesh.stitches;
+        }
+        let (indices, stitches) = (grower.indices, grower.stitches);
+        let (vertices, triangles) = (std::mem::take(&mut grower.vertices), grower.done());
+        Ok(Assembly { vertices, indices, stitches, triangles })
+    }
+
+    /// The grids of all that isn't a mesh.
+    fn grow<V>(
+        &self,
+        make: fn(&trace::Seen) -> V,
+        shared: fn(&V) -> SharedVertex,
+    ) -> Result<Grower<V>> {
         let parts = u64::from(self.emboss.tessellation);
         let per_face = |face: &Face| if face.place.triangle { 1 } else { 2 * parts * parts };
         let count: u64 = self.surfaces.faces.iter().map(per_face).sum::<u64>()
@@ -97,17 +173,19 @@ impl Scene {
             )));
         }
         let parts = self.emboss.tessellation;
-        let mut grower = Grower::default();
-        for face in &self.surfaces.faces {
-            if face.place.triangle {
-                let corners = [DVec2::ZERO, DVec2::X, DVec2::Y];
-                let corners = corners.map(|at| grower.vertex(&face.at(at)));
-                grower.triangle(corners);
-                continue;
-            }
+        let mut grower = Grower {
+            make,
+            shared,
+            vertices: Vec::new(),
+            corners: Vec::new(),
+            faces: Vec::new(),
+            indices: 0,
+            stitches: 0,
+        };
+        for face in self.surfaces.faces.iter().filter(|face| !face.place.triangle) {
             let part = |i: u32| f64::from(i) / f64::from(parts);
             let at = |i: u32, j: u32| face.at(DVec2::new(part(i), part(j)));
-            grower.grid(parts, parts, |grower, i, j| grower.vertex(&at(i, j)));
+            grower.grid(face.place.object, [parts, parts], |grower, i, j| grower.vertex(&at(i, j)));
         }
         for ball in &self.surfaces.balls {
             let rows = parts.max(2);
@@ -120,7 +198,7 @@ impl Scene {
                 let point = DVec3::new(sin[1] * cos[0], sin[1] * sin[0], cos[1]);
                 ball.seen(point, DVec3::new(-sin[0], cos[0], 0.0), DVec2::new(u, v))
             };
-            grower.grid(columns, rows, |grower, i, j| {
+            grower.grid(ball.object, [columns, rows], |grower, i, j| {
                 // Of a square's one triangle at a pole, the tip is its first corner there, or its last.
                 let middle = match j {
                     0 => 0.5,
@@ -130,34 +208,34 @@ impl Scene {
                 grower.vertex(&at(f64::from(i) + middle, j))
             });
         }
-        Ok(grower.done())
+        Ok(grower)
     }
 }
 
 /// Vertices and triangles so far.
-#[derive(Default)]
-struct Grower {
-    vertices: Vec<Vertex>,
+struct Grower<V> {
+    make: fn(&trace::Seen) -> V,
+    shared: fn(&V) -> SharedVertex,
+    vertices: Vec<V>,
     corners: Vec<[u32; 3]>,
     faces: Vec<Face>,
+    indices: u64,
+    stitches: u64,
 }
 
-impl Grower {
-    fn vertex(&mut self, seen: &super::trace::Seen) -> u32 {
-        self.vertices.push(Vertex {
-            position: seen.position,
-            normal: seen.normal,
-            tangent: seen.tangent,
-            binormal: seen.handedness * seen.normal.cross(seen.tangent),
-            handedness: seen.handedness,
-            uv: seen.uv,
-            object: seen.object,
-        });
+impl<V> Grower<V> {
+    fn vertex(&mut self, seen: &trace::Seen) -> u32 {
+        self.vertices.push((self.make)(seen));
         cast::id_of(self.vertices.len() - 1)
     }
 
-    /// Squares of a grid of vertices, row by row, each two triangles or one if the other has no area.
-    fn grid(&mut self, columns: u32, rows: u32, vertex: impl Fn(&mut Self, u32, u32) -> u32) {
+    /// Squares of a grid of vertices: each row a strip, two triangles to a square, or one if the other has no area.
+    fn grid(
+        &mut self,
+        object: u32,
+        [columns, rows]: [u32; 2],
+        vertex: impl Fn(&mut Self, u32, u32) -> u32,
+    ) {
         let first = cast::id_of(self.vertices.len());
         for j in 0..=rows {
             for i in 0..=columns {
@@ -166,32 +244,38 @@ impl Grower {
         }
         let id = |i: u32, j: u32| first + j * (columns + 1) + i;
         for j in 0..rows {
-            for i in 0..columns {
-                // At the lower pole the first of these has no area, at the upper one the second.
-                self.triangle([id(i, j), id(i + 1, j), id(i + 1, j + 1)]);
-                self.triangle([id(i, j), id(i + 1, j + 1), id(i, j + 1)]);
+            // Upper and lower ends by turns: at the lower pole the second triangle of a square has no
+            // area, at the upper one the first.
+            let strip: Vec<u32> = (0..=columns).flat_map(|i| [id(i, j + 1), id(i, j)]).collect();
+            self.indices += cast::count_of(strip.len());
+            let count = Topology::Strip.triangles(strip.len()).expect("bug: a square has corners");
+            for triangle in 0..count {
+                let corners = Topology::Strip.corners(triangle).map(|place| strip[place]);
+                self.stitches += u64::from(!self.triangle(object, corners));
             }
         }
     }
 
-    fn triangle(&mut self, corners: [u32; 3]) {
-        let of = corners.map(|corner| self.vertices[cast::index_of_u32(corner)]);
-        let place = Place { object: of[0].object, number: 0, triangle: true };
+    /// Adds a triangle, unless it has no area.
+    fn triangle(&mut self, object: u32, corners: [u32; 3]) -> bool {
+        let of = corners.map(|corner| (self.shared)(&self.vertices[cast::index_of_u32(corner)]));
+        let place = Place { object, number: 0, triangle: true };
         let points = of.map(|vertex| vertex.position);
         let face = Face::new(place, points, of.map(|v| v.uv), of.map(|v| v.normal));
         if !face.has_area() {
-            return;
+            return false;
         }
         let [a, b, c] = corners;
         // A face turns its corners so that it is met from the side of its normals.
         let turned = face.points[1] != points[1];
         self.corners.push(if turned { [a, c, b] } else { corners });
         self.faces.push(face);
+        true
     }
 
-    fn done(self) -> Tessellation {
-        let Self { vertices, corners, faces } = self;
-        Tessellation { vertices, corners, surfaces: Surfaces::over(faces, Vec::new()) }
+    fn done(self) -> Triangles {
+        let Self { corners, faces, .. } = self;
+        Triangles { corners, surfaces: Surfaces::over(faces, Vec::new()) }
     }
 }
 
@@ -199,7 +283,42 @@ impl Tessellation {
     /// What the pixels of some rows see, in order; pixels that see nothing are left out. Replaces what
     /// `seen` held.
     pub fn trace(&self, scene: &Scene, rows: Range<u32>, seen: &mut Seen) {
+        self.triangles.trace(scene, rows, seen);
+    }
+}
+
+impl Assembly {
+    /// Vertices of each triangle, by number; they turn counter-clockwise seen from the side of their normals.
+    #[must_use]
+    pub fn primitives(&self) -> &[[u32; 3]] {
+        &self.triangles.corners
+    }
+
+    /// Index of a triangle's object.
+    ///
+    /// # Panics
+    /// If there are fewer triangles.
+    #[must_use]
+    pub fn object(&self, triangle: u32) -> u32 {
+        self.triangles.surfaces.faces[cast::index_of_u32(triangle)].place.object
+    }
+
+    /// What sharing of vertices saves.
+    #[must_use]
+    pub fn sharing(&self) -> Sharing {
+        Sharing::of(self.vertices.len(), self.primitives(), self.indices, self.stitches)
+    }
+
+    /// As [`Tessellation::trace`].
+    pub fn trace(&self, scene: &Scene, rows: Range<u32>, seen: &mut Seen) {
+        self.triangles.trace(scene, rows, seen);
+    }
+}
+
+impl Triangles {
+    fn trace(&self, scene: &Scene, rows: Range<u32>, seen: &mut Seen) {
         seen.pixel.clear();
+        seen.triangle.clear();
         seen.corners.clear();
         seen.weights.clear();
         let rays = Rays::new(&scene.camera, &scene.image);
@@ -209,6 +328,7 @@ impl Tessellation {
                     continue;
                 };
                 seen.pixel.push(y * scene.image.width + x);
+                seen.triangle.push(triangle);
                 seen.corners.push(self.corners[cast::index_of_u32(triangle)]);
                 seen.weights.push([1.0 - at.x - at.y, at.x, at.y]);
             }

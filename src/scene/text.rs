@@ -153,6 +153,7 @@ enum Source {
 struct ObjectText {
     shape: ShapeText,
     file: Option<Spanned<PathBuf>>,
+    source: Option<Spanned<MeshSource>>,
     translate: Triple,
     rotate_degrees: Triple,
     scale: Option<Spanned<Scale>>,
@@ -167,6 +168,13 @@ enum ShapeText {
     Cube,
     Sphere,
     Mesh,
+}
+
+/// Meshes that are made up.
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum MeshSource {
+    Shell,
 }
 
 #[derive(Clone, Copy, Deserialize)]
@@ -215,7 +223,7 @@ pub(super) fn read(text: &str, path: &Path) -> Result<Scene> {
         materials.push(material);
         let (shape, placement) = reader.object(object)?;
         if let Shape::Mesh(_, of_mesh) = &shape {
-            triangles += of_mesh.len();
+            triangles += of_mesh.triangles.len();
         }
         if triangles > MAX_TRIANGLES {
             let problem = format!(
@@ -552,19 +560,28 @@ impl Reader<'_> {
         let placement = Placement::new(translate, rotate.to_array(), DVec3::from_array(scale));
         if object.shape != ShapeText::Mesh {
             self.refuse("file", &object.file, "it is for `shape = \"mesh\"`")?;
+            self.refuse("source", &object.source, "it is for `shape = \"mesh\"`")?;
         }
         let shape = match object.shape {
             ShapeText::Plane => Shape::Plane,
             ShapeText::Cube => Shape::Cube,
             ShapeText::Sphere => Shape::Sphere,
             ShapeText::Mesh => {
+                if let Some(source) = &object.source {
+                    let why = "the mesh is that of `source`";
+                    self.refuse("file", &object.file, why)?;
+                    let MeshSource::Shell = source.get_ref();
+                    return Ok((Shape::Mesh(PathBuf::from("shell"), mesh::shell()), placement));
+                }
                 let file = object.file.as_ref().ok_or_else(|| {
-                    let problem = "a mesh needs `file`, an .obj, .gltf or .glb file".to_owned();
+                    let problem =
+                        "a mesh needs `file`, an .obj, .gltf or .glb file, or `source = \"shell\"`"
+                            .to_owned();
                     self.fail(&given.span(), problem)
                 })?;
                 let file = self.beside(file.get_ref());
-                let triangles = mesh::read(&file)?;
-                Shape::Mesh(file, triangles)
+                let mesh = mesh::read(&file)?;
+                Shape::Mesh(file, mesh)
             }
         };
         Ok((shape, placement))

@@ -1,6 +1,6 @@
 //! The pixels that a scene covers: rays against faces and spheres, and what is there where they meet.
 
-use super::mesh::Triangle;
+use super::assembly::{Mesh, SharedVertex};
 use super::{Camera, Image, Projection, Scene};
 use crate::cast;
 use crate::trig::Real;
@@ -44,6 +44,10 @@ pub struct Fragments {
     pub handedness: Vec<f64>,
     /// Unit vector V to the eye.
     pub eye: [Vec<f64>; 3],
+    /// Number of the face among those of [`Scene::faces`], or [`CURVED`] on a sphere.
+    pub primitive: Vec<u32>,
+    /// What the face's second and third corner count there; the first counts what is left of 1.
+    pub weights: [Vec<f64>; 2],
     /// Index of the texel in the texture.
     pub texel: Vec<u32>,
     /// Index of the texel in the bump vector map.
@@ -69,6 +73,8 @@ impl Fragments {
         self.object.clear();
         self.face.clear();
         self.handedness.clear();
+        self.primitive.clear();
+        self.weights.iter_mut().for_each(Vec::clear);
         self.texel.clear();
         self.bump.clear();
         for vectors in [&mut self.position, &mut self.normal, &mut self.tangent, &mut self.eye] {
@@ -103,6 +109,23 @@ fn push(columns: &mut [Vec<f64>; 3], vector: DVec3) {
 }
 
 impl Scene {
+    /// Corners of all faces, in the world: of planes and of cubes those at (u, v) = (0, 0), (1, 0) and (0, 1), and
+    /// triangles of meshes. They turn counter-clockwise seen from the side of their normals.
+    pub fn faces(&self) -> impl Iterator<Item = [SharedVertex; 3]> + '_ {
+        let corner = |face: &Face, i: usize| SharedVertex {
+            position: face.points[i],
+            normal: face.normals[i],
+            uv: face.uvs[i],
+        };
+        self.surfaces.faces.iter().map(move |face| [0, 1, 2].map(|i| corner(face, i)))
+    }
+
+    /// The unit vector V from a point to the eye; 0 in the eye itself.
+    #[must_use]
+    pub fn to_eye(&self, point: DVec3) -> DVec3 {
+        Rays::new(&self.camera, &self.image).to_eye(point)
+    }
+
     /// What the pixels of some rows see, in order; pixels that see no object are left out. Replaces
     /// what `fragments` held. Rows below the image have no pixels.
     pub fn trace(&self, rows: Range<u32>, fragments: &mut Fragments) {
@@ -111,7 +134,12 @@ impl Scene {
         for y in rows.start..rows.end.min(self.image.height) {
             for x in 0..self.image.width {
                 let ray = rays.through(x, y);
-                let Some(seen) = self.surfaces.look(&ray) else { continue };
+                let Some((t, i, place)) = self.surfaces.meet(&ray) else { continue };
+                let seen = self.surfaces.at(&ray, t, i, place);
+                let is_face = cast::index_of_u32(i) < self.surfaces.faces.len();
+                fragments.primitive.push(if is_face { i } else { CURVED });
+                fragments.weights[0].push(place.x);
+                fragments.weights[1].push(place.y);
                 fragments.pixel.push(y * self.image.width + x);
                 fragments.object.push(seen.object);
                 fragments.face.push(seen.face);
@@ -180,8 +208,8 @@ pub(super) enum Shape {
     Plane,
     Cube,
     Sphere,
-    /// Triangles and the file that they are from.
-    Mesh(PathBuf, Vec<Triangle>),
+    /// A mesh and the file that it is from.
+    Mesh(PathBuf, Mesh),
 }
 
 /// Where an object is and how large.
@@ -237,9 +265,18 @@ pub(super) struct Unfit {
 pub(super) struct Surfaces {
     pub(super) faces: Vec<Face>,
     pub(super) balls: Vec<Ball>,
+    /// What the faces that are triangles were assembled from.
+    pub(super) meshes: Vec<PlacedMesh>,
     /// Faces, then balls, in the order of the tree's leaves.
     order: Vec<u32>,
     nodes: Vec<TreeNode>,
+}
+
+/// A mesh in the world, of unit normals, and the object that it is.
+#[derive(Clone, Debug)]
+pub(super) struct PlacedMesh {
+    pub(super) object: u32,
+    pub(super) mesh: Mesh,
 }
 
 /// A triangle or a parallelogram of points a + s (b-a) + r (c-a). Seen from its own side, a, b, c turn
@@ -265,7 +302,7 @@ pub(super) struct Place {
 /// A placed sphere.
 #[derive(Clone, Debug)]
 pub(super) struct Ball {
-    object: u32,
+    pub(super) object: u32,
     linear: DMat3,
     inverse: DMat3,
     offset: DVec3,
@@ -305,7 +342,7 @@ const CUBE: [(DVec3, DVec3); 6] = [
 impl Surfaces {
     /// Places shapes; with bumps, every face needs an area in the texture.
     pub(super) fn new(objects: &[(Shape, Placement)], has_bumps: bool) -> Result<Self, Unfit> {
-        let (mut faces, mut balls) = (Vec::new(), Vec::new());
+        let (mut faces, mut balls, mut meshes) = (Vec::new(), Vec::new(), Vec::new());
         for (i, (shape, placement)) in objects.iter().enumerate() {
             let object = cast::id_of(i);
             let normal_matrix = placement.linear.inverse().transpose();
@@ -333,37 +370,47 @@ impl Surfaces {
                     offset: placement.offset,
                     handedness: placement.linear.determinant().signum(),
                 }),
-                Shape::Mesh(_, triangles) => {
-                    for (number, triangle) in (0..).zip(triangles) {
+                Shape::Mesh(_, mesh) => {
+                    let placed = |vertex: &SharedVertex| SharedVertex {
+                        position: placement.point(vertex.position),
+                        normal: (normal_matrix * vertex.normal).normalize(),
+                        uv: vertex.uv,
+                    };
+                    let vertices: Vec<SharedVertex> = mesh.vertices.iter().map(placed).collect();
+                    for (number, corners) in (0..).zip(&mesh.triangles) {
+                        let of = corners.map(|corner| vertices[cast::index_of_u32(corner)]);
                         let face = Face::new(
                             Place { object, number, triangle: true },
-                            triangle.points.map(|point| placement.point(point)),
-                            triangle.uvs,
-                            triangle.normals.map(|normal| (normal_matrix * normal).normalize()),
+                            of.map(|vertex| vertex.position),
+                            of.map(|vertex| vertex.uv),
+                            of.map(|vertex| vertex.normal),
                         );
+                        let line = mesh.lines.get(cast::index_of_u32(number)).copied();
                         if !face.has_area() {
                             let problem = format!(
                                 "triangle {number} (they count from 0) has no area: remove it"
                             );
-                            return Err(Unfit { object: i, line: triangle.line, problem });
+                            return Err(Unfit { object: i, line, problem });
                         }
                         if has_bumps && face.uv_determinant() == 0.0 {
                             let problem = format!(
                                 "triangle {number} (they count from 0) has no area in the texture, so bumps have no direction: unwrap it, or leave [height] out"
                             );
-                            return Err(Unfit { object: i, line: triangle.line, problem });
+                            return Err(Unfit { object: i, line, problem });
                         }
                         faces.push(face);
                     }
+                    meshes.push(PlacedMesh { object, mesh: Mesh { vertices, ..mesh.clone() } });
                 }
             }
         }
-        Ok(Self::over(faces, balls))
+        Ok(Self { meshes, ..Self::over(faces, balls) })
     }
 
     /// A tree over what is placed already.
     pub(super) fn over(faces: Vec<Face>, balls: Vec<Ball>) -> Self {
-        let mut surfaces = Self { faces, balls, order: Vec::new(), nodes: Vec::new() };
+        let meshes = Vec::new();
+        let mut surfaces = Self { faces, balls, meshes, order: Vec::new(), nodes: Vec::new() };
         surfaces.grow();
         surfaces
     }
@@ -416,18 +463,17 @@ impl Surfaces {
         }
     }
 
-    /// The nearest thing that a ray meets from in front; of several at one distance, the one that is
-    /// first in the scene.
-    fn look(&self, ray: &Ray) -> Option<Seen> {
-        let (t, i, place) = self.meet(ray)?;
+    /// What there is where [`Self::meet`] says.
+    fn at(&self, ray: &Ray, t: f64, i: u32, place: DVec2) -> Seen {
         let index = cast::index_of_u32(i);
-        Some(match self.faces.get(index) {
+        match self.faces.get(index) {
             Some(face) => face.at(place),
             None => self.balls[index - self.faces.len()].at(ray, t),
-        })
+        }
     }
 
-    /// How far away that is, its number among faces and then balls, and where on a face.
+    /// The nearest thing that a ray meets from in front; of several at one distance, the one that is
+    /// first in the scene: how far away it is, its number among faces and then balls, and where on a face.
     pub(super) fn meet(&self, ray: &Ray) -> Option<(f64, u32, DVec2)> {
         // A direction of 0 along an axis would give NaN at the faces of a box.
         let inverse = DVec3::from_array(
@@ -651,17 +697,17 @@ mod tests {
         let mut real = || f64::from(random.next_u32()) / 2_147_483_648.0 - 1.0;
         let mut vector = || DVec3::new(real(), real(), real());
         let mut objects = Vec::new();
-        let triangles = (0..700).map(|_| {
-            let at = vector();
-            Triangle {
-                points: [at, at + 0.2 * vector(), at + 0.2 * vector()],
-                normals: [vector().normalize(); 3],
-                uvs: [DVec2::ZERO, DVec2::X, DVec2::Y],
-                line: None,
+        let mut mesh = Mesh::default();
+        for i in 0..700 {
+            let (at, normal) = (vector(), vector().normalize());
+            let points = [at, at + 0.2 * vector(), at + 0.2 * vector()];
+            for (position, uv) in points.into_iter().zip([DVec2::ZERO, DVec2::X, DVec2::Y]) {
+                mesh.vertices.push(SharedVertex { position, normal, uv });
             }
-        });
+            mesh.triangles.push([3 * i, 3 * i + 1, 3 * i + 2]);
+        }
         let here = Placement::new(DVec3::ZERO, [0.0; 3], DVec3::ONE);
-        objects.push((Shape::Mesh(PathBuf::new(), triangles.collect()), here));
+        objects.push((Shape::Mesh(PathBuf::new(), mesh), here));
         for _ in 0..30 {
             let placement = Placement::new(vector(), vector().to_array(), DVec3::splat(0.05));
             objects.push((Shape::Sphere, placement));
@@ -684,7 +730,7 @@ mod tests {
                 .iter()
                 .filter_map(|ball| Some((ball.meet(&ray)?, ball.object, CURVED)));
             let nearest = faces.chain(balls).min_by(|a, b| a.0.total_cmp(&b.0));
-            let seen = surfaces.look(&ray);
+            let seen = surfaces.meet(&ray).map(|(t, i, place)| surfaces.at(&ray, t, i, place));
             hits += u32::from(seen.is_some());
             assert_eq!(
                 seen.map(|seen| (seen.object, seen.face)),

@@ -1,0 +1,87 @@
+//! A unit of a render path, fed and read by the names of its ports.
+
+use super::{BlockShot, Pipeline};
+use crate::error::Result;
+use crate::format::Format;
+use crate::netlist::NodeId;
+use crate::sim::batch::{Program, Runner};
+use crate::units::{Design, Unit};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::time::Instant;
+
+/// True if an assignment is to a parameter of a unit.
+pub(super) fn knows(unit: &'static Unit, set: &str) -> bool {
+    let key = set.split_once('=').map_or("", |(key, _)| key);
+    unit.all_params().any(|param| param.name == key)
+}
+
+/// A design with its program.
+pub(super) struct Stage {
+    pub(super) design: Arc<Design>,
+    pub(super) program: Program,
+}
+
+impl Stage {
+    /// A unit with those assignments of the pipeline that it knows, and the scene's.
+    pub(super) fn new(unit: &'static Unit, pipeline: &Pipeline, scene: &[String]) -> Result<Self> {
+        let own = pipeline.assignments.iter().filter(|set| knows(unit, set));
+        let all: Vec<&String> = own.chain(scene).collect();
+        let design = unit.values(&all)?.build()?;
+        let nodes: Vec<NodeId> =
+            design.netlist.outputs().iter().map(|output| output.node).collect();
+        let program = Program::compile(&design.netlist, &nodes);
+        Ok(Self { design: Arc::new(design), program })
+    }
+
+    /// Input columns of the ports in order, taken from columns by name.
+    pub(super) fn inputs<T>(&self, mut columns: BTreeMap<String, Vec<T>>) -> Vec<Vec<T>> {
+        let netlist = &self.design.netlist;
+        let column = |at| {
+            let name = netlist.input_name(at);
+            columns.remove(name).unwrap_or_else(|| panic!("bug: nothing for the port `{name}`"))
+        };
+        (0..netlist.inputs().len()).map(column).collect()
+    }
+
+    /// Words of all outputs by name.
+    pub(super) fn run(
+        &self,
+        runner: &mut Runner,
+        words: &[Vec<i64>],
+        shot: &mut BlockShot,
+        stage: usize,
+    ) -> BTreeMap<&str, Vec<i64>> {
+        let outputs = self.design.netlist.outputs();
+        let slices: Vec<&[i64]> = words.iter().map(Vec::as_slice).collect();
+        let mut out = vec![Vec::new(); outputs.len()];
+        let before = runner.overflows().to_vec();
+        let start = Instant::now();
+        runner.run(&self.program, &slices, &mut out);
+        shot.engine += start.elapsed();
+        let counts = runner.overflows().iter().zip(before);
+        for (total, (after, before)) in shot.overflows[stage].iter_mut().zip(counts) {
+            *total += after - before;
+        }
+        outputs.iter().map(|output| output.name.as_str()).zip(out).collect()
+    }
+
+    pub(super) fn ulp(&self, name: &str) -> f64 {
+        let netlist = &self.design.netlist;
+        let port = netlist.outputs().iter().find(|output| output.name == name);
+        netlist.node(port.expect("bug: a port of this name").node).format.ulp()
+    }
+
+    /// Format of an input port, if there is one of this name.
+    pub(super) fn port(&self, name: &str) -> Option<Format> {
+        let netlist = &self.design.netlist;
+        let at = (0..netlist.inputs().len()).find(|at| netlist.input_name(*at) == name);
+        at.map(|at| netlist.node(netlist.inputs()[at]).format)
+    }
+
+    /// Largest magnitude of both signs that an input port holds.
+    pub(super) fn reach(&self, port: &str) -> f64 {
+        let format = self.port(port).expect("bug: a port of this name");
+        format.value(format.max_raw())
+    }
+}

@@ -1,0 +1,519 @@
+//! Scenes by tangent-space set-up: texture-space vectors per corner of a triangle, lighting per pixel.
+//!
+//! The flow of US 7,843,463 (seed 004): a vertex stage (float: unit normal, unit vector to the eye and to each
+//! light, once per shared vertex), primitive assembly ([`Scene::assemble`]), the set-up (the fixed-point unit
+//! `tangent`, for each corner of each triangle: the map from object space to texture space, and the eye's and the
+//! lights' vectors through it), a rasteriser (float: rays and perspective-correct weights, which interpolate
+//! those vectors and the texture coordinates), and lighting per pixel in texture space: with interpolated
+//! vectors made unit again, `N'` straight from the bump map, and the formula of the golden.
+//!
+//! - `tangent-smooth` has a map for each vertex of a triangle, with the vertex's normal;
+//! - `tangent-faceted` has one for each triangle, whose normal is its own.
+//!
+//! # Two goldens
+//! A picture's difference to the golden of all pipelines (frames and vectors per pixel, without triangles) splits
+//! into *arithmetic*, against [`Known::flow`], which is the same flow with the unit's golden in place of its words,
+//! and *algorithm*, of that against the golden: vectors interpolated over triangles, a tangent that is constant on
+//! each, and the outline of a sphere that has corners here. As many triangles as `[emboss] tessellation` says.
+//!
+//! # Words
+//! Positions and texture coordinates of all vertices are moved to the middle of their range and scaled by one
+//! power of two each, so that they fill the unit's words; then each is a word of the buffer, the same for all its
+//! triangles. Neither changes a direction. A texture whose determinant is 0 in these words, or a triangle
+//! without area in them, gets the unit's fallback frame and is counted.
+//!
+//! # Frames for the other pipelines
+//! With [`Frames::Setup`](super::Frames) pipelines that shade bumps per pixel take their frames from the unit, too: the
+//! rows of the map at the corners of a face are interpolated, N made unit, and T its part at right angles to N made
+//! unit, from which come the angles φ_N, θ_N and ψ (angles themselves wrap, so they aren't interpolated). Units have
+//! B = N × T; so where the map's own B is on the other side, which is where a texture is mirrored, p_y changes sign. So
+//! it does with frames in floating point. T isn't turned: with T and N × T both turned, bumps would be
+//! dents.
+
+use super::named::Stage;
+use super::{Block, BlockShot, Gathered, Pipeline, Shot, colour, gather, overflows, reflected};
+use crate::cast;
+use crate::error::Result;
+use crate::format::Format;
+use crate::measure::{quantize_inputs, run_golden};
+use crate::netlist::Counts;
+use crate::picture::Picture;
+use crate::scene::{Assembly, CURVED, Fragments, Scene, Seen, SharedVertex, Sharing, halfway};
+use crate::specialise::{Known as KnownWords, Rate, Words, specialise};
+use crate::units::fragment::Fragment;
+use crate::units::tangent::TANGENT;
+use crate::units::{Design, Unit};
+use glam::{DVec2, DVec3};
+use rayon::prelude::*;
+use serde::Serialize;
+use std::ops::Range;
+use std::sync::Arc;
+use std::time::Duration;
+
+/// Parameters of the unit that the pipeline's name and the scene give.
+pub(super) const FROM_SCENE: &[&str] = &["frame", "lights"];
+
+/// Units before a pipeline whose frames are set up.
+pub(super) static BEFORE: [&Unit; 1] = [&TANGENT];
+
+/// Corners that a thread sets up at a time.
+const TOGETHER: usize = 3 << 10;
+
+/// What is known of a set-up beside its picture.
+#[derive(Clone, Debug, Serialize)]
+pub struct Known {
+    /// The same flow with the golden of the set-up.
+    #[serde(skip)]
+    pub flow: Picture,
+    /// What sharing of vertices saves.
+    pub sharing: Sharing,
+    /// Operations of the set-up for each triangle; `None` if none are apart from those of its vertices.
+    pub per_primitive: Option<Counts>,
+    /// Operations for each vertex of a triangle, besides.
+    pub per_vertex: Counts,
+    /// Triangles whose texture is mirrored.
+    pub mirrored: u64,
+    /// Corners that got a fallback frame.
+    pub degenerate: u64,
+    /// Last place of positions, in the world.
+    pub position_step: f64,
+    /// Last place of texture coordinates.
+    pub uv_step: f64,
+}
+
+/// What the set-up takes for one corner of a triangle.
+#[derive(Clone, Copy, Debug)]
+struct Corner {
+    positions: [DVec3; 3],
+    uvs: [DVec2; 3],
+    normal: DVec3,
+    view: DVec3,
+    lights: [DVec3; 8],
+}
+
+impl Corner {
+    /// Value of an input port.
+    fn value(&self, port: &str) -> Option<f64> {
+        let (name, axis) = port.rsplit_once('_')?;
+        let axis = ["x", "y", "z", "u", "v"].iter().position(|known| *known == axis)?;
+        let number = |prefix: &str| -> Option<usize> { name.strip_prefix(prefix)?.parse().ok() };
+        if let Some(k) = number("uv") {
+            return Some(self.uvs.get(k)?[axis.checked_sub(3)?]);
+        }
+        let vector = match name {
+            "normal" => self.normal,
+            "view" => self.view,
+            _ => match (number("p"), number("light")) {
+                (Some(k), _) => *self.positions.get(k)?,
+                (_, Some(k)) => *self.lights.get(k)?,
+                (None, None) => return None,
+            },
+        };
+        vector.to_array().get(axis).copied()
+    }
+}
+
+/// Where words of a set-up have their middle, and what they count.
+#[derive(Clone, Copy, Debug)]
+struct Place<V> {
+    middle: V,
+    scale: f64,
+}
+
+/// The set-up of a scene's triangles by the unit.
+struct Setup {
+    stage: Stage,
+    position: Place<DVec3>,
+    uv: Place<DVec2>,
+}
+
+/// Values of outputs for corners, by name; and the golden's.
+#[derive(Default)]
+struct Outputs {
+    fixed: Vec<Vec<f64>>,
+    golden: Vec<Vec<f64>>,
+}
+
+impl Setup {
+    fn new(pipeline: &Pipeline, lights: usize, vertices: &[SharedVertex]) -> Result<Self> {
+        let stage = Stage::new(&TANGENT, pipeline, &[format!("lights={lights}")])?;
+        let bounds = |of: &dyn Fn(&SharedVertex) -> DVec3| {
+            let far = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+            vertices.iter().map(of).fold(far, |(low, high), at| (low.min(at), high.max(at)))
+        };
+        let place = |(low, high): (DVec3, DVec3), port: &str| {
+            // All in one place still have a scale.
+            let half = (0.5 * (high - low)).max_element().max(1e-18);
+            // A power of two, so that scaling rounds nothing.
+            let scale = (stage.reach(port) / half).log2().floor().exp2();
+            Place { middle: 0.5 * (low + high), scale }
+        };
+        let position = place(bounds(&|vertex| vertex.position), "p0_x");
+        let Place { middle, scale } = place(bounds(&|vertex| vertex.uv.extend(0.0)), "uv0_u");
+        Ok(Self { position, uv: Place { middle: middle.truncate(), scale }, stage })
+    }
+
+    /// Last places of positions and of texture coordinates, in the scene.
+    fn steps(&self) -> [f64; 2] {
+        let step = |port, scale| self.stage.port(port).map_or(0.0, Format::ulp) / scale;
+        [step("p0_x", self.position.scale), step("uv0_u", self.uv.scale)]
+    }
+
+    /// Some outputs of all corners, by the words and by the golden.
+    fn run(
+        &self,
+        count: usize,
+        corner: impl Fn(usize) -> Corner + Sync,
+        names: &[&str],
+        shot: &mut BlockShot,
+    ) -> Result<Outputs> {
+        let (stage, netlist) = (&self.stage, &self.stage.design.netlist);
+        let ports: Vec<&str> =
+            (0..netlist.inputs().len()).map(|at| netlist.input_name(at)).collect();
+        let columns: Vec<String> =
+            stage.design.groups.iter().flat_map(|group| group.columns()).collect();
+        let of_golden = |name: &&str| {
+            columns.iter().position(|column| column == name).expect("bug: a golden of this name")
+        };
+        let of_golden: Vec<usize> = names.iter().map(of_golden).collect();
+        let chunk = |first: usize| -> Result<(Outputs, BlockShot)> {
+            let corners: Vec<Corner> = (first..(first + TOGETHER).min(count))
+                .map(|at| {
+                    let mut corner = corner(at);
+                    let Place { middle, scale } = self.position;
+                    corner.positions = corner.positions.map(|at| (at - middle) * scale);
+                    let Place { middle, scale } = self.uv;
+                    corner.uvs = corner.uvs.map(|at| (at - middle) * scale);
+                    corner
+                })
+                .collect();
+            let inputs: Vec<Vec<f64>> = ports
+                .iter()
+                .map(|port| {
+                    let value = |corner: &Corner| {
+                        corner.value(port).unwrap_or_else(|| panic!("bug: nothing for `{port}`"))
+                    };
+                    corners.iter().map(value).collect()
+                })
+                .collect();
+            let mut words = Vec::new();
+            quantize_inputs(netlist, &inputs, &mut words)?;
+            let mut shot = BlockShot::of([&stage.program].into_iter());
+            let out = stage.run(&mut stage.program.runner(), &words, &mut shot, 0);
+            let fixed = names.iter().map(|name| {
+                let ulp = stage.ulp(name);
+                out[name].iter().map(|word| cast::f64_of(*word) * ulp).collect()
+            });
+            let fixed = fixed.collect();
+            let mut golden = Vec::new();
+            run_golden(&stage.design, &inputs, &mut golden);
+            let golden = of_golden.iter().map(|at| std::mem::take(&mut golden[*at])).collect();
+            Ok((Outputs { fixed, golden }, shot))
+        };
+        let firsts: Vec<usize> = (0..count).step_by(TOGETHER).collect();
+        let chunks: Vec<Result<(Outputs, BlockShot)>> = firsts.into_par_iter().map(chunk).collect();
+        let mut all = Outputs {
+            fixed: vec![Vec::with_capacity(count); names.len()],
+            golden: vec![Vec::with_capacity(count); names.len()],
+        };
+        for chunk in chunks {
+            let (outputs, part) = chunk?;
+            for (all, columns) in
+                [(&mut all.fixed, outputs.fixed), (&mut all.golden, outputs.golden)]
+            {
+                all.iter_mut().zip(columns).for_each(|(all, column)| all.extend(column));
+            }
+            shot.merge(&part);
+        }
+        shot.samples += cast::count_of(count);
+        Ok(all)
+    }
+
+    /// Operations for each triangle, and for each of its vertices besides.
+    fn counts(&self) -> (Option<Counts>, Counts) {
+        let netlist = &self.stage.design.netlist;
+        let known = |(at, id): (usize, &crate::netlist::NodeId)| {
+            let of_triangle = |prefix: &str| {
+                let number = netlist.input_name(at).strip_prefix(prefix);
+                number.is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))
+            };
+            let rate = if of_triangle("p") || of_triangle("uv") { Rate::Face } else { Rate::Pixel };
+            KnownWords { words: Words::all(netlist.node(*id).format), rate }
+        };
+        let known: Vec<KnownWords> = netlist.inputs().iter().enumerate().map(known).collect();
+        let names: Vec<&str> =
+            netlist.outputs().iter().map(|output| output.name.as_str()).collect();
+        let report = specialise(netlist, &known, &names).report;
+        (report.face.map(|face| face.counts), report.pixel.counts)
+    }
+}
+
+/// What golden and pipelines share of a scene.
+struct Front<'a> {
+    scene: &'a Scene,
+    mesh: Assembly,
+    /// Of each vertex, what the vertex stage makes: the unit vector to the eye, and to each light.
+    vectors: Vec<Vec<DVec3>>,
+}
+
+impl<'a> Front<'a> {
+    fn new(scene: &'a Scene) -> Result<Self> {
+        let mesh = scene.assemble()?;
+        let stage = |vertex: &SharedVertex| {
+            let to_light =
+                scene.lights.iter().map(|light| light.towards(vertex.position, vertex.normal));
+            std::iter::once(scene.to_eye(vertex.position)).chain(to_light).collect()
+        };
+        let vectors = mesh.vertices.par_iter().map(stage).collect();
+        Ok(Self { scene, mesh, vectors })
+    }
+
+    /// A corner of a triangle, counted over all triangles.
+    fn corner(&self, at: usize) -> Corner {
+        let ids = self.mesh.primitives()[at / 3].map(cast::index_of_u32);
+        let vertices = ids.map(|id| self.mesh.vertices[id]);
+        let vectors = &self.vectors[ids[at % 3]];
+        let mut lights = [DVec3::ZERO; 8];
+        for (to, from) in lights.iter_mut().zip(&vectors[1..]) {
+            *to = *from;
+        }
+        Corner {
+            positions: vertices.map(|vertex| vertex.position),
+            uvs: vertices.map(|vertex| vertex.uv),
+            normal: vertices[at % 3].normal,
+            view: vectors[0],
+            lights,
+        }
+    }
+}
+
+/// Vectors of the eye and of the lights in texture space, of every corner of every triangle: of the eye, then of
+/// the lights, each three columns.
+type Vectors = Vec<Vec<f64>>;
+
+/// A pipeline whose triangles are set up.
+struct Shader<'a> {
+    pipeline: &'a Pipeline,
+    design: Arc<Design>,
+    fixed: Vectors,
+    golden: Vectors,
+    known: KnownSoFar,
+    shot: BlockShot,
+    program: crate::sim::batch::Program,
+}
+
+/// All of [`Known`] but the picture.
+struct KnownSoFar {
+    per_primitive: Option<Counts>,
+    per_vertex: Counts,
+    mirrored: u64,
+    degenerate: u64,
+    steps: [f64; 2],
+}
+
+impl<'a> Shader<'a> {
+    fn new(front: &Front<'_>, pipeline: &'a Pipeline) -> Result<Self> {
+        let lights = front.scene.lights.len();
+        let setup = Setup::new(pipeline, lights, &front.mesh.vertices)?;
+        let vectors = std::iter::once("ts_view".to_owned())
+            .chain((0..lights).map(|light| format!("ts_light{light}")));
+        let mut names: Vec<String> =
+            vectors.flat_map(|name| ["x", "y", "z"].map(|axis| format!("{name}_{axis}"))).collect();
+        names.extend(["mirrored", "degenerate"].map(str::to_owned));
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let mut shot = BlockShot::of([&setup.stage.program].into_iter());
+        let count = 3 * front.mesh.primitives().len();
+        let Outputs { mut fixed, mut golden } =
+            setup.run(count, |at| front.corner(at), &names, &mut shot)?;
+        let mut flag = || {
+            golden.pop();
+            fixed.pop().expect("bug: a flag")
+        };
+        let (degenerate, mirrored) = (flag(), flag());
+        let count = |flags: &mut dyn Iterator<Item = &f64>| {
+            cast::count_of(flags.filter(|flag| **flag != 0.0).count())
+        };
+        let (per_primitive, per_vertex) = setup.counts();
+        let known = KnownSoFar {
+            per_primitive,
+            per_vertex,
+            mirrored: count(&mut mirrored.iter().step_by(3)),
+            degenerate: count(&mut degenerate.iter()),
+            steps: setup.steps(),
+        };
+        let Stage { design, program } = setup.stage;
+        Ok(Self { pipeline, design, fixed, golden, known, shot, program })
+    }
+}
+
+/// Colours of pixels by vectors of the corners.
+fn shade(front: &Front<'_>, seen: &Seen, vectors: &Vectors) -> Vec<[f64; 3]> {
+    let scene = front.scene;
+    let shade = |i: usize| {
+        let first = 3 * cast::index_of_u32(seen.triangle[i]);
+        let weights = seen.weights[i];
+        let between = |columns: &[Vec<f64>]| -> DVec3 {
+            let at = |column: &Vec<f64>| -> f64 {
+                (0..3).map(|corner| weights[corner] * column[first + corner]).sum()
+            };
+            DVec3::new(at(&columns[0]), at(&columns[1]), at(&columns[2]))
+        };
+        let uv = |axis: usize| seen.between(i, |vertex| front.mesh.vertices[vertex].uv[axis]);
+        let (u, v) = (uv(0), uv(1));
+        let eye = between(&vectors[..3]).normalize_or(DVec3::Z);
+        let perturbed = scene.bumps.vector(scene.bumps.texel(u, v));
+        let material = &scene.materials[cast::index_of_u32(front.mesh.object(seen.triangle[i]))];
+        let (mut diffuse, mut specular) = (scene.ambient * material.ambient, 0.0);
+        for (light, columns) in scene.lights.iter().zip(vectors[3..].chunks(3)) {
+            let to_light = between(columns).normalize_or(DVec3::Z);
+            let point = Fragment {
+                normal: DVec3::Z,
+                tangent: DVec3::X,
+                light: to_light,
+                half: halfway(to_light, eye, DVec3::Z),
+                perturbed,
+            };
+            let (d, s) = reflected(&point, perturbed, light, material);
+            diffuse += d;
+            specular += s;
+        }
+        let texel = scene.texture.texels()[cast::index_of_u32(scene.texture.texel(u, v))];
+        colour(diffuse, specular, texel)
+    };
+    (0..seen.len()).map(shade).collect()
+}
+
+/// Renders a scene by these pipelines. `progress` gets the rows done.
+pub(super) fn shots(
+    scene: &Scene,
+    pipelines: &[&Pipeline],
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<Vec<Shot>> {
+    let front = Front::new(scene)?;
+    let shaders: Vec<Shader<'_>> =
+        pipelines.iter().map(|pipeline| Shader::new(&front, pipeline)).collect::<Result<_>>()?;
+    let nothing = || BlockShot::of(std::iter::empty());
+    let shade_rows = |seen: &mut Seen, rows: Range<u32>| {
+        front.mesh.trace(scene, rows, seen);
+        let both = shaders.iter().flat_map(|shader| [&shader.fixed, &shader.golden]);
+        let shot = |vectors| BlockShot { colours: shade(&front, seen, vectors), ..nothing() };
+        Ok(Block {
+            pixels: seen.pixel.clone(),
+            golden: vec![[0.0; 3]; seen.len()],
+            blinn: 0.0,
+            shots: both.map(shot).collect(),
+        })
+    };
+    let totals = (0..2 * shaders.len()).map(|_| nothing()).collect();
+    let Gathered { pictures, .. } = gather(scene, totals, Seen::default, shade_rows, progress)?;
+    let sharing = front.mesh.sharing();
+    let mut pictures = pictures.into_iter();
+    let mut picture = || pictures.next().expect("bug: two pictures for each pipeline");
+    let mut shots = Vec::new();
+    for shader in shaders {
+        let Shader { pipeline, design, known, shot, program, .. } = shader;
+        let KnownSoFar { per_primitive, per_vertex, mirrored, degenerate, steps } = known;
+        let fixed = picture();
+        let known = Known {
+            flow: picture(),
+            sharing,
+            per_primitive,
+            per_vertex,
+            mirrored,
+            degenerate,
+            position_step: steps[0],
+            uv_step: steps[1],
+        };
+        let overflows = overflows([(&design, &program)].into_iter(), &shot.overflows)?;
+        shots.push(Shot {
+            pipeline: pipeline.clone(),
+            picture: fixed,
+            design,
+            behind: Vec::new(),
+            emboss: None,
+            setup: Some(Box::new(known)),
+            engine: shot.engine,
+            samples_per_second: rate(shot.samples, shot.engine),
+            samples: shot.samples,
+            vectors: None,
+            overflows,
+        });
+    }
+    Ok(shots)
+}
+
+/// Frames at the corners of a scene's faces, by the unit.
+pub(super) struct FaceFrames {
+    design: Arc<Design>,
+    /// Components of T, B and N of each corner of each face, by column.
+    rows: Vec<Vec<f64>>,
+}
+
+impl FaceFrames {
+    pub(super) fn new(scene: &Scene, pipeline: &Pipeline) -> Result<Self> {
+        let corners: Vec<SharedVertex> = scene.faces().flatten().collect();
+        // A scene of spheres has no corners, and any place will do.
+        let setup = Setup::new(pipeline, 1, &corners)?;
+        let corner = |at: usize| {
+            let face = &corners[at / 3 * 3..][..3];
+            let of = [0, 1, 2].map(|i| face[i]);
+            Corner {
+                positions: of.map(|vertex| vertex.position),
+                uvs: of.map(|vertex| vertex.uv),
+                normal: corners[at].normal,
+                view: DVec3::ZERO,
+                lights: [DVec3::ZERO; 8],
+            }
+        };
+        let names: Vec<String> = ["t", "b", "n"]
+            .iter()
+            .flat_map(|row| ["x", "y", "z"].map(|axis| format!("{row}_{axis}")))
+            .collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let mut shot = BlockShot::of([&setup.stage.program].into_iter());
+        let outputs = setup.run(corners.len(), corner, &names, &mut shot)?;
+        let Stage { design, program } = setup.stage;
+        // Under `overflow=error` a word that doesn't fit is one.
+        overflows([(&design, &program)].into_iter(), &shot.overflows)?;
+        Ok(Self { design, rows: outputs.fixed })
+    }
+
+    pub(super) fn design(&self) -> &Arc<Design> {
+        &self.design
+    }
+
+    /// A shading point with the frame of the set-up; `None` on a sphere.
+    pub(super) fn frame(
+        &self,
+        scene: &Scene,
+        fragments: &Fragments,
+        i: usize,
+        point: &Fragment,
+    ) -> Option<Fragment> {
+        if fragments.primitive[i] == CURVED {
+            return None;
+        }
+        let first = 3 * cast::index_of_u32(fragments.primitive[i]);
+        let [s, r] = [0, 1].map(|axis| fragments.weights[axis][i]);
+        let weights = [1.0 - s - r, s, r];
+        let row = |row: usize| {
+            let at = |axis: usize| -> f64 {
+                let column = &self.rows[3 * row + axis];
+                (0..3).map(|corner| weights[corner] * column[first + corner]).sum()
+            };
+            DVec3::new(at(0), at(1), at(2))
+        };
+        let normal = row(2).normalize_or(point.normal);
+        let across = row(0) - normal * normal.dot(row(0));
+        let tangent = across.normalize_or(normal.any_orthonormal_vector());
+        let side = if row(1).dot(normal.cross(tangent)) < 0.0 { -1.0 } else { 1.0 };
+        let bump = scene.bumps.vector(fragments.bump[i]);
+        let perturbed = DVec3::new(bump.x, bump.y * side, bump.z);
+        Some(Fragment { normal, tangent, perturbed, ..*point })
+    }
+}
+
+/// Corners per second of the engine.
+fn rate(samples: u64, engine: Duration) -> f64 {
+    cast::f64_of_count(samples) / engine.as_secs_f64().max(1e-9)
+}

@@ -1,0 +1,234 @@
+//! Primitive assembly: vertex buffers whose vertices primitives share, and triangles by number.
+//!
+//! A mesh holds each vertex once, however many triangles it is a corner of; a [`Topology`] tells which of a
+//! list of corners make the next triangle. Readers of files give corners and a topology, and everything else
+//! takes vertices and triangles of vertex numbers: what is computed per vertex is computed once for all
+//! triangles that share it, which is the claim of US 7,843,463 (seed 004), and [`Sharing`] counts it.
+
+use super::mesh::{MAX_TRIANGLES, too_many};
+use crate::cast;
+use glam::{DVec2, DVec3};
+use serde::Serialize;
+
+/// How a list of corners makes triangles (glTF's modes 4, 5 and 6; polygons of OBJ files are fans).
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Topology {
+    /// Three corners each.
+    List,
+    /// Each corner from the third on with the two before it.
+    Strip,
+    /// Each corner from the third on with the one before it and the first.
+    Fan,
+}
+
+impl Topology {
+    /// Number of triangles of so many corners.
+    ///
+    /// # Errors
+    /// If they leave some over, or are too few for any.
+    pub fn triangles(self, corners: usize) -> Result<usize, String> {
+        match self {
+            Self::List if corners.is_multiple_of(3) => Ok(corners / 3),
+            Self::List => Err(format!("{corners} corners don't make whole triangles")),
+            Self::Strip | Self::Fan if corners >= 3 => Ok(corners - 2),
+            Self::Strip => Err(format!("a strip of {corners} corners: 3 or more make one")),
+            Self::Fan => Err(format!("a fan of {corners} corners: 3 or more make one")),
+        }
+    }
+
+    /// Places of a triangle's corners in the list. All triangles turn as the first does: in a strip every
+    /// other one has its last two corners exchanged, as glTF 2.0 has it (3.7.2.1).
+    #[must_use]
+    pub fn corners(self, triangle: usize) -> [usize; 3] {
+        let i = triangle;
+        match self {
+            Self::List => [3 * i, 3 * i + 1, 3 * i + 2],
+            Self::Strip if i.is_multiple_of(2) => [i, i + 1, i + 2],
+            Self::Strip => [i, i + 2, i + 1],
+            Self::Fan => [0, i + 1, i + 2],
+        }
+    }
+}
+
+/// A vertex that triangles share: nothing in it depends on any of them.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct SharedVertex {
+    /// Where it is.
+    pub position: DVec3,
+    /// Its normal N, of any length but zero where it comes from a file, else a unit vector.
+    pub normal: DVec3,
+    /// u and v, v up.
+    pub uv: DVec2,
+}
+
+/// Vertices and the triangles between them.
+#[derive(Clone, Default, Debug)]
+pub(super) struct Mesh {
+    /// Each once.
+    pub(super) vertices: Vec<SharedVertex>,
+    /// Numbers of each triangle's vertices.
+    pub(super) triangles: Vec<[u32; 3]>,
+    /// Line of each triangle in its file, where that has lines.
+    pub(super) lines: Vec<u64>,
+    /// Words of index buffers: the corners of all lists, strips and fans that have one.
+    pub(super) indices: u64,
+    /// Triangles of strips that were left out since two of their corners are one point: they stitch.
+    pub(super) stitches: u64,
+}
+
+impl Mesh {
+    /// Adds the triangles of a list of corners, which are numbers of vertices.
+    ///
+    /// # Errors
+    /// If the corners make no triangles, or they become too many.
+    ///
+    /// # Panics
+    /// If a corner has no vertex: readers check that.
+    pub(super) fn assemble(&mut self, topology: Topology, corners: &[u32]) -> Result<(), String> {
+        let count = topology.triangles(corners.len())?;
+        if self.triangles.len() + count > MAX_TRIANGLES {
+            return Err(too_many());
+        }
+        self.triangles.reserve(count);
+        for triangle in 0..count {
+            let corners = topology.corners(triangle).map(|place| corners[place]);
+            // Strips are stitched by corners that come twice, or by points that do.
+            if topology == Topology::Strip {
+                let [a, b, c] = corners.map(|c| self.vertices[cast::index_of_u32(c)].position);
+                if a == b || b == c || a == c {
+                    self.stitches += 1;
+                    continue;
+                }
+            }
+            self.triangles.push(corners);
+        }
+        Ok(())
+    }
+}
+
+/// What sharing of vertices saves against a copy of each for each of its triangles.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
+pub struct Sharing {
+    /// Vertices in the buffer.
+    pub vertices: u64,
+    /// Triangles.
+    pub primitives: u64,
+    /// Words of the index buffer; 0 if there is none.
+    pub indices: u64,
+    /// Triangles left out of strips, which only stitch.
+    pub stitches: u64,
+    /// Operations of the vertex stage with sharing: one for each vertex that a triangle has.
+    pub vertex_operations: u64,
+    /// The same where each triangle has its vertices to itself: 3 for each triangle.
+    pub replicated_operations: u64,
+    /// Bytes of vertices and indices: 8 `f32` a vertex (position, normal, uv) and 4 bytes an index.
+    pub bytes: u64,
+    /// Bytes of as many vertices as there are corners, without indices.
+    pub replicated_bytes: u64,
+}
+
+/// Bytes of a vertex in a buffer.
+const VERTEX_BYTES: u64 = 8 * 4;
+/// Bytes of an index.
+const INDEX_BYTES: u64 = 4;
+
+impl Sharing {
+    /// Counts vertices, triangles between them, words of indices and stitches.
+    #[must_use]
+    pub fn of(vertices: usize, triangles: &[[u32; 3]], indices: u64, stitches: u64) -> Self {
+        let mut used = vec![false; vertices];
+        for corner in triangles.as_flattened() {
+            used[cast::index_of_u32(*corner)] = true;
+        }
+        let corners = 3 * cast::count_of(triangles.len());
+        let vertices = cast::count_of(vertices);
+        Self {
+            vertices,
+            primitives: cast::count_of(triangles.len()),
+            indices,
+            stitches,
+            vertex_operations: cast::count_of(used.iter().filter(|used| **used).count()),
+            replicated_operations: corners,
+            bytes: vertices * VERTEX_BYTES + indices * INDEX_BYTES,
+            replicated_bytes: corners * VERTEX_BYTES,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn mesh(points: &[[i32; 2]]) -> Mesh {
+        let vertex = |[x, y]: &[i32; 2]| SharedVertex {
+            position: DVec3::new(f64::from(*x), f64::from(*y), 0.0),
+            normal: DVec3::Z,
+            uv: DVec2::ZERO,
+        };
+        Mesh { vertices: points.iter().map(vertex).collect(), ..Mesh::default() }
+    }
+
+    /// Twice the area of each triangle, positive where it turns counter-clockwise.
+    fn areas(mesh: &Mesh) -> Vec<f64> {
+        let at = |corner: u32| mesh.vertices[cast::index_of_u32(corner)].position;
+        let area = |[a, b, c]: &[u32; 3]| (at(*b) - at(*a)).cross(at(*c) - at(*a)).z;
+        mesh.triangles.iter().map(area).collect()
+    }
+
+    /// A ladder of 2 x 6 points as one strip: all its triangles turn one way, and cover it once.
+    #[test]
+    fn strips_turn_one_way() {
+        let points: Vec<[i32; 2]> = (0..12).map(|i| [i / 2, 1 - i % 2]).collect();
+        let mut ladder = mesh(&points);
+        ladder.assemble(Topology::Strip, &(0..12).collect::<Vec<_>>()).unwrap();
+        assert_eq!(areas(&ladder), [1.0; 10]);
+        let mut seen: Vec<[u32; 3]> = ladder.triangles.clone();
+        seen.iter_mut().for_each(|corners| corners.sort_unstable());
+        let expected: Vec<[u32; 3]> = (0..10).map(|i| [i, i + 1, i + 2]).collect();
+        assert_eq!(seen, expected);
+    }
+
+    /// Two ladders stitched into one strip: by indices that come twice, and by points that do.
+    #[test]
+    fn stitches_make_no_triangles() {
+        let ladder = |x: i32| (0..6).map(move |i| [x + i / 2, 1 - i % 2]);
+        let points: Vec<[i32; 2]> = ladder(0).chain(ladder(10)).collect();
+        let mut indexed = mesh(&points);
+        let corners = [0, 1, 2, 3, 4, 5, 5, 6, 6, 7, 8, 9, 10, 11];
+        indexed.assemble(Topology::Strip, &corners).unwrap();
+        assert_eq!((areas(&indexed), indexed.stitches), (vec![1.0; 8], 4));
+
+        let points: Vec<[i32; 2]> =
+            corners.iter().map(|i| points[cast::index_of_u32(*i)]).collect();
+        let mut plain = mesh(&points);
+        plain.assemble(Topology::Strip, &(0..14).collect::<Vec<_>>()).unwrap();
+        assert_eq!((areas(&plain), plain.stitches), (vec![1.0; 8], 4));
+    }
+
+    #[test]
+    fn fans_and_lists() {
+        let points = [[0, 0], [2, 0], [2, 1], [1, 2], [0, 2]];
+        let mut fan = mesh(&points);
+        fan.assemble(Topology::Fan, &[0, 1, 2, 3, 4]).unwrap();
+        assert_eq!(fan.triangles, [[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
+        assert_eq!(areas(&fan), [2.0, 3.0, 2.0]);
+        let mut list = mesh(&points);
+        list.assemble(Topology::List, &[0, 1, 2, 0, 2, 3, 0, 3, 4]).unwrap();
+        assert_eq!(list.triangles, fan.triangles);
+        for (topology, corners) in
+            [(Topology::List, 4), (Topology::Strip, 2), (Topology::Fan, 0), (Topology::Strip, 0)]
+        {
+            assert!(topology.triangles(corners).is_err(), "{topology:?} {corners}");
+        }
+        assert_eq!(Topology::List.triangles(0), Ok(0));
+    }
+
+    #[test]
+    fn sharing_counts_each_vertex_once() {
+        // Two triangles with a common edge, and a vertex that nothing uses.
+        let sharing = Sharing::of(5, &[[0, 1, 2], [2, 1, 3]], 4, 0);
+        assert_eq!((sharing.vertices, sharing.primitives), (5, 2));
+        assert_eq!((sharing.vertex_operations, sharing.replicated_operations), (4, 6));
+        assert_eq!((sharing.bytes, sharing.replicated_bytes), (5 * 32 + 16, 6 * 32));
+    }
+}
