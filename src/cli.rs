@@ -114,9 +114,9 @@ enum Command {
         /// Write every hard case with its results into a CSV.
         #[arg(long, value_name = "FILE", requires = "hard")]
         cases: Option<PathBuf>,
-        /// Only this node, as `fixpath show` lists it, against its value on reals: over every combination
-        /// of the words that it depends on (up to 2^32), whatever the sampler.
-        #[arg(long, value_name = "NODE", conflicts_with_all = ["hard", "samples", "seed"])]
+        /// Only this node, by its name, that of an output port, or its number as `fixpath show` lists it, against
+        /// its value on reals: over every combination of the words that it depends on (up to 2^32).
+        #[arg(long, value_name = "NODE", conflicts_with_all = ["hard", "samples", "seed", "cases", "sampler"])]
         cone: Option<String>,
         /// Tell which share of the time went where.
         #[arg(long)]
@@ -402,13 +402,14 @@ fn run(command: &Command) -> Result<bool> {
             let design = unit.design()?;
             let cone = Cone::new(&design.netlist, label)?;
             let bar = progress_bar(cone.samples(), design.values.unit().name);
-            let report = cone.measure(&design, &|done| bar.set_position(done))?;
+            let measured = cone.measure(&design, &|done| bar.set_position(done))?;
             bar.finish_and_clear();
-            let times = profile.then_some(&report.speed.profile);
+            let times = profile.then_some(&measured.report.speed.profile);
             print(&if *json {
-                pretty(&with_profile(text::cone_json(&design, &cone, &report), times))
+                pretty(&with_profile(text::cone_json(&design, &cone, &measured), times))
             } else {
-                text::cone(&design, &cone, &report) + &times.map(text::profile).unwrap_or_default()
+                text::cone(&design, &cone, &measured)
+                    + &times.map(text::profile).unwrap_or_default()
             })?;
         }
         Command::Sim { unit, inputs, hard, cases, cone: None, profile, json } => {

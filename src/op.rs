@@ -275,6 +275,15 @@ impl Meaning {
     }
 }
 
+/// A number less as many spans as keep it from `low` to below `low + span`, a power of two.
+#[inline(always)]
+#[must_use]
+pub fn modulo(a: f64, low: f64, span: f64) -> f64 {
+    let rest = a - span * ((a - low) * span.recip()).floor();
+    // What is below `low` by less than a last place of the span rounds to the far end.
+    if rest < low + span { rest } else { rest - span }
+}
+
 /// The exponent of a float that is not 0 nor subnormal: `2^exponent <= |x| < 2^(exponent + 1)`.
 fn exponent(x: f64) -> i32 {
     i32::try_from((x.to_bits() >> 52) & 0x7ff).expect("bug: 11 bits") - 1023
@@ -648,8 +657,7 @@ impl Op {
             Self::Shift { left } => a * 2f64.powi(left),
             Self::Modulo => {
                 let span = 2f64.powi(cast::signed_count(out.bits()) - out.frac_bits());
-                let lo = out.value(out.min_raw());
-                a - span * ((a - lo) * span.recip()).floor()
+                modulo(a, out.value(out.min_raw()), span)
             }
             Self::Narrow { .. } => a,
             Self::Slice { .. }

@@ -808,6 +808,13 @@ fn by_material(fragments: &Fragments) -> BTreeMap<usize, Vec<usize>> {
     groups
 }
 
+/// Values of a port.
+fn port_column(port: Port, points: &[Fragment]) -> Vec<f64> {
+    let mut column = Vec::new();
+    port.column(points, &mut column);
+    column
+}
+
 /// The shading point of a fragment under a light.
 fn shading_point(scene: &Scene, fragments: &Fragments, i: usize, light: &Light) -> Fragment {
     let vector = |columns| Fragments::vector(columns, i);
@@ -885,7 +892,7 @@ fn block(scene: &Scene, shaders: &[&Shader], rows: Range<u32>, lanes: &mut Lanes
                 for (at, port) in stage.ports.iter().enumerate() {
                     values
                         .entry(stage.design.netlist.input_name(at))
-                        .or_insert_with(|| points.iter().map(|p| p.value(*port)).collect());
+                        .or_insert_with(|| port_column(*port, &points));
                 }
                 let columns: Vec<Vec<f64>> = match &shader.frames {
                     None => (0..stage.ports.len())
@@ -896,8 +903,7 @@ fn block(scene: &Scene, shaders: &[&Shader], rows: Range<u32>, lanes: &mut Lanes
                             frames.frame(scene, fragments, *i, point).unwrap_or(*point)
                         });
                         let framed: Vec<Fragment> = framed.collect();
-                        let value = |port: &Port| framed.iter().map(|p| p.value(*port)).collect();
-                        stage.ports.iter().map(value).collect()
+                        stage.ports.iter().map(|port| port_column(*port, &framed)).collect()
                     }
                 };
                 let overflows = runner.overflows().to_vec();

@@ -606,7 +606,7 @@ fn what_repeats_is_computed_once() {
             given.iter().map(|c| c.iter().map(|x| x.to_bits()).collect()).collect()
         };
         let plain = run(&real::Program::compile(&netlist, &real), &values(true));
-        let once = real::Program::compile_cone(&netlist, &real, &repeats);
+        let once = real::Program::compile_repeated(&netlist, &real, &repeats);
         assert_eq!(run(&once, &values(false)), plain, "{repeats:?}\n{}", netlist.to_text());
     }
 }

@@ -9,6 +9,7 @@
 
 mod cli;
 mod committed;
+mod cone;
 mod cost;
 mod cycle;
 mod emboss;

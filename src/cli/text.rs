@@ -3,7 +3,9 @@
 use super::Sim;
 use crate::cast;
 use crate::error::Result;
-use crate::measure::{self, Basis, Cone, Figures, Profile, Report, TableFigures, Witness};
+use crate::measure::{
+    self, Basis, Cone, ConeReport, Figures, Profile, Report, TableFigures, Witness,
+};
 use crate::netlist::{Netlist, Operators, Quantity};
 use crate::report::pareto;
 use crate::report::record::{Measured, Point, Record, parameters_of};
@@ -446,27 +448,39 @@ fn overflows(report: &Report) -> String {
 }
 
 /// A node over every combination of the words that it depends on.
-pub(super) fn cone(design: &Design, cone: &Cone, report: &Report) -> String {
-    let netlist = &design.netlist;
+pub(super) fn cone(design: &Design, cone: &Cone, measured: &ConeReport) -> String {
+    let (netlist, report) = (&design.netlist, &measured.report);
     let ports: Vec<&str> = cone.ports.iter().map(|port| netlist.input_name(*port)).collect();
-    format!(
-        "{} {}\n{} samples: every combination of the words of {}; errors of {} are absolute, with the input words of the worst (0 where it depends on none)\n\n{}  \
-           arithmetic: bit-true against the netlist on reals, of the same words; no golden knows inner nodes\n  \
-           percentiles are known to 1.6 %; 0 means below 2^-44\n{}\n{}\n",
+    let over = if ports.is_empty() {
+        "it depends on no port".to_owned()
+    } else {
+        format!("every combination of the words of {}", ports.join(", "))
+    };
+    let mut text = format!(
+        "{} {}\n{} samples: {over}; errors of {} are absolute, with the input words of the worst (ports that it doesn't depend on are 0)\n\n{}",
         design.values.unit().name,
         parameter_line(&design.values),
         report.samples,
-        ports.join(", "),
         netlist.label(cone.node),
         figures(netlist, &report.figures),
-        overflows(report),
-        speed(report)
-    )
+    );
+    text.push_str(
+        "  arithmetic: bit-true against the netlist on reals, of the same words; no golden knows inner nodes\n  \
+           percentiles are known to 1.6 %; 0 means below 2^-44\n",
+    );
+    if measured.past_format > 0 {
+        let _ = writeln!(
+            text,
+            "  left out: {} samples whose value on reals is past the node's format, as at poles; words saturate there",
+            measured.past_format
+        );
+    }
+    text + &overflows(report) + "\n" + &speed(report) + "\n"
 }
 
 /// The same as JSON.
-pub(super) fn cone_json(design: &Design, cone: &Cone, report: &Report) -> Value {
-    let netlist = &design.netlist;
+pub(super) fn cone_json(design: &Design, cone: &Cone, measured: &ConeReport) -> Value {
+    let (netlist, report) = (&design.netlist, &measured.report);
     json!({
         "tool": "fixpath",
         "version": env!("CARGO_PKG_VERSION"),
@@ -476,6 +490,7 @@ pub(super) fn cone_json(design: &Design, cone: &Cone, report: &Report) -> Value 
         "inputs": {
             "sampler": "exhaustive",
             "samples": report.samples,
+            "left_out_past_format": measured.past_format,
             // The fastest first; a witness has words of all ports of the unit.
             "counted": cone.ports.iter().map(|port| netlist.input_name(*port)).collect::<Vec<_>>(),
             "ports": (0..netlist.inputs().len()).map(|i| netlist.input_name(i)).collect::<Vec<_>>(),

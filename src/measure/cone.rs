@@ -4,22 +4,23 @@
 //! on are the slowest. In a run of samples the slow ports stay and the fastest repeat from block to block,
 //! so what depends on those only is computed once a run, by the engine and on reals.
 
+use super::inputs::{EXHAUSTIVE_BITS, Scale};
 use super::{
     Basis, Counts, Differences, Figures, Histograms, Lap, Merged, Profile, Report, Speed, Stream,
     Witness, overflow_counts,
 };
 use crate::cast;
 use crate::error::{Error, Result};
-use crate::netlist::{Netlist, NodeId, Quantity};
+use crate::netlist::{Netlist, Node, NodeId, Quantity};
+use crate::op::{Meaning, Op};
 use crate::sim::batch::{self, BLOCK, check_overflows};
 use crate::sim::real;
 use crate::simd::{Body, vectorised};
 use crate::units::Design;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
+use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
-
-use super::inputs::{EXHAUSTIVE_BITS, Scale};
 
 /// Samples in a run: blocks enough that what they share costs little.
 const RUN_BITS: u32 = 14;
@@ -36,16 +37,19 @@ pub struct Cone {
 }
 
 impl Cone {
-    /// The cone of a node by its label, as `show` lists it.
+    /// The cone of a node by its label, by the name of an output port, or by its number, as in `%3`.
     ///
     /// # Errors
     /// If there is no such node, it has no value on reals, or there are too many combinations.
     pub fn new(netlist: &Netlist, label: &str) -> Result<Self> {
-        let Some(node) = netlist.ids().find(|id| netlist.label(*id) == label) else {
-            let named = netlist.ids().filter(|id| netlist.node(*id).name.is_some());
-            let names: Vec<String> = named.map(|id| netlist.label(id)).collect();
+        let Some(node) = named(netlist, label) else {
+            let nodes = netlist.ids().filter(|id| netlist.node(*id).name.is_some());
+            let mut names: Vec<String> = nodes.map(|id| netlist.label(id)).collect();
+            names.extend(netlist.outputs().iter().map(|output| output.name.clone()));
+            names.sort_unstable();
+            names.dedup();
             return Err(Error::usage(format!(
-                "there is no node `{label}`: the named ones are {}",
+                "there is no node `{label}`: the named ones are {}; others go by their number, such as %3",
                 names.join(", ")
             )));
         };
@@ -58,7 +62,7 @@ impl Cone {
         let mut users: Vec<Vec<usize>> = vec![Vec::new(); nodes.len()];
         let mut inside = vec![false; nodes.len()];
         inside[node.index()] = true;
-        for index in (0..=node.index()).rev().filter(|i| nodes[*i].op != crate::op::Op::Input) {
+        for index in (0..=node.index()).rev().filter(|i| nodes[*i].op != Op::Input) {
             if inside[index] {
                 let meaning = nodes[index].meaning.into_iter().flat_map(|m| m.arguments());
                 for operand in nodes[index].operands.iter().copied().chain(meaning.flatten()) {
@@ -106,7 +110,7 @@ impl Cone {
     ///
     /// # Errors
     /// If a `narrow` under overflow mode `error` overflowed.
-    pub fn measure(&self, design: &Design, progress: &(dyn Fn(u64) + Sync)) -> Result<Report> {
+    pub fn measure(&self, design: &Design, progress: &(dyn Fn(u64) + Sync)) -> Result<ConeReport> {
         let netlist = &*design.netlist;
         let node = netlist.node(self.node);
         let pass = Pass::new(self, netlist);
@@ -118,14 +122,25 @@ impl Cone {
         let mut merged = Merged::EMPTY;
         let mut overflows = vec![0; narrows.len()];
         let mut profile = Profile::default();
+        let mut past_format = 0;
+        let lanes = Mutex::new(Vec::new());
         let mut next = 0;
         while next < runs {
             let these: Vec<u64> = (next..(next + round).min(runs)).collect();
             let partials: Vec<_> = these
                 .par_iter()
-                .map_init(|| pass.lane(), |lane, run| pass.run(lane, *run))
+                .map(|run| {
+                    // Columns are made once per thread.
+                    let free = || lanes.lock().unwrap_or_else(PoisonError::into_inner);
+                    let known = free().pop();
+                    let mut lane = known.unwrap_or_else(|| pass.lane());
+                    let partial = pass.run(&mut lane, *run);
+                    free().push(lane);
+                    partial
+                })
                 .collect();
-            for Partial { stream, overflows: counts, profile: times } in partials {
+            for Partial { stream, past, overflows: counts, profile: times } in partials {
+                past_format += past;
                 check_overflows(netlist, narrows, &counts)?;
                 let words = pass.words(stream.at);
                 let ports = words.iter().zip(netlist.inputs());
@@ -140,13 +155,14 @@ impl Cone {
             next += round;
             progress((next << pass.run_bits).min(self.samples()));
         }
+        // Each adds its histogram.
+        drop(lanes);
         let elapsed = start.elapsed().as_secs_f64();
         let rate = |seconds: f64| {
             if seconds > 0.0 { cast::f64_of_count(self.samples()) / seconds } else { 0.0 }
         };
-        let turns = node.quantity == Quantity::Turns;
-        let ulp = node.format.ulp() * if turns { TAU } else { 1.0 };
-        let unit = if turns { "rad" } else { "1" };
+        let ulp = node.format.ulp() * if pass.is_angle { TAU } else { 1.0 };
+        let unit = if pass.is_angle { "rad" } else { "1" };
         let stream = merged.stream;
         let figures = Figures {
             max_ulp: Some(stream.max / ulp),
@@ -158,7 +174,7 @@ impl Cone {
                 &pass.histograms.of(0),
             )
         };
-        Ok(Report {
+        let report = Report {
             samples: self.samples(),
             figures: vec![figures],
             overflows: overflow_counts(netlist, narrows, &overflows),
@@ -168,13 +184,52 @@ impl Cone {
                 threads,
                 profile,
             },
-        })
+        };
+        Ok(ConeReport { report, past_format })
     }
+}
+
+/// What was measured of a cone.
+#[derive(Clone, Debug)]
+pub struct ConeReport {
+    /// The figures, on the arithmetic basis.
+    pub report: Report,
+    /// Samples that the figures leave out: their value on reals is past the node's format by more than an ulp, or
+    /// infinite, as at poles, so that words saturate.
+    pub past_format: u64,
+}
+
+/// The node of a label, of an output port, or of a number such as `%3`.
+fn named(netlist: &Netlist, label: &str) -> Option<NodeId> {
+    let by_label = netlist.ids().find(|id| netlist.label(*id) == label);
+    let port = || netlist.outputs().iter().find(|output| output.name == label);
+    let number = || label.strip_prefix('%')?.parse::<usize>().ok();
+    by_label.or_else(|| port().map(|output| output.node)).or_else(|| {
+        number()
+            .filter(|number| *number < netlist.nodes().len())
+            .map(|number| netlist.id_at(number))
+    })
+}
+
+/// True if a node is an angle in turns, or made of angles such that whole turns mean nothing.
+fn is_angle(netlist: &Netlist, node: NodeId) -> bool {
+    let Node { op, operands, quantity, meaning, .. } = netlist.node(node);
+    let angle = |id: &NodeId| is_angle(netlist, *id);
+    if *quantity == Quantity::Turns || matches!(meaning, Some(Meaning::Opposite(_))) {
+        return true;
+    }
+    let sum = matches!(op, Op::Add | Op::Sub | Op::Neg | Op::Modulo | Op::Narrow { .. });
+    let choice = matches!(op, Op::AddSub | Op::Mux);
+    // The first operand of a choice is what it goes by.
+    meaning.is_none()
+        && (sum && operands.iter().any(angle) || choice && operands[1..].iter().any(angle))
 }
 
 /// What all threads share.
 struct Pass<'a> {
     cone: &'a Cone,
+    /// Errors are modulo a turn.
+    is_angle: bool,
     netlist: &'a Netlist,
     /// Numbers of ports, and the first of their bits in a sample's number.
     offsets: Vec<(usize, u32)>,
@@ -189,6 +244,7 @@ struct Pass<'a> {
 /// What a run gave.
 struct Partial {
     stream: Stream,
+    past: u64,
     overflows: Vec<u64>,
     profile: Profile,
 }
@@ -205,9 +261,10 @@ impl<'a> Pass<'a> {
         }
         Self {
             cone,
+            is_angle: is_angle(netlist, cone.node),
             netlist,
             program: batch::Program::compile_cone(netlist, &[cone.node], &repeats),
-            reals: real::Program::compile_cone(netlist, &[cone.node], &repeats),
+            reals: real::Program::compile_repeated(netlist, &[cone.node], &repeats),
             offsets,
             repeats,
             run_bits: RUN_BITS.min(cone.bits),
@@ -216,12 +273,15 @@ impl<'a> Pass<'a> {
     }
 
     fn lane(&self) -> Lane<'_> {
-        let (ports, run) = (self.netlist.inputs().len(), 1 << self.run_bits);
+        let run = 1 << self.run_bits;
+        let ports = self.cone.ports.len();
         Lane {
             runner: self.program.runner(),
             real_runner: self.reals.runner(),
             words: vec![vec![0; run]; ports],
             values: vec![vec![0.0; run]; ports],
+            zero_words: vec![0; run],
+            zero_values: vec![0.0; run],
             given: vec![Vec::new()],
             ideal: vec![Vec::new()],
             value: vec![0.0; run],
@@ -245,38 +305,70 @@ impl<'a> Pass<'a> {
         let node = self.netlist.node(self.cone.node);
         let mut profile = Profile::default();
         let mut lap = Lap(Instant::now());
-        for (port, at) in &self.offsets {
+        for (i, (port, at)) in self.offsets.iter().enumerate() {
             let format = self.netlist.node(self.netlist.inputs()[*port]).format;
-            let words = &mut lane.words[*port];
+            let words = &mut lane.words[i];
             // Of what repeats, only the first block is read.
             let len = if self.repeats[*port] { words.len().min(BLOCK) } else { words.len() };
             let words = &mut words[..len];
             for (word, sample) in words.iter_mut().zip(from..) {
                 *word = format.wrap(cast::word_of_bits(sample >> at));
             }
-            let to = &mut lane.values[*port][..len];
+            let to = &mut lane.values[i][..len];
             vectorised(Scale { words, ulp: format.ulp(), to });
         }
         profile.quantise = lap.seconds();
         let before = lane.runner.overflows().to_vec();
-        let columns: Vec<&[i64]> = lane.words.iter().map(Vec::as_slice).collect();
+        let mut columns: Vec<&[i64]> = vec![&lane.zero_words; self.netlist.inputs().len()];
+        for ((port, _), words) in self.offsets.iter().zip(&lane.words) {
+            columns[*port] = words;
+        }
         lane.runner.run(&self.program, &columns, &mut lane.given);
         profile.engine = lap.seconds();
-        let columns: Vec<&[f64]> = lane.values.iter().map(Vec::as_slice).collect();
+        let mut columns: Vec<&[f64]> = vec![&lane.zero_values; self.netlist.inputs().len()];
+        for ((port, _), values) in self.offsets.iter().zip(&lane.values) {
+            columns[*port] = values;
+        }
         lane.real_runner.run(&self.reals, &columns, &mut lane.ideal);
         profile.reals = lap.seconds();
         let (words, to) = (&lane.given[0], &mut lane.value);
         vectorised(Scale { words, ulp: node.format.ulp(), to });
         let (is, should, errors) = (&lane.value, &lane.ideal[0], &mut lane.errors);
         vectorised(Differences { is, should, factor: 1.0, errors });
-        if node.quantity == Quantity::Turns {
+        if self.is_angle {
             vectorised(Arcs { errors: &mut lane.errors });
         }
-        let stream = Stream::of(&lane.errors, from, lane.counts.of(0));
+        let past = self.leave_out(&lane.ideal[0], &mut lane.errors);
+        let mut stream = Stream::of(&lane.errors, from, lane.counts.of(0));
+        // They were taken for errors of 0.
+        stream.count -= u64::from(past);
+        lane.counts.of(0)[0] -= past;
         let overflows = lane.runner.overflows().iter().zip(before);
         let overflows = overflows.map(|(after, before)| after - before).collect();
         profile.statistics = lap.seconds();
-        Partial { stream, overflows, profile }
+        Partial { stream, past: past.into(), overflows, profile }
+    }
+}
+
+impl Pass<'_> {
+    /// Clears the errors of samples whose value on reals is past the format, and counts them.
+    fn leave_out(&self, ideal: &[f64], errors: &mut [f64]) -> u32 {
+        let format = self.netlist.node(self.cone.node).format;
+        let (low, high) = if self.is_angle {
+            (f64::MIN, f64::MAX)
+        } else {
+            (
+                format.value(format.min_raw()) - format.ulp(),
+                format.value(format.max_raw()) + format.ulp(),
+            )
+        };
+        let mut past = 0;
+        for (error, ideal) in errors.iter_mut().zip(ideal) {
+            let inside = *ideal >= low && *ideal <= high;
+            past += u32::from(!inside);
+            *error = if inside { *error } else { 0.0 };
+        }
+        past
     }
 }
 
@@ -284,8 +376,12 @@ impl<'a> Pass<'a> {
 struct Lane<'a> {
     runner: batch::Runner,
     real_runner: real::Runner,
+    /// Of the cone's ports.
     words: Vec<Vec<i64>>,
     values: Vec<Vec<f64>>,
+    /// Of all others.
+    zero_words: Vec<i64>,
+    zero_values: Vec<f64>,
     given: Vec<Vec<i64>>,
     ideal: Vec<Vec<f64>>,
     value: Vec<f64>,

@@ -4,6 +4,7 @@ use crate::cast;
 use crate::error::{Error, Result};
 use crate::format::{Format, Overflow, Round, float20, quantize};
 use crate::netlist::{Netlist, NodeId, Quantity};
+use crate::sim::batch::BLOCK;
 use crate::simd::{Body, vectorised};
 use crate::trig::ROUNDER;
 use crate::units::{Design, Sampler, Uniform};
@@ -77,6 +78,18 @@ impl Inputs {
             design.hard.iter().flat_map(|case| case.words.clone()).collect()
         };
         formats(a) == formats(b) && (self.sampler != Sampler::Hard || hard(a) == hard(b))
+    }
+
+    /// Ports whose words are the same in each block of a chunk: of every combination, those that are counted
+    /// within a block or from chunk to chunk.
+    pub(super) fn repeats(&self, design: &Design) -> Vec<bool> {
+        let mut at = 0;
+        let repeats = |id: &NodeId| {
+            let first = at;
+            at += design.netlist.node(*id).format.bits();
+            self.sampler == Sampler::Exhaustive && (at <= BLOCK.ilog2() || first >= CHUNK.ilog2())
+        };
+        design.netlist.inputs().iter().map(repeats).collect()
     }
 
     /// Input values of samples `start..start + count`, one column per port, before quantisation.

@@ -20,7 +20,7 @@ mod tables;
 pub use bounds::{
     BoundCheck, HardResult, HardVerdict, StatedBound, hard_columns, hard_results, hard_verdicts,
 };
-pub use cone::Cone;
+pub use cone::{Cone, ConeReport};
 pub(crate) use inputs::values_of;
 pub use inputs::{Inputs, quantize_inputs, sample_words};
 pub use stream::angle_between;
@@ -466,10 +466,11 @@ pub fn measure(
             ));
         }
         let judged = design.judged();
+        let repeats = inputs.repeats(design);
         compiled.push(Compiled {
             design,
-            program: Program::compile(netlist, &judged),
-            reals: real::Program::compile(netlist, &judged),
+            program: Program::compile_repeated(netlist, &judged, &repeats),
+            reals: real::Program::compile_repeated(netlist, &judged, &repeats),
             judged,
             measurands: Measurand::all(design),
             set,

@@ -2,7 +2,7 @@
 //! what runs once per flat face and what runs for every pixel, and held to the general design on
 //! every pixel of the scene.
 
-use super::{Shader, Stage, blocks, by_material, shading_point};
+use super::{Shader, Stage, blocks, by_material, port_column, shading_point};
 use crate::cast;
 use crate::error::Result;
 use crate::measure::quantize_inputs;
@@ -236,11 +236,8 @@ fn each_batch(
             let stage = &shader.stages[index];
             let points: Vec<Fragment> =
                 members.iter().map(|i| shading_point(scene, fragments, *i, light)).collect();
-            let columns: Vec<Vec<f64>> = stage
-                .ports
-                .iter()
-                .map(|port| points.iter().map(|point| point.value(*port)).collect())
-                .collect();
+            let columns: Vec<Vec<f64>> =
+                stage.ports.iter().map(|port| port_column(*port, &points)).collect();
             let mut words = Vec::new();
             quantize_inputs(&stage.design.netlist, &columns, &mut words)?;
             take(index, &words, &faces);

@@ -167,16 +167,24 @@ impl Program {
     /// If the netlist has an operation without a kernel: that is wrong code.
     #[must_use]
     pub fn compile(netlist: &Netlist, outputs: &[NodeId]) -> Self {
-        let (ports, nodes) = (netlist.inputs().len(), netlist.nodes().len());
-        Self::compile_counted(netlist, outputs, &vec![false; ports], &vec![true; nodes])
+        Self::compile_repeated(netlist, outputs, &vec![false; netlist.inputs().len()])
     }
 
-    /// As [`Program::compile`] of the outputs' cone alone: a `narrow` that none of them depends on isn't computed, and
-    /// its count stays 0. The words at some ports may repeat: in each run of more than a block, all
+    /// As [`Program::compile`], where the words at some ports repeat: in each run of more than a block, all
     /// blocks have the same at that port. What depends on such ports only is computed once a run.
     ///
     /// # Panics
     /// As [`Program::compile`], or if there is not one `repeats` per port.
+    #[must_use]
+    pub fn compile_repeated(netlist: &Netlist, outputs: &[NodeId], repeats: &[bool]) -> Self {
+        Self::compile_counted(netlist, outputs, repeats, &vec![true; netlist.nodes().len()])
+    }
+
+    /// As [`Program::compile_repeated`] of the outputs' cone alone: a `narrow` that none of them depends on isn't computed, and
+    /// its count stays 0.
+    ///
+    /// # Panics
+    /// As [`Program::compile_repeated`].
     #[must_use]
     pub fn compile_cone(netlist: &Netlist, outputs: &[NodeId], repeats: &[bool]) -> Self {
         let mut inside = vec![false; netlist.nodes().len()];

@@ -9,7 +9,7 @@ use crate::cast;
 use crate::format::Format;
 use crate::function::Function;
 use crate::netlist::{Netlist, NodeId};
-use crate::op::{Meaning, Op};
+use crate::op::{Meaning, Op, modulo};
 use crate::simd::{Body, vectorised};
 use crate::trig::Real;
 
@@ -57,7 +57,7 @@ impl Program {
     /// If an output has none.
     #[must_use]
     pub fn compile(netlist: &Netlist, outputs: &[NodeId]) -> Self {
-        Self::compile_cone(netlist, outputs, &vec![false; netlist.inputs().len()])
+        Self::compile_repeated(netlist, outputs, &vec![false; netlist.inputs().len()])
     }
 
     /// As [`Program::compile`], where the values at some ports are the same in each block of a run:
@@ -66,7 +66,7 @@ impl Program {
     /// # Panics
     /// As [`Program::compile`], or if there is not one `repeats` per port.
     #[must_use]
-    pub fn compile_cone(netlist: &Netlist, outputs: &[NodeId], repeats: &[bool]) -> Self {
+    pub fn compile_repeated(netlist: &Netlist, outputs: &[NodeId], repeats: &[bool]) -> Self {
         assert_eq!(repeats.len(), netlist.inputs().len(), "bug: one per port");
         let nodes = netlist.nodes();
         let operands = |index: usize| -> Vec<usize> {
@@ -244,9 +244,8 @@ fn step(kernel: Kernel, [a, b, c]: [&[f64]; 3], to: &mut [f64], other: &mut [f64
         Kernel::Sub => each(to, a, b, |a, b| a - b),
         Kernel::Mul => each(to, a, b, |a, b| a * b),
         Kernel::Modulo { low, span } => {
-            let spans = span.recip();
             for (to, a) in to.iter_mut().zip(a) {
-                *to = a - span * ((a - low) * spans).floor();
+                *to = modulo(*a, low, span);
             }
         }
         Kernel::Times(factor) => {

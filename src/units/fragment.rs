@@ -14,8 +14,9 @@
 use super::{Design, HardCase, Sampler, Uniform};
 use crate::format::{Overflow, Round, quantize};
 use crate::netlist::{Netlist, NodeId, Quantity};
+use crate::simd::{Body, vectorised};
+use crate::trig;
 use glam::DVec3;
-use std::f64::consts::TAU;
 
 /// A shading point: unit vectors.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -33,12 +34,13 @@ pub struct Fragment {
 }
 
 /// Azimuth and polar angle in turns, 0 to 1 and 0 to ½.
+#[inline(always)]
 #[must_use]
 pub fn polar(v: DVec3) -> (f64, f64) {
-    let across = v.x.hypot(v.y);
+    let across = v.x * v.x + v.y * v.y;
     // On a pole phi is 0, also where atan2 would tell zeros of either sign apart.
-    let phi = if across == 0.0 { 0.0 } else { v.y.atan2(v.x) / TAU };
-    (if phi < 0.0 { phi + 1.0 } else { phi }, across.atan2(v.z) / TAU)
+    let phi = if across == 0.0 { 0.0 } else { trig::atan2_turns(v.y, v.x) };
+    (if phi < 0.0 { phi + 1.0 } else { phi }, trig::atan2_turns(across.sqrt(), v.z))
 }
 
 /// Vectors of a fragment.
@@ -94,6 +96,52 @@ impl Port {
     }
 }
 
+impl Port {
+    /// Its values for many fragments; `to` is overwritten.
+    pub fn column(self, fragments: &[Fragment], to: &mut Vec<f64>) {
+        to.clear();
+        let (Kind::Phi(vector) | Kind::Theta(vector)) = self.0 else {
+            to.extend(fragments.iter().map(|fragment| fragment.value(self)));
+            return;
+        };
+        to.resize(fragments.len(), 0.0);
+        let is_phi = matches!(self.0, Kind::Phi(_));
+        let mut vectors = [DVec3::ZERO; BLOCK];
+        for (to, fragments) in to.chunks_mut(BLOCK).zip(fragments.chunks(BLOCK)) {
+            for (v, fragment) in vectors.iter_mut().zip(fragments) {
+                *v = fragment.vector(vector);
+            }
+            vectorised(Polar { vectors: &vectors[..to.len()], is_phi, to });
+        }
+    }
+}
+
+/// Fragments whose polar forms are computed at once.
+const BLOCK: usize = 256;
+
+/// Azimuths or polar angles of vectors.
+struct Polar<'a> {
+    vectors: &'a [DVec3],
+    is_phi: bool,
+    to: &'a mut [f64],
+}
+
+impl Body for Polar<'_> {
+    #[inline(always)]
+    fn run(self) {
+        let pairs = self.to.iter_mut().zip(self.vectors);
+        if self.is_phi {
+            for (to, v) in pairs {
+                *to = polar(*v).0;
+            }
+        } else {
+            for (to, v) in pairs {
+                *to = polar(*v).1;
+            }
+        }
+    }
+}
+
 impl Fragment {
     /// Value of an input port.
     #[must_use]
@@ -124,11 +172,11 @@ impl Fragment {
 
     fn psi(&self) -> f64 {
         let n = self.normal;
-        let across = n.x.hypot(n.y);
+        let across = (n.x * n.x + n.y * n.y).sqrt();
         let (cos, sin) = if across == 0.0 { (1.0, 0.0) } else { (n.x / across, n.y / across) };
         let along_theta = DVec3::new(n.z * cos, n.z * sin, -across);
         let along_phi = DVec3::new(-sin, cos, 0.0);
-        let turns = self.tangent.dot(along_phi).atan2(self.tangent.dot(along_theta)) / TAU;
+        let turns = trig::atan2_turns(self.tangent.dot(along_phi), self.tangent.dot(along_theta));
         if turns < 0.0 { turns + 1.0 } else { turns }
     }
 
@@ -137,7 +185,7 @@ impl Fragment {
     fn random(lit: bool, uniform: &mut Uniform) -> Self {
         let mut sphere = || {
             let (z, turns) = (1.0 - 2.0 * uniform.draw(), uniform.draw());
-            let (sin, cos) = (turns * TAU).sin_cos();
+            let (sin, cos) = trig::sin_cos_turns(turns);
             let across = (1.0 - z * z).sqrt();
             DVec3::new(across * cos, across * sin, z)
         };
@@ -169,16 +217,14 @@ pub(super) fn draw(
     columns: &mut [Vec<f64>],
     count: usize,
 ) {
-    columns.iter_mut().for_each(Vec::clear);
     let port = |at| Port::of(design.netlist.input_name(at));
     let ports: Vec<Port> = (0..columns.len())
         .map(|at| port(at).expect("bug: ports of shading units are those of fragments"))
         .collect();
-    for _ in 0..count {
-        let fragment = Fragment::random(sampler == Sampler::Lit, uniform);
-        for (port, column) in ports.iter().zip(&mut *columns) {
-            column.push(fragment.value(*port));
-        }
+    let lit = sampler == Sampler::Lit;
+    let fragments: Vec<Fragment> = (0..count).map(|_| Fragment::random(lit, uniform)).collect();
+    for (port, column) in ports.iter().zip(columns) {
+        port.column(&fragments, column);
     }
 }
 
@@ -256,6 +302,7 @@ pub(super) fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::TAU;
 
     fn random(count: usize) -> Vec<Fragment> {
         let mut uniform = Uniform::new(1);
