@@ -280,9 +280,9 @@ impl AngleArg {
 
 #[derive(Clone, Copy, ValueEnum)]
 enum SamplerArg {
-    /// Uniform on the sphere, light on the lit side of the surface.
+    /// What suits the unit's inputs: vectors uniform on the sphere, light on the lit side of the surface (`list` tells where else).
     Lit,
-    /// Uniform on the sphere.
+    /// Likewise, on any side: vectors uniform on the sphere.
     Sphere,
     /// Every combination of input words (up to 2^32).
     Exhaustive,

@@ -14,7 +14,8 @@
 //! product. `dP/du x dP/dv = (e1 x e2)/det`, so the hardware takes the exact `e1 x e2`, and slivers, whose
 //! tangents are nearly parallel, lose nothing.
 //!
-//! Triangles are wound so that N is on the side of `e1 x e2`: counterclockwise as seen from outside.
+//! Triangles are wound so that N is on the side of `e1 x e2`: counterclockwise as seen from outside,
+//! `N·(e1 x e2) > 0`. With an N on the other side, B points against dP/dv, and bumps along v are dents.
 //!
 //! # What the seed prints, and what isn't right
 //!
@@ -29,8 +30,8 @@
 //! - **"Orthonormal".** The seed calls the map so, and it isn't where T isn't at right angles to N, as with
 //!   every vertex normal that isn't the face's: then B is shorter than 1 and light leaks from N to T. With
 //!   `basis=printed` it is as printed: T as it is, B = N x T as long as it comes, of a facet dP/dv as it is.
-//!   `basis=orthonormal` takes B = N x T over its length and T = B x N, which is T's part at right
-//!   angles to N; of a facet B = N x T, which is the part of dP/dv at right angles to T.
+//!   `basis=orthonormal` takes B = N x T over its length and T = B x N, which has the direction of T's part
+//!   at right angles to N, and the length of N; of a facet B = N x T, which is the part of dP/dv at right angles to T.
 //!
 //! # Without a frame
 //!
@@ -84,12 +85,14 @@ pub static TANGENT: Unit = Unit {
         "vector_bits",
         "vector_int_bits",
     ],
-    inputs: "p0_x … p2_z: positions of the triangle's vertices in object space, counterclockwise from outside; \
+    inputs: "p0_x … p2_z: positions of the triangle's vertices in object space, counterclockwise as seen from outside, where N points: \
+             N·(e1 x e2) > 0, else B is against dP/dv and bumps along v are dents; \
              uv0_u … uv2_v: their texture coordinates; with frame=smooth normal_x … normal_z: unit normal of the vertex, from -2 to 2; \
-             view_x … view_z, light0_x … : vectors from the vertex to the eye and each of `lights` lights in object space, of any length",
+             view_x … view_z, light0_x … : vectors from the vertex to the eye and each of `lights` lights in object space, of any length. \
+             The sampler lit draws triangles with no angle below 30° and N at most 45° off theirs; sphere draws any",
     outputs: "t_x … t_z, b_x … b_z, n_x … n_z: rows of the map; ts_view_x … , ts_light0_x … : view vector and lights in texture space, \
-              along T, B and N, as long as they come; mirrored: 1 where the texture's determinant is negative; degenerate: 1 where a fixed \
-              frame is taken; why: zero_uv, zero_area and, with frame=smooth, parallel",
+              along T, B and N, as long as they come; mirrored: 1 where the texture's determinant is negative (with degenerate 1, too, \
+              where it turns nothing); degenerate: 1 where a fixed frame is taken; why: zero_uv, zero_area and, with frame=smooth, parallel",
     build,
 };
 
@@ -104,13 +107,15 @@ static PARAMS: &[Param] = &[
         name: "mirror",
         kind: Kind::Choice(&["handed", "printed", "off"]),
         default: "handed",
-        help: "mirrored textures: B (of a facet N) turned, T turned as the seed has it, or nothing",
+        help: "mirrored textures: B (of a facet N) turned, T turned as the seed has it, or nothing; \
+               errors are against the golden of the same rule",
     },
     Param {
         name: "basis",
         kind: Kind::Choice(&["orthonormal", "printed"]),
         default: "orthonormal",
-        help: "T, B, N made orthonormal, or T and N x T (of a facet dP/dv) as they are",
+        help: "T, B, N made orthonormal, or T and N x T (of a facet dP/dv) as they are; \
+               errors are against the golden of the same rule",
     },
     Param {
         name: "lights",
@@ -120,7 +125,7 @@ static PARAMS: &[Param] = &[
     },
     Param {
         name: "position_int_bits",
-        kind: Kind::Int { min: 0, max: 22, auto: None },
+        kind: Kind::Int { min: 0, max: MOST_INT_BITS, auto: None },
         default: "4",
         help: "positions are from -2^position_int_bits to 2^position_int_bits",
     },
@@ -132,7 +137,7 @@ static PARAMS: &[Param] = &[
     },
     Param {
         name: "uv_int_bits",
-        kind: Kind::Int { min: 0, max: 22, auto: None },
+        kind: Kind::Int { min: 0, max: MOST_INT_BITS, auto: None },
         default: "2",
         help: "texture coordinates are from -2^uv_int_bits to 2^uv_int_bits",
     },
@@ -229,12 +234,16 @@ const LIGHTS: [(&str, &str, &[&str]); 8] = [
     ("light7", "ts_light7", &["ts_light7_x", "ts_light7_y", "ts_light7_z", "ts_light7_dot"]),
 ];
 
+/// The most whole bits of a coordinate.
+const MOST_INT_BITS: i64 = 22;
+
 /// A signed format of positions or texture coordinates: no more bits than make the golden's
 /// differences and products of two exact in an `f64`.
 fn coordinate(values: &Values, int_bits: &str, frac_bits: &str) -> Result<Format> {
     let (whole, fraction) = (values.bits(int_bits), values.bits(frac_bits));
     if !(1..=23).contains(&(whole + fraction)) {
-        let (least, most) = (1u32.saturating_sub(fraction), 23 - fraction);
+        let (least, most) =
+            (1u32.saturating_sub(fraction), i64::from(23 - fraction).min(MOST_INT_BITS));
         let legal =
             format!("{least} to {most} with {frac_bits}={fraction}: words have 2 to 24 bits");
         return Err(values.refuse(int_bits, &legal));
@@ -244,6 +253,9 @@ fn coordinate(values: &Values, int_bits: &str, frac_bits: &str) -> Result<Format
 
 /// The most bits that a position, a texture coordinate and a component have together: N x T is exact.
 const EXACT_BITS: u32 = 58;
+
+/// The most bits that a component and its guard bits have together where N x T of a facet is exact.
+const FACET_BITS: u32 = 31;
 
 fn build(values: &Values) -> Result<Design> {
     let switches = Switches::new(values);
@@ -259,6 +271,16 @@ fn build(values: &Values) -> Result<Design> {
             uv.bits()
         );
         return Err(values.refuse("component_bits", &legal));
+    }
+    // N x T of a facet: a difference of two products of unit vectors' words.
+    let (component_bits, guard_bits) = (values.bits("component_bits"), values.bits("guard_bits"));
+    if switches.faceted && switches.orthonormal && component_bits + guard_bits > FACET_BITS {
+        let legal = format!(
+            "0 to {} with component_bits={component_bits}, frame=faceted and basis=orthonormal: N x T is \
+             exact, and {FACET_BITS} bits of the two together make 63",
+            FACET_BITS - component_bits
+        );
+        return Err(values.refuse("guard_bits", &legal));
     }
     let mut b = Builder::new("tangent");
     let p = ["p0", "p1", "p2"].map(|name| vector_ports(&mut b, name, position, Quantity::Number));
@@ -282,7 +304,14 @@ fn build(values: &Values) -> Result<Design> {
     let mut root = Root::new(values)?;
     let edges = b.scope("primitive", |b| edges(b, p, uv));
     let map = match normal {
-        Some(n) => b.scope("vertex", |b| vertex_map(b, &mut root, switches, &edges, n))?,
+        Some(n) => {
+            let t = if switches.orthonormal {
+                None
+            } else {
+                Some(b.scope("primitive", |b| printed_tangent(b, &mut root, &edges))?)
+            };
+            b.scope("vertex", |b| vertex_map(b, &mut root, switches, &edges, t, n))?
+        }
         None => b.scope("primitive", |b| facet_map(b, &mut root, switches, &edges))?,
     };
     let mut names = Vec::new();
@@ -292,9 +321,7 @@ fn build(values: &Values) -> Result<Design> {
             b.output(&format!("{name}_{axis}"), *word);
         }
     }
-    // No word is past these: components of |v| and rows of 1, or of the longest N.
-    let int_bits = values.bits("vector_int_bits") + if switches.faceted { 1 } else { 3 };
-    let format = number(int_bits, values.bits("out_frac_bits"))?;
+    let format = mapped_format(values, switches)?;
     let groups = std::iter::once("ts_view").chain(LIGHTS.iter().map(|(_, group, _)| *group));
     for (v, name) in vectors.into_iter().zip(groups) {
         names.push(name);
@@ -432,7 +459,7 @@ fn map(
             }
             let opposite = b.neg(word);
             let either = b.mux(flag, opposite, word);
-            // Rows are about 1 long: their most negative word is never there.
+            // Components are up to 2√2: the most negative word, which has no opposite, is -2 or -4, and never right.
             let format = b.format(word);
             b.narrow(either, format, Round::Floor, Overflow::Saturate)
         })
@@ -459,12 +486,40 @@ fn unit_format(values: &Values) -> Result<Format> {
     Format::signed((frac_bits + 2).unsigned_abs(), frac_bits)
 }
 
-/// T, B and N of a vertex.
+/// The triangle's tangent as the seed has it.
+struct Tangent {
+    /// Exact: -1 to 1, its largest component ½ or more, times `2^raised`.
+    words: [NodeId; 3],
+    raised: i32,
+    /// The reciprocal length of what the words are over that.
+    factor: NodeId,
+    unit: [NodeId; 3],
+}
+
+fn printed_tangent(b: &mut Builder, root: &mut Root<'_>, edges: &Edges) -> Result<Tangent> {
+    let format = unit_format(root.values)?;
+    let round = root.round;
+    let Block { words: exact, .. } = block(b, "t_block", edges.tangent);
+    let words = narrowed(b, "t_norm", exact, root.norm_bits, round);
+    let square = dot(b, "t_square", words, words);
+    let factor = root.of_square(b, "t_length", square)?;
+    let unit = words.map(|word| {
+        let exact = b.mul(word, factor);
+        b.narrow(exact, format, round, Overflow::Saturate)
+    });
+    // As many whole bits as the edges have, so that multipliers that both share aren't wider than either.
+    let raised = b.format(edges.e1[0]).int_bits();
+    let words = exact.map(|x| b.shift(x, raised));
+    Ok(Tangent { words, raised, factor, unit })
+}
+
+/// T, B and N of a vertex; of the triangle's own tangent, or of the exact one.
 fn vertex_map(
     b: &mut Builder,
     root: &mut Root<'_>,
     switches: Switches,
     edges: &Edges,
+    tangent: Option<Tangent>,
     n: [NodeId; 3],
 ) -> Result<Map> {
     // The axis that is used without a tangent, and N x it.
@@ -487,44 +542,37 @@ fn vertex_map(
         (parallel, b.name(degenerate, "degenerate"))
     };
     let format = unit_format(root.values)?;
-    let long = number(2, frac_bits.unsigned_abs())?; // no longer than N, which is below 4
-    let (t, binormal, parallel, degenerate) = if switches.orthonormal {
+    // No component is longer than two of N's, 2√2: words end at 3 or above.
+    let long = number(2, frac_bits.unsigned_abs())?;
+    let (t, binormal, parallel, degenerate) = if let Some(tangent) = tangent {
+        // N x T by the reciprocal length of T, from the exact words of T.
+        let exact = cross(b, "n_cross_t", n, tangent.words);
+        let (parallel, degenerate) = flags(b, exact);
+        let one = b.constant(1, Format::FLAG);
+        let none = b.constant(0, Format::FLAG);
+        let not_along_x = b.xor(along_x, one);
+        let axis = [not_along_x, along_x, none];
+        let t = [0, 1, 2].map(|i| {
+            let either = b.mux(degenerate, axis[i], tangent.unit[i]);
+            b.narrow(either, format, round, Overflow::Saturate)
+        });
+        let binormal = [0, 1, 2].map(|i| {
+            let moved = b.shift(exact[i], -tangent.raised);
+            let moved = rounded(b, moved, frac_bits, round);
+            let exact = b.mul(moved, tangent.factor);
+            let unit = b.narrow(exact, long, round, Overflow::Saturate);
+            // N x the axis is a component of N: it has a code.
+            let either = b.mux(degenerate, n_cross_axis[i], unit);
+            b.narrow(either, long, round, Overflow::Saturate)
+        });
+        (t, binormal, parallel, degenerate)
+    } else {
         let exact = cross(b, "n_cross_t", n, edges.tangent);
         let (parallel, degenerate) = flags(b, exact);
         let exact = choose(b, degenerate, n_cross_axis, exact);
         let (binormal, _) = unit_vector(b, root, "b", exact, format)?;
         let exact = cross(b, "b_cross_n", binormal, n);
         let t = exact.map(|x| b.narrow(x, long, round, Overflow::Saturate));
-        (t, binormal, parallel, degenerate)
-    } else {
-        // N x T by the reciprocal length of T, from the exact words of T.
-        let Block { words, .. } = block(b, "t_block", edges.tangent);
-        let exact = cross(b, "n_cross_t", n, words);
-        let (parallel, degenerate) = flags(b, exact);
-        let words = narrowed(b, "t_norm", words, root.norm_bits, round);
-        // The axis as ½, since 1 has no code, and N x that.
-        let one = b.constant(1, Format::FLAG);
-        let none = b.constant(0, Format::FLAG);
-        let not_along_x = b.xor(along_x, one);
-        let half_axis = [not_along_x, along_x, none].map(|flag| b.shift(flag, -1));
-        let words = [0, 1, 2].map(|i| {
-            let word = b.mux(degenerate, half_axis[i], words[i]);
-            let format = b.format(words[i]);
-            b.narrow(word, format, round, Overflow::Saturate)
-        });
-        let square = dot(b, "t_square", words, words);
-        let factor = root.of_square(b, "t_length", square)?;
-        let t = words.map(|word| {
-            let exact = b.mul(word, factor);
-            b.narrow(exact, format, round, Overflow::Saturate)
-        });
-        let half_cross = n_cross_axis.map(|x| b.shift(x, -1));
-        let binormal = [0, 1, 2].map(|i| {
-            let either = b.mux(degenerate, half_cross[i], exact[i]);
-            let either = rounded(b, either, frac_bits, round);
-            let exact = b.mul(either, factor);
-            b.narrow(exact, long, round, Overflow::Saturate)
-        });
         (t, binormal, parallel, degenerate)
     };
     let rows = map(b, switches, edges, degenerate, [t, binormal, n]);
@@ -565,6 +613,20 @@ fn facet_map(
     };
     let rows = map(b, switches, edges, degenerate, [t, binormal, n]);
     Ok(Map { rows, degenerate, parallel: None })
+}
+
+/// Format of what is mapped. The longest v has √3·2^vector_int_bits, a row is 1 long, or as long as
+/// the longest N, 2√3: results are up to √3, or 6, of 2^vector_int_bits. The largest word is an ulp below
+/// a power of two, 8 of these for 6; for √3 it is 2, where an ulp is no more than the 0.26 between. Then
+/// saturation only takes away what an error has put past the golden.
+fn mapped_format(values: &Values, switches: Switches) -> Result<Format> {
+    let (whole, fraction) = (values.bits("vector_int_bits"), values.bits("out_frac_bits"));
+    let more = match (switches.faceted, whole + fraction) {
+        (false, _) => 3,
+        (true, 2..) => 1,
+        (true, _) => 2,
+    };
+    number(whole + more, fraction)
 }
 
 /// Bounds on the rows and on what they map.
@@ -756,9 +818,9 @@ impl Triangle {
     }
 
     /// A random one: positions and texture coordinates each over eight octaves of scale, anywhere that
-    /// they fit; half of the textures are mirrored; view and lights are ⅛ to 1 of the longest. With `lit`
-    /// no angle is below 30°, in space and in the texture, the normal is no more than 45° off the face's, and
-    /// view and lights are on its side; else corners and normal are anywhere.
+    /// they fit; half of the textures are mirrored. With `lit` no angle is below 30°, in space and in the
+    /// texture, the normal is no more than 45° off the face's, and view and lights are on its side, ⅛ to 1 of
+    /// the longest along an axis; else corners and normal are anywhere, and so are view and lights, of any word.
     fn random(values: &Values, lit: bool, uniform: &mut Uniform) -> Self {
         let range = |name: &str| f64::from(values.bits(name)).exp2();
         let limits = ["position_int_bits", "uv_int_bits", "vector_int_bits"].map(range);
@@ -798,7 +860,11 @@ impl Triangle {
             let corner = if lit { regular[k] * DVec2::new(mirror, 1.0) } else { anywhere[k] };
             uv_center + corner * uv_size
         });
-        let mut vectors = directions.map(|v| v * limits[2] * within(-3.0, 0.0).exp2());
+        let mut vectors = directions.map(|v| {
+            // Without `lit` up to the corners of the words' cube, √3 of the longest along an axis away.
+            let v = if lit { v } else { [(); 3].map(|()| within(-1.0, 1.0)).into() };
+            v * limits[2] * within(-3.0, 0.0).exp2()
+        });
         let mut normal = normal;
         if lit {
             let face = (p[1] - p[0]).cross(p[2] - p[0]).normalize_or_zero();
@@ -998,6 +1064,26 @@ fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
             let list = [DVec3::ZERO, DVec3::X * lsb, DVec3::ONE * 1e9, DVec3::ONE * -1e9];
             let list = list.into_iter().chain(axes.map(|axis| axis * -1e9));
             list.map(|v| Triangle { view: v, lights: [-v; 8], ..usual }).collect()
+        }),
+        cases("the longest view and light along T, B or N, and 0.47 of both others", {
+            let corner = DVec3::ONE;
+            (0..3)
+                .flat_map(|row| [(row, 0.0), (row, 0.47f64)])
+                .flat_map(|(row, aside)| {
+                    // The mirror between the corner and what it is in texture space.
+                    let mut mapped = DVec3::splat(aside);
+                    mapped[row] = (3.0 - 2.0 * aside * aside).sqrt();
+                    let across = (corner - mapped).normalize();
+                    let [t, normal] = [DVec3::X, DVec3::Z].map(|v| v.reflect(across));
+                    [1e9, -1e9].map(|far| Triangle {
+                        p: corners(t * unit, normal.cross(t) * unit),
+                        normal,
+                        view: corner * far,
+                        lights: [corner * -far; 8],
+                        ..usual
+                    })
+                })
+                .collect()
         }),
     ];
     let Some(normal_format) = found("normal_x") else { return list };
