@@ -19,12 +19,16 @@ fn cone(design: &Design, node: &str) -> ConeReport {
 #[test]
 fn outputs_are_as_in_an_exhaustive_run() {
     let rotation = |variant| vec!["angle_bits=4", "table_addr_bits=4", "int_bits=0", variant];
-    let cases: [(&str, Vec<&str>, &[&str]); 4] = [
+    let combine = vec!["channel_bits=1", "fraction_bits=1", "guard_bits=0"];
+    let dot = vec!["v_bits=3", "v_frac_bits=1", "w_bits=4", "w_frac_bits=2", "out_frac_bits=2"];
+    let cases: [(&str, Vec<&str>, &[&str]); 5] = [
         ("rotation", rotation("variant=exact"), &["x", "y", "z"]),
-        // Two runs, and ports of unequal widths.
-        ("combine", vec!["channel_bits=2", "fraction_bits=3", "lights=1"], &["out_r"]),
-        ("dot", vec!["int_bits=0", "frac_bits=1"], &["d"]),
+        ("combine", combine, &["out_r", "out_g"]),
+        // Many runs, and ports of unequal widths.
+        ("dot", dot, &["dot_product"]),
+        // Below a block; many runs of one port.
         ("rsqrt", vec!["input_bits=9"], &["r"]),
+        ("rsqrt", vec!["input_bits=17"], &["r"]),
     ];
     for (unit, params, outputs) in cases {
         let design = design(unit, &params);
@@ -38,9 +42,7 @@ fn outputs_are_as_in_an_exhaustive_run() {
             let one = cone.measure(&design, &|_| ()).unwrap();
             let again = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
             let again = again.install(|| cone.measure(&design, &|_| ()).unwrap());
-            let name = whole.figures.iter().map(|f| f.quantity.as_str());
-            let name = name.clone().find(|name| name == output).unwrap_or("value");
-            let should = whole.figures(name, Basis::Arithmetic);
+            let should = whole.figures(output, Basis::Arithmetic);
             let is = &one.report.figures[0];
             assert_eq!(one.past_format, 0, "{unit} {output}");
             assert_eq!(is, &again.report.figures[0], "{unit} {output}: threads count");
