@@ -889,15 +889,17 @@ fn block(scene: &Scene, shaders: &[&Shader], rows: Range<u32>, lanes: &mut Lanes
                 let index = shader.of[*material_index][number];
                 let stage = &shader.stages[index];
                 let runner = &mut runners[index];
-                for (at, port) in stage.ports.iter().enumerate() {
-                    values
-                        .entry(stage.design.netlist.input_name(at))
-                        .or_insert_with(|| port_column(*port, &points));
-                }
                 let columns: Vec<Vec<f64>> = match &shader.frames {
-                    None => (0..stage.ports.len())
-                        .map(|at| values[stage.design.netlist.input_name(at)].clone())
-                        .collect(),
+                    None => {
+                        let shared = |(at, port): (usize, &Port)| {
+                            let name = stage.design.netlist.input_name(at);
+                            values
+                                .entry(name)
+                                .or_insert_with(|| port_column(*port, &points))
+                                .clone()
+                        };
+                        stage.ports.iter().enumerate().map(shared).collect()
+                    }
                     Some(frames) => {
                         let framed = points.iter().zip(members).map(|(point, i)| {
                             frames.frame(scene, fragments, *i, point).unwrap_or(*point)

@@ -17,9 +17,10 @@
 //! each, and the outline of a sphere that has corners here. As many triangles as `[emboss] tessellation` says.
 //!
 //! # Words
-//! Positions and texture coordinates of all vertices are moved to the middle of their range and scaled by one
-//! power of two each, so that they fill the unit's words; then each is a word of the buffer, the same for all its
-//! triangles. Neither changes a direction. A texture whose determinant is 0 in these words, or a triangle
+//! Positions and texture coordinates of an object's vertices are moved to the middle of their range and scaled by one
+//! power of two each, so that they take at least half of what the unit's words hold; then each is a word of the buffer,
+//! the same for all its triangles. Neither changes a direction. A small object beside a large one has steps of its
+//! own: only edges enter the set-up, and no triangle has vertices of two objects. A texture whose determinant is 0 in these words, or a triangle
 //! without area in them, gets the unit's fallback frame and is counted.
 //!
 //! # Frames for the other pipelines
@@ -75,15 +76,17 @@ pub struct Known {
     pub mirrored: u64,
     /// Corners that got a fallback frame.
     pub degenerate: u64,
-    /// Last place of positions, in the world.
+    /// Last place of positions, in the world: that of the object where it is coarsest.
     pub position_step: f64,
-    /// Last place of texture coordinates.
+    /// Last place of texture coordinates, likewise.
     pub uv_step: f64,
 }
 
 /// What the set-up takes for one corner of a triangle.
 #[derive(Clone, Copy, Debug)]
 struct Corner {
+    /// Index of its object.
+    object: u32,
     positions: [DVec3; 3],
     uvs: [DVec2; 3],
     normal: DVec3,
@@ -120,11 +123,18 @@ struct Place<V> {
     scale: f64,
 }
 
+/// The places of an object's words.
+#[derive(Clone, Copy, Debug)]
+struct Places {
+    position: Place<DVec3>,
+    uv: Place<DVec2>,
+}
+
 /// The set-up of a scene's triangles by the unit.
 struct Setup {
     stage: Stage,
-    position: Place<DVec3>,
-    uv: Place<DVec2>,
+    /// Of each object that has corners.
+    places: Vec<Option<Places>>,
 }
 
 /// Values of outputs for corners, by name; and the golden's.
@@ -135,28 +145,47 @@ struct Outputs {
 }
 
 impl Setup {
-    fn new(pipeline: &Pipeline, lights: usize, vertices: &[SharedVertex]) -> Result<Self> {
+    /// For corners of these objects.
+    fn new(
+        pipeline: &Pipeline,
+        lights: usize,
+        corners: impl Iterator<Item = (u32, SharedVertex)>,
+    ) -> Result<Self> {
         let stage = Stage::new(&TANGENT, pipeline, &[format!("lights={lights}")])?;
-        let bounds = |of: &dyn Fn(&SharedVertex) -> DVec3| {
-            let far = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-            vertices.iter().map(of).fold(far, |(low, high), at| (low.min(at), high.max(at)))
-        };
-        let place = |(low, high): (DVec3, DVec3), port: &str| {
+        // Least and greatest position and uv.
+        let mut bounds: Vec<Option<[[DVec3; 2]; 2]>> = Vec::new();
+        for (object, SharedVertex { position, uv, .. }) in corners {
+            let object = cast::index_of_u32(object);
+            bounds.resize(bounds.len().max(object + 1), None);
+            let at = [position, uv.extend(0.0)];
+            let bounds = bounds[object].get_or_insert(at.map(|at| [at, at]));
+            for (bounds, at) in bounds.iter_mut().zip(at) {
+                *bounds = [bounds[0].min(at), bounds[1].max(at)];
+            }
+        }
+        let place = |[low, high]: [DVec3; 2], port: &str| {
             // All in one place still have a scale.
             let half = (0.5 * (high - low)).max_element().max(1e-18);
             // A power of two, so that scaling rounds nothing.
             let scale = (stage.reach(port) / half).log2().floor().exp2();
             Place { middle: 0.5 * (low + high), scale }
         };
-        let position = place(bounds(&|vertex| vertex.position), "p0_x");
-        let Place { middle, scale } = place(bounds(&|vertex| vertex.uv.extend(0.0)), "uv0_u");
-        Ok(Self { position, uv: Place { middle: middle.truncate(), scale }, stage })
+        let places = |[positions, uvs]: [[DVec3; 2]; 2]| {
+            let Place { middle, scale } = place(uvs, "uv0_u");
+            let uv = Place { middle: middle.truncate(), scale };
+            Places { position: place(positions, "p0_x"), uv }
+        };
+        let places = bounds.into_iter().map(|bounds| bounds.map(places)).collect();
+        Ok(Self { places, stage })
     }
 
-    /// Last places of positions and of texture coordinates, in the scene.
+    /// The coarsest last places of positions and of texture coordinates, in the scene; 0 without corners.
     fn steps(&self) -> [f64; 2] {
-        let step = |port, scale| self.stage.port(port).map_or(0.0, Format::ulp) / scale;
-        [step("p0_x", self.position.scale), step("uv0_u", self.uv.scale)]
+        let step = |port, scale: fn(&Places) -> f64| {
+            let ulp = self.stage.port(port).map_or(0.0, Format::ulp);
+            self.places.iter().flatten().map(|places| ulp / scale(places)).fold(0.0, f64::max)
+        };
+        [step("p0_x", |places| places.position.scale), step("uv0_u", |places| places.uv.scale)]
     }
 
     /// Some outputs of all corners, by the words and by the golden.
@@ -180,9 +209,11 @@ impl Setup {
             let corners: Vec<Corner> = (first..(first + TOGETHER).min(count))
                 .map(|at| {
                     let mut corner = corner(at);
-                    let Place { middle, scale } = self.position;
+                    let object = self.places[cast::index_of_u32(corner.object)];
+                    let Places { position, uv } = object.expect("bug: an object with corners");
+                    let Place { middle, scale } = position;
                     corner.positions = corner.positions.map(|at| (at - middle) * scale);
-                    let Place { middle, scale } = self.uv;
+                    let Place { middle, scale } = uv;
                     corner.uvs = corner.uvs.map(|at| (at - middle) * scale);
                     corner
                 })
@@ -278,6 +309,7 @@ impl<'a> Front<'a> {
             *to = *from;
         }
         Corner {
+            object: self.mesh.object(cast::id_of(at / 3)),
             positions: vertices.map(|vertex| vertex.position),
             uvs: vertices.map(|vertex| vertex.uv),
             normal: vertices[at % 3].normal,
@@ -314,7 +346,11 @@ struct KnownSoFar {
 impl<'a> Shader<'a> {
     fn new(front: &Front<'_>, pipeline: &'a Pipeline) -> Result<Self> {
         let lights = front.scene.lights.len();
-        let setup = Setup::new(pipeline, lights, &front.mesh.vertices)?;
+        let corners = front.mesh.primitives().iter().zip(0..).flat_map(|(ids, triangle)| {
+            let object = front.mesh.object(triangle);
+            ids.map(|id| (object, front.mesh.vertices[cast::index_of_u32(id)]))
+        });
+        let setup = Setup::new(pipeline, lights, corners)?;
         let vectors = std::iter::once("ts_view".to_owned())
             .chain((0..lights).map(|light| format!("ts_light{light}")));
         let mut names: Vec<String> =
@@ -358,8 +394,7 @@ fn shade(front: &Front<'_>, seen: &Seen, vectors: &Vectors) -> Vec<[f64; 3]> {
             };
             DVec3::new(at(&columns[0]), at(&columns[1]), at(&columns[2]))
         };
-        let uv = |axis: usize| seen.between(i, |vertex| front.mesh.vertices[vertex].uv[axis]);
-        let (u, v) = (uv(0), uv(1));
+        let DVec2 { x: u, y: v } = front.mesh.uv(seen, i);
         let eye = between(&vectors[..3]).normalize_or(DVec3::Z);
         let perturbed = scene.bumps.vector(scene.bumps.texel(u, v));
         let material = &scene.materials[cast::index_of_u32(front.mesh.object(seen.triangle[i]))];
@@ -451,16 +486,18 @@ pub(super) struct FaceFrames {
 
 impl FaceFrames {
     pub(super) fn new(scene: &Scene, pipeline: &Pipeline) -> Result<Self> {
-        let corners: Vec<SharedVertex> = scene.faces().flatten().collect();
-        // A scene of spheres has no corners, and any place will do.
-        let setup = Setup::new(pipeline, 1, &corners)?;
+        let of_face =
+            |(object, face): (u32, [SharedVertex; 3])| face.map(|corner| (object, corner));
+        let corners: Vec<(u32, SharedVertex)> = scene.faces().flat_map(of_face).collect();
+        let setup = Setup::new(pipeline, 1, corners.iter().copied())?;
         let corner = |at: usize| {
             let face = &corners[at / 3 * 3..][..3];
-            let of = [0, 1, 2].map(|i| face[i]);
+            let of = [0, 1, 2].map(|i| face[i].1);
             Corner {
+                object: corners[at].0,
                 positions: of.map(|vertex| vertex.position),
                 uvs: of.map(|vertex| vertex.uv),
-                normal: corners[at].normal,
+                normal: corners[at].1.normal,
                 view: DVec3::ZERO,
                 lights: [DVec3::ZERO; 8],
             }
@@ -473,7 +510,6 @@ impl FaceFrames {
         let mut shot = BlockShot::of([&setup.stage.program].into_iter());
         let outputs = setup.run(corners.len(), corner, &names, &mut shot)?;
         let Stage { design, program } = setup.stage;
-        // Under `overflow=error` a word that doesn't fit is one.
         overflows([(&design, &program)].into_iter(), &shot.overflows)?;
         Ok(Self { design, rows: outputs.fixed })
     }
