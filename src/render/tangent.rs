@@ -339,6 +339,7 @@ struct Front<'a> {
     scene: &'a Scene,
     mesh: Assembly,
     /// Of each vertex, what the vertex stage makes: the unit vector to the eye, and to each light.
+    /// Those of vertices that no triangle has are made here, too, but need not be, and aren't counted as operations.
     vectors: Vec<Vec<DVec3>>,
 }
 
