@@ -327,7 +327,7 @@ pub struct Shader {
     /// Stage of each material under each light.
     of: Vec<Vec<usize>>,
     /// Frames of its own.
-    frames: Option<tangent::FaceFrames>,
+    frames: Option<Arc<tangent::FaceFrames>>,
 }
 
 impl Shader {
@@ -336,16 +336,17 @@ impl Shader {
     /// # Errors
     /// If the pipeline can't be built with its parameters, or lacks a port.
     pub fn new(scene: &Scene, pipeline: &Pipeline, vectors: bool) -> Result<Self> {
-        Self::with_stages(scene, pipeline, vectors, true)
+        Self::with_stages(scene, pipeline, vectors, true, true)
     }
 
     /// As [`Shader::new`]; unless `shared`, each material has a stage of its own under each light,
-    /// also where two are built the same.
+    /// also where two are built the same; unless `framed`, frames are left to be put in.
     fn with_stages(
         scene: &Scene,
         pipeline: &Pipeline,
         vectors: bool,
         shared: bool,
+        framed: bool,
     ) -> Result<Self> {
         let mut known: BTreeMap<Vec<Value>, usize> = BTreeMap::new();
         let mut stages = Vec::new();
@@ -369,8 +370,8 @@ impl Shader {
             of.push(row);
         }
         let frames = match pipeline.frames {
-            Frames::Float => None,
-            Frames::Setup => Some(tangent::FaceFrames::new(scene, pipeline)?),
+            Frames::Setup if framed => Some(Arc::new(tangent::FaceFrames::new(scene, pipeline)?)),
+            Frames::Float | Frames::Setup => None,
         };
         Ok(Self { pipeline: pipeline.clone(), stages, of, frames })
     }
@@ -457,6 +458,8 @@ pub struct Shot {
     pub emboss: Option<emboss::Known>,
     /// What is known of a tangent-space set-up.
     pub setup: Option<Box<tangent::Known>>,
+    /// What is known of the set-up of its frames, if they are set up.
+    pub frames: Option<Box<tangent::FramesKnown>>,
     /// Time in the bit-true engine, all threads together.
     pub engine: Duration,
     /// Samples per second and thread of the engine alone: the median of all samples by the rate of the
@@ -605,10 +608,20 @@ pub fn render(
     }
     let (setups, others): (Vec<&Pipeline>, Vec<&Pipeline>) =
         pipelines.iter().partition(|pipeline| pipeline.is_tangent());
-    let shaders: Vec<Shader> = others
-        .iter()
-        .map(|pipeline| Shader::new(scene, pipeline, vectors))
-        .collect::<Result<_>>()?;
+    let mut shaders: Vec<Shader> = Vec::new();
+    for pipeline in others {
+        let mut shader = Shader::with_stages(scene, pipeline, vectors, true, false)?;
+        if pipeline.frames == Frames::Setup {
+            // Of the same parameters, once for all.
+            let own = tangent::FaceFrames::parameters(pipeline);
+            let same = |known: &&Shader| tangent::FaceFrames::parameters(&known.pipeline) == own;
+            shader.frames = match shaders.iter().find(same) {
+                Some(known) => known.frames.clone(),
+                None => Some(Arc::new(tangent::FaceFrames::new(scene, pipeline)?)),
+            };
+        }
+        shaders.push(shader);
+    }
     let shaders: Vec<&Shader> = shaders.iter().collect();
     if setups.is_empty() {
         return shoot(scene, &shaders, progress);
@@ -680,6 +693,7 @@ pub fn shoot(
             behind: shader.frames.iter().map(|frames| Arc::clone(frames.design())).collect(),
             emboss: None,
             setup: None,
+            frames: shader.frames.as_ref().map(|frames| Box::new(frames.known().clone())),
             engine: total.engine,
             samples_per_second: median_rate(&mut rates[index]),
             samples: total.samples,
@@ -889,15 +903,17 @@ fn block(scene: &Scene, shaders: &[&Shader], rows: Range<u32>, lanes: &mut Lanes
                 let index = shader.of[*material_index][number];
                 let stage = &shader.stages[index];
                 let runner = &mut runners[index];
-                for (at, port) in stage.ports.iter().enumerate() {
-                    values
-                        .entry(stage.design.netlist.input_name(at))
-                        .or_insert_with(|| port_column(*port, &points));
-                }
                 let columns: Vec<Vec<f64>> = match &shader.frames {
-                    None => (0..stage.ports.len())
-                        .map(|at| values[stage.design.netlist.input_name(at)].clone())
-                        .collect(),
+                    None => {
+                        let shared = |(at, port): (usize, &Port)| {
+                            let name = stage.design.netlist.input_name(at);
+                            values
+                                .entry(name)
+                                .or_insert_with(|| port_column(*port, &points))
+                                .clone()
+                        };
+                        stage.ports.iter().enumerate().map(shared).collect()
+                    }
                     Some(frames) => {
                         let framed = points.iter().zip(members).map(|(point, i)| {
                             frames.frame(scene, fragments, *i, point).unwrap_or(*point)

@@ -111,7 +111,7 @@ fn mirrored_apart(a: &Picture, b: &Picture) -> f64 {
 /// wrong.
 #[test]
 fn bumps_stand_out_on_both_halves() {
-    // A side at which no pixel is on the border of a texel, of which either may be seen.
+    // A side at which no pixel is on the border of a texel: on one, a picture and its image in a mirror see either side.
     let scene = small("mirrored", 194);
     let mut turned = scene.clone();
     let Place::Direction(light) = scene.lights[0].place else { panic!("a far light") };
@@ -201,6 +201,47 @@ fn arithmetic_and_algorithm_are_told_apart() {
     for pair in means.windows(2) {
         assert!((3.0..5.5).contains(&(pair[0] / pair[1])), "{means:?}");
     }
+}
+
+/// Meshes of the golden and of the flow have one arithmetic of texture coordinates: where every other pixel is on a
+/// border of texels, both see the same one.
+#[test]
+fn texels_on_borders_are_those_of_the_golden() {
+    let rendered = set_up(&small("mirrored", 192), &BOTH[..1], &[]);
+    let flow = &rendered.shots[0].setup.as_ref().unwrap().flow;
+    let algorithm = differ(flow, &rendered.golden).max.difference * 255.0;
+    println!("{algorithm}");
+    assert!(algorithm < 1.0, "{algorithm}");
+}
+
+/// An object has words of its own scale: a small dome in front of a plane 20000 times as large is as near to its
+/// flow as alone, and so are frames.
+#[test]
+fn a_small_object_beside_a_large_one_keeps_its_digits() {
+    let text = |large: &str| {
+        format!(
+            "[image]\nwidth = 96\nheight = 96\n[camera]\neye = [0, 0, 4]\nup = [0, 1, 0]\nfov_degrees = 30\n[[light]]\n\
+             direction = [1, 1, 2]\n[height]\nsource = \"wood\"\nwidth = 64\nheight = 64\nscale = 2\n{large}\
+             [[object]]\nshape = \"mesh\"\nsource = \"shell\"\n"
+        )
+    };
+    let scene = |large: &str| Scene::parse(&text(large), "scene.toml".as_ref()).unwrap();
+    let alone = scene("");
+    let beside = scene("[[object]]\nshape = \"plane\"\ntranslate = [0, 0, -1]\nscale = 20000\n");
+    let [alone, beside] = [alone, beside].map(|scene| {
+        let [shot] = &set_up(&scene, &BOTH[..1], &[]).shots[..] else { panic!("one shot") };
+        let setup = shot.setup.as_ref().unwrap();
+        let arithmetic = differ(&shot.picture, &setup.flow).max.difference * 255.0;
+        let framed = pipelines(&["exact-cartesian"], Frames::Setup, &[]);
+        let framed = render(&scene, &framed, false, &|_| ()).unwrap();
+        let frames = differ(&framed.shots[0].picture, &framed.golden).max.difference * 255.0;
+        println!("{arithmetic} {frames} {} {}", setup.degenerate, setup.position_step);
+        assert_eq!(setup.degenerate, 0);
+        (arithmetic, frames, setup.position_step)
+    });
+    assert!(beside.0 < 1.0 && beside.1 < 2.0 * alone.1, "{alone:?} {beside:?}");
+    // Told is the coarsest.
+    assert!(beside.2 > 1e3 * alone.2, "{alone:?} {beside:?}");
 }
 
 /// A wavy sheet: points, normals, uv, and the indices of a list and of one stitched strip.
@@ -583,7 +624,12 @@ fn meshes_have_the_standard_handedness() {
             most.to_degrees(),
             (sum / corners.len() as f64).to_degrees()
         );
-        assert_eq!(mirrored * 2, if name == "mirrored" { corners.len() } else { mirrored * 2 });
+        let expected = match name {
+            "mirrored" => corners.len() / 2,
+            "wavy" => corners.len(),
+            _ => 0,
+        };
+        assert_eq!(mirrored, expected, "{name}");
         assert!(["plane", "cube"].contains(&name) || most > 2.0 * stated, "{name}: {most}");
     }
 }

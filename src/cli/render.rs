@@ -288,6 +288,10 @@ const BROKEN: &str = "a stated bound is BROKEN\n";
 pub(super) fn run(args: &RenderArgs) -> Result<(String, bool)> {
     let scene = scene_of(&args.scene)?;
     if let Some(widths) = &args.ladder {
+        if args.frames == "setup" {
+            let text = "--ladder takes frames in floating point: leave --frames out";
+            return Err(Error::usage(text.to_owned()));
+        }
         let exponents = args.exponents.as_deref();
         let pipelines = pipelines_of(args, &scene)?;
         if pipelines.iter().all(Pipeline::is_emboss) {
@@ -334,6 +338,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<(String, bool)> {
     let mut value = figures(&rendered, &differences, &parts);
     let mut told = table(&rendered, &differences);
     told.push_str(&setups(&rendered, &differences, &parts));
+    told.push_str(&frames(&rendered));
     let mut same = bounds_hold(&rendered, &differences);
     if !same {
         told.push_str(BROKEN);
@@ -475,6 +480,27 @@ fn parts(rendered: &Rendered, args: &RenderArgs) -> Result<Vec<Parts>> {
     rendered.shots.iter().map(of).collect()
 }
 
+/// What is known of frames that are set up, once where pipelines say the same.
+fn frames(rendered: &Rendered) -> String {
+    let mut lines: Vec<String> = Vec::new();
+    for known in rendered.shots.iter().filter_map(|shot| shot.frames.as_ref()) {
+        let overflows: u64 = known.overflows.iter().map(|overflow| overflow.count).sum();
+        let line = format!(
+            "frames by the set-up: {} of {} faces mirrored, {} of {} corners without a frame of their own, {overflows} overflows; the coarsest step of positions is {} and of texture coordinates {}\n",
+            known.mirrored,
+            known.faces,
+            known.degenerate,
+            3 * known.faces,
+            text::number(known.position_step),
+            text::number(known.uv_step)
+        );
+        if !lines.contains(&line) {
+            lines.push(line);
+        }
+    }
+    lines.concat()
+}
+
 /// What set-ups take and save, and what their differences are made of.
 fn setups(rendered: &Rendered, differences: &[Difference], parts: &[Parts]) -> String {
     let mut told = String::new();
@@ -517,7 +543,7 @@ fn setups(rendered: &Rendered, differences: &[Difference], parts: &[Parts]) -> S
         }
         let _ = writeln!(
             told,
-            "{}: {} of {triangles} triangles mirrored, {} of {corners} corners without a frame of their own; a step of positions is {} and of texture coordinates {}",
+            "{}: {} of {triangles} triangles mirrored, {} of {corners} corners without a frame of their own; the coarsest step of positions is {} and of texture coordinates {}",
             shot.pipeline.name,
             setup.mirrored,
             setup.degenerate,
@@ -582,6 +608,7 @@ fn figures(rendered: &Rendered, differences: &[Difference], parts: &[Parts]) -> 
             "difference": difference,
             "emboss": shot.emboss,
             "setup": shot.setup,
+            "frames": shot.frames,
             "arithmetic": parts.as_ref().map(|[arithmetic, _]| arithmetic),
             "algorithm": parts.as_ref().map(|[_, algorithm]| algorithm),
             "vectors": shot.vectors,

@@ -530,6 +530,7 @@ pub fn render(
             behind: [&shader.sampler, &shader.combine].map(|s| Arc::clone(&s.design)).to_vec(),
             emboss: Some(shader.known),
             setup: None,
+            frames: None,
             engine: total.engine + shader.vertices.engine,
             samples_per_second: median_rate(rates),
             samples: total.samples,

@@ -261,7 +261,7 @@ struct Compared {
 /// # Errors
 /// If the pipeline can't be built.
 pub fn specialise_to(scene: &Scene, pipeline: &Pipeline) -> Result<Vec<SpecialisedStage>> {
-    let shader = Shader::with_stages(scene, pipeline, false, false)?;
+    let shader = Shader::with_stages(scene, pipeline, false, false, true)?;
     let blocks = blocks(scene.image.height);
     let seen = blocks
         .par_iter()

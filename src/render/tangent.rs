@@ -17,9 +17,10 @@
 //! each, and the outline of a sphere that has corners here. As many triangles as `[emboss] tessellation` says.
 //!
 //! # Words
-//! Positions and texture coordinates of all vertices are moved to the middle of their range and scaled by one
-//! power of two each, so that they fill the unit's words; then each is a word of the buffer, the same for all its
-//! triangles. Neither changes a direction. A texture whose determinant is 0 in these words, or a triangle
+//! Positions and texture coordinates of an object's vertices are moved to the middle of their range and scaled by one
+//! power of two each, so that they take at least half of what the unit's words hold; then each is a word of the buffer,
+//! the same for all its triangles. Neither changes a direction. A small object beside a large one has steps of its
+//! own: only edges enter the set-up, and no triangle has vertices of two objects. A texture whose determinant is 0 in these words, or a triangle
 //! without area in them, gets the unit's fallback frame and is counted.
 //!
 //! # Frames for the other pipelines
@@ -30,12 +31,12 @@
 //! it does with frames in floating point. T isn't turned: with T and N × T both turned, bumps would be
 //! dents.
 
-use super::named::Stage;
+use super::named::{Stage, knows};
 use super::{Block, BlockShot, Gathered, Pipeline, Shot, colour, gather, overflows, reflected};
 use crate::cast;
 use crate::error::Result;
 use crate::format::Format;
-use crate::measure::{quantize_inputs, run_golden};
+use crate::measure::{OverflowCount, quantize_inputs, run_golden};
 use crate::netlist::Counts;
 use crate::picture::Picture;
 use crate::scene::{Assembly, CURVED, Fragments, Scene, Seen, SharedVertex, Sharing, halfway};
@@ -75,15 +76,39 @@ pub struct Known {
     pub mirrored: u64,
     /// Corners that got a fallback frame.
     pub degenerate: u64,
-    /// Last place of positions, in the world.
+    /// Last place of positions, in the world: that of the object where it is coarsest.
     pub position_step: f64,
-    /// Last place of texture coordinates.
+    /// Last place of texture coordinates, likewise.
     pub uv_step: f64,
+}
+
+/// What is known of the set-up of a scene's frames.
+#[derive(Clone, Debug, Serialize)]
+pub struct FramesKnown {
+    /// Faces that were set up, with three corners each; spheres have none.
+    pub faces: u64,
+    /// Faces whose texture is mirrored.
+    pub mirrored: u64,
+    /// Corners that got a fallback frame.
+    pub degenerate: u64,
+    /// As [`Known::position_step`].
+    pub position_step: f64,
+    /// As [`Known::uv_step`].
+    pub uv_step: f64,
+    /// Every `narrow` of the set-up that overflowed at least once.
+    pub overflows: Vec<OverflowCount>,
+}
+
+/// How many flags are set.
+fn flagged<'a>(flags: impl Iterator<Item = &'a f64>) -> u64 {
+    cast::count_of(flags.filter(|flag| **flag != 0.0).count())
 }
 
 /// What the set-up takes for one corner of a triangle.
 #[derive(Clone, Copy, Debug)]
 struct Corner {
+    /// Index of its object.
+    object: u32,
     positions: [DVec3; 3],
     uvs: [DVec2; 3],
     normal: DVec3,
@@ -91,25 +116,46 @@ struct Corner {
     lights: [DVec3; 8],
 }
 
-impl Corner {
-    /// Value of an input port.
-    fn value(&self, port: &str) -> Option<f64> {
+/// What an input port of the set-up takes.
+#[derive(Clone, Copy, Debug)]
+enum Source {
+    Position(usize, usize),
+    Uv(usize, usize),
+    Normal(usize),
+    View(usize),
+    Light(usize, usize),
+}
+
+impl Source {
+    /// That of a port's name.
+    fn of(port: &str) -> Option<Self> {
         let (name, axis) = port.rsplit_once('_')?;
         let axis = ["x", "y", "z", "u", "v"].iter().position(|known| *known == axis)?;
         let number = |prefix: &str| -> Option<usize> { name.strip_prefix(prefix)?.parse().ok() };
         if let Some(k) = number("uv") {
-            return Some(self.uvs.get(k)?[axis.checked_sub(3)?]);
+            return Some(Self::Uv(k, axis.checked_sub(3)?));
         }
-        let vector = match name {
-            "normal" => self.normal,
-            "view" => self.view,
+        match name {
+            "normal" => Some(Self::Normal(axis)),
+            "view" => Some(Self::View(axis)),
             _ => match (number("p"), number("light")) {
-                (Some(k), _) => *self.positions.get(k)?,
-                (_, Some(k)) => *self.lights.get(k)?,
-                (None, None) => return None,
+                (Some(k), _) => Some(Self::Position(k, axis)),
+                (_, Some(k)) => Some(Self::Light(k, axis)),
+                (None, None) => None,
             },
-        };
-        vector.to_array().get(axis).copied()
+        }
+    }
+}
+
+impl Corner {
+    fn value(&self, source: Source) -> f64 {
+        match source {
+            Source::Position(k, axis) => self.positions[k][axis],
+            Source::Uv(k, axis) => self.uvs[k][axis],
+            Source::Normal(axis) => self.normal[axis],
+            Source::View(axis) => self.view[axis],
+            Source::Light(k, axis) => self.lights[k][axis],
+        }
     }
 }
 
@@ -120,11 +166,18 @@ struct Place<V> {
     scale: f64,
 }
 
+/// The places of an object's words.
+#[derive(Clone, Copy, Debug)]
+struct Places {
+    position: Place<DVec3>,
+    uv: Place<DVec2>,
+}
+
 /// The set-up of a scene's triangles by the unit.
 struct Setup {
     stage: Stage,
-    position: Place<DVec3>,
-    uv: Place<DVec2>,
+    /// Of each object that has corners.
+    places: Vec<Option<Places>>,
 }
 
 /// Values of outputs for corners, by name; and the golden's.
@@ -134,97 +187,130 @@ struct Outputs {
     golden: Vec<Vec<f64>>,
 }
 
+/// Columns of some corners: pieces of those of [`Outputs`].
+#[derive(Default)]
+struct Part<'a> {
+    fixed: Vec<&'a mut [f64]>,
+    golden: Vec<&'a mut [f64]>,
+}
+
 impl Setup {
-    fn new(pipeline: &Pipeline, lights: usize, vertices: &[SharedVertex]) -> Result<Self> {
+    /// For corners of these objects.
+    fn new(
+        pipeline: &Pipeline,
+        lights: usize,
+        corners: impl Iterator<Item = (u32, SharedVertex)>,
+    ) -> Result<Self> {
         let stage = Stage::new(&TANGENT, pipeline, &[format!("lights={lights}")])?;
-        let bounds = |of: &dyn Fn(&SharedVertex) -> DVec3| {
-            let far = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-            vertices.iter().map(of).fold(far, |(low, high), at| (low.min(at), high.max(at)))
-        };
-        let place = |(low, high): (DVec3, DVec3), port: &str| {
+        // Least and greatest position and uv.
+        let mut bounds: Vec<Option<[[DVec3; 2]; 2]>> = Vec::new();
+        for (object, SharedVertex { position, uv, .. }) in corners {
+            let object = cast::index_of_u32(object);
+            bounds.resize(bounds.len().max(object + 1), None);
+            let at = [position, uv.extend(0.0)];
+            let bounds = bounds[object].get_or_insert(at.map(|at| [at, at]));
+            for (bounds, at) in bounds.iter_mut().zip(at) {
+                *bounds = [bounds[0].min(at), bounds[1].max(at)];
+            }
+        }
+        let place = |[low, high]: [DVec3; 2], port: &str| {
             // All in one place still have a scale.
             let half = (0.5 * (high - low)).max_element().max(1e-18);
             // A power of two, so that scaling rounds nothing.
             let scale = (stage.reach(port) / half).log2().floor().exp2();
             Place { middle: 0.5 * (low + high), scale }
         };
-        let position = place(bounds(&|vertex| vertex.position), "p0_x");
-        let Place { middle, scale } = place(bounds(&|vertex| vertex.uv.extend(0.0)), "uv0_u");
-        Ok(Self { position, uv: Place { middle: middle.truncate(), scale }, stage })
+        let places = |[positions, uvs]: [[DVec3; 2]; 2]| {
+            let Place { middle, scale } = place(uvs, "uv0_u");
+            let uv = Place { middle: middle.truncate(), scale };
+            Places { position: place(positions, "p0_x"), uv }
+        };
+        let places = bounds.into_iter().map(|bounds| bounds.map(places)).collect();
+        Ok(Self { places, stage })
     }
 
-    /// Last places of positions and of texture coordinates, in the scene.
+    /// The coarsest last places of positions and of texture coordinates, in the scene; 0 without corners.
     fn steps(&self) -> [f64; 2] {
-        let step = |port, scale| self.stage.port(port).map_or(0.0, Format::ulp) / scale;
-        [step("p0_x", self.position.scale), step("uv0_u", self.uv.scale)]
+        let step = |port, scale: fn(&Places) -> f64| {
+            let ulp = self.stage.port(port).map_or(0.0, Format::ulp);
+            self.places.iter().flatten().map(|places| ulp / scale(places)).fold(0.0, f64::max)
+        };
+        [step("p0_x", |places| places.position.scale), step("uv0_u", |places| places.uv.scale)]
     }
 
-    /// Some outputs of all corners, by the words and by the golden.
+    /// Some outputs of all corners, by the words and, if it is asked for, by the golden.
     fn run(
         &self,
         count: usize,
         corner: impl Fn(usize) -> Corner + Sync,
         names: &[&str],
+        with_golden: bool,
         shot: &mut BlockShot,
     ) -> Result<Outputs> {
         let (stage, netlist) = (&self.stage, &self.stage.design.netlist);
-        let ports: Vec<&str> =
-            (0..netlist.inputs().len()).map(|at| netlist.input_name(at)).collect();
+        let source = |at| {
+            let port = netlist.input_name(at);
+            Source::of(port).unwrap_or_else(|| panic!("bug: nothing for `{port}`"))
+        };
+        let sources: Vec<Source> = (0..netlist.inputs().len()).map(source).collect();
         let columns: Vec<String> =
             stage.design.groups.iter().flat_map(|group| group.columns()).collect();
         let of_golden = |name: &&str| {
             columns.iter().position(|column| column == name).expect("bug: a golden of this name")
         };
         let of_golden: Vec<usize> = names.iter().map(of_golden).collect();
-        let chunk = |first: usize| -> Result<(Outputs, BlockShot)> {
+        // A part's columns of words' values and of the golden are pieces of those of all.
+        let chunk = |first: usize, part: Part<'_>| -> Result<BlockShot> {
             let corners: Vec<Corner> = (first..(first + TOGETHER).min(count))
                 .map(|at| {
                     let mut corner = corner(at);
-                    let Place { middle, scale } = self.position;
+                    let object = self.places[cast::index_of_u32(corner.object)];
+                    let Places { position, uv } = object.expect("bug: an object with corners");
+                    let Place { middle, scale } = position;
                     corner.positions = corner.positions.map(|at| (at - middle) * scale);
-                    let Place { middle, scale } = self.uv;
+                    let Place { middle, scale } = uv;
                     corner.uvs = corner.uvs.map(|at| (at - middle) * scale);
                     corner
                 })
                 .collect();
-            let inputs: Vec<Vec<f64>> = ports
-                .iter()
-                .map(|port| {
-                    let value = |corner: &Corner| {
-                        corner.value(port).unwrap_or_else(|| panic!("bug: nothing for `{port}`"))
-                    };
-                    corners.iter().map(value).collect()
-                })
-                .collect();
+            let column = |source: &Source| corners.iter().map(|c| c.value(*source)).collect();
+            let inputs: Vec<Vec<f64>> = sources.iter().map(column).collect();
             let mut words = Vec::new();
             quantize_inputs(netlist, &inputs, &mut words)?;
             let mut shot = BlockShot::of([&stage.program].into_iter());
             let out = stage.run(&mut stage.program.runner(), &words, &mut shot, 0);
-            let fixed = names.iter().map(|name| {
+            for (name, to) in names.iter().zip(part.fixed) {
                 let ulp = stage.ulp(name);
-                out[name].iter().map(|word| cast::f64_of(*word) * ulp).collect()
-            });
-            let fixed = fixed.collect();
-            let mut golden = Vec::new();
-            run_golden(&stage.design, &inputs, &mut golden);
-            let golden = of_golden.iter().map(|at| std::mem::take(&mut golden[*at])).collect();
-            Ok((Outputs { fixed, golden }, shot))
-        };
-        let firsts: Vec<usize> = (0..count).step_by(TOGETHER).collect();
-        let chunks: Vec<Result<(Outputs, BlockShot)>> = firsts.into_par_iter().map(chunk).collect();
-        let mut all = Outputs {
-            fixed: vec![Vec::with_capacity(count); names.len()],
-            golden: vec![Vec::with_capacity(count); names.len()],
-        };
-        for chunk in chunks {
-            let (outputs, part) = chunk?;
-            for (all, columns) in
-                [(&mut all.fixed, outputs.fixed), (&mut all.golden, outputs.golden)]
-            {
-                all.iter_mut().zip(columns).for_each(|(all, column)| all.extend(column));
+                for (to, word) in to.iter_mut().zip(&out[name]) {
+                    *to = cast::f64_of(*word) * ulp;
+                }
             }
-            shot.merge(&part);
+            if with_golden {
+                let mut golden = Vec::new();
+                run_golden(&stage.design, &inputs, &mut golden);
+                for (at, to) in of_golden.iter().zip(part.golden) {
+                    to.copy_from_slice(&golden[*at]);
+                }
+            }
+            Ok(shot)
+        };
+        let golden = if with_golden { names.len() } else { 0 };
+        let mut all = Outputs {
+            fixed: vec![vec![0.0; count]; names.len()],
+            golden: vec![vec![0.0; count]; golden],
+        };
+        let mut parts: Vec<Part<'_>> = Vec::new();
+        parts.resize_with(count.div_ceil(TOGETHER), Part::default);
+        for column in &mut all.fixed {
+            parts.iter_mut().zip(column.chunks_mut(TOGETHER)).for_each(|(p, c)| p.fixed.push(c));
         }
+        for column in &mut all.golden {
+            parts.iter_mut().zip(column.chunks_mut(TOGETHER)).for_each(|(p, c)| p.golden.push(c));
+        }
+        let run = |(number, part)| chunk(number * TOGETHER, part);
+        let shots: Vec<BlockShot> =
+            parts.into_par_iter().enumerate().map(run).collect::<Result<_>>()?;
+        shots.iter().for_each(|part| shot.merge(part));
         shot.samples += cast::count_of(count);
         Ok(all)
     }
@@ -253,6 +339,7 @@ struct Front<'a> {
     scene: &'a Scene,
     mesh: Assembly,
     /// Of each vertex, what the vertex stage makes: the unit vector to the eye, and to each light.
+    /// Those of vertices that no triangle has are made here, too, but need not be, and aren't counted as operations.
     vectors: Vec<Vec<DVec3>>,
 }
 
@@ -278,6 +365,7 @@ impl<'a> Front<'a> {
             *to = *from;
         }
         Corner {
+            object: self.mesh.object(cast::id_of(at / 3)),
             positions: vertices.map(|vertex| vertex.position),
             uvs: vertices.map(|vertex| vertex.uv),
             normal: vertices[at % 3].normal,
@@ -314,7 +402,11 @@ struct KnownSoFar {
 impl<'a> Shader<'a> {
     fn new(front: &Front<'_>, pipeline: &'a Pipeline) -> Result<Self> {
         let lights = front.scene.lights.len();
-        let setup = Setup::new(pipeline, lights, &front.mesh.vertices)?;
+        let corners = front.mesh.primitives().iter().zip(0..).flat_map(|(ids, triangle)| {
+            let object = front.mesh.object(triangle);
+            ids.map(|id| (object, front.mesh.vertices[cast::index_of_u32(id)]))
+        });
+        let setup = Setup::new(pipeline, lights, corners)?;
         let vectors = std::iter::once("ts_view".to_owned())
             .chain((0..lights).map(|light| format!("ts_light{light}")));
         let mut names: Vec<String> =
@@ -324,21 +416,18 @@ impl<'a> Shader<'a> {
         let mut shot = BlockShot::of([&setup.stage.program].into_iter());
         let count = 3 * front.mesh.primitives().len();
         let Outputs { mut fixed, mut golden } =
-            setup.run(count, |at| front.corner(at), &names, &mut shot)?;
+            setup.run(count, |at| front.corner(at), &names, true, &mut shot)?;
         let mut flag = || {
             golden.pop();
             fixed.pop().expect("bug: a flag")
         };
         let (degenerate, mirrored) = (flag(), flag());
-        let count = |flags: &mut dyn Iterator<Item = &f64>| {
-            cast::count_of(flags.filter(|flag| **flag != 0.0).count())
-        };
         let (per_primitive, per_vertex) = setup.counts();
         let known = KnownSoFar {
             per_primitive,
             per_vertex,
-            mirrored: count(&mut mirrored.iter().step_by(3)),
-            degenerate: count(&mut degenerate.iter()),
+            mirrored: flagged(mirrored.iter().step_by(3)),
+            degenerate: flagged(degenerate.iter()),
             steps: setup.steps(),
         };
         let Stage { design, program } = setup.stage;
@@ -358,8 +447,7 @@ fn shade(front: &Front<'_>, seen: &Seen, vectors: &Vectors) -> Vec<[f64; 3]> {
             };
             DVec3::new(at(&columns[0]), at(&columns[1]), at(&columns[2]))
         };
-        let uv = |axis: usize| seen.between(i, |vertex| front.mesh.vertices[vertex].uv[axis]);
-        let (u, v) = (uv(0), uv(1));
+        let DVec2 { x: u, y: v } = front.mesh.uv(seen, i);
         let eye = between(&vectors[..3]).normalize_or(DVec3::Z);
         let perturbed = scene.bumps.vector(scene.bumps.texel(u, v));
         let material = &scene.materials[cast::index_of_u32(front.mesh.object(seen.triangle[i]))];
@@ -432,6 +520,7 @@ pub(super) fn shots(
             behind: Vec::new(),
             emboss: None,
             setup: Some(Box::new(known)),
+            frames: None,
             engine: shot.engine,
             samples_per_second: rate(shot.samples, shot.engine),
             samples: shot.samples,
@@ -447,39 +536,62 @@ pub(super) struct FaceFrames {
     design: Arc<Design>,
     /// Components of T, B and N of each corner of each face, by column.
     rows: Vec<Vec<f64>>,
+    known: FramesKnown,
 }
 
 impl FaceFrames {
+    /// What of a pipeline's parameters they depend on.
+    pub(super) fn parameters(pipeline: &Pipeline) -> Vec<&String> {
+        pipeline.assignments.iter().filter(|set| knows(&TANGENT, set)).collect()
+    }
+
     pub(super) fn new(scene: &Scene, pipeline: &Pipeline) -> Result<Self> {
-        let corners: Vec<SharedVertex> = scene.faces().flatten().collect();
-        // A scene of spheres has no corners, and any place will do.
-        let setup = Setup::new(pipeline, 1, &corners)?;
+        let of_face =
+            |(object, face): (u32, [SharedVertex; 3])| face.map(|corner| (object, corner));
+        let corners: Vec<(u32, SharedVertex)> = scene.faces().flat_map(of_face).collect();
+        let setup = Setup::new(pipeline, 1, corners.iter().copied())?;
         let corner = |at: usize| {
             let face = &corners[at / 3 * 3..][..3];
-            let of = [0, 1, 2].map(|i| face[i]);
+            let of = [0, 1, 2].map(|i| face[i].1);
             Corner {
+                object: corners[at].0,
                 positions: of.map(|vertex| vertex.position),
                 uvs: of.map(|vertex| vertex.uv),
-                normal: corners[at].normal,
+                normal: corners[at].1.normal,
                 view: DVec3::ZERO,
                 lights: [DVec3::ZERO; 8],
             }
         };
-        let names: Vec<String> = ["t", "b", "n"]
+        let mut names: Vec<String> = ["t", "b", "n"]
             .iter()
             .flat_map(|row| ["x", "y", "z"].map(|axis| format!("{row}_{axis}")))
             .collect();
+        names.extend(["mirrored", "degenerate"].map(str::to_owned));
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         let mut shot = BlockShot::of([&setup.stage.program].into_iter());
-        let outputs = setup.run(corners.len(), corner, &names, &mut shot)?;
+        let count = corners.len();
+        let Outputs { fixed: mut rows, .. } = setup.run(count, corner, &names, false, &mut shot)?;
+        let mut flag = || rows.pop().expect("bug: a flag");
+        let (degenerate, mirrored) = (flag(), flag());
+        let steps = setup.steps();
         let Stage { design, program } = setup.stage;
-        // Under `overflow=error` a word that doesn't fit is one.
-        overflows([(&design, &program)].into_iter(), &shot.overflows)?;
-        Ok(Self { design, rows: outputs.fixed })
+        let known = FramesKnown {
+            faces: cast::count_of(count / 3),
+            mirrored: flagged(mirrored.iter().step_by(3)),
+            degenerate: flagged(degenerate.iter()),
+            position_step: steps[0],
+            uv_step: steps[1],
+            overflows: overflows([(&design, &program)].into_iter(), &shot.overflows)?,
+        };
+        Ok(Self { design, rows, known })
     }
 
     pub(super) fn design(&self) -> &Arc<Design> {
         &self.design
+    }
+
+    pub(super) fn known(&self) -> &FramesKnown {
+        &self.known
     }
 
     /// A shading point with the frame of the set-up; `None` on a sphere.

@@ -86,10 +86,7 @@ impl Mesh {
     /// If a corner has no vertex: readers check that.
     pub(super) fn assemble(&mut self, topology: Topology, corners: &[u32]) -> Result<(), String> {
         let count = topology.triangles(corners.len())?;
-        if self.triangles.len() + count > MAX_TRIANGLES {
-            return Err(too_many());
-        }
-        self.triangles.reserve(count);
+        self.triangles.reserve(count.min(MAX_TRIANGLES));
         for triangle in 0..count {
             let corners = topology.corners(triangle).map(|place| corners[place]);
             // Strips are stitched by corners that come twice, or by points that do.
@@ -99,6 +96,9 @@ impl Mesh {
                     self.stitches += 1;
                     continue;
                 }
+            }
+            if self.triangles.len() == MAX_TRIANGLES {
+                return Err(too_many());
             }
             self.triangles.push(corners);
         }

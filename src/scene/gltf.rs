@@ -357,6 +357,13 @@ impl File<'_> {
     }
 
     fn indices(&self, index: usize) -> Result<Vec<usize>, String> {
+        let accessor = get(&self.document.accessors, "accessor", index)?;
+        let kind = accessor.component_type;
+        if ![5121, 5123, 5125].contains(&kind) {
+            return Err(format!(
+                "accessor {index}: indices of component type {kind}: legal are 5121, 5123 and 5125, without sign"
+            ));
+        }
         self.components(index, 1, |bytes| match *bytes {
             [a] => Ok(usize::from(a)),
             [a, b] => Ok(usize::from(u16::from_le_bytes([a, b]))),

@@ -303,6 +303,17 @@ impl Assembly {
         self.triangles.surfaces.faces[cast::index_of_u32(triangle)].place.object
     }
 
+    /// Texture coordinates of a pixel, by the same arithmetic as [`Scene::trace`]'s: of triangles of meshes, the same
+    /// to the last bit, so that both see one texel on a border of two.
+    ///
+    /// # Panics
+    /// If there are fewer pixels.
+    #[must_use]
+    pub fn uv(&self, seen: &Seen, i: usize) -> DVec2 {
+        let [_, s, r] = seen.weights[i];
+        self.triangles.surfaces.faces[cast::index_of_u32(seen.triangle[i])].uv(DVec2::new(s, r))
+    }
+
     /// What sharing of vertices saves.
     #[must_use]
     pub fn sharing(&self) -> Sharing {

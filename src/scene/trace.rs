@@ -110,14 +110,16 @@ fn push(columns: &mut [Vec<f64>; 3], vector: DVec3) {
 
 impl Scene {
     /// Corners of all faces, in the world: of planes and of cubes those at (u, v) = (0, 0), (1, 0) and (0, 1), and
-    /// triangles of meshes. They turn counter-clockwise seen from the side of their normals.
-    pub fn faces(&self) -> impl Iterator<Item = [SharedVertex; 3]> + '_ {
+    /// triangles of meshes; with the index of their object. They turn counter-clockwise seen from the side of their
+    /// normals.
+    pub fn faces(&self) -> impl Iterator<Item = (u32, [SharedVertex; 3])> + '_ {
         let corner = |face: &Face, i: usize| SharedVertex {
             position: face.points[i],
             normal: face.normals[i],
             uv: face.uvs[i],
         };
-        self.surfaces.faces.iter().map(move |face| [0, 1, 2].map(|i| corner(face, i)))
+        let of = move |face: &Face| (face.place.object, [0, 1, 2].map(|i| corner(face, i)));
+        self.surfaces.faces.iter().map(of)
     }
 
     /// The unit vector V from a point to the eye; 0 in the eye itself.
@@ -597,6 +599,12 @@ impl Face {
         inside.then(|| (t, DVec2::new(s, r).clamp(DVec2::ZERO, DVec2::ONE)))
     }
 
+    /// Texture coordinates at (s, r).
+    pub(super) fn uv(&self, DVec2 { x: s, y: r }: DVec2) -> DVec2 {
+        let [d1, d2] = self.uv_edges();
+        self.uvs[0] + s * d1 + r * d2
+    }
+
     pub(super) fn at(&self, DVec2 { x: s, y: r }: DVec2) -> Seen {
         let [e1, e2] = self.edges();
         let normal = if self.flat {
@@ -628,7 +636,7 @@ impl Face {
             normal,
             tangent,
             handedness,
-            uv: self.uvs[0] + s * d1 + r * d2,
+            uv: self.uv(DVec2::new(s, r)),
         }
     }
 }
