@@ -151,7 +151,7 @@ pub fn atan2(y: f64, x: f64) -> f64 {
     let over = if large { least - most } else { least };
     let under = if large { least + most } else { most };
     let t = over / under;
-    let t = if most == 0.0 { 0.0 } else { t };
+    let t = if least == 0.0 && most == 0.0 { 0.0 } else { t };
     let z = t * t;
     let w = z * z;
     let odd = z
