@@ -268,15 +268,15 @@ impl Program {
     pub fn runner_for(&self, features: Features) -> Runner {
         let mut store = Store {
             features,
-            lanes16: vec![vec![0; BLOCK]; self.slots[0]],
-            lanes32: vec![vec![0; BLOCK]; self.slots[1]],
-            lanes64: vec![vec![0; BLOCK]; self.slots[2]],
+            lanes16: columns(self.slots[0]),
+            lanes32: columns(self.slots[1]),
+            lanes64: columns(self.slots[2]),
         };
         for (column, raw) in &self.constants {
             match column.width {
-                Width::W16 => store.lanes16[column.slot].fill(i16::of(*raw)),
-                Width::W32 => store.lanes32[column.slot].fill(i32::of(*raw)),
-                Width::W64 => store.lanes64[column.slot].fill(*raw),
+                Width::W16 => fill(&mut store.lanes16[column.slot], *raw),
+                Width::W32 => fill(&mut store.lanes32[column.slot], *raw),
+                Width::W64 => fill(&mut store.lanes64[column.slot], *raw),
             }
         }
         let counters = self.narrows.len().max(1);
@@ -817,24 +817,41 @@ fn packed<L: Lane>(
     })
 }
 
+/// A block's lanes, from the start of a cache line: a vector across two lines costs two accesses.
+#[derive(Debug)]
+#[repr(align(64))]
+struct Lanes<L>([L; BLOCK]);
+
+/// Columns of one width; one that is written is taken out meanwhile.
+type Columns<L> = Vec<Option<Box<Lanes<L>>>>;
+
+fn columns<L: Lane>(count: usize) -> Columns<L> {
+    (0..count).map(|_| Some(Box::new(Lanes([L::zero(); BLOCK])))).collect()
+}
+
+#[inline(always)]
+fn take_column<L: Stored>(store: &mut Store, slot: usize) -> Box<Lanes<L>> {
+    L::columns(store)[slot].take().expect("bug: written twice at once")
+}
+
 /// Columns of a runner.
 #[derive(Debug)]
 struct Store {
     features: Features,
-    lanes16: Vec<Vec<i16>>,
-    lanes32: Vec<Vec<i32>>,
-    lanes64: Vec<Vec<i64>>,
+    lanes16: Columns<i16>,
+    lanes32: Columns<i32>,
+    lanes64: Columns<i64>,
 }
 
 /// Lanes whose columns a [`Store`] has.
 trait Stored: Lane {
-    fn columns(store: &mut Store) -> &mut Vec<Vec<Self>>;
+    fn columns(store: &mut Store) -> &mut Columns<Self>;
     fn tables(program: &Program) -> &Tables<Self>;
 }
 
 impl Stored for i16 {
     #[inline(always)]
-    fn columns(store: &mut Store) -> &mut Vec<Vec<Self>> {
+    fn columns(store: &mut Store) -> &mut Columns<Self> {
         &mut store.lanes16
     }
     #[inline(always)]
@@ -845,7 +862,7 @@ impl Stored for i16 {
 
 impl Stored for i32 {
     #[inline(always)]
-    fn columns(store: &mut Store) -> &mut Vec<Vec<Self>> {
+    fn columns(store: &mut Store) -> &mut Columns<Self> {
         &mut store.lanes32
     }
     #[inline(always)]
@@ -856,7 +873,7 @@ impl Stored for i32 {
 
 impl Stored for i64 {
     #[inline(always)]
-    fn columns(store: &mut Store) -> &mut Vec<Vec<Self>> {
+    fn columns(store: &mut Store) -> &mut Columns<Self> {
         &mut store.lanes64
     }
     #[inline(always)]
@@ -981,17 +998,22 @@ impl<I: Word> Body for Load<'_, '_, I> {
             }
             let input = &input[start..start + len];
             match width {
-                Width::W16 => load(input, &mut store.lanes16[slot][..len]),
-                Width::W32 => load(input, &mut store.lanes32[slot][..len]),
-                Width::W64 => load(input, &mut store.lanes64[slot][..len]),
+                Width::W16 => load(input, &mut store.lanes16[slot]),
+                Width::W32 => load(input, &mut store.lanes32[slot]),
+                Width::W64 => load(input, &mut store.lanes64[slot]),
             }
         }
     }
 }
 
+fn fill<L: Lane>(to: &mut Option<Box<Lanes<L>>>, raw: i64) {
+    to.as_mut().expect("bug: no column is taken out").0.fill(L::of(raw));
+}
+
 #[inline(always)]
-fn load<I: Word, L: Lane>(from: &[I], to: &mut [L]) {
-    for (to, word) in to.iter_mut().zip(from) {
+fn load<I: Word, L: Lane>(from: &[I], to: &mut Option<Box<Lanes<L>>>) {
+    let to = to.as_mut().expect("bug: no column is taken out");
+    for (to, word) in to.0.iter_mut().zip(from) {
         *to = L::of(word.word());
     }
 }
@@ -1012,17 +1034,18 @@ impl<O: Word> Body for Unload<'_, O> {
         for ((Column { width, slot }, zero), output) in program.outputs.iter().zip(outputs) {
             let (output, slot) = (&mut output[start..start + len], *slot);
             match width {
-                Width::W16 => unload(*zero, &store.lanes16[slot][..len], output),
-                Width::W32 => unload(*zero, &store.lanes32[slot][..len], output),
-                Width::W64 => unload(*zero, &store.lanes64[slot][..len], output),
+                Width::W16 => unload(*zero, &store.lanes16[slot], output),
+                Width::W32 => unload(*zero, &store.lanes32[slot], output),
+                Width::W64 => unload(*zero, &store.lanes64[slot], output),
             }
         }
     }
 }
 
 #[inline(always)]
-fn unload<O: Word, L: Lane>(zero: bool, from: &[L], to: &mut [O]) {
-    let pairs = to.iter_mut().zip(from);
+fn unload<O: Word, L: Lane>(zero: bool, from: &Option<Box<Lanes<L>>>, to: &mut [O]) {
+    let from = from.as_ref().expect("bug: no column is taken out");
+    let pairs = to.iter_mut().zip(&from.0);
     if zero {
         pairs.for_each(|(to, lane)| *to = O::of_word(lane.raw_of_pattern()));
     } else {
@@ -1077,41 +1100,41 @@ fn step<L: Stored>(
     let Column { width, slot } = instruction.to;
     match instruction.action {
         Action::Kernel(kernel) if width == L::WIDTH => {
-            let mut to = take(&mut L::columns(store)[slot]);
+            let mut to = take_column::<L>(store, slot);
             kernels::step(
                 kernel,
                 operands::<L>(instruction, store, len),
-                &mut to[..len],
+                &mut to.0[..len],
                 overflows,
             );
-            L::columns(store)[slot] = to;
+            L::columns(store)[slot] = Some(to);
         }
         Action::Kernel(Kernel::Slice { lo, bits }) => {
             assert!(L::WIDTH == Width::W32 && width == Width::W16, "bug: 32-bit lanes to 16");
-            let mut to = take(&mut store.lanes16[slot]);
+            let mut to = take_column::<i16>(store, slot);
             let of = operands::<i32>(instruction, store, len)[0];
-            kernels::slice_to_address(lo, bits, of, &mut to[..len]);
-            store.lanes16[slot] = to;
+            kernels::slice_to_address(lo, bits, of, &mut to.0[..len]);
+            store.lanes16[slot] = Some(to);
         }
         Action::Kernel(kernel) => {
             // Of all others, only a `narrow` halves lanes.
             assert!(L::WIDTH == Width::W64 && width == Width::W32, "bug: 64-bit lanes to 32");
-            let mut to = take(&mut store.lanes32[slot]);
+            let mut to = take_column::<i32>(store, slot);
             let of = operands::<i64>(instruction, store, len);
-            kernels::fitted::<i64, i32>(kernel, of, &mut to[..len], overflows);
-            store.lanes32[slot] = to;
+            kernels::fitted::<i64, i32>(kernel, of, &mut to.0[..len], overflows);
+            store.lanes32[slot] = Some(to);
         }
         Action::WideProduct(fit) if width == Width::W64 => {
-            let mut to = take(&mut store.lanes64[slot]);
+            let mut to = take_column::<i64>(store, slot);
             let of = operands::<i32>(instruction, store, len);
-            kernels::wide_product(fit, of, &mut to[..len], overflows);
-            store.lanes64[slot] = to;
+            kernels::wide_product(fit, of, &mut to.0[..len], overflows);
+            store.lanes64[slot] = Some(to);
         }
         Action::WideProduct(fit) => {
-            let mut to = take(&mut store.lanes32[slot]);
+            let mut to = take_column::<i32>(store, slot);
             let of = operands::<i32>(instruction, store, len);
-            kernels::wide_product(fit, of, &mut to[..len], overflows);
-            store.lanes32[slot] = to;
+            kernels::wide_product(fit, of, &mut to.0[..len], overflows);
+            store.lanes32[slot] = Some(to);
         }
         Action::Convert { zero } => match width {
             Width::W16 => convert::<L, i16>(zero, instruction, store, len),
@@ -1165,8 +1188,13 @@ fn operands<'a, L: Stored>(
     store: &'a mut Store,
     len: usize,
 ) -> [&'a [L]; 3] {
-    let columns: &'a [Vec<L>] = L::columns(store);
-    instruction.of.map(|slot| columns.get(slot).and_then(|c| c.get(..len)).unwrap_or_default())
+    let columns: &'a Columns<L> = L::columns(store);
+    let column = |slot: usize| match columns.get(slot) {
+        Some(Some(column)) => &column.0[..len],
+        Some(None) | None => &[],
+    };
+    let [a, b, c] = instruction.of;
+    [column(a), column(b), column(c)]
 }
 
 #[inline(always)]
@@ -1177,9 +1205,9 @@ fn convert<From: Stored, To: Stored>(
     len: usize,
 ) {
     let slot = instruction.to.slot;
-    let mut to = take(&mut To::columns(store)[slot]);
-    kernels::convert(zero, operands::<From>(instruction, store, len)[0], &mut to[..len]);
-    To::columns(store)[slot] = to;
+    let mut to = take_column::<To>(store, slot);
+    kernels::convert(zero, operands::<From>(instruction, store, len)[0], &mut to.0[..len]);
+    To::columns(store)[slot] = Some(to);
 }
 
 #[inline(always)]
@@ -1190,22 +1218,22 @@ fn read<A: Stored, L: Stored>(
     len: usize,
 ) {
     let slot = instruction.to.slot;
-    let mut to = take(&mut L::columns(store)[slot]);
+    let mut to = take_column::<L>(store, slot);
     match instruction.action {
         Action::ReadPair { table, second } => {
             let words = &L::tables(program).pairs[table];
-            let mut other = take(&mut L::columns(store)[second]);
+            let mut other = take_column::<L>(store, second);
             let addresses = operands::<A>(instruction, store, len)[0];
-            kernels::read_pair(words, addresses, [&mut to[..len], &mut other[..len]]);
-            L::columns(store)[second] = other;
+            kernels::read_pair(words, addresses, [&mut to.0[..len], &mut other.0[..len]]);
+            L::columns(store)[second] = Some(other);
         }
         Action::Read { table } => {
             let words = &L::tables(program).single[table];
-            kernels::read(words, operands::<A>(instruction, store, len)[0], &mut to[..len]);
+            kernels::read(words, operands::<A>(instruction, store, len)[0], &mut to.0[..len]);
         }
         Action::Kernel(_) | Action::WideProduct(_) | Action::Convert { .. } => {
             unreachable!("bug: a read")
         }
     }
-    L::columns(store)[slot] = to;
+    L::columns(store)[slot] = Some(to);
 }
