@@ -81,6 +81,23 @@ pub(crate) fn vectorised_for<B: Body>(features: Features, body: B) {
     body.run();
 }
 
+/// Asks for the cache lines of a slice, which something soon reads.
+#[inline(always)]
+pub(crate) fn prefetch<T>(slice: &[T]) {
+    #[cfg(target_arch = "x86_64")]
+    for part in slice.chunks((64 / size_of::<T>().max(1)).max(1)) {
+        // SAFETY: prefetching is a hint that reads nothing and faults nowhere.
+        #[expect(unsafe_code, reason = "a hint about memory")]
+        unsafe {
+            std::arch::x86_64::_mm_prefetch::<{ std::arch::x86_64::_MM_HINT_T0 }>(
+                part.as_ptr().cast(),
+            );
+        }
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = slice;
+}
+
 #[cfg(target_arch = "x86_64")]
 #[inline]
 fn has_avx2() -> bool {

@@ -31,7 +31,7 @@ use crate::format::Overflow;
 use crate::netlist::{Netlist, NodeId};
 use crate::op::Op;
 pub use crate::simd::Features;
-use crate::simd::{Body, vectorised_for};
+use crate::simd::{Body, prefetch, vectorised_for};
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, HashMap};
 use std::mem::take;
@@ -940,6 +940,8 @@ impl Runner {
                 run_block(program, store, 0..program.repeated, len, overflows);
                 repeated.iter_mut().zip(&*overflows).for_each(|(more, now)| *more = now - *more);
             }
+            let next = start + len..count.min(start + len + BLOCK);
+            inputs.iter().for_each(|column| prefetch(&column[next.clone()]));
             let rest = program.repeated..program.instructions.len();
             run_block(program, store, rest, len, overflows);
             vectorised_for(features, Unload { program, store, outputs, start, len });
