@@ -37,6 +37,7 @@ use crate::units::{Design, Group, Shape};
 use inputs::CHUNK;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
+use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 use stream::{Angles, Counts, Differences, Lengths, Merged};
 pub(crate) use stream::{BINS, Histograms, Stream};
@@ -481,8 +482,7 @@ pub fn measure(
     let start = Instant::now();
     let chunks = count.div_ceil(CHUNK);
     let threads = rayon::current_num_threads();
-    // Some chunks per thread at a time: memory doesn't grow with samples, and columns are made
-    // seldom.
+    // Some chunks per thread at a time: memory doesn't grow with samples.
     let round = cast::count_of(threads) * 16;
     let mut merged: Vec<Vec<Merged>> =
         compiled.iter().map(|c| vec![Merged::EMPTY; c.streams()]).collect();
@@ -491,23 +491,26 @@ pub fn measure(
     let mut overflows: Vec<Vec<u64>> =
         compiled.iter().map(|c| vec![0; c.program.narrows().len()]).collect();
     let mut profiles = vec![Profile::default(); compiled.len()];
+    let idle: Idle<(Shared, Vec<Lanes<'_>>)> = Idle::default();
     let mut next = 0;
     while next < chunks {
         let these: Vec<u64> = (next..(next + round).min(chunks)).collect();
         let partials: Vec<Result<Vec<Partial>>> = these
             .par_iter()
-            .map_init(
-                || {
+            .map(|chunk| {
+                let mut columns = idle.take().unwrap_or_else(|| {
                     let both = compiled.iter().zip(&histograms);
-                    (Shared::default(), both.map(|(c, all)| new_lanes(c, all)).collect::<Vec<_>>())
-                },
-                |(shared, lanes), chunk| {
-                    let from = chunk * CHUNK;
-                    let len = usize::try_from(CHUNK.min(count - from)).expect("bug: a chunk");
-                    let chunk = Chunk { inputs, from, len };
-                    measure_chunk(&compiled, &sets, &chunk, shared, lanes)
-                },
-            )
+                    let lanes = both.map(|(c, all)| new_lanes(c, all)).collect();
+                    (Shared::default(), lanes)
+                });
+                let from = chunk * CHUNK;
+                let len = usize::try_from(CHUNK.min(count - from)).expect("bug: a chunk");
+                let chunk = Chunk { inputs, from, len };
+                let (shared, lanes) = &mut columns;
+                let partials = measure_chunk(&compiled, &sets, &chunk, shared, lanes);
+                idle.give(columns);
+                partials
+            })
             .collect();
         for partial in partials {
             for (i, partial) in partial?.into_iter().enumerate() {
@@ -526,6 +529,8 @@ pub fn measure(
         next += round;
         progress((next * CHUNK).min(count));
     }
+    // Their counts go to the histograms.
+    drop(idle);
     let elapsed = start.elapsed().as_secs_f64();
     let rate = |seconds: f64| {
         if seconds > 0.0 { cast::f64_of_count(count) / seconds } else { 0.0 }
@@ -558,6 +563,26 @@ fn new_lanes<'a>(c: &Compiled<'_>, all: &'a Histograms) -> Lanes<'a> {
         values: vec![Vec::new(); outputs],
         reals: vec![Vec::new(); outputs],
         counts: Counts::new(all, c.streams()),
+    }
+}
+
+/// Columns that no thread uses now: a run makes as many as threads, once.
+struct Idle<T>(Mutex<Vec<T>>);
+
+impl<T> Default for Idle<T> {
+    fn default() -> Self {
+        Self(Mutex::new(Vec::new()))
+    }
+}
+
+impl<T> Idle<T> {
+    // A panic elsewhere ends the run; what is here is whole.
+    fn take(&self) -> Option<T> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).pop()
+    }
+
+    fn give(&self, columns: T) {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).push(columns);
     }
 }
 
@@ -609,6 +634,7 @@ fn measure_chunk(
             golden: together.golden * share,
             ..Profile::default()
         };
+        lanes.counts.make_room(len);
         lap.seconds();
         lanes.runner.run(&c.program, &words, &mut lanes.words);
         profile.engine = lap.seconds();

@@ -319,11 +319,22 @@ impl Histograms {
 pub(super) struct Counts<'a> {
     all: &'a Histograms,
     own: Vec<u32>,
+    /// Samples counted since all were added, at most.
+    samples: u32,
 }
 
 impl<'a> Counts<'a> {
     pub(super) fn new(all: &'a Histograms, streams: usize) -> Self {
-        Self { all, own: vec![0; streams * BINS] }
+        Self { all, own: vec![0; streams * BINS], samples: 0 }
+    }
+
+    /// Adds what there is where so many samples more could be too many for a count.
+    pub(super) fn make_room(&mut self, samples: usize) {
+        let samples = cast::id_of(samples);
+        self.samples = self.samples.checked_add(samples).unwrap_or_else(|| {
+            self.all.take(&mut self.own);
+            samples
+        });
     }
 
     /// Counts of one quantity.

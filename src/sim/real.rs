@@ -12,6 +12,7 @@ use crate::netlist::{Netlist, NodeId};
 use crate::op::{Meaning, Op, modulo};
 use crate::simd::{Body, vectorised};
 use crate::trig::Real;
+use std::collections::{HashMap, HashSet};
 
 /// How a node gets its value on reals.
 #[derive(Clone, Copy, Debug)]
@@ -32,6 +33,8 @@ enum Kernel {
     Op(Op, Format),
     Sin,
     Cos,
+    /// Both of one angle; the cosine goes to this column.
+    SinCos(usize),
     /// Any other meaning.
     Meaning(Meaning),
 }
@@ -108,6 +111,7 @@ impl Program {
             (0..nodes.len()).filter(|index| operands[*index].is_some()).partition(early);
         let first = order.len();
         order.extend(rest);
+        let order = beside(netlist, &order);
         let columns = Columns::new(netlist, &operands, &order, first, outputs);
         let mut program = Self {
             steps: Vec::new(),
@@ -127,7 +131,15 @@ impl Program {
                 program.constants.push((to, node.format.value(raw)));
             } else {
                 let kernel = kernel(node.op, node.meaning, node.format);
-                program.steps.push((kernel, columns.operands(operands), to));
+                let of = columns.operands(operands);
+                if let (Some((before @ Kernel::Sin, angle, _)), Kernel::Cos) =
+                    (program.steps.last_mut(), kernel)
+                    && *angle == of
+                {
+                    *before = Kernel::SinCos(to);
+                    continue;
+                }
+                program.steps.push((kernel, of, to));
                 if at < first {
                     program.repeated += 1;
                 }
@@ -194,8 +206,14 @@ impl Body for Run<'_, '_> {
             let done = if start > 0 { program.repeated } else { 0 };
             for (kernel, of, to_slot) in &program.steps[done..] {
                 let mut to = std::mem::take(&mut columns[*to_slot]);
-                let of = of.map(|slot| columns[slot].get(..len).unwrap_or_default());
-                step(*kernel, of, &mut to[..len], &mut other[..len]);
+                if let Kernel::SinCos(second) = *kernel {
+                    let mut cos = std::mem::take(&mut columns[second]);
+                    f64::sin_cos_turns(&columns[of[0]][..len], &mut to[..len], &mut cos[..len]);
+                    columns[second] = cos;
+                } else {
+                    let of = of.map(|slot| columns[slot].get(..len).unwrap_or_default());
+                    step(*kernel, of, &mut to[..len], &mut other[..len]);
+                }
                 columns[*to_slot] = to;
             }
             for (slot, output) in program.outputs.iter().zip(outputs.iter_mut()) {
@@ -255,6 +273,7 @@ fn step(kernel: Kernel, [a, b, c]: [&[f64]; 3], to: &mut [f64], other: &mut [f64
         }
         Kernel::Sin => f64::sin_cos_turns(a, to, other),
         Kernel::Cos => f64::sin_cos_turns(a, other, to),
+        Kernel::SinCos(_) => unreachable!("bug: it has two columns"),
         Kernel::Meaning(meaning) => loops!([a, b, c], to, meaning;
             Meaning::Apply(Function::Asin, _),
             Meaning::Apply(Function::Prop, _),
@@ -295,6 +314,33 @@ fn each(to: &mut [f64], a: &[f64], b: &[f64], f: impl Fn(f64, f64) -> f64) {
 fn filled([a, b, c]: [&[f64]; 3]) -> [&[f64]; 3] {
     let filler = if a.is_empty() { b } else { a };
     [a, b, c].map(|x| if x.is_empty() { filler } else { x })
+}
+
+/// The same order with each cosine right after the sine of its angle, or before it, so that one step gives both.
+fn beside(netlist: &Netlist, order: &[usize]) -> Vec<usize> {
+    let nodes = netlist.nodes();
+    let function = |index: usize| {
+        let Some(Meaning::Apply(function, of)) = nodes[index].meaning else { return None };
+        matches!(function, Function::Sin | Function::Cos).then_some((function, of))
+    };
+    let mut known = HashMap::new();
+    for index in order.iter().copied() {
+        if let Some(function) = function(index) {
+            known.entry(function).or_insert(index);
+        }
+    }
+    let mut done = HashSet::new();
+    let mut together = Vec::with_capacity(order.len());
+    for index in order.iter().copied() {
+        let of = function(index).map(|(_, of)| of);
+        let pair = of.map(|of| [Function::Sin, Function::Cos].map(|f| known.get(&(f, of))));
+        for one in pair.into_iter().flatten().flatten().chain([&index]) {
+            if done.insert(*one) {
+                together.push(*one);
+            }
+        }
+    }
+    together
 }
 
 /// The loop for a node.
