@@ -255,12 +255,11 @@ impl Format {
     #[inline(always)]
     #[must_use]
     pub fn wrap(self, raw: i64) -> i64 {
-        let low = raw & word_mask(u32::from(self.bits));
-        // In two steps: 2^63 is no i64.
-        if self.signed && low > self.max_raw() {
-            low - self.max_raw() - 1 + self.min_raw()
+        if self.signed {
+            let above = 64 - u32::from(self.bits);
+            raw << above >> above
         } else {
-            low
+            raw & word_mask(u32::from(self.bits))
         }
     }
 

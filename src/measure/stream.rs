@@ -262,7 +262,7 @@ impl Body for Accumulate<'_> {
     }
 }
 
-/// Counts errors in a histogram.
+/// Counts errors of a run in a histogram.
 struct Count<'a> {
     errors: &'a [f64],
     histogram: &'a mut [u32],
@@ -272,19 +272,14 @@ impl Body for Count<'_> {
     #[inline(always)]
     fn run(self) {
         let Self { errors, histogram } = self;
-        let blocks = errors.chunks_exact(LANES);
-        let rest = blocks.remainder();
-        let mut bins = [0; LANES];
-        for block in blocks {
-            for (bin_of, error) in bins.iter_mut().zip(block) {
-                *bin_of = bin(error.abs());
-            }
-            for bin in bins {
-                histogram[cast::index_of(i64::from(bin))] += 1;
-            }
+        // All bins first, in vectors: a count waits for nothing then but the one before in its bin.
+        let mut bins = [0; RUN];
+        let bins = &mut bins[..errors.len()];
+        for (bin_of, error) in bins.iter_mut().zip(errors) {
+            *bin_of = cast::low_u16(i64::from(bin(error.abs())));
         }
-        for error in rest {
-            histogram[cast::index_of(i64::from(bin(error.abs())))] += 1;
+        for bin in bins {
+            histogram[usize::from(*bin)] += 1;
         }
     }
 }
