@@ -147,8 +147,10 @@ pub struct Program {
 struct Compiler<'a> {
     netlist: &'a Netlist,
     placed: Vec<Placed>,
-    /// The node that each node is computed with, in the same pass.
+    /// True if a node is computed with the one that reads it, in the same pass.
     fused_into: Vec<bool>,
+    /// Of a sum, the operand that is a sum in the same pass: the first or the second.
+    inner: Vec<Option<usize>>,
     instructions: Vec<Instruction>,
     /// Width of each column.
     widths: Vec<Width>,
@@ -209,6 +211,7 @@ impl Program {
             netlist,
             placed: place(netlist, outputs, counted),
             fused_into: vec![false; nodes.len()],
+            inner: vec![None; nodes.len()],
             instructions: Vec::new(),
             widths: Vec::new(),
             columns: vec![[None; 3]; nodes.len()],
@@ -310,7 +313,8 @@ impl Compiler<'_> {
         self.root(self.netlist.nodes()[index].operands[i].index())
     }
 
-    /// Finds sums and products that only one `narrow` or slice reads, which then does both in one pass.
+    /// Finds sums and products that only one `narrow` or slice reads, which then does both in one pass,
+    /// and sums that only one sum reads.
     fn fuse(&mut self, outputs: &[NodeId]) {
         let nodes = self.netlist.nodes();
         let mut uses = vec![0; nodes.len()];
@@ -345,6 +349,69 @@ impl Compiler<'_> {
             if fits && is_sum && same && uses[first] == 1 && before.way == Way::Computed {
                 self.fused_into[first] = true;
             }
+        }
+        for index in 0..nodes.len() {
+            if self.placed[index].way == Way::Computed && self.is_sum(index) {
+                let inner = (0..2).find(|i| self.sums_in(index, *i, &uses));
+                if let Some(i) = inner {
+                    let operand = self.operand(index, i);
+                    self.fused_into[operand] = true;
+                    self.inner[index] = inner;
+                }
+            }
+        }
+    }
+
+    fn is_sum(&self, index: usize) -> bool {
+        matches!(self.netlist.nodes()[index].op, Op::Add | Op::Sub)
+    }
+
+    /// True if an operand of a sum is a sum of two that nobody else reads, in the same lanes.
+    fn sums_in(&self, index: usize, i: usize, uses: &[usize]) -> bool {
+        let inner = self.operand(index, i);
+        let Placed { way, width, compute, .. } = self.placed[inner];
+        let lanes = self.placed[index].compute;
+        let most = || self.shifts(inner).into_iter().max().unwrap_or_default();
+        way == Way::Computed
+            && self.is_sum(inner)
+            && uses[inner] == 1
+            && self.inner[inner].is_none()
+            && !self.fused_into[inner]
+            && width == lanes
+            && compute == lanes
+            && most() + self.shifts(index)[i] < lanes.bits()
+    }
+
+    /// Shifts that align the operands of a sum.
+    fn shifts(&self, index: usize) -> [u32; 2] {
+        let operands = &self.netlist.nodes()[index].operands;
+        let format = |i: usize| self.netlist.node(operands[i]).format;
+        alignment(format(0), format(1))
+    }
+
+    /// The operands of a sum or product and its kernel, with what is summed in the same pass.
+    fn terms(&self, index: usize, fit: Option<Fit>) -> (Vec<usize>, Kernel) {
+        let [a, b] = [0, 1].map(|i| self.operand(index, i));
+        let op = self.netlist.nodes()[index].op;
+        if op == Op::Mul {
+            return (vec![a, b], Kernel::Mul { fit });
+        }
+        let (shifts, minus) = (self.shifts(index), op == Op::Sub);
+        let Some(i) = self.inner[index] else {
+            let kernel =
+                if minus { Kernel::Sub { shifts, fit } } else { Kernel::Add { shifts, fit } };
+            return (vec![a, b], kernel);
+        };
+        let inner = [a, b][i];
+        let [c, d] = [0, 1].map(|i| self.operand(inner, i));
+        let [sc, sd] = self.shifts(inner).map(|shift| shift + shifts[i]);
+        let inner_minus = self.netlist.nodes()[inner].op == Op::Sub;
+        if i == 0 {
+            let (shifts, minus) = ([sc, sd, shifts[1]], [inner_minus, minus]);
+            (vec![c, d, b], Kernel::Sum { shifts, minus, fit })
+        } else {
+            let (shifts, minus) = ([shifts[0], sc, sd], [minus, minus != inner_minus]);
+            (vec![a, c, d], Kernel::Sum { shifts, minus, fit })
         }
     }
 
@@ -429,6 +496,8 @@ impl Compiler<'_> {
             self.read(index);
             return;
         }
+        let mut operands: Vec<usize> =
+            (0..node.operands.len()).map(|i| self.operand(index, i)).collect();
         let action = if let Op::Slice { lo } = node.op {
             let first = self.operand(index, 0);
             let limit = Limit::Slice { bits: node.format.bits() };
@@ -463,15 +532,15 @@ impl Compiler<'_> {
             self.push(Action::WideProduct(None), Width::W32, &of, to);
             self.columns[index][slot_of(width)] = Some(to);
             return;
+        } else if matches!(node.op, Op::Add | Op::Sub | Op::Mul) {
+            let (terms, kernel) = self.terms(index, None);
+            operands = terms;
+            Action::Kernel(kernel)
         } else {
             Action::Kernel(self.kernel(index))
         };
-        let of: Vec<usize> = (0..node.operands.len())
-            .map(|i| {
-                let operand = self.operand(index, i);
-                self.column(operand, compute)
-            })
-            .collect();
+        let of: Vec<usize> =
+            operands.into_iter().map(|operand| self.column(operand, compute)).collect();
         let to = self.new_column(width);
         self.push(action, compute, &of, to);
         self.columns[index][slot_of(width)] = Some(to);
@@ -489,19 +558,10 @@ impl Compiler<'_> {
         let node = &self.netlist.nodes()[sum];
         let wide = node.op == Op::Mul && self.is_wide(sum, compute);
         let lanes = if wide { Width::W32 } else { compute };
-        let operands = [0, 1].map(|i| self.operand(sum, i));
-        let of = operands.map(|operand| self.column(operand, lanes));
-        let fit = Some(fit);
-        let kernel = self.kernel(sum);
-        let action = if wide {
-            Action::WideProduct(fit)
-        } else if let Kernel::Add { shifts, .. } = kernel {
-            Action::Kernel(Kernel::Add { shifts, fit })
-        } else if let Kernel::Sub { shifts, .. } = kernel {
-            Action::Kernel(Kernel::Sub { shifts, fit })
-        } else {
-            Action::Kernel(Kernel::Mul { fit })
-        };
+        let (operands, kernel) = self.terms(sum, Some(fit));
+        let of: Vec<usize> =
+            operands.into_iter().map(|operand| self.column(operand, lanes)).collect();
+        let action = if wide { Action::WideProduct(Some(fit)) } else { Action::Kernel(kernel) };
         let to = self.new_column(width);
         self.push(action, lanes, &of, to);
         self.columns[narrow][slot_of(width)] = Some(to);
@@ -550,10 +610,7 @@ impl Compiler<'_> {
         let format_of = |i: usize| self.netlist.node(node.operands[i]).format;
         let shifts = |a: usize, b: usize| alignment(format_of(a), format_of(b));
         match node.op {
-            Op::Add => Kernel::Add { shifts: shifts(0, 1), fit: None },
-            Op::Sub => Kernel::Sub { shifts: shifts(0, 1), fit: None },
             Op::AddSub => Kernel::AddSub { shifts: shifts(1, 2) },
-            Op::Mul => Kernel::Mul { fit: None },
             Op::Neg => Kernel::Neg,
             Op::Abs => Kernel::Abs,
             Op::And => Kernel::And,
@@ -574,6 +631,9 @@ impl Compiler<'_> {
             }
             Op::Input
             | Op::Const { .. }
+            | Op::Add
+            | Op::Sub
+            | Op::Mul
             | Op::Shift { .. }
             | Op::Read { .. }
             | Op::Narrow { .. } => {

@@ -157,6 +157,12 @@ pub(super) enum Kernel {
         shifts: [u32; 2],
         fit: Option<Fit>,
     },
+    /// The first of three, and the others, which a flag takes away.
+    Sum {
+        shifts: [u32; 3],
+        minus: [bool; 2],
+        fit: Option<Fit>,
+    },
     Mul {
         fit: Option<Fit>,
     },
@@ -297,9 +303,21 @@ pub(super) fn step<L: Lane>(
         Kernel::Sub { shifts: [sa, sb], fit: None } => {
             map2(to, a, b, |a, b| a.wrapping_shl(sa).wrapping_sub(&b.wrapping_shl(sb)));
         }
+        Kernel::Sum { shifts: [0, 0, 0], minus, fit: None } => match minus {
+            [false, false] => map3(to, a, b, c, |a, b, c| a.wrapping_add(&b).wrapping_add(&c)),
+            [false, true] => map3(to, a, b, c, |a, b, c| a.wrapping_add(&b).wrapping_sub(&c)),
+            [true, false] => map3(to, a, b, c, |a, b, c| a.wrapping_sub(&b).wrapping_add(&c)),
+            [true, true] => map3(to, a, b, c, |a, b, c| a.wrapping_sub(&b).wrapping_sub(&c)),
+        },
+        Kernel::Sum { shifts, minus, fit: None } => {
+            for (to, sum) in to.iter_mut().zip(sums(shifts, minus, [a, b, c])) {
+                *to = sum;
+            }
+        }
         Kernel::Mul { fit: None } => map2(to, a, b, |a, b| a.wrapping_mul(&b)),
         Kernel::Add { fit: Some(_), .. }
         | Kernel::Sub { fit: Some(_), .. }
+        | Kernel::Sum { fit: Some(_), .. }
         | Kernel::Mul { fit: Some(_) }
         | Kernel::Fit(_) => fitted::<L, L>(kernel, [a, b, c], to, counts),
         Kernel::AddSub { shifts: [sa, sb] } => map3(to, a, b, c, |flag, a, b| {
@@ -359,7 +377,7 @@ pub(super) fn step<L: Lane>(
 #[expect(clippy::wildcard_enum_match_arm, reason = "no other kernel has anything to fit")]
 pub(super) fn fitted<L: Lane, To: Lane>(
     kernel: Kernel,
-    [a, b, _]: Operands<'_, L>,
+    [a, b, c]: Operands<'_, L>,
     to: &mut [To],
     counts: &mut [u64],
 ) {
@@ -373,6 +391,9 @@ pub(super) fn fitted<L: Lane, To: Lane>(
             let sums =
                 a.iter().zip(b).map(|(a, b)| a.wrapping_shl(sa).wrapping_sub(&b.wrapping_shl(sb)));
             counts[fit.counter] += evenly(fit, sums, to);
+        }
+        Kernel::Sum { shifts, minus, fit: Some(fit) } => {
+            counts[fit.counter] += evenly(fit, sums(shifts, minus, [a, b, c]), to);
         }
         Kernel::Mul { fit: Some(fit) } => {
             let products = a.iter().zip(b).map(|(a, b)| a.wrapping_mul(b));
@@ -392,6 +413,22 @@ pub(super) fn fitted<L: Lane, To: Lane>(
         Kernel::Fit(fit) => counts[fit.counter] += evenly(fit, a.iter().copied(), to),
         other => unreachable!("bug: {other:?} fits nothing"),
     }
+}
+
+/// Sums of three shifted terms, of which the last two may count as negative.
+#[inline(always)]
+fn sums<L: Lane>(
+    [sa, sb, sc]: [u32; 3],
+    minus: [bool; 2],
+    [a, b, c]: Operands<'_, L>,
+) -> impl Iterator<Item = L> {
+    // With the mask all ones, (b ^ mask) - mask is -b.
+    let [mb, mc] = minus.map(|minus| L::flag(minus).wrapping_neg());
+    a.iter().zip(b).zip(c).map(move |((a, b), c)| {
+        let b = (b.wrapping_shl(sb) ^ mb).wrapping_sub(&mb);
+        let c = (c.wrapping_shl(sc) ^ mc).wrapping_sub(&mc);
+        a.wrapping_shl(sa).wrapping_add(&b).wrapping_add(&c)
+    })
 }
 
 /// The product of 32-bit lanes, which needs 64.
