@@ -672,6 +672,46 @@ fn blocks_of_every_length() {
     }
 }
 
+/// Sums that only one sum reads are computed in its pass: every sign at every place, of words that need
+/// shifts and of those that don't, in all lanes, alone and with what narrows them.
+#[test]
+fn sums_of_sums() {
+    for (seed, bits) in
+        [8u32, 14, 16, 24, 29, 40, 55].into_iter().flat_map(|bits| [(1, bits), (2, bits)])
+    {
+        for fracs in [[0, 0, 0, 0], [0, 1, 0, 2], [3, 0, 2, 0], [0, 0, 0, 3]] {
+            for signs in 0..8 {
+                for shape in 0..3 {
+                    let mut b = Builder::new("sums");
+                    let mut port = |name: &str, frac: i32| {
+                        let format = Format::signed(bits, frac).unwrap();
+                        b.input(name, format, Quantity::Number)
+                    };
+                    let [x, y, z, w] =
+                        [0, 1, 2, 3].map(|i| port(["x", "y", "z", "w"][i], fracs[i]));
+                    let sum = |b: &mut Builder, sign: i32, p: NodeId, q: NodeId| {
+                        if signs >> sign & 1 == 1 { b.sub(p, q) } else { b.add(p, q) }
+                    };
+                    let inner = sum(&mut b, 0, x, y);
+                    let outer = match shape {
+                        0 => sum(&mut b, 1, inner, z),
+                        1 => sum(&mut b, 1, z, inner),
+                        _ => {
+                            let other = sum(&mut b, 2, z, w);
+                            sum(&mut b, 1, other, inner)
+                        }
+                    };
+                    let to = Format::signed(bits - 1, -1).unwrap();
+                    let narrowed = b.narrow(outer, to, Round::HalfUp, Overflow::Saturate);
+                    b.output("out", if seed % 2 == 1 { outer } else { narrowed });
+                    let netlist = b.build().unwrap();
+                    check(&netlist, seed, 300).unwrap();
+                }
+            }
+        }
+    }
+}
+
 /// A port that is built after nodes whose columns are free again keeps its words.
 #[test]
 fn late_ports_keep_their_words() {
