@@ -14,7 +14,7 @@ mod verify;
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::eval::{self, AngleUnit, InputFile};
-use crate::measure::{self, BoundCheck, Cone, Inputs, Profile, Report};
+use crate::measure::{self, Basis, BoundCheck, Cone, Inputs, Profile, Report};
 use crate::output;
 use crate::outside;
 use crate::report::record::RankBy;
@@ -118,6 +118,16 @@ enum Command {
         /// its value on reals: over every combination of the words that it depends on (up to 2^32).
         #[arg(long, value_name = "NODE", conflicts_with_all = ["hard", "samples", "seed", "cases", "sampler"])]
         cone: Option<String>,
+        /// Measure errors on these bases only, which takes less time; always on total, of which bounds are.
+        #[arg(
+            long,
+            value_name = "BASIS",
+            value_enum,
+            value_delimiter = ',',
+            default_value = "total,arithmetic,algorithm,end-to-end",
+            conflicts_with = "cone"
+        )]
+        basis: Vec<BasisArg>,
         /// Tell which share of the time went where.
         #[arg(long)]
         profile: bool,
@@ -312,6 +322,26 @@ impl ValueEnum for ErrorArg {
     }
 }
 
+/// A basis by its name in reports.
+#[derive(Clone, Copy)]
+struct BasisArg(Basis);
+
+impl clap::ValueEnum for BasisArg {
+    fn value_variants<'a>() -> &'a [Self] {
+        const ALL: [BasisArg; 4] = [
+            BasisArg(Basis::ALL[0]),
+            BasisArg(Basis::ALL[1]),
+            BasisArg(Basis::ALL[2]),
+            BasisArg(Basis::ALL[3]),
+        ];
+        &ALL
+    }
+
+    fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
+        Some(clap::builder::PossibleValue::new(self.0.name()).help(self.0.meaning()))
+    }
+}
+
 impl InputArgs {
     fn inputs(&self) -> Inputs {
         let sampler = match self.sampler {
@@ -412,12 +442,16 @@ fn run(command: &Command) -> Result<bool> {
                     + &times.map(text::profile).unwrap_or_default()
             })?;
         }
-        Command::Sim { unit, inputs, hard, cases, cone: None, profile, json } => {
+        Command::Sim { unit, inputs, hard, cases, cone: None, basis, profile, json } => {
             let mut inputs = inputs.inputs();
             if *hard {
                 inputs.sampler = Sampler::Hard;
             }
-            let sim = Sim::run(unit.design()?, &inputs)?;
+            let asked = |known: &Basis| {
+                *known == Basis::Total || basis.iter().any(|asked| asked.0 == *known)
+            };
+            let bases: Vec<Basis> = Basis::ALL.into_iter().filter(asked).collect();
+            let sim = Sim::run(unit.design()?, &inputs, &bases)?;
             if let Some(path) = cases {
                 output::write_file(path, |to| write_cases(&sim, to, path))?;
             }
@@ -574,9 +608,10 @@ struct Sim {
 }
 
 impl Sim {
-    fn run(design: Design, inputs: &Inputs) -> Result<Self> {
+    fn run(design: Design, inputs: &Inputs, bases: &[Basis]) -> Result<Self> {
         let bar = progress_bar(inputs.count(&design)?, design.values.unit().name);
-        let mut reports = measure::measure(&[&design], inputs, &|done| bar.set_position(done))?;
+        let done = |done| bar.set_position(done);
+        let mut reports = measure::measure_on(bases, &[&design], inputs, &done)?;
         bar.finish_and_clear();
         let bounds = BoundCheck::new(&design)?;
         let hard = if inputs.sampler == Sampler::Hard {

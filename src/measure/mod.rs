@@ -203,7 +203,8 @@ pub enum Basis {
 }
 
 impl Basis {
-    const ALL: [Self; 4] = [Self::Total, Self::Arithmetic, Self::Algorithm, Self::EndToEnd];
+    /// All of them, in reporting order.
+    pub const ALL: [Self; 4] = [Self::Total, Self::Arithmetic, Self::Algorithm, Self::EndToEnd];
 
     /// Name in reports.
     #[must_use]
@@ -213,6 +214,17 @@ impl Basis {
             Self::Arithmetic => "arithmetic",
             Self::Algorithm => "algorithm",
             Self::EndToEnd => "end-to-end",
+        }
+    }
+
+    /// What it sets beside what.
+    #[must_use]
+    pub const fn meaning(self) -> &'static str {
+        match self {
+            Self::Total => "bit-true against the golden of the quantised inputs",
+            Self::Arithmetic => "bit-true against the netlist on reals",
+            Self::Algorithm => "the netlist on reals against the golden of the quantised inputs",
+            Self::EndToEnd => "bit-true against the golden of the inputs before quantisation",
         }
     }
 }
@@ -372,6 +384,7 @@ impl Report {
 /// Compiled design.
 struct Compiled<'a> {
     design: &'a Design,
+    bases: &'a [Basis],
     program: Program,
     reals: real::Program,
     judged: Vec<NodeId>,
@@ -381,9 +394,9 @@ struct Compiled<'a> {
 }
 
 impl Compiled<'_> {
-    /// Measurands on all bases.
+    /// Measurands on each basis.
     fn streams(&self) -> usize {
-        self.measurands.len() * Basis::ALL.len()
+        self.measurands.len() * self.bases.len()
     }
 }
 
@@ -432,7 +445,7 @@ struct Partial {
     profile: Profile,
 }
 
-/// Measures designs of one unit over the same inputs; `progress` gets the samples done.
+/// Measures designs of one unit over the same inputs, on all bases; `progress` gets the samples done.
 ///
 /// # Errors
 /// If the inputs are too many to go through, or a `narrow` under overflow mode `error` overflowed.
@@ -440,6 +453,22 @@ struct Partial {
 /// # Panics
 /// If the designs belong to different units.
 pub fn measure(
+    designs: &[&Design],
+    inputs: &Inputs,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<Vec<Report>> {
+    measure_on(&Basis::ALL, designs, inputs, progress)
+}
+
+/// As [`measure`], on some bases: what the others need isn't computed.
+///
+/// # Errors
+/// As [`measure`].
+///
+/// # Panics
+/// As [`measure`].
+pub fn measure_on(
+    bases: &[Basis],
     designs: &[&Design],
     inputs: &Inputs,
     progress: &(dyn Fn(u64) + Sync),
@@ -470,6 +499,7 @@ pub fn measure(
         let repeats = inputs.repeats(design);
         compiled.push(Compiled {
             design,
+            bases,
             program: Program::compile_repeated(netlist, &judged, &repeats),
             reals: real::Program::compile_repeated(netlist, &judged, &repeats),
             judged,
@@ -542,7 +572,7 @@ pub fn measure(
         .zip(overflows.iter().zip(profiles))
         .map(|(((c, merged), histograms), (overflows, profile))| Report {
             samples: count,
-            figures: figures(&c.measurands, &merged, &histograms),
+            figures: figures(c, &merged, &histograms),
             overflows: overflow_counts(&c.design.netlist, c.program.narrows(), overflows),
             speed: Speed {
                 engine_samples_per_second_per_thread: rate(profile.engine),
@@ -605,6 +635,10 @@ fn measure_chunk(
     columns.resize(sets.len(), SetColumns::default());
     let mut lap = Lap(Instant::now());
     let mut together = Profile::default();
+    let bases = compiled.first().map_or(&[][..], |c| c.bases);
+    let needs_reals = bases.contains(&Basis::Arithmetic) || bases.contains(&Basis::Algorithm);
+    // Words are their own real inputs.
+    let needs_drawn = bases.contains(&Basis::EndToEnd) && !inputs.are_words();
     for (i, Set { design, drawn }) in sets.iter().enumerate() {
         let netlist = &design.netlist;
         let (before, own) = columns.split_at_mut(i);
@@ -612,8 +646,10 @@ fn measure_chunk(
         if *drawn == i {
             inputs.values(design, from, len, &mut own.values);
             together.draw += lap.seconds();
-            run_golden(design, &own.values, &mut own.real_golden);
-            together.golden += lap.seconds();
+            if needs_drawn {
+                run_golden(design, &own.values, &mut own.real_golden);
+                together.golden += lap.seconds();
+            }
         }
         let values = if *drawn == i { &own.values } else { &before[*drawn].values };
         quantize_inputs(netlist, values, &mut own.words)?;
@@ -640,20 +676,21 @@ fn measure_chunk(
         profile.engine = lap.seconds();
         values_of(&c.design.netlist, &c.judged, &lanes.words, &mut lanes.values);
         let values: Vec<&[f64]> = set.quantised.iter().map(Vec::as_slice).collect();
-        profile.statistics = lap.seconds();
-        lanes.real_runner.run(&c.reals, &values, &mut lanes.reals);
-        profile.reals = lap.seconds();
         as_golden(&c.design.groups, &mut lanes.values, bit_true);
-        as_golden(&c.design.groups, &mut lanes.reals, real);
+        profile.statistics = lap.seconds();
+        if needs_reals {
+            lanes.real_runner.run(&c.reals, &values, &mut lanes.reals);
+            profile.reals = lap.seconds();
+            as_golden(&c.design.groups, &mut lanes.reals, real);
+        }
         let golden = &set.golden;
         let mut streams = Vec::with_capacity(c.streams());
-        for basis in Basis::ALL {
+        for basis in bases {
             let (is, should) = match basis {
                 Basis::Total => (&*bit_true, golden),
                 Basis::Arithmetic => (&*bit_true, &*real),
                 Basis::Algorithm => (&*real, golden),
-                // Words are their own real inputs.
-                Basis::EndToEnd if inputs.are_words() => (&*bit_true, golden),
+                Basis::EndToEnd if !needs_drawn => (&*bit_true, golden),
                 Basis::EndToEnd => (&*bit_true, &columns[sets[c.set].drawn].real_golden),
             };
             for measurand in &c.measurands {
@@ -694,9 +731,9 @@ pub(crate) fn run_golden(design: &Design, inputs: &[Vec<f64>], to: &mut Vec<Vec<
     (design.golden)(&design.values, &columns, to);
 }
 
-fn figures(measurands: &[Measurand], merged: &[Merged], histograms: &Histograms) -> Vec<Figures> {
+fn figures(c: &Compiled<'_>, merged: &[Merged], histograms: &Histograms) -> Vec<Figures> {
     let mut figures = Vec::new();
-    let kinds = Basis::ALL.into_iter().flat_map(|basis| measurands.iter().map(move |m| (basis, m)));
+    let kinds = c.bases.iter().flat_map(|basis| c.measurands.iter().map(move |m| (*basis, m)));
     for (i, ((basis, measurand), merged)) in kinds.zip(merged).enumerate() {
         let histogram = histograms.of(i);
         let stream = &merged.stream;
