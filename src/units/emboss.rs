@@ -837,30 +837,38 @@ struct Vertex {
 }
 
 impl Vertex {
-    /// Value of an input port.
-    fn value(&self, port: &str) -> f64 {
-        let scalar = |names: &[&str], of: &[f64]| {
-            names.iter().position(|name| *name == port).map(|at| of[at])
-        };
-        let found = scalar(&["s0", "t0", "r0", "q0"], &self.coordinates)
-            .or_else(|| scalar(&["ks", "kt"], &self.constants));
-        if let Some(value) = found {
-            return value;
+    /// All numbers, each at the place that [`Vertex::place`] tells.
+    fn numbers(&self) -> [f64; 27] {
+        let [m0, m1, m2] = [0, 1, 2].map(|row| self.matrix.row(row));
+        let vectors = [m0, m1, m2, self.tangent, self.binormal, self.light, self.vertex];
+        let mut all = [0.0; 27];
+        for (to, vector) in all.chunks_exact_mut(3).zip(vectors) {
+            to.copy_from_slice(&vector.to_array());
+        }
+        all[21..25].copy_from_slice(&self.coordinates);
+        all[25..].copy_from_slice(&self.constants);
+        all
+    }
+
+    /// Where the number of an input port is.
+    fn place(port: &str) -> usize {
+        let scalars = ["s0", "t0", "r0", "q0", "ks", "kt"];
+        if let Some(at) = scalars.iter().position(|name| *name == port) {
+            return 21 + at;
         }
         let (name, axis) = port.rsplit_once('_').expect("bug: a component");
         let axis = ["x", "y", "z"].iter().position(|known| *known == axis).expect("bug: an axis");
         let vector = match name {
-            "m0" | "m1" | "m2" => {
-                let row = ["m0", "m1", "m2"].iter().position(|known| *known == name);
-                self.matrix.row(row.expect("bug: a row"))
-            }
-            "tangent" | "ct" => self.tangent,
-            "binormal" | "normal" => self.binormal,
-            "light" => self.light,
-            "vertex" => self.vertex,
+            "m0" => 0,
+            "m1" => 1,
+            "m2" => 2,
+            "tangent" | "ct" => 3,
+            "binormal" | "normal" => 4,
+            "light" => 5,
+            "vertex" => 6,
             _ => panic!("bug: no port `{port}`"),
         };
-        vector[axis]
+        3 * vector + axis
     }
 
     /// A random one: a rotation times ½ to 2, half of them reflected; T and B at right angles or, one
@@ -912,10 +920,12 @@ pub(super) fn draw(
     count: usize,
 ) {
     columns.iter_mut().for_each(Vec::clear);
+    let places: Vec<usize> =
+        (0..columns.len()).map(|at| Vertex::place(design.netlist.input_name(at))).collect();
     for _ in 0..count {
-        let vertex = Vertex::random(uniform);
-        for (at, column) in columns.iter_mut().enumerate() {
-            column.push(vertex.value(design.netlist.input_name(at)));
+        let numbers = Vertex::random(uniform).numbers();
+        for (column, place) in columns.iter_mut().zip(&places) {
+            column.push(numbers[*place]);
         }
     }
 }
@@ -923,8 +933,9 @@ pub(super) fn draw(
 /// The named hard cases of a unit with the ports of vertices.
 pub(super) fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
     let words = |vertex: &Vertex| -> Vec<i64> {
+        let numbers = vertex.numbers();
         let word = |(port, id): (usize, &NodeId)| {
-            let value = vertex.value(netlist.input_name(port));
+            let value = numbers[Vertex::place(netlist.input_name(port))];
             let format = netlist.node(*id).format;
             let word = quantize(value, format, Round::HalfEven, Overflow::Saturate);
             word.expect("bug: vertices are finite").0

@@ -798,23 +798,36 @@ struct Triangle {
 }
 
 impl Triangle {
-    /// Value of an input port.
-    fn value(&self, port: &str) -> f64 {
+    /// All numbers, each at the place that [`Triangle::place`] tells.
+    fn numbers(&self) -> [f64; 45] {
+        let mut all = [0.0; 45];
+        let vectors = self.p.iter().chain([&self.normal, &self.view]).chain(&self.lights);
+        for (to, vector) in all.chunks_exact_mut(3).zip(vectors) {
+            to.copy_from_slice(&vector.to_array());
+        }
+        for (to, uv) in all[39..].chunks_exact_mut(2).zip(&self.uv) {
+            to.copy_from_slice(&uv.to_array());
+        }
+        all
+    }
+
+    /// Where the number of an input port is.
+    fn place(port: &str) -> usize {
         let (name, axis) = port.rsplit_once('_').expect("bug: a component");
         let axis = ["x", "y", "z", "u", "v"].iter().position(|known| *known == axis);
         let axis = axis.expect("bug: an axis");
         let number = |prefix: &str| -> Option<usize> { name.strip_prefix(prefix)?.parse().ok() };
         if let Some(k) = number("uv") {
-            return self.uv[k][axis - 3];
+            return 39 + 2 * k + axis - 3;
         }
         let vector = match (name, number("p"), number("light")) {
-            ("normal", ..) => self.normal,
-            ("view", ..) => self.view,
-            (_, Some(k), _) => self.p[k],
-            (_, _, Some(k)) => self.lights[k],
+            ("normal", ..) => 3,
+            ("view", ..) => 4,
+            (_, Some(k), _) => k,
+            (_, _, Some(k)) => 5 + k,
             _ => panic!("bug: no port `{port}`"),
         };
-        vector[axis]
+        3 * vector + axis
     }
 
     /// A random one: positions and texture coordinates each over eight octaves of scale, anywhere that
@@ -886,18 +899,22 @@ fn draw(
     count: usize,
 ) {
     columns.iter_mut().for_each(Vec::clear);
+    let places: Vec<usize> =
+        (0..columns.len()).map(|at| Triangle::place(design.netlist.input_name(at))).collect();
     for _ in 0..count {
-        let triangle = Triangle::random(&design.values, sampler == Sampler::Lit, uniform);
-        for (at, column) in columns.iter_mut().enumerate() {
-            column.push(triangle.value(design.netlist.input_name(at)));
+        let lit = sampler == Sampler::Lit;
+        let numbers = Triangle::random(&design.values, lit, uniform).numbers();
+        for (column, place) in columns.iter_mut().zip(&places) {
+            column.push(numbers[*place]);
         }
     }
 }
 
 fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
     let words = |triangle: &Triangle| -> Vec<i64> {
+        let numbers = triangle.numbers();
         let word = |(port, id): (usize, &NodeId)| {
-            let value = triangle.value(netlist.input_name(port));
+            let value = numbers[Triangle::place(netlist.input_name(port))];
             let format = netlist.node(*id).format;
             let word = quantize(value, format, Round::HalfEven, Overflow::Saturate);
             word.expect("bug: triangles are finite").0
