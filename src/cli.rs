@@ -101,7 +101,7 @@ enum Command {
     },
     /// Measure errors against the golden model, with the input that gives the worst.
     #[command(
-        after_help = "Examples:\n  fixpath sim rotation --samples 10000000\n  fixpath sim rotation -p variant=corrected --json\n  fixpath sim rotation -p angle_bits=5 --sampler exhaustive\n  fixpath sim rotation -p variant=corrected -p angle_bits=10 --cone sin_theta_x\n  fixpath sim rotation --hard --cases cases.csv"
+        after_help = "Examples:\n  fixpath sim rotation --samples 10000000\n  fixpath sim rotation -p variant=corrected --json\n  fixpath sim rotation -p angle_bits=5 --sampler exhaustive\n  fixpath sim rotation -p variant=corrected -p angle_bits=10 --cone sin_theta_x\n  fixpath sim rotation --basis total --samples 100000000\n  fixpath sim rotation --hard --cases cases.csv"
     )]
     Sim {
         #[command(flatten)]

@@ -631,6 +631,39 @@ fn a_profile_tells_the_share_of_each_part() {
     assert!(json["profile_seconds"]["engine"].as_f64().unwrap() > 0.0);
 }
 
+/// Fewer bases change nothing of those that are left, on any inputs; total is always one of them.
+#[test]
+fn fewer_bases_give_the_same_figures() {
+    let figures = |sampler: &[&str], basis: &[&str]| -> Vec<serde_json::Value> {
+        let args = ["sim", "rotation", "-p", "angle_bits=8", "-p", "table_addr_bits=6", "--json"];
+        let args = [&args[..], sampler, basis].concat();
+        let output = Command::cargo_bin("fixpath").unwrap().args(&args).output().unwrap();
+        assert!(output.stderr.is_empty(), "{args:?}");
+        let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        json["figures"].as_array().unwrap().clone()
+    };
+    for sampler in [&["--samples", "9000"][..], &["--hard"]] {
+        let all = figures(sampler, &[]);
+        for (bases, kept) in [
+            ("total", &["total"][..]),
+            ("arithmetic", &["total", "arithmetic"]),
+            ("end-to-end,algorithm", &["total", "algorithm", "end-to-end"]),
+            ("end-to-end", &["total", "end-to-end"]),
+        ] {
+            let should: Vec<_> =
+                all.iter().filter(|f| kept.contains(&f["basis"].as_str().unwrap())).collect();
+            let is = figures(sampler, &["--basis", bases]);
+            assert!(!should.is_empty());
+            assert_eq!(is.iter().collect::<Vec<_>>(), should, "{sampler:?} {bases}");
+        }
+    }
+    let mut wrong = Command::cargo_bin("fixpath").unwrap();
+    let wrong = wrong.args(["sim", "rotation", "--basis", "relative"]).output().unwrap();
+    assert_eq!(wrong.status.code(), Some(2));
+    let told = String::from_utf8(wrong.stderr).unwrap();
+    assert!(told.contains("total, arithmetic, algorithm, end-to-end"), "{told}");
+}
+
 /// A scene or an option that is wrong is refused with its place, before anything is written.
 #[test]
 fn a_render_that_is_wrong_writes_nothing() {
