@@ -6,6 +6,7 @@ use fixpath::netlist::{Builder, Column, Netlist, NodeId, Quantity, Table, TableI
 use fixpath::op::{Meaning, Op};
 use fixpath::sim::batch::{BLOCK, Features, Program};
 use fixpath::sim::real;
+use fixpath::units::{UNITS, Unit};
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
 use std::sync::Arc;
 
@@ -543,72 +544,74 @@ fn engines_agree_with_the_reference_on_random_netlists() {
 #[test]
 fn what_repeats_is_computed_once() {
     for seed in 0..150 {
-        let netlist = random_netlist(seed);
-        let mut random = Random::new(seed);
-        let mut columns = random_words(&netlist, seed, 4 * BLOCK);
-        let repeats: Vec<bool> = columns.iter().map(|_| random.chance(60)).collect();
-        for column in columns.iter_mut().zip(&repeats).filter(|(_, r)| **r).map(|(c, _)| c) {
+        check_repeats(&random_netlist(seed), seed);
+    }
+}
+
+fn check_repeats(netlist: &Netlist, seed: u64) {
+    let mut random = Random::new(seed);
+    let mut columns = random_words(netlist, seed, 4 * BLOCK);
+    let repeats: Vec<bool> = columns.iter().map(|_| random.chance(60)).collect();
+    for column in columns.iter_mut().zip(&repeats).filter(|(_, r)| **r).map(|(c, _)| c) {
+        for i in BLOCK..column.len() {
+            column[i] = column[i - BLOCK];
+        }
+    }
+    let outputs: Vec<NodeId> = netlist.outputs().iter().map(|output| output.node).collect();
+    let plain = Program::compile(netlist, &outputs);
+    let mut runner = plain.runner();
+    let mut should = vec![Vec::new(); outputs.len()];
+    runner.run(&plain, &views(&columns), &mut should);
+    // Only what the outputs depend on is computed and counted.
+    let mut inside = vec![false; netlist.nodes().len()];
+    outputs.iter().for_each(|id| inside[id.index()] = true);
+    for id in netlist.ids().collect::<Vec<_>>().into_iter().rev() {
+        if inside[id.index()] {
+            netlist.node(id).operands.iter().for_each(|o| inside[o.index()] = true);
+        }
+    }
+    let counts = plain.narrows().iter().zip(runner.overflows());
+    let counted = counts.map(|(id, count)| if inside[id.index()] { *count } else { 0 });
+    let overflows: Vec<u64> = counted.collect();
+    // Only their first block may be read.
+    for column in columns.iter_mut().zip(&repeats).filter(|(_, r)| **r).map(|(c, _)| c) {
+        column[BLOCK..].fill(0);
+    }
+    let once = Program::compile_cone(netlist, &outputs, &repeats);
+    let mut runner = once.runner();
+    for _ in 0..2 {
+        let mut given = vec![Vec::new(); outputs.len()];
+        let before = runner.overflows().to_vec();
+        runner.run(&once, &views(&columns), &mut given);
+        assert_eq!(given, should, "{repeats:?}\n{}", netlist.to_text());
+        let counted: Vec<u64> =
+            runner.overflows().iter().zip(before).map(|(now, before)| now - before).collect();
+        assert_eq!(counted, overflows, "{repeats:?}\n{}", netlist.to_text());
+    }
+
+    let real: Vec<NodeId> =
+        netlist.ids().filter(|id| netlist.node(*id).has_real).step_by(3).collect();
+    let values = |repeated: bool| -> Vec<Vec<f64>> {
+        let column = |(port, words): (&NodeId, &Vec<i64>)| {
+            let format = netlist.node(*port).format;
+            words.iter().map(|raw| format.value(*raw)).collect::<Vec<f64>>()
+        };
+        let mut values: Vec<Vec<f64>> = netlist.inputs().iter().zip(&columns).map(column).collect();
+        for (column, _) in values.iter_mut().zip(&repeats).filter(|(_, r)| **r && repeated) {
             for i in BLOCK..column.len() {
                 column[i] = column[i - BLOCK];
             }
         }
-        let outputs: Vec<NodeId> = netlist.outputs().iter().map(|output| output.node).collect();
-        let plain = Program::compile(&netlist, &outputs);
-        let mut runner = plain.runner();
-        let mut should = vec![Vec::new(); outputs.len()];
-        runner.run(&plain, &views(&columns), &mut should);
-        // Only what the outputs depend on is computed and counted.
-        let mut inside = vec![false; netlist.nodes().len()];
-        outputs.iter().for_each(|id| inside[id.index()] = true);
-        for id in netlist.ids().collect::<Vec<_>>().into_iter().rev() {
-            if inside[id.index()] {
-                netlist.node(id).operands.iter().for_each(|o| inside[o.index()] = true);
-            }
-        }
-        let counts = plain.narrows().iter().zip(runner.overflows());
-        let counted = counts.map(|(id, count)| if inside[id.index()] { *count } else { 0 });
-        let overflows: Vec<u64> = counted.collect();
-        // Only their first block may be read.
-        for column in columns.iter_mut().zip(&repeats).filter(|(_, r)| **r).map(|(c, _)| c) {
-            column[BLOCK..].fill(0);
-        }
-        let once = Program::compile_cone(&netlist, &outputs, &repeats);
-        let mut runner = once.runner();
-        for _ in 0..2 {
-            let mut given = vec![Vec::new(); outputs.len()];
-            let before = runner.overflows().to_vec();
-            runner.run(&once, &views(&columns), &mut given);
-            assert_eq!(given, should, "{repeats:?}\n{}", netlist.to_text());
-            let counted: Vec<u64> =
-                runner.overflows().iter().zip(before).map(|(now, before)| now - before).collect();
-            assert_eq!(counted, overflows, "{repeats:?}\n{}", netlist.to_text());
-        }
-
-        let real: Vec<NodeId> =
-            netlist.ids().filter(|id| netlist.node(*id).has_real).step_by(3).collect();
-        let values = |repeated: bool| -> Vec<Vec<f64>> {
-            let column = |(port, words): (&NodeId, &Vec<i64>)| {
-                let format = netlist.node(*port).format;
-                words.iter().map(|raw| format.value(*raw)).collect::<Vec<f64>>()
-            };
-            let mut values: Vec<Vec<f64>> =
-                netlist.inputs().iter().zip(&columns).map(column).collect();
-            for (column, _) in values.iter_mut().zip(&repeats).filter(|(_, r)| **r && repeated) {
-                for i in BLOCK..column.len() {
-                    column[i] = column[i - BLOCK];
-                }
-            }
-            values
-        };
-        let run = |program: &real::Program, values: &[Vec<f64>]| -> Vec<Vec<u64>> {
-            let mut given = vec![Vec::new(); real.len()];
-            program.runner().run(program, &views(values), &mut given);
-            given.iter().map(|c| c.iter().map(|x| x.to_bits()).collect()).collect()
-        };
-        let plain = run(&real::Program::compile(&netlist, &real), &values(true));
-        let once = real::Program::compile_repeated(&netlist, &real, &repeats);
-        assert_eq!(run(&once, &values(false)), plain, "{repeats:?}\n{}", netlist.to_text());
-    }
+        values
+    };
+    let run = |program: &real::Program, values: &[Vec<f64>]| -> Vec<Vec<u64>> {
+        let mut given = vec![Vec::new(); real.len()];
+        program.runner().run(program, &views(values), &mut given);
+        given.iter().map(|c| c.iter().map(|x| x.to_bits()).collect()).collect()
+    };
+    let plain = run(&real::Program::compile(netlist, &real), &values(true));
+    let once = real::Program::compile_repeated(netlist, &real, &repeats);
+    assert_eq!(run(&once, &values(false)), plain, "{repeats:?}\n{}", netlist.to_text());
 }
 
 /// If the generator stopped making an operation, the test above would say less than it claims.
@@ -669,6 +672,54 @@ fn blocks_of_every_length() {
         for seed in 0..20 {
             check(&random_netlist(seed), seed, count).unwrap();
         }
+    }
+}
+
+/// A sine and a cosine of one angle are one step on reals: in either order, twice, one inside the other, as outputs,
+/// and where the angle repeats; and so in the units.
+#[test]
+fn sines_beside_cosines() {
+    let angle = Format::signed(16, 16).unwrap();
+    for order in 0..4 {
+        let mut b = Builder::new("angles");
+        let (x, y) = (b.input("x", angle, Quantity::Turns), b.input("y", angle, Quantity::Turns));
+        let mut frac = 4;
+        let mut apply = |b: &mut Builder, function, of| {
+            // Of another format each, as equal nodes are built once.
+            frac += 1;
+            let to = Format::signed(20, frac).unwrap();
+            let stand_in = b.narrow(of, to, Round::HalfUp, Overflow::Wrap);
+            b.means(stand_in, Meaning::Apply(function, of))
+        };
+        let (sin, cos) = (Function::Sin, Function::Cos);
+        let [first, second] = if order & 1 == 0 { [sin, cos] } else { [cos, sin] };
+        let mut ends = Vec::new();
+        for of in if order & 2 == 0 { [x, y] } else { [y, x] } {
+            let a = apply(&mut b, first, of);
+            let between = apply(&mut b, cos, a);
+            let c = apply(&mut b, second, of);
+            let again = apply(&mut b, first, of);
+            let inside = apply(&mut b, sin, a);
+            let sum = b.add(between, c);
+            let sum = b.add(sum, inside);
+            ends.extend([a, sum, again]);
+        }
+        for (i, end) in ends.iter().enumerate() {
+            b.output(&format!("out{i}"), *end);
+        }
+        let netlist = b.build().unwrap();
+        check(&netlist, order, 2 * BLOCK + 100).unwrap();
+        check_repeats(&netlist, order);
+    }
+    for unit in UNITS {
+        let design = unit.values::<&str>(&[]).unwrap().build().unwrap();
+        check(&design.netlist, 1, 400).unwrap_or_else(|text| panic!("{}: {text}", unit.name));
+    }
+    for variant in ["exact", "corrected"] {
+        let unit = Unit::find("rotation").unwrap();
+        let design = unit.values(&[format!("variant={variant}")]).unwrap().build().unwrap();
+        check(&design.netlist, 1, 400).unwrap();
+        check_repeats(&design.netlist, 2);
     }
 }
 

@@ -368,11 +368,17 @@ pub(super) fn sim(sim: &Sim) -> String {
         sim.inputs.seed
     );
     text.push_str(&figures(netlist, &report.figures));
-    text.push_str(
-        "  total: bit-true against the golden of the quantised inputs = arithmetic (words and tables) + algorithm\n  \
-           end-to-end: against the golden of the inputs before quantisation; dot: of any unit vector with the result\n  \
-           percentiles are known to 1.6 %; 0 means below 2^-44\n",
-    );
+    let told = |basis| report.figures.iter().any(|figures| figures.basis == basis);
+    text.push_str("  total: bit-true against the golden of the quantised inputs");
+    let parts = told(Basis::Arithmetic) && told(Basis::Algorithm);
+    text.push_str(if parts { " = arithmetic (words and tables) + algorithm\n" } else { "\n" });
+    if told(Basis::EndToEnd) {
+        text.push_str("  end-to-end: against the golden of the inputs before quantisation\n");
+    }
+    if sim.design.groups.iter().any(|group| group.shape.is_direction()) {
+        text.push_str("  dot: of any unit vector with the result\n");
+    }
+    text.push_str("  percentiles are known to 1.6 %; 0 means below 2^-44\n");
     text.push_str(&overflows(report));
     if !sim.hard.is_empty() {
         text.push('\n');

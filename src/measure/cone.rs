@@ -305,6 +305,7 @@ impl<'a> Pass<'a> {
         let node = self.netlist.node(self.cone.node);
         let mut profile = Profile::default();
         let mut lap = Lap(Instant::now());
+        lane.counts.make_room(lane.errors.len());
         for (i, (port, at)) in self.offsets.iter().enumerate() {
             let format = self.netlist.node(self.netlist.inputs()[*port]).format;
             let words = &mut lane.words[i];

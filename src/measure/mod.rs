@@ -460,7 +460,8 @@ pub fn measure(
     measure_on(&Basis::ALL, designs, inputs, progress)
 }
 
-/// As [`measure`], on some bases: what the others need isn't computed.
+/// As [`measure`], on some bases: what the others need isn't computed. [`BoundCheck`] needs
+/// [`Basis::Total`].
 ///
 /// # Errors
 /// As [`measure`].

@@ -381,3 +381,28 @@ impl Merged {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// More samples in one bin than a thread's own count holds.
+    #[test]
+    fn counts_have_room_for_any_number_of_samples() {
+        let all = Histograms::new(1);
+        let mut counts = Counts::new(&all, 1);
+        counts.make_room(3);
+        counts.of(0)[0] = 3;
+        // As if so many had been counted.
+        let many = u32::MAX - 5;
+        counts.samples += many;
+        counts.of(0)[0] += many;
+        for _ in 0..3 {
+            counts.make_room(512);
+            let stream = Stream::of(&[0.0; 512], 0, counts.of(0));
+            assert_eq!(stream.count, 512);
+        }
+        drop(counts);
+        assert_eq!(all.of(0)[0], u64::from(many) + 3 + 3 * 512);
+    }
+}

@@ -316,7 +316,7 @@ fn filled([a, b, c]: [&[f64]; 3]) -> [&[f64]; 3] {
     [a, b, c].map(|x| if x.is_empty() { filler } else { x })
 }
 
-/// The same order with each cosine right after the sine of its angle, or before it, so that one step gives both.
+/// The same order with each cosine right after the sine of its angle, so that one step gives both.
 fn beside(netlist: &Netlist, order: &[usize]) -> Vec<usize> {
     let nodes = netlist.nodes();
     let function = |index: usize| {
