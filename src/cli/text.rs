@@ -369,11 +369,8 @@ pub(super) fn sim(sim: &Sim) -> String {
     );
     text.push_str(&figures(netlist, &report.figures));
     let told = |basis| report.figures.iter().any(|figures| figures.basis == basis);
-    text.push_str("  total: bit-true against the golden of the quantised inputs");
-    let parts = told(Basis::Arithmetic) && told(Basis::Algorithm);
-    text.push_str(if parts { " = arithmetic (words and tables) + algorithm\n" } else { "\n" });
-    if told(Basis::EndToEnd) {
-        text.push_str("  end-to-end: against the golden of the inputs before quantisation\n");
+    for basis in Basis::ALL.into_iter().filter(|basis| told(*basis)) {
+        let _ = writeln!(text, "  {}: {}", basis.name(), basis.meaning());
     }
     if sim.design.groups.iter().any(|group| group.shape.is_direction()) {
         text.push_str("  dot: of any unit vector with the result\n");

@@ -221,9 +221,13 @@ impl Basis {
     #[must_use]
     pub const fn meaning(self) -> &'static str {
         match self {
-            Self::Total => "bit-true against the golden of the quantised inputs",
-            Self::Arithmetic => "bit-true against the netlist on reals",
-            Self::Algorithm => "the netlist on reals against the golden of the quantised inputs",
+            Self::Total => {
+                "bit-true against the golden of the quantised inputs: arithmetic and algorithm together"
+            }
+            Self::Arithmetic => "bit-true against the netlist on reals: words and tables",
+            Self::Algorithm => {
+                "the netlist on reals against the golden of the quantised inputs: the method itself"
+            }
             Self::EndToEnd => "bit-true against the golden of the inputs before quantisation",
         }
     }

@@ -348,10 +348,10 @@ impl Compiler<'_> {
             };
             let first = self.operand(index, 0);
             let before = &self.placed[first];
-            let is_sum = matches!(nodes[first].op, Op::Add | Op::Sub | Op::Mul);
+            let summed = self.is_sum(first) || nodes[first].op == Op::Mul;
             // In these lanes, all of the sum is right.
             let same = before.compute == self.placed[index].compute;
-            if fits && is_sum && same && uses[first] == 1 && before.way == Way::Computed {
+            if fits && summed && same && uses[first] == 1 && before.way == Way::Computed {
                 self.fused_into[first] = true;
             }
         }
