@@ -2,7 +2,8 @@
 
 use crate::cast;
 use crate::error::{Error, Result};
-use serde::de::DeserializeOwned;
+use serde::de::{DeserializeOwned, Error as _};
+use serde::{Deserialize, Deserializer};
 use std::ops::Range;
 use std::path::Path;
 
@@ -11,6 +12,22 @@ use std::path::Path;
 pub(crate) struct Document<'a> {
     pub(crate) text: &'a str,
     pub(crate) path: &'a Path,
+}
+
+/// An array of exactly so many values. Every array of fixed length in a file must be one: serde's own takes the
+/// first `N` and drops the others without a word, since TOML's reader doesn't ask whether the end was reached.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Exactly<T, const N: usize>(pub(crate) [T; N]);
+
+impl<'de, T: Deserialize<'de>, const N: usize> Deserialize<'de> for Exactly<T, N> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let values = Vec::deserialize(deserializer)?;
+        let wrong = |values: Vec<T>| {
+            let expected = format!("an array of length {N}");
+            D::Error::invalid_length(values.len(), &expected.as_str())
+        };
+        values.try_into().map(Self).map_err(wrong)
+    }
 }
 
 impl Document<'_> {

@@ -429,7 +429,7 @@ pub(crate) fn gltf_of(
         ));
     }
     format!(
-        "{{\"nodes\": [{{\"mesh\": 0}}], \"meshes\": [{{\"primitives\": [{}]}}], \"accessors\": [{}], \"bufferViews\": [{}], \"buffers\": [{{\"byteLength\": {}, \"uri\": \"data:;base64,{}\"}}]}}",
+        "{{\"asset\": {{\"version\": \"2.0\"}}, \"nodes\": [{{\"mesh\": 0}}], \"meshes\": [{{\"primitives\": [{}]}}], \"accessors\": [{}], \"bufferViews\": [{}], \"buffers\": [{{\"byteLength\": {}, \"uri\": \"data:;base64,{}\"}}]}}",
         primitives.join(", "),
         accessors.join(", "),
         views.join(", "),
@@ -640,6 +640,10 @@ fn wrong_scenes_are_refused() {
         "[image]\nwidth = 1.5",
         "[image]\nbackground = [0.0, 2.0, 0.0]",
         "[image]\nbackground = [0.0, 0.5]",
+        "[image]\nbackground = [0.5, 0, 0, 1]",
+        "[camera]\n\neye = [0.3, -3.0, 1, 1]",
+        "[[light]]\ndirection = [0, -1, 1, 5]",
+        "[texture]\ncolor = [1, 0, 0, 0.5]",
         "[image",
         "[camera]\neye = [nan, 0, 0]",
         "[camera]\ntarget = [0, inf, 0]",
@@ -690,6 +694,8 @@ fn wrong_scenes_are_refused() {
         "[[object]]\nshape = \"cube\"\nscale = 0",
         "[[object]]\nshape = \"cube\"\nscale = [1, nan, 1]",
         "[[object]]\nshape = \"cube\"\nscale = \"big\"",
+        "[[object]]\nshape = \"cube\"\nscale = [1, 1, 1, 1]",
+        "[[object]]\nshape = \"cube\"\ntranslate = [\n0,\n0,\n0,\n1]",
         "[[object]]\nshape = \"cube\"\ncolor = 1",
         "[[object]]\nshape = \"cube\"\nrotate_degrees = [0, inf, 0]",
         "[[object]]\nshape = \"cube\"\n\nmaterial = { specular = 2 }",
@@ -705,6 +711,10 @@ fn wrong_scenes_are_refused() {
         s.toml, line 2: invalid type: floating point `1.5`, expected a whole number in `width = 1.5`
         s.toml, line 2: `background` = 2: legal is 0 to 1
         s.toml, line 2: invalid length 2, expected three numbers in `background = [0.0, 0.5]`
+        s.toml, line 2: invalid length 4, expected three numbers in `background = [0.5, 0, 0, 1]`
+        s.toml, line 3: invalid length 4, expected three numbers in `eye = [0.3, -3.0, 1, 1]`
+        s.toml, line 2: invalid length 4, expected three numbers in `direction = [0, -1, 1, 5]`
+        s.toml, line 2: invalid length 4, expected three numbers in `color = [1, 0, 0, 0.5]`
         s.toml, line 1: unclosed table, expected `]` in `[image`
         s.toml, line 2: `eye` = NaN: legal is -1000000 to 1000000
         s.toml, line 2: `target` = inf: legal is -1000000 to 1000000
@@ -749,6 +759,8 @@ fn wrong_scenes_are_refused() {
         s.toml, line 3: `scale` = 0: legal is 0.000001 to 1000000, or the negative of that, which mirrors
         s.toml, line 3: `scale` = NaN: legal is 0.000001 to 1000000, or the negative of that, which mirrors
         s.toml, line 3: scale is a number or three numbers in brackets in `scale = "big"`
+        s.toml, line 3: scale is a number or three numbers in brackets in `scale = [1, 1, 1, 1]`
+        s.toml, line 3: invalid length 4, expected three numbers in `translate = [`
         s.toml, line 3: unknown field `color`, expected one of `shape`, `file`, `source`, `translate`, `rotate_degrees`, `scale`, `material` in `color = 1`
         s.toml, line 3: `rotate_degrees` = inf: legal is -1000000 to 1000000
         s.toml, line 4: `specular` = 2: legal is 0 to 1

@@ -9,7 +9,7 @@ use super::{
     Scene,
 };
 use crate::cast;
-use crate::document::Document;
+use crate::document::{Document, Exactly};
 use crate::error::{Error, Result};
 use glam::DVec3;
 use serde::Deserialize;
@@ -28,7 +28,7 @@ const MAX_MATERIALS: usize = 64;
 
 type Real = Option<Spanned<f64>>;
 type Integer = Option<Spanned<i64>>;
-type Triple = Option<Spanned<[f64; 3]>>;
+type Triple = Option<Spanned<Exactly<f64, 3>>>;
 
 #[derive(Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
@@ -181,7 +181,7 @@ enum MeshSource {
 #[serde(untagged, expecting = "scale is a number or three numbers in brackets")]
 enum Scale {
     Uniform(f64),
-    Axes([f64; 3]),
+    Axes(Exactly<f64, 3>),
 }
 
 /// Reads a scene; `path` names it in messages, and files are relative to its folder.
@@ -292,10 +292,11 @@ impl Reader<'_> {
         legal: RangeInclusive<f64>,
     ) -> Result<[f64; 3]> {
         let Some(given) = given else { return Ok(default) };
-        for value in given.get_ref() {
-            self.check(key, given.span(), *value, &legal)?;
+        let Exactly(values) = *given.get_ref();
+        for value in values {
+            self.check(key, given.span(), value, &legal)?;
         }
-        Ok(*given.get_ref())
+        Ok(values)
     }
 
     fn vector(&self, key: &str, given: &Triple, default: [f64; 3]) -> Result<DVec3> {
@@ -543,7 +544,7 @@ impl Reader<'_> {
             Some(scale) => {
                 let axes = match *scale.get_ref() {
                     Scale::Uniform(factor) => [factor; 3],
-                    Scale::Axes(axes) => axes,
+                    Scale::Axes(Exactly(axes)) => axes,
                 };
                 if let Some(wrong) = axes.iter().find(|x| !(1e-6..=FAR).contains(&x.abs())) {
                     let problem = format!(
