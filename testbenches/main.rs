@@ -16,6 +16,7 @@ mod emboss;
 mod embossed;
 mod engines;
 mod format;
+mod gltf;
 mod hdl;
 mod hdl_vhdl;
 mod ladder;

@@ -322,7 +322,7 @@ fn cube_gltf(uri: &str) -> (String, Vec<u8>) {
     (document, bytes)
 }
 
-fn glb(document: &str, binary: &[u8]) -> Vec<u8> {
+pub(crate) fn glb(document: &str, binary: &[u8]) -> Vec<u8> {
     let mut json = document.as_bytes().to_vec();
     json.resize(json.len().next_multiple_of(4), b' ');
     let mut bytes = b"glTF\x02\0\0\0".to_vec();
@@ -335,7 +335,7 @@ fn glb(document: &str, binary: &[u8]) -> Vec<u8> {
     bytes
 }
 
-fn base64(bytes: &[u8]) -> String {
+pub(crate) fn base64(bytes: &[u8]) -> String {
     const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let digits = bytes.chunks(3).flat_map(|three| {
         let word = three
@@ -625,6 +625,136 @@ fn maps_from_files() {
     assert!((n.x / n.z + slope).abs() < 1e-14 && n.y == 0.0, "{n}");
     let scene = read("[texture]\nfile = \"g.jpg\"\n[height]\nfile = \"g.jpg\"");
     assert!(scene.facts().flat_bumps && scene.texture.size() == (8, 8));
+}
+
+/// A JPEG file whose EXIF data say how it is to be turned.
+fn turned(jpeg: &[u8], orientation: u8) -> Vec<u8> {
+    let mut exif = b"Exif\0\0II*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0".to_vec();
+    exif.extend_from_slice(&[orientation, 0, 0, 0, 0, 0, 0, 0]);
+    let len = (exif.len() as u16 + 2).to_be_bytes();
+    [&jpeg[..2], b"\xff\xe1", &len, &exif, &jpeg[2..]].concat()
+}
+
+#[test]
+fn pictures_are_turned_as_their_exif_data_ask() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut jpeg = Vec::new();
+    let (w, h) = (20, 12);
+    let picture = image::GrayImage::from_fn(w, h, |x, y| image::Luma([(9 * x + 5 * y) as u8]));
+    picture.write_to(&mut std::io::Cursor::new(&mut jpeg), image::ImageFormat::Jpeg).unwrap();
+    let read = |file: &[u8]| {
+        fs::write(folder.path().join("t.jpg"), file).unwrap();
+        let text = "[texture]\nfile = \"t.jpg\"\n[height]\nfile = \"t.jpg\"\n[[object]]\nshape = \"plane\"";
+        Scene::parse(text, &folder.path().join("s.toml")).unwrap()
+    };
+    let stored = read(&jpeg);
+    for orientation in 1..=8 {
+        let scene = read(&turned(&jpeg, orientation));
+        let (width, height) = if orientation < 5 { (w, h) } else { (h, w) };
+        assert_eq!(scene.texture.size(), (width, height));
+        assert_eq!(scene.bumps.size(), (width, height));
+        for y in 0..height {
+            for x in 0..width {
+                // Where the first row and the first column of what is stored are seen (Exif 2.3, 4.6.4).
+                let (from_x, from_y) = match orientation {
+                    1 => (x, y),
+                    2 => (w - 1 - x, y),
+                    3 => (w - 1 - x, h - 1 - y),
+                    4 => (x, h - 1 - y),
+                    5 => (y, x),
+                    6 => (y, h - 1 - x),
+                    7 => (w - 1 - y, h - 1 - x),
+                    _ => (w - 1 - y, x),
+                };
+                let (to, from) = ((y * width + x) as usize, (from_y * w + from_x) as usize);
+                assert_eq!(scene.texture.texels()[to], stored.texture.texels()[from]);
+                assert_eq!(scene.bumps.heights()[to], stored.bumps.heights()[from]);
+            }
+        }
+    }
+}
+
+/// A bit of each byte of a PNG file turned over, and each end cut off: another picture never comes of it.
+#[test]
+fn damaged_pictures_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let read = |bytes: &[u8]| {
+        fs::write(folder.path().join("t"), bytes).unwrap();
+        let text = "[texture]\nfile = \"t\"\n[[object]]\nshape = \"plane\"";
+        let scene = Scene::parse(text, &folder.path().join("s.toml"));
+        scene.map(|scene| scene.texture.texels().to_vec()).map_err(|why| why.to_string())
+    };
+    let picture = image::RgbImage::from_fn(12, 9, |x, y| {
+        image::Rgb([(x * y) as u8, (37 * x * x) as u8, (59 * y + x) as u8])
+    });
+    let encoded = |format| {
+        let mut bytes = Vec::new();
+        picture.write_to(&mut std::io::Cursor::new(&mut bytes), format).unwrap();
+        bytes
+    };
+    let png = encoded(image::ImageFormat::Png);
+    let whole = read(&png).unwrap();
+    let other = |bytes: &[u8]| read(bytes).is_ok_and(|texels| texels != whole);
+    for at in 0..png.len() {
+        let mut damaged = png.clone();
+        damaged[at] ^= 1 << (at % 8);
+        assert!(!other(&damaged), "byte {at}");
+        assert!(!other(&png[..at]), "cut at {at}");
+    }
+    let jpeg = encoded(image::ImageFormat::Jpeg);
+    assert!(read(&jpeg).is_ok());
+    for len in 0..jpeg.len() {
+        assert!(read(&jpeg[..len]).is_err(), "{len}");
+    }
+    let why = read(&jpeg[..jpeg.len() - 10]).unwrap_err();
+    let expected = format!(
+        "is cut off or damaged at byte {end} of {end}: the data end too early, in unit 3 of 4 of scan 1; copy or export it again",
+        end = jpeg.len() - 10
+    );
+    assert!(why.ends_with(&expected), "{why}");
+}
+
+#[test]
+fn heights_are_grey() {
+    let folder = tempfile::tempdir().unwrap();
+    let read = |picture: image::RgbImage, name: &str| {
+        picture.save(folder.path().join(name)).unwrap();
+        let text = format!("[height]\nfile = \"{name}\"\n[[object]]\nshape = \"plane\"");
+        let scene = Scene::parse(&text, &folder.path().join("s.toml"));
+        scene.map_err(|why| why.to_string().replace(&format!("{}/", folder.path().display()), ""))
+    };
+    let grey = |x: u32, y: u32| 7 * x as u8 + 3 * y as u8;
+    let picture = |of: &dyn Fn(u32, u32) -> [u8; 3]| {
+        image::RgbImage::from_fn(16, 16, |x, y| image::Rgb(of(x, y)))
+    };
+    // Grey, then with differences as conversions and JPEG leave them, then with as much as is legal.
+    for name in ["g.png", "g.jpg"] {
+        assert!(read(picture(&|x, y| [grey(x, y); 3]), name).is_ok());
+        let noisy = |x: u32, y: u32| {
+            let g = grey(x, y);
+            [g + (x % 3) as u8, g, g + (y % 4) as u8]
+        };
+        assert!(read(picture(&noisy), name).is_ok(), "{name}");
+    }
+    let tinted = read(picture(&|_, _| [84, 100, 100]), "t.png").unwrap();
+    assert!((tinted.bumps.heights()[0] - (100.0 - 0.2126 * 16.0) / 255.0).abs() < 1e-12);
+    let one = |x: u32, y: u32| if (x, y) == (5, 2) { [100, 117, 100] } else { [grey(x, y); 3] };
+    let normals = |x: u32, y: u32| {
+        let (a, b) = (f64::from(x) / 20.0 - 0.4, f64::from(y) / 20.0 - 0.4);
+        let c = (1.0 - a * a - b * b).sqrt();
+        [a, b, c].map(|c| (127.5 * (c + 1.0)).round() as u8)
+    };
+    let refused = |of: &dyn Fn(u32, u32) -> [u8; 3], name| read(picture(of), name).unwrap_err();
+    assert_eq!(
+        refused(&one, "one.png"),
+        "one.png: has colours (texel (5, 2) is [100, 117, 100] of 255), and [height] takes heights as grey values, whose channels differ by up to 16: give a height map, or save it as greyscale if bright means high"
+    );
+    assert_eq!(
+        refused(&normals, "normals.png"),
+        "normals.png: is a tangent-space normal map (texel (0, 10) is [77, 140, 244] of 255), and [height] takes heights: give the height or displacement map from which it was baked"
+    );
+    let why = refused(&|x, y| [(16 * x) as u8, 40, (16 * y) as u8], "colours.jpg");
+    assert!(why.starts_with("colours.jpg: has colours (texel ("), "{why}");
 }
 
 /// Messages of scenes that are wrong, one line each.
@@ -935,11 +1065,11 @@ fn wrong_files_are_refused() {
         beyond.glb: mesh 0, primitive 0: accessor 1: reaches beyond its buffer
         overflow.glb: mesh 0, primitive 0: accessor 1: reaches beyond its buffer
         stride.glb: mesh 0, primitive 0: accessor 2: reaches beyond its buffer
-        memory.glb: mesh 0, primitive 0: accessor 2: sparse data isn't read: export without it
-        lines.glb: mesh 0, primitive 0: its mode is 1: only triangles are read, as lists (4), strips (5) and fans (6)
+        memory.glb: no glTF 2.0: missing field `count` at line 7 column 82
+        lines.glb: has no triangles, but 1 primitives of lines or points: export a surface
         strip.glb: mesh 0, primitive 0: a strip of 2 corners: 3 or more make one
         loop.glb: node 0 has two parents
-        singular.glb: mesh 0, primitive 0: the matrix of its node can't be inverted
+        singular.glb: mesh 0, primitive 0: the matrix that places vertex 0 can't be inverted
         huge.glb: mesh 0, primitive 0: vertex 0 has 1e9: legal is -1000000 to 1000000
         draco.glb: needs the extension `KHR_draco_mesh_compression`: export without it
         json.glb: no glTF 2.0: expected value at line 1 column 40
@@ -949,11 +1079,11 @@ fn wrong_files_are_refused() {
         nan.glb: mesh 0, primitive 0: vertex 0 has NaN: legal is -1000000 to 1000000
         index.glb: mesh 0, primitive 0: vertex 36 is named, and there are 36
         thin.glb: triangle 11 (they count from 0) has no area: remove it
-        cut.glb: the file is cut off in a chunk of its .glb container
-        head.glb: has no JSON chunk in its .glb container
+        cut.glb: its .glb container has 1936 bytes of 2036: the file is cut off, export or copy it again
+        head.glb: its .glb container has 9 bytes of 12: the file is cut off, export or copy it again
         old.glb: is .glb of version 1: only 2 is read
         away.bin: can't read: No such file or directory (os error 2)
-        base.gltf: buffer 0: its data URI is no base64
+        base.gltf: buffer 0: its data URI can't be decoded: it is `data:;base64,` and base64, or `data:,` and bytes as %00 to %ff
     "#]].assert_eq(&seen);
 }
 

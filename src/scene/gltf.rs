@@ -1,18 +1,41 @@
 //! Meshes from glTF 2.0: as much as shapes need, every number checked before it is used.
 //!
-//! A reader of our own, since a file may name any offset, count and stride: each must lead to
-//! a message and none to a panic. Materials, skins, animations and cameras are passed over.
+//! What a file shows at rest is read: nodes, morph targets by their default weights, skins by the joints' own
+//! places, texture coordinates of the material's colour texture (else its normal map's) with KHR_texture_transform.
+//! Images, colours, animations and cameras are passed over, and so are lines and points beside triangles.
+//!
+//! The reader is our own. The crate `gltf` reads the same JSON, but it knows an extension only if it has a feature
+//! for it, panics on some accessors that name what isn't there, and leaves to its caller all that is much here: limits
+//! before memory is asked for, buffers read once, sparse values and skins. JSON, base64 and %XX are other crates'
+//! here too.
+
+mod data;
 
 use super::assembly::{Mesh, SharedVertex, Topology};
 use super::map;
-use super::mesh::{MAX_TRIANGLES, check_coordinates, check_normal, too_many};
+use super::mesh::{MAX_TRIANGLES, check_coordinates, check_normal};
 use crate::cast;
 use crate::error::{Error, Result};
-use glam::{DMat3, DMat4, DQuat, DVec2, DVec3};
+use data::{Accessor, Buffer, Buffers, Data, View, get};
+use glam::{DMat2, DMat3, DMat4, DQuat, DVec2, DVec3};
 use serde::Deserialize;
-use std::borrow::Cow;
-use std::collections::{HashMap, HashSet};
+use serde::de::IgnoredAny;
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::Path;
+
+/// What a file says of itself, whatever its version.
+#[derive(Deserialize)]
+struct Head {
+    #[serde(default)]
+    asset: Asset,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+struct Asset {
+    version: Option<serde_json::Value>,
+    min_version: Option<serde_json::Value>,
+}
 
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
@@ -24,6 +47,10 @@ struct Document {
     nodes: Vec<Node>,
     #[serde(default)]
     meshes: Vec<MeshNode>,
+    #[serde(default)]
+    materials: Vec<Material>,
+    #[serde(default)]
+    skins: Vec<Skin>,
     #[serde(default)]
     accessors: Vec<Accessor>,
     #[serde(default)]
@@ -45,6 +72,8 @@ struct Node {
     #[serde(default)]
     children: Vec<usize>,
     mesh: Option<usize>,
+    skin: Option<usize>,
+    weights: Option<Vec<f64>>,
     matrix: Option<[f64; 16]>,
     translation: Option<[f64; 3]>,
     rotation: Option<[f64; 4]>,
@@ -54,55 +83,104 @@ struct Node {
 #[derive(Deserialize)]
 struct MeshNode {
     primitives: Vec<Primitive>,
+    /// Of morph targets, where the node has none.
+    weights: Option<Vec<f64>>,
 }
+
+/// Accessors by what they are of a vertex: `POSITION`, `NORMAL`, `TEXCOORD_0`, …
+type Attributes = BTreeMap<String, usize>;
 
 #[derive(Deserialize)]
 struct Primitive {
     attributes: Attributes,
     indices: Option<usize>,
+    material: Option<usize>,
     mode: Option<u32>,
+    /// What morph targets add to attributes.
+    #[serde(default)]
+    targets: Vec<Attributes>,
+    #[serde(default)]
+    extensions: HashMap<String, IgnoredAny>,
 }
 
-#[derive(Deserialize)]
-struct Attributes {
-    #[serde(rename = "POSITION")]
-    points: Option<usize>,
-    #[serde(rename = "NORMAL")]
-    normals: Option<usize>,
-    #[serde(rename = "TEXCOORD_0")]
-    uvs: Option<usize>,
+#[derive(Default, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+struct Material {
+    pbr_metallic_roughness: Colours,
+    normal_texture: Option<TextureInfo>,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+struct Colours {
+    base_color_texture: Option<TextureInfo>,
 }
 
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
-struct Accessor {
-    buffer_view: Option<usize>,
+struct TextureInfo {
     #[serde(default)]
-    byte_offset: usize,
-    component_type: u32,
+    tex_coord: usize,
     #[serde(default)]
-    normalized: bool,
-    count: usize,
-    #[serde(rename = "type")]
-    kind: String,
-    sparse: Option<serde_json::Value>,
+    extensions: TextureExtensions,
+}
+
+#[derive(Default, Deserialize)]
+struct TextureExtensions {
+    #[serde(rename = "KHR_texture_transform")]
+    transform: Option<TextureTransform>,
+}
+
+#[derive(Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+struct TextureTransform {
+    offset: [f64; 2],
+    rotation: f64,
+    scale: [f64; 2],
+    tex_coord: Option<usize>,
+}
+
+impl Default for TextureTransform {
+    fn default() -> Self {
+        Self { offset: [0.0; 2], rotation: 0.0, scale: [1.0; 2], tex_coord: None }
+    }
+}
+
+impl TextureTransform {
+    /// Where it moves (u, v), v down: scaled, turned, then moved. The matrix that the extension's text prints turns
+    /// the other way than its words, its example and every viewer do (KhronosGroup/glTF issue 1563).
+    fn apply(&self, uv: DVec2) -> DVec2 {
+        let (sin, cos) = self.rotation.sin_cos();
+        let turn = DMat2::from_cols_array(&[cos, -sin, sin, cos]);
+        turn * (DVec2::from_array(self.scale) * uv) + DVec2::from_array(self.offset)
+    }
 }
 
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
-struct View {
-    buffer: usize,
-    #[serde(default)]
-    byte_offset: usize,
-    byte_length: usize,
-    byte_stride: Option<usize>,
+struct Skin {
+    inverse_bind_matrices: Option<usize>,
+    joints: Vec<usize>,
 }
 
-#[derive(Deserialize)]
-#[serde(rename_all = "camelCase")]
-struct Buffer {
-    uri: Option<String>,
-    byte_length: usize,
+/// Extensions that a file may require: they change no shape, or are read.
+fn is_known(extension: &str) -> bool {
+    let read = ["KHR_texture_transform", "KHR_mesh_quantization"];
+    let no_shape = [
+        "KHR_animation_pointer",
+        "KHR_lights_punctual",
+        "KHR_texture_basisu",
+        "KHR_xmp",
+        "KHR_xmp_json_ld",
+        "EXT_lights_ies",
+        "EXT_lights_image_based",
+        "EXT_texture_avif",
+        "EXT_texture_webp",
+        "MSFT_texture_dds",
+    ];
+    extension.starts_with("KHR_materials_")
+        || read.contains(&extension)
+        || no_shape.contains(&extension)
 }
 
 /// Reads a `.gltf` or `.glb` file of which these are the bytes.
@@ -114,99 +192,115 @@ pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Mesh> {
 fn read_within(bytes: &[u8], path: &Path, max_bytes: u64) -> Result<Mesh> {
     let fail = |problem| Error::file(path, problem);
     let (json, binary) =
-        if bytes.starts_with(b"glTF") { chunks(bytes).map_err(fail)? } else { (bytes, None) };
-    let document: Document =
-        serde_json::from_slice(json).map_err(|why| fail(format!("no glTF 2.0: {why}")))?;
-    if let Some(extension) = document.extensions_required.first() {
+        if bytes.starts_with(b"glTF") { data::chunks(bytes).map_err(fail)? } else { (bytes, None) };
+    // A byte order mark: the specification forbids it, editors write it.
+    let json = json.strip_prefix(b"\xef\xbb\xbf").unwrap_or(json);
+    if json.starts_with(b"\xff\xfe") || json.starts_with(b"\xfe\xff") {
+        return Err(fail("its text is UTF-16: save it as UTF-8".to_owned()));
+    }
+    let not_json = |why| fail(format!("no glTF 2.0: {why}"));
+    let head: Head = serde_json::from_slice(json).map_err(not_json)?;
+    head.asset.check().map_err(fail)?;
+    let document: Document = serde_json::from_slice(json).map_err(not_json)?;
+    if let Some(extension) = document.extensions_required.iter().find(|name| !is_known(name)) {
         let problem = format!("needs the extension `{extension}`: export without it");
         return Err(fail(problem));
     }
-    let mut data: Vec<Cow<[u8]>> = Vec::new();
-    // Which of the data a buffer has: one URI may be that of many buffers, and is read once.
-    let mut buffers = Vec::new();
-    let mut known = HashMap::new();
-    let mut left = max_bytes;
-    for (i, buffer) in document.buffers.iter().enumerate() {
-        let place = match buffer.uri.as_ref().and_then(|uri| known.get(uri)) {
-            Some(place) => *place,
-            None => {
-                let bytes = match (&buffer.uri, binary) {
-                    (Some(uri), _) if uri.starts_with("data:") => {
-                        let bytes = base64(uri).ok_or_else(|| {
-                            fail(format!("buffer {i}: its data URI is no base64"))
-                        })?;
-                        Some(Cow::Owned(bytes))
-                    }
-                    (Some(uri), _) => {
-                        let folder = path.parent().unwrap_or(Path::new(""));
-                        map::read_up_to(&folder.join(unescaped(uri)), left)?.map(Cow::Owned)
-                    }
-                    (None, Some(binary)) if i == 0 => Some(Cow::Borrowed(binary)),
-                    (None, _) => return Err(fail(format!("buffer {i} has no data"))),
-                };
-                let fits = |bytes: &Cow<[u8]>| cast::count_of(bytes.len()) <= left;
-                let bytes = bytes.filter(fits).ok_or_else(|| {
-                    fail(format!(
-                        "its buffers have more than {max_bytes} bytes together, the most that is read: simplify it"
-                    ))
-                })?;
-                left -= cast::count_of(bytes.len());
-                if let Some(uri) = &buffer.uri {
-                    known.insert(uri, data.len());
-                }
-                data.push(bytes);
-                data.len() - 1
-            }
-        };
-        let (has, needs) = (data[place].len(), buffer.byte_length);
-        if has < needs {
-            return Err(fail(format!(
-                "buffer {i} has {has} bytes of {needs}: the file is cut off"
-            )));
-        }
-        buffers.push(place);
-    }
-    let buffers: Vec<&[u8]> = buffers.into_iter().map(|place| &*data[place]).collect();
-    File { document: &document, buffers: &buffers }.mesh().map_err(fail)
+    let buffers = Buffers::read(&document.buffers, binary, path, max_bytes)?;
+    let data = Data::new(&document.accessors, &document.buffer_views, buffers);
+    File { document: &document, data }.mesh().map_err(fail)
 }
 
-/// JSON and binary chunk of a `.glb` file.
-fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), String> {
-    let cut = || "the file is cut off in a chunk of its .glb container".to_owned();
-    let word = |at: usize| -> Result<u32, String> {
-        let word = bytes.get(at..at + 4).and_then(|word| word.try_into().ok());
-        word.map(u32::from_le_bytes).ok_or_else(cut)
-    };
-    if word(4)? != 2 {
-        return Err(format!("is .glb of version {}: only 2 is read", word(4)?));
-    }
-    let (mut json, mut binary) = (None, None);
-    let mut at = 12;
-    while at < bytes.len() {
-        let (len, kind) = (cast::index_of_u32(word(at)?), word(at + 4)?);
-        let data = bytes.get(at + 8..at + 8 + len).ok_or_else(cut)?;
-        match kind {
-            0x4e4f_534a => json = json.or(Some(data)),
-            0x004e_4942 => binary = binary.or(Some(data)),
-            _ => {}
+impl Asset {
+    /// 2.0 is read, and any later 2.x that doesn't ask for more.
+    fn check(&self) -> Result<(), String> {
+        let parsed = |value: &serde_json::Value| -> Option<[u32; 2]> {
+            let (major, minor) = value.as_str()?.split_once('.')?;
+            Some([major.parse().ok()?, minor.parse().ok()?])
+        };
+        let Some(version) = &self.version else {
+            let problem =
+                "has no `asset.version`, which every glTF file has: export it again as glTF 2.0";
+            return Err(problem.to_owned());
+        };
+        if parsed(version).is_none_or(|[major, _]| major != 2) {
+            return Err(format!(
+                "its `asset.version` is {version}: legal is \"2.0\"; export it as that"
+            ));
         }
-        at += 8 + len;
+        match &self.min_version {
+            Some(least) if parsed(least).is_none_or(|least| least > [2, 0]) => Err(format!(
+                "needs a reader of glTF {least} (`asset.minVersion`), and this one is of \"2.0\": export it as that"
+            )),
+            Some(_) | None => Ok(()),
+        }
     }
-    Ok((json.ok_or("has no JSON chunk in its .glb container")?, binary))
 }
 
 struct File<'a> {
     document: &'a Document,
-    buffers: &'a [&'a [u8]],
+    data: Data<'a>,
 }
 
-fn get<'a, T>(list: &'a [T], what: &str, index: usize) -> Result<&'a T, String> {
-    let len = list.len();
-    list.get(index).ok_or_else(|| format!("{what} {index} is named, and there are {len}"))
+/// How the vertices of a mesh come into the world.
+enum Pose {
+    /// All by one matrix.
+    Rigid(DMat4),
+    /// Each by those of its joints.
+    Skinned(Vec<DMat4>),
+}
+
+/// What makes vertices; primitives that have it in common share them.
+#[derive(PartialEq, Eq, Hash)]
+struct VertexSource<'a> {
+    attributes: &'a Attributes,
+    targets: &'a [Attributes],
+    /// Which texture coordinates.
+    uv_set: usize,
+    /// The material whose texture transforms them.
+    transformed_by: Option<usize>,
 }
 
 impl File<'_> {
     fn mesh(&self) -> Result<Mesh, String> {
+        let nodes = self.placed_nodes()?;
+        let to_worlds: HashMap<usize, DMat4> = nodes.iter().copied().collect();
+        let mut whole = Mesh::default();
+        let mut passed_over = 0;
+        for (i, to_world) in nodes {
+            let node = &self.document.nodes[i];
+            let Some(number) = node.mesh else { continue };
+            let pose = match node.skin {
+                None => Pose::Rigid(to_world),
+                Some(skin) => self
+                    .joints(get(&self.document.skins, "skin", skin)?, &to_worlds)
+                    .map_err(|why| format!("skin {skin}: {why}"))?,
+            };
+            let mesh = get(&self.document.meshes, "mesh", number)?;
+            let weights = node.weights.as_ref().or(mesh.weights.as_ref());
+            // Vertices that several of its primitives name are there once.
+            let mut known = HashMap::new();
+            for (j, primitive) in mesh.primitives.iter().enumerate() {
+                let weights = weights.map_or(&[][..], Vec::as_slice);
+                let fail = |why| format!("mesh {number}, primitive {j}: {why}");
+                match primitive.topology().map_err(fail)? {
+                    Some(topology) => self
+                        .primitive(primitive, topology, weights, &pose, &mut known, &mut whole)
+                        .map_err(fail)?,
+                    None => passed_over += 1,
+                }
+            }
+        }
+        if whole.triangles.is_empty() && passed_over > 0 {
+            return Err(format!(
+                "has no triangles, but {passed_over} primitives of lines or points: export a surface"
+            ));
+        }
+        Ok(whole)
+    }
+
+    /// All nodes of the scene with their matrices to the world, parents before children.
+    fn placed_nodes(&self) -> Result<Vec<(usize, DMat4)>, String> {
         let document = self.document;
         let roots: Vec<usize> = if document.scenes.is_empty() {
             let children = document.nodes.iter().flat_map(|node| &node.children);
@@ -215,7 +309,7 @@ impl File<'_> {
         } else {
             get(&document.scenes, "scene", document.scene.unwrap_or(0))?.nodes.clone()
         };
-        let mut whole = Mesh::default();
+        let mut placed = Vec::new();
         let mut seen = vec![false; document.nodes.len()];
         let mut stack: Vec<_> = roots.into_iter().rev().map(|i| (i, DMat4::IDENTITY)).collect();
         while let Some((i, above)) = stack.pop() {
@@ -224,88 +318,130 @@ impl File<'_> {
                 return Err(format!("node {i} has two parents"));
             }
             let to_world = above * transform(node);
-            if let Some(mesh) = node.mesh {
-                // Vertices that several of its primitives name are there once.
-                let mut known = HashMap::new();
-                for (j, primitive) in
-                    get(&document.meshes, "mesh", mesh)?.primitives.iter().enumerate()
-                {
-                    self.primitive(primitive, to_world, &mut known, &mut whole)
-                        .map_err(|why| format!("mesh {mesh}, primitive {j}: {why}"))?;
-                }
-            }
+            placed.push((i, to_world));
             stack.extend(node.children.iter().rev().map(|child| (*child, to_world)));
         }
-        Ok(whole)
+        Ok(placed)
     }
 
-    fn primitive(
+    /// The matrices of a skin's joints, from the mesh's own space. The node that shows the mesh doesn't move it.
+    fn joints(&self, skin: &Skin, to_worlds: &HashMap<usize, DMat4>) -> Result<Pose, String> {
+        let binds = match skin.inverse_bind_matrices {
+            Some(accessor) => self.data.reals(accessor, 16)?,
+            None => DMat4::IDENTITY.to_cols_array().repeat(skin.joints.len()),
+        };
+        if binds.len() < 16 * skin.joints.len() {
+            return Err(format!("{} joints and {} matrices", skin.joints.len(), binds.len() / 16));
+        }
+        let matrix = |(joint, bind): (&usize, &[f64])| {
+            let to_world = to_worlds.get(joint);
+            let to_world = to_world.ok_or_else(|| format!("joint {joint} isn't in the scene"))?;
+            Ok(*to_world * DMat4::from_cols_slice(bind))
+        };
+        let matrices = skin.joints.iter().zip(binds.chunks_exact(16)).map(matrix);
+        Ok(Pose::Skinned(matrices.collect::<Result<_, String>>()?))
+    }
+
+    fn primitive<'b>(
         &self,
-        primitive: &Primitive,
-        to_world: DMat4,
-        known: &mut HashMap<[usize; 3], (u32, usize)>,
+        primitive: &'b Primitive,
+        topology: Topology,
+        weights: &[f64],
+        pose: &Pose,
+        known: &mut HashMap<VertexSource<'b>, (u32, usize)>,
         mesh: &mut Mesh,
     ) -> Result<(), String> {
-        let topology = match primitive.mode {
-            None | Some(4) => Topology::List,
-            Some(5) => Topology::Strip,
-            Some(6) => Topology::Fan,
-            Some(mode) => {
-                return Err(format!(
-                    "its mode is {mode}: only triangles are read, as lists (4), strips (5) and fans (6)"
-                ));
-            }
-        };
-        let Attributes { points, normals, uvs } = primitive.attributes;
-        let without =
-            |what: &str| format!("has no {what}: export with texture coordinates and normals");
-        let points = points.ok_or_else(|| without("points (POSITION)"))?;
-        let normals = normals.ok_or_else(|| without("normals (NORMAL)"))?;
-        let uvs = uvs.ok_or_else(|| without("uv (TEXCOORD_0)"))?;
-        let accessors = [points, normals, uvs];
-        let (first, vertices) = match known.get(&accessors) {
+        let Primitive { attributes, targets, .. } = primitive;
+        let draco = "KHR_draco_mesh_compression";
+        if primitive.extensions.contains_key(draco)
+            && attributes.values().any(|accessor| !self.data.has_view(*accessor))
+        {
+            return Err(format!("its data are compressed by `{draco}`: export without it"));
+        }
+        let (uv_set, transformed_by) = self.uv_set(primitive.material)?;
+        let source = VertexSource { attributes, targets, uv_set, transformed_by };
+        let (first, vertices) = match known.get(&source) {
             Some(buffer) => *buffer,
             None => {
                 let first = cast::id_of(mesh.vertices.len());
-                self.vertices(accessors, to_world, &mut mesh.vertices)?;
+                self.vertices(&source, weights, pose, &mut mesh.vertices)?;
                 let count = mesh.vertices.len() - cast::index_of_u32(first);
-                known.insert(accessors, (first, count));
+                known.insert(source, (first, count));
                 (first, count)
             }
         };
         let corners: Vec<u32> = match primitive.indices {
             Some(accessor) => {
-                let indices = self.indices(accessor)?;
+                let indices = self.data.indices(accessor)?;
                 if let Some(index) = indices.iter().find(|index| **index >= vertices) {
                     return Err(format!("vertex {index} is named, and there are {vertices}"));
                 }
                 mesh.indices += cast::count_of(indices.len());
                 indices.into_iter().map(|index| first + cast::id_of(index)).collect()
             }
-            None => (0..cast::id_of(vertices)).map(|i| first + i).collect(),
+            None => {
+                self.data.spend(vertices)?;
+                (0..cast::id_of(vertices)).map(|i| first + i).collect()
+            }
         };
         mesh.assemble(topology, &corners)
     }
 
-    /// Adds the vertices of accessors of points, normals and uv.
+    /// The set of texture coordinates that a material's texture takes, and the material if it transforms them.
+    fn uv_set(&self, material: Option<usize>) -> Result<(usize, Option<usize>), String> {
+        let Some(number) = material else { return Ok((0, None)) };
+        let material = get(&self.document.materials, "material", number)?;
+        let Some(texture) = material.texture() else { return Ok((0, None)) };
+        Ok(match &texture.extensions.transform {
+            None => (texture.tex_coord, None),
+            Some(transform) => (transform.tex_coord.unwrap_or(texture.tex_coord), Some(number)),
+        })
+    }
+
+    /// Adds the vertices of attributes and what morphs them.
     fn vertices(
         &self,
-        [points, normals, uvs]: [usize; 3],
-        to_world: DMat4,
+        source: &VertexSource,
+        weights: &[f64],
+        pose: &Pose,
         to: &mut Vec<SharedVertex>,
     ) -> Result<(), String> {
-        let points = self.floats(points, 3)?;
-        let normals = self.floats(normals, 3)?;
-        let uvs = self.floats(uvs, 2)?;
+        let (targets, uv_name) = (source.targets, format!("TEXCOORD_{}", source.uv_set));
+        // Without weights, morph targets weigh nothing.
+        if !weights.is_empty() && weights.len() != targets.len() {
+            return Err(format!("{} morph targets and {} weights", targets.len(), weights.len()));
+        }
+        let attribute = |what: &str, name: &str, components: usize| {
+            let accessor = source.attributes.get(name).ok_or_else(|| {
+                format!("has no {what} ({name}): export with texture coordinates and normals")
+            })?;
+            let mut values = self.data.reals(*accessor, components)?;
+            for (weight, target) in
+                weights.iter().zip(targets).filter(|(weight, _)| **weight != 0.0)
+            {
+                let Some(accessor) = target.get(name) else { continue };
+                let more = self.data.reals(*accessor, components)?;
+                if more.len() != values.len() {
+                    return Err(format!("{what} and those of a morph target differ in number"));
+                }
+                values.iter_mut().zip(more).for_each(|(value, more)| *value += weight * more);
+            }
+            Ok(values)
+        };
+        let points = attribute("points", "POSITION", 3)?;
+        let normals = attribute("normals", "NORMAL", 3)?;
+        let uvs = attribute("uv", &uv_name, 2)?;
         let vertices = points.len() / 3;
         if normals.len() / 3 != vertices || uvs.len() / 2 != vertices {
             return Err("points, normals and uv differ in number".to_owned());
         }
-        let linear = DMat3::from_mat4(to_world);
-        let normal_matrix = linear.inverse().transpose();
-        if !normal_matrix.is_finite() {
-            return Err("the matrix of its node can't be inverted".to_owned());
-        }
+        let bones = match pose {
+            Pose::Rigid(_) => Vec::new(),
+            Pose::Skinned(_) => self.bones(source.attributes, vertices)?,
+        };
+        let material = source.transformed_by.map(|i| &self.document.materials[i]);
+        let texture = material.and_then(Material::texture);
+        let transform = texture.and_then(|texture| texture.extensions.transform.as_ref());
         // Each node that shows a mesh has vertices of its own.
         if to.len() + vertices > 3 * MAX_TRIANGLES {
             return Err(format!(
@@ -315,6 +451,16 @@ impl File<'_> {
         }
         to.reserve(vertices);
         for i in 0..vertices {
+            let to_world = match pose {
+                Pose::Rigid(to_world) => *to_world,
+                Pose::Skinned(joints) => {
+                    blended(joints, &bones, i).map_err(|why| format!("vertex {i} {why}"))?
+                }
+            };
+            let normal_matrix = DMat3::from_mat4(to_world).inverse().transpose();
+            if !normal_matrix.is_finite() {
+                return Err(format!("the matrix that places vertex {i} can't be inverted"));
+            }
             let given = DVec3::from_slice(&points[3 * i..]);
             let position = to_world.transform_point3(given);
             check_coordinates(
@@ -327,97 +473,81 @@ impl File<'_> {
             // Only its direction counts.
             let normal = (normal_matrix * given.normalize()).normalize_or_zero();
             check_normal(&what, normal)?;
-            let uv = DVec2::new(uvs[2 * i], 1.0 - uvs[2 * i + 1]);
+            let uv = DVec2::from_slice(&uvs[2 * i..]);
+            let uv = transform.map_or(uv, |transform| transform.apply(uv));
+            let uv = DVec2::new(uv.x, 1.0 - uv.y);
             check_coordinates(&format!("the uv of vertex {i}"), &uv.to_array())?;
             to.push(SharedVertex { position, normal, uv });
         }
         Ok(())
     }
 
-    fn floats(&self, index: usize, components: usize) -> Result<Vec<f64>, String> {
-        let accessor = get(&self.document.accessors, "accessor", index)?;
-        let unit = |value: f64, most: f64| {
-            accessor.normalized.then_some(value / most).ok_or_else(|| {
-                format!("accessor {index}: whole numbers that aren't normalized are no coordinates")
-            })
-        };
-        self.components(index, components, |bytes| match *bytes {
-            [a, b, c, d] if accessor.component_type == 5126 => {
-                Ok(f64::from(f32::from_le_bytes([a, b, c, d])))
+    /// Sets of four joints a vertex, and what each of the four weighs.
+    fn bones(&self, attributes: &Attributes, vertices: usize) -> Result<Vec<Bones>, String> {
+        let mut sets = Vec::new();
+        while let Some(joints) = attributes.get(&format!("JOINTS_{}", sets.len())) {
+            let weights = format!("WEIGHTS_{}", sets.len());
+            let weights = attributes.get(&weights).ok_or_else(|| format!("has no {weights}"))?;
+            let bones = Bones {
+                joints: self.data.reals(*joints, 4)?,
+                weights: self.data.reals(*weights, 4)?,
+            };
+            if bones.joints.len() != 4 * vertices || bones.weights.len() != 4 * vertices {
+                return Err("points, joints and their weights differ in number".to_owned());
             }
-            [a] if accessor.component_type == 5121 => unit(f64::from(a), 255.0),
-            [a, b] if accessor.component_type == 5123 => {
-                unit(f64::from(u16::from_le_bytes([a, b])), 65535.0)
+            sets.push(bones);
+        }
+        if sets.is_empty() {
+            return Err("has no joints (JOINTS_0), and its node has a skin".to_owned());
+        }
+        Ok(sets)
+    }
+}
+
+/// Joints of vertices, four each.
+struct Bones {
+    joints: Vec<f64>,
+    weights: Vec<f64>,
+}
+
+/// The mean of the matrices of a vertex's joints.
+fn blended(joints: &[DMat4], bones: &[Bones], vertex: usize) -> Result<DMat4, String> {
+    let (mut sum, mut total) = (DMat4::ZERO, 0.0);
+    for set in bones {
+        let four = 4 * vertex..4 * vertex + 4;
+        for (joint, weight) in set.joints[four.clone()].iter().zip(&set.weights[four]) {
+            let matrix = get(joints, "joint", cast::usize_of(*joint))?;
+            if !(0.0..=f64::MAX).contains(weight) {
+                return Err(format!("has a joint of weight {weight}"));
             }
-            _ => Err(format!(
-                "accessor {index}: component type {} can't be read as coordinates: export as float",
-                accessor.component_type
-            )),
+            sum += *weight * *matrix;
+            total += weight;
+        }
+    }
+    if total > 0.0 { Ok(sum * total.recip()) } else { Err("has no joint of any weight".to_owned()) }
+}
+
+impl Primitive {
+    /// How its corners make triangles; `None` for points (0) and lines (1 to 3).
+    fn topology(&self) -> Result<Option<Topology>, String> {
+        Ok(match self.mode {
+            Some(0..=3) => None,
+            None | Some(4) => Some(Topology::List),
+            Some(5) => Some(Topology::Strip),
+            Some(6) => Some(Topology::Fan),
+            Some(mode) => {
+                return Err(format!(
+                    "its mode is {mode}: legal are 0 to 6, of which lists (4), strips (5) and fans (6) of triangles are read"
+                ));
+            }
         })
     }
+}
 
-    fn indices(&self, index: usize) -> Result<Vec<usize>, String> {
-        let accessor = get(&self.document.accessors, "accessor", index)?;
-        let kind = accessor.component_type;
-        if ![5121, 5123, 5125].contains(&kind) {
-            return Err(format!(
-                "accessor {index}: indices of component type {kind}: legal are 5121, 5123 and 5125, without sign"
-            ));
-        }
-        self.components(index, 1, |bytes| match *bytes {
-            [a] => Ok(usize::from(a)),
-            [a, b] => Ok(usize::from(u16::from_le_bytes([a, b]))),
-            [a, b, c, d] => Ok(cast::index_of_u32(u32::from_le_bytes([a, b, c, d]))),
-            _ => Err(format!("accessor {index}: no indices")),
-        })
-    }
-
-    /// Every component of an accessor, in order.
-    fn components<T>(
-        &self,
-        index: usize,
-        components: usize,
-        decode: impl Fn(&[u8]) -> Result<T, String>,
-    ) -> Result<Vec<T>, String> {
-        let accessor = get(&self.document.accessors, "accessor", index)?;
-        let fail = |problem: &str| format!("accessor {index}: {problem}");
-        if accessor.sparse.is_some() {
-            return Err(fail("sparse data isn't read: export without it"));
-        }
-        let kind = ["SCALAR", "VEC2", "VEC3"][components - 1];
-        if accessor.kind != kind {
-            return Err(fail(&format!("is {} where {kind} is needed", accessor.kind)));
-        }
-        let size = match accessor.component_type {
-            5120 | 5121 => 1,
-            5122 | 5123 => 2,
-            5125 | 5126 => 4,
-            other => return Err(fail(&format!("there is no component type {other}"))),
-        };
-        let view = accessor.buffer_view.ok_or_else(|| fail("has no buffer view"))?;
-        let view = get(&self.document.buffer_views, "buffer view", view)?;
-        let buffer = get(self.buffers, "buffer", view.buffer)?;
-        let beyond = || fail("reaches beyond its buffer");
-        let bytes = view.byte_offset.checked_add(view.byte_length);
-        let bytes = bytes.and_then(|end| buffer.get(view.byte_offset..end)).ok_or_else(beyond)?;
-        let stride = view.byte_stride.unwrap_or(size * components);
-        // So that the count below can't ask for more memory than the file has bytes.
-        if stride < size * components || accessor.count > bytes.len() {
-            return Err(beyond());
-        }
-        if accessor.count > 3 * MAX_TRIANGLES {
-            return Err(too_many());
-        }
-        let mut values = Vec::with_capacity(accessor.count * components);
-        for i in 0..accessor.count {
-            let start = i.checked_mul(stride).and_then(|at| at.checked_add(accessor.byte_offset));
-            let element =
-                start.and_then(|start| bytes.get(start..start.checked_add(size * components)?));
-            for component in element.ok_or_else(beyond)?.chunks_exact(size) {
-                values.push(decode(component)?);
-            }
-        }
-        Ok(values)
+impl Material {
+    /// The texture that says which texture coordinates a surface has.
+    fn texture(&self) -> Option<&TextureInfo> {
+        self.pbr_metallic_roughness.base_color_texture.as_ref().or(self.normal_texture.as_ref())
     }
 }
 
@@ -436,50 +566,6 @@ fn transform(node: &Node) -> DMat4 {
     )
 }
 
-/// The bytes of a base64 data URI.
-fn base64(uri: &str) -> Option<Vec<u8>> {
-    let text = uri.split_once(";base64,")?.1.trim_end_matches('=');
-    let mut bytes = Vec::with_capacity(text.len() / 4 * 3 + 2);
-    let (mut bits, mut count) = (0u32, 0);
-    for c in text.bytes() {
-        let six = match c {
-            b'A'..=b'Z' => c - b'A',
-            b'a'..=b'z' => c - b'a' + 26,
-            b'0'..=b'9' => c - b'0' + 52,
-            b'+' => 62,
-            b'/' => 63,
-            _ => return None,
-        };
-        bits = bits << 6 & 0xffff | u32::from(six);
-        count += 6;
-        if count >= 8 {
-            count -= 8;
-            bytes.push(u8::try_from(bits >> count & 0xff).ok()?);
-        }
-    }
-    Some(bytes)
-}
-
-/// A relative URI with its `%20` and the like replaced.
-fn unescaped(uri: &str) -> String {
-    let mut bytes = Vec::new();
-    let mut rest = uri.as_bytes();
-    while let Some((first, after)) = rest.split_first() {
-        let code = after.get(..2).and_then(|hex| std::str::from_utf8(hex).ok());
-        match code.and_then(|hex| u8::from_str_radix(hex, 16).ok()) {
-            Some(byte) if *first == b'%' => {
-                bytes.push(byte);
-                rest = &after[2..];
-            }
-            _ => {
-                bytes.push(*first);
-                rest = after;
-            }
-        }
-    }
-    String::from_utf8_lossy(&bytes).into_owned()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -492,7 +578,10 @@ mod tests {
         let read = |uris: &[&str], max_bytes| {
             let buffer = |uri: &&str| format!("{{\"uri\": \"{uri}\", \"byteLength\": 3}}");
             let buffers: Vec<String> = uris.iter().map(buffer).collect();
-            let text = format!("{{\"buffers\": [{}]}}", buffers.join(", "));
+            let text = format!(
+                "{{\"asset\": {{\"version\": \"2.0\"}}, \"buffers\": [{}]}}",
+                buffers.join(", ")
+            );
             let read = read_within(text.as_bytes(), &folder.path().join("x.gltf"), max_bytes);
             read.map(|mesh| mesh.triangles.len()).map_err(|why| why.to_string())
         };
@@ -511,17 +600,5 @@ mod tests {
             );
             assert!(why.ends_with(&expected), "{why}");
         }
-    }
-
-    #[test]
-    fn base64_and_escapes() {
-        let decoded = |text: &str| base64(&format!("data:application/octet-stream;base64,{text}"));
-        assert_eq!(decoded("").unwrap(), b"");
-        assert_eq!(decoded("TQ==").unwrap(), b"M");
-        assert_eq!(decoded("TWE=").unwrap(), b"Ma");
-        assert_eq!(decoded("TWFuAP/+").unwrap(), b"Man\x00\xff\xfe");
-        assert!(decoded("TW!u").is_none() && base64("data:,x").is_none());
-        assert_eq!(unescaped("a%20b%2"), "a b%2");
-        assert_eq!(unescaped("%"), "%");
     }
 }

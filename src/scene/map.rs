@@ -1,11 +1,12 @@
 //! Maps over surfaces: colours and heights, from image files or made up.
 
+use super::jpeg;
 use super::procedural::Samples;
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::srgb::from_srgb;
 use glam::DVec3;
-use image::{DynamicImage, ImageReader};
+use image::{DynamicImage, ImageBuffer, ImageDecoder, ImageFormat, ImageReader, Rgb};
 use std::fs::File;
 use std::io::{Cursor, Read};
 use std::path::Path;
@@ -16,6 +17,9 @@ pub(super) const MAX_SIDE: u32 = 8192;
 const MAX_TEXELS: u64 = 1 << 25;
 /// Most texels of a map whose bump vectors are stored (96 MiB): pixels and lights ask for each often.
 const MAX_VECTORS: usize = 1 << 22;
+/// How far the channels of a grey picture may be apart, of 65535: JPEG keeps colour coarsely, and means of a
+/// conversion aren't exact.
+const GREY: u16 = 16 * 257;
 /// Largest file that a scene may name, in bytes.
 pub(super) const MAX_BYTES: u64 = 1 << 28;
 
@@ -117,13 +121,14 @@ impl Bumps {
         Self::new(size, samples.texels.iter().map(|sample| sample.height).collect(), scale)
     }
 
-    /// Grey values of a file as they are; of colours, 0.2126 R + 0.7152 G + 0.0722 B.
+    /// Grey values of a file as they are; of almost grey colours, 0.2126 R + 0.7152 G + 0.0722 B.
     pub(super) fn open(path: &Path, scale: f64) -> Result<Self> {
         let (size, image) = open_image(path)?;
-        let unit = |code: u16| f64::from(code) / f64::from(u16::MAX);
         let heights = if image.color().has_color() {
             let luma = |[r, g, b]: [u16; 3]| 0.2126 * unit(r) + 0.7152 * unit(g) + 0.0722 * unit(b);
-            image.into_rgb16().pixels().map(|pixel| luma(pixel.0)).collect()
+            let image = image.into_rgb16();
+            check_grey(&image).map_err(|problem| Error::file(path, problem))?;
+            image.pixels().map(|pixel| luma(pixel.0)).collect()
         } else {
             image.into_luma16().pixels().map(|pixel| unit(pixel.0[0])).collect()
         };
@@ -221,7 +226,38 @@ pub(super) fn read_up_to(path: &Path, max_bytes: u64) -> Result<Option<Vec<u8>>>
     Ok((cast::count_of(bytes.len()) <= max_bytes).then_some(bytes))
 }
 
-/// Decodes an image, after a look at what its header says.
+/// The part of 1 that a channel's code stands for.
+fn unit(code: u16) -> f64 {
+    f64::from(code) / f64::from(u16::MAX)
+}
+
+/// Refuses colours, which say nothing of heights.
+fn check_grey(image: &ImageBuffer<Rgb<u16>, Vec<u16>>) -> Result<(), String> {
+    let spread = |[r, g, b]: [u16; 3]| r.max(g).max(b) - r.min(g).min(b);
+    let most = image.enumerate_pixels().max_by_key(|(.., pixel)| spread(pixel.0));
+    let Some((x, y, colour)) = most.filter(|(.., pixel)| spread(pixel.0) > GREY) else {
+        return Ok(());
+    };
+    let texel = format!("texel ({x}, {y}) is {:?} of 255", colour.0.map(|code| code / 257));
+    // Of a normal map, almost all texels are unit vectors that point upwards.
+    let is_normal = |pixel: &&Rgb<u16>| {
+        let normal = DVec3::from_array(pixel.0.map(|code| 2.0 * unit(code) - 1.0));
+        (0.9..1.1).contains(&normal.length()) && normal.z > 0.0
+    };
+    let normals = image.pixels().filter(is_normal).count();
+    Err(if 10 * normals > 9 * image.pixels().len() {
+        format!(
+            "is a tangent-space normal map ({texel}), and [height] takes heights: give the height or displacement map from which it was baked"
+        )
+    } else {
+        format!(
+            "has colours ({texel}), and [height] takes heights as grey values, whose channels differ by up to {}: give a height map, or save it as greyscale if bright means high",
+            GREY / 257
+        )
+    })
+}
+
+/// Decodes an image, after a look at what its header says, and turns it as its EXIF data ask.
 fn open_image(path: &Path) -> Result<(Size, DynamicImage)> {
     let bytes = read_file(path)?;
     let fail = |why: image::ImageError| {
@@ -231,14 +267,18 @@ fn open_image(path: &Path) -> Result<(Size, DynamicImage)> {
     let check =
         |(width, height)| check_size(width, height).map_err(|problem| Error::file(path, problem));
     png_size(&bytes).map_or(Ok(()), check)?;
-    let reader = || {
-        let guessed = ImageReader::new(Cursor::new(&bytes)).with_guessed_format();
-        guessed.map_err(|why| Error::io(path, "can't read", why))
-    };
-    let (width, height) = reader()?.into_dimensions().map_err(fail)?;
-    check((width, height))?;
-    let image = reader()?.decode().map_err(fail)?;
-    Ok((Size { width, height }, image))
+    let reader = ImageReader::new(Cursor::new(&bytes)).with_guessed_format();
+    let reader = reader.map_err(|why| Error::io(path, "can't read", why))?;
+    let is_jpeg = reader.format() == Some(ImageFormat::Jpeg);
+    let mut decoder = reader.into_decoder().map_err(fail)?;
+    check(decoder.dimensions())?;
+    if is_jpeg {
+        jpeg::check(&bytes).map_err(|problem| Error::file(path, problem))?;
+    }
+    let orientation = decoder.orientation().map_err(fail)?;
+    let mut image = DynamicImage::from_decoder(decoder).map_err(fail)?;
+    image.apply_orientation(orientation);
+    Ok((Size { width: image.width(), height: image.height() }, image))
 }
 
 /// Width and height in the header of a PNG file, which the decoder tells only where data follow.

@@ -31,6 +31,8 @@
 //!   rays meet it exactly and normals are exact. On the pole itself az is 0.
 //! - *mesh*: triangles of an `.obj`, `.gltf` or `.glb` file, coordinates as in the file (glTF's y is up:
 //!   `rotate_degrees = [90, 0, 0]` stands it upright): lists, strips and fans; polygons of more corners are fans.
+//!   A glTF file is read as it is at rest: with its nodes, default weights of morph targets, and skins. Texture
+//!   coordinates are those of the material's colour texture (else its normal map's), by KHR_texture_transform.
 //!   Triangles count from 0 in the file's order, without those of strips that have one point for two corners.
 //!   With `source = "shell"` instead of a file it is a dome over [-1, 1]^2 whose halves left and right of x = 0 share a
 //!   texture: u = |x|, v = 2 (y + 1), z = 0.6 (1 - x²) (1 - y²), in 48 x 48 squares, each cut
@@ -53,8 +55,9 @@
 //! maps repeat, nearest texel, row 0 on top. A texel's index is `row * w + column`.
 //! Texture files hold sRGB and are decoded to linear light ([`from_srgb`]); colours in a scene file are
 //! linear. Whoever writes an image encodes it ([`to_srgb8`](crate::picture::Picture::to_srgb8)).
-//! Heights are 0 to 1: the grey values of a file as they are, not decoded; of colours,
-//! 0.2126 R + 0.7152 G + 0.0722 B. Transparency is passed over. The bump vector of a texel is
+//! Heights are 0 to 1: the grey values of a file as they are, not decoded; of channels that differ by no more than
+//! 16/255, 0.2126 R + 0.7152 G + 0.0722 B, and other colours are refused. Transparency is passed over; a picture whose
+//! EXIF data ask for it is turned before anything else. The bump vector of a texel is
 //! `normalise(-s (h[x+1] - h[x-1])/2, -s (h[y-1] - h[y+1])/2, 1)` along (T, B, N), where y counts rows
 //! downwards, neighbours wrap around, and the scale s is the height, in texels, of a difference of 1.
 //!
@@ -96,6 +99,7 @@
 
 mod assembly;
 mod gltf;
+mod jpeg;
 mod map;
 mod mesh;
 mod procedural;

@@ -1,0 +1,456 @@
+//! glTF files of one square, each written in another way that the format allows: all give one picture. And those that
+//! it doesn't allow, or that say something else: each is refused with what is wrong.
+
+use crate::scene::{base64, glb};
+use fixpath::scene::{Fragments, Scene};
+use serde_json::{Value, json};
+use std::fmt::Write as _;
+use std::fs;
+
+/// Two triangles in the plane z = 0, with u and v (down, as glTF has it) over a part of the texture.
+const POINTS: [f64; 12] = [-1.0, -1.0, 0.0, 1.0, -1.0, 0.0, 1.0, 1.0, 0.0, -1.0, 1.0, 0.0];
+const NORMALS: [f64; 12] = [0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0];
+const UVS: [f64; 8] = [0.0, 1.0, 0.75, 1.0, 0.75, 0.25, 0.0, 0.25];
+const CORNERS: [f64; 6] = [0.0, 1.0, 2.0, 0.0, 2.0, 3.0];
+
+const BYTE: u32 = 5120;
+const SHORT: u32 = 5122;
+const UNSIGNED_SHORT: u32 = 5123;
+const FLOAT: u32 = 5126;
+
+/// A file that grows: its document, and the buffer to which accessors add.
+struct File {
+    document: Value,
+    bytes: Vec<u8>,
+}
+
+fn push(list: &mut Value, value: Value) -> usize {
+    let list = list.as_array_mut().unwrap();
+    list.push(value);
+    list.len() - 1
+}
+
+impl File {
+    fn empty() -> Self {
+        let document = json!({
+            "asset": { "version": "2.0" },
+            "scene": 0,
+            "scenes": [{ "nodes": [0] }],
+            "nodes": [{ "mesh": 0 }],
+            "meshes": [{ "primitives": [] }],
+            "accessors": [],
+            "bufferViews": [],
+        });
+        Self { document, bytes: Vec::new() }
+    }
+
+    /// The square, each attribute of plain floats.
+    fn square() -> Self {
+        let mut file = Self::empty();
+        file.primitive(&POINTS, &UVS);
+        file
+    }
+
+    fn primitive(&mut self, points: &[f64], uvs: &[f64]) -> &mut Value {
+        let points = self.accessor("VEC3", FLOAT, points);
+        let normals = self.accessor("VEC3", FLOAT, &NORMALS);
+        let uvs = self.accessor("VEC2", FLOAT, uvs);
+        let corners = self.accessor("SCALAR", UNSIGNED_SHORT, &CORNERS);
+        let attributes = json!({ "POSITION": points, "NORMAL": normals, "TEXCOORD_0": uvs });
+        let primitives = &mut self.document["meshes"][0]["primitives"];
+        let i = push(primitives, json!({ "attributes": attributes, "indices": corners }));
+        &mut primitives[i]
+    }
+
+    fn view(&mut self, component: u32, values: &[f64]) -> usize {
+        self.bytes.resize(self.bytes.len().next_multiple_of(4), 0);
+        let start = self.bytes.len();
+        for value in values {
+            match component {
+                BYTE => self.bytes.extend_from_slice(&(*value as i8).to_le_bytes()),
+                SHORT => self.bytes.extend_from_slice(&(*value as i16).to_le_bytes()),
+                UNSIGNED_SHORT => self.bytes.extend_from_slice(&(*value as u16).to_le_bytes()),
+                _ => self.bytes.extend_from_slice(&(*value as f32).to_le_bytes()),
+            }
+        }
+        let len = self.bytes.len() - start;
+        let view = json!({ "buffer": 0, "byteOffset": start, "byteLength": len });
+        push(&mut self.document["bufferViews"], view)
+    }
+
+    fn accessor(&mut self, kind: &str, component: u32, values: &[f64]) -> usize {
+        let view = self.view(component, values);
+        let size = match kind {
+            "SCALAR" => 1,
+            "VEC2" => 2,
+            "VEC3" => 3,
+            "VEC4" => 4,
+            _ => 16,
+        };
+        let count = values.len() / size;
+        let accessor =
+            json!({ "bufferView": view, "componentType": component, "count": count, "type": kind });
+        push(&mut self.document["accessors"], accessor)
+    }
+
+    /// As text, with its buffer under a URI.
+    fn text(mut self, uri: impl Fn(&[u8]) -> String) -> Vec<u8> {
+        let buffer = json!({ "byteLength": self.bytes.len(), "uri": uri(&self.bytes) });
+        self.document["buffers"] = json!([buffer]);
+        self.document.to_string().into_bytes()
+    }
+
+    fn gltf(self) -> Vec<u8> {
+        self.text(|bytes| format!("data:application/octet-stream;base64,{}", base64(bytes)))
+    }
+
+    fn glb(mut self) -> Vec<u8> {
+        self.document["buffers"] = json!([{ "byteLength": self.bytes.len() }]);
+        glb(&self.document.to_string(), &self.bytes)
+    }
+}
+
+fn scene(file: &[u8], extension: &str) -> Result<Scene, String> {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("m").with_extension(extension), file).unwrap();
+    let text = format!(
+        "[image]\nwidth = 24\nheight = 24\n[camera]\neye = [0.5, -1, 4]\n[texture]\nsource = \"wood\"\n[height]\nsource = \"brick\"\n[[object]]\nshape = \"mesh\"\nfile = \"m.{extension}\""
+    );
+    Scene::parse(&text, &folder.path().join("s.toml"))
+        .map_err(|why| why.to_string().replace(&format!("{}/", folder.path().display()), ""))
+}
+
+fn traced(file: &[u8], extension: &str) -> Fragments {
+    let scene = scene(file, extension).unwrap();
+    let mut fragments = Fragments::default();
+    scene.trace(0..scene.image.height, &mut fragments);
+    fragments
+}
+
+fn extended(name: &str) -> File {
+    let mut file = File::square();
+    file.document["extensionsUsed"] = json!([name]);
+    file.document["extensionsRequired"] = json!([name]);
+    file
+}
+
+/// The square with its texture coordinates divided out of what a texture of its material does to them.
+fn transformed(transform: Value, texture: &str, uv_name: &str, uvs: &[f64]) -> File {
+    let mut file = File::empty();
+    let primitive = file.primitive(&POINTS, uvs);
+    primitive["material"] = json!(0);
+    let set = primitive["attributes"]["TEXCOORD_0"].take();
+    primitive["attributes"].as_object_mut().unwrap().remove("TEXCOORD_0");
+    primitive["attributes"][uv_name] = set;
+    let info = json!({ "index": 0, "extensions": { "KHR_texture_transform": transform } });
+    file.document["materials"] = match texture {
+        "baseColorTexture" => json!([{ "pbrMetallicRoughness": { texture: info } }]),
+        _ => json!([{ texture: info }]),
+    };
+    file.document["extensionsRequired"] = json!(["KHR_texture_transform"]);
+    file
+}
+
+/// The square by a skin of two joints, one of them turned by a quarter about z, which its bind matrix takes back.
+fn skinned() -> File {
+    let mut file = File::empty();
+    file.primitive(&POINTS, &UVS);
+    let joints = file.accessor("VEC4", UNSIGNED_SHORT, &[0.0, 1.0, 0.0, 0.0].repeat(4));
+    let weights = file.accessor("VEC4", FLOAT, &[0.25, 0.75, 0.0, 0.0].repeat(4));
+    let attributes = &mut file.document["meshes"][0]["primitives"][0]["attributes"];
+    attributes["JOINTS_0"] = json!(joints);
+    attributes["WEIGHTS_0"] = json!(weights);
+    let mut bind = [0.0; 32];
+    for i in [0, 5, 10, 15, 26, 31] {
+        bind[i] = 1.0;
+    }
+    // Columns of a quarter turn back, after a shift by (-2, 0, 0): (x, y) goes to (y, 2 - x).
+    (bind[17], bind[20], bind[29]) = (-1.0, 1.0, 2.0);
+    let binds = file.accessor("MAT4", FLOAT, &bind);
+    let half = 0.5f64.sqrt();
+    // The node of the mesh doesn't move it.
+    file.document["nodes"] = json!([
+        { "mesh": 0, "skin": 0, "translation": [100, 0, 0] },
+        { "children": [2] },
+        { "translation": [2, 0, 0], "rotation": [0, 0, half, half] },
+    ]);
+    file.document["scenes"][0]["nodes"] = json!([0, 1]);
+    file.document["skins"] = json!([{ "joints": [1, 2], "inverseBindMatrices": binds }]);
+    file
+}
+
+/// The square, half of it by its own points, half by a morph target.
+fn morphed() -> File {
+    let mut file = File::empty();
+    let base: Vec<f64> = POINTS.iter().map(|x| 0.5 * x).collect();
+    file.primitive(&base, &UVS);
+    let unused = file.accessor("VEC3", FLOAT, &[9.0; 12]);
+    let more = file.accessor("VEC3", FLOAT, &POINTS.map(|x| 2.0 * x));
+    let mesh = &mut file.document["meshes"][0];
+    mesh["primitives"][0]["targets"] = json!([{ "POSITION": unused }, { "POSITION": more }]);
+    mesh["weights"] = json!([0.0, 0.25]);
+    file
+}
+
+/// Points of which some come from a sparse accessor.
+fn sparse(base: Option<&[f64]>) -> File {
+    let mut file = File::square();
+    let (indices, values): (Vec<f64>, Vec<f64>) = match base {
+        Some(_) => (vec![1.0, 3.0], [&POINTS[3..6], &POINTS[9..12]].concat()),
+        None => (vec![0.0, 1.0, 2.0, 3.0], POINTS.to_vec()),
+    };
+    let points = file.accessor("VEC3", FLOAT, base.unwrap_or(&POINTS));
+    let indices_view = file.view(UNSIGNED_SHORT, &indices);
+    let values_view = file.view(FLOAT, &values);
+    let accessor = &mut file.document["accessors"][points];
+    if base.is_none() {
+        accessor.as_object_mut().unwrap().remove("bufferView");
+    }
+    accessor["sparse"] = json!({
+        "count": indices.len(),
+        "indices": { "bufferView": indices_view, "componentType": UNSIGNED_SHORT },
+        "values": { "bufferView": values_view },
+    });
+    file.document["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = json!(points);
+    file
+}
+
+#[test]
+fn one_square_in_many_ways() {
+    let expected = traced(&File::square().gltf(), "gltf");
+    assert!(expected.len() > 100);
+    let text = |file: File| ("gltf", file.gltf());
+    let mut cases: Vec<(&str, (&str, Vec<u8>))> = Vec::new();
+
+    let percent =
+        |bytes: &[u8]| bytes.iter().map(|byte| format!("%{byte:02x}")).collect::<String>();
+    let raw =
+        File::square().text(|bytes| format!("data:application/octet-stream,{}", percent(bytes)));
+    cases.push(("percent", ("gltf", raw)));
+    let escaped = |bytes: &[u8]| {
+        let text = base64(bytes).replace('+', "%2B").replace('/', "%2F").replace('=', "%3D");
+        format!("data:application/octet-stream;base64,{text}")
+    };
+    cases.push(("percent and base64", ("gltf", File::square().text(escaped))));
+    cases.push(("container", ("glb", File::square().glb())));
+    cases.push(("bytes after a container", ("glb", [&File::square().glb()[..], b"more"].concat())));
+    cases.push((
+        "byte order mark",
+        ("gltf", [b"\xef\xbb\xbf", &File::square().gltf()[..]].concat()),
+    ));
+
+    let mut later = File::square();
+    later.document["asset"] = json!({ "version": "2.7", "minVersion": "2.0" });
+    cases.push(("a later version", text(later)));
+    for name in [
+        "KHR_materials_unlit",
+        "KHR_materials_transmission",
+        "KHR_lights_punctual",
+        "KHR_texture_transform",
+        "KHR_texture_basisu",
+        "EXT_texture_webp",
+    ] {
+        cases.push((name, text(extended(name))));
+    }
+
+    let wrong = [5.0; 12];
+    let mut base = POINTS;
+    base[3..6].copy_from_slice(&wrong[..3]);
+    base[9..12].copy_from_slice(&wrong[..3]);
+    cases.push(("sparse", text(sparse(Some(&base)))));
+    cases.push(("sparse over zeros", text(sparse(None))));
+
+    let mut lines = File::square();
+    for mode in 0..=3 {
+        let line = json!({ "attributes": { "POSITION": 0 }, "mode": mode });
+        push(&mut lines.document["meshes"][0]["primitives"], line);
+    }
+    cases.push(("lines and points", text(lines)));
+
+    cases.push(("morph targets", text(morphed())));
+    let mut by_node = morphed();
+    by_node.document["meshes"][0]["weights"] = json!([1.0, 1.0]);
+    by_node.document["nodes"][0]["weights"] = json!([0.0, 0.25]);
+    cases.push(("morph targets by a node", text(by_node)));
+    cases.push(("skin", text(skinned())));
+
+    let halves: Vec<f64> = UVS.iter().map(|x| 2.0 * x - 0.5).collect();
+    let transform = json!({ "scale": [0.5, 0.5], "offset": [0.25, 0.25] });
+    cases.push((
+        "texture transform",
+        text(transformed(transform.clone(), "baseColorTexture", "TEXCOORD_0", &halves)),
+    ));
+    let mut other_set = transform;
+    other_set["texCoord"] = json!(1);
+    cases.push((
+        "texture transform of a normal map and another set",
+        text(transformed(other_set, "normalTexture", "TEXCOORD_1", &halves)),
+    ));
+    // The extension's own example: it shows the lower left quadrant of the image, turned.
+    let example = json!({ "offset": [0, 1], "rotation": 1.570_796_326_79, "scale": [0.5, 0.5] });
+    let turned: Vec<f64> =
+        UVS.chunks(2).flat_map(|uv| [2.0 * (1.0 - uv[1]), 2.0 * uv[0]]).collect();
+    cases.push((
+        "texture transform with a turn",
+        text(transformed(example, "baseColorTexture", "TEXCOORD_0", &turned)),
+    ));
+
+    let mut quantized = extended("KHR_mesh_quantization");
+    let points = quantized.accessor("VEC3", SHORT, &POINTS.map(|x| 32767.0 * x));
+    quantized.document["accessors"][points]["normalized"] = json!(true);
+    // Of 4 bytes each, as alignment asks.
+    let normals: Vec<f64> =
+        NORMALS.chunks(3).flat_map(|n| [127.0 * n[0], 127.0 * n[1], 127.0 * n[2], 0.0]).collect();
+    let normals_view = quantized.view(BYTE, &normals);
+    quantized.document["bufferViews"][normals_view]["byteStride"] = json!(4);
+    let normals = json!({ "bufferView": normals_view, "componentType": BYTE, "count": 4, "type": "VEC3", "normalized": true });
+    let normals = push(&mut quantized.document["accessors"], normals);
+    let attributes = &mut quantized.document["meshes"][0]["primitives"][0]["attributes"];
+    attributes["POSITION"] = json!(points);
+    attributes["NORMAL"] = json!(normals);
+    cases.push(("quantized", text(quantized)));
+
+    for (name, (extension, file)) in cases {
+        let found = traced(&file, extension);
+        assert_eq!(found.pixel, expected.pixel, "{name}");
+        assert_eq!(found.face, expected.face, "{name}");
+        // Rounding may choose on the border of a texel only.
+        let differ = (0..found.len()).filter(|i| found.texel[*i] != expected.texel[*i]).count();
+        assert!(differ <= 2, "{name}: {differ}");
+        for i in 0..found.len() {
+            let [a, b] = [&found, &expected].map(|f| Fragments::vector(&f.normal, i));
+            assert!((a - b).length() < 1e-7, "{name}: {a} {b}");
+            let [a, b] = [&found, &expected].map(|f| Fragments::vector(&f.tangent, i));
+            assert!((a - b).length() < 1e-6, "{name}: {a} {b}");
+        }
+    }
+}
+
+#[test]
+fn vertices_are_shared_whatever_the_material() {
+    let mut file = File::square();
+    file.document["materials"] = json!([{}, { "normalTexture": { "index": 0 } }]);
+    let primitive = file.document["meshes"][0]["primitives"][0].clone();
+    for material in [0, 1] {
+        let mut more = primitive.clone();
+        more["material"] = json!(material);
+        push(&mut file.document["meshes"][0]["primitives"], more);
+    }
+    let sharing = scene(&file.gltf(), "gltf").unwrap().assemble().unwrap().sharing();
+    assert_eq!((sharing.vertices, sharing.primitives), (4, 6));
+}
+
+#[test]
+fn what_is_wrong_is_said() {
+    let mut seen = String::new();
+    let mut refused = |name: &str, file: &[u8]| {
+        let extension = if file.starts_with(b"glTF") { "glb" } else { "gltf" };
+        writeln!(seen, "{name}: {}", scene(file, extension).unwrap_err()).unwrap();
+    };
+    for (name, asset) in [
+        ("none", json!(null)),
+        ("empty", json!({})),
+        ("old", json!({ "version": "1.0" })),
+        ("number", json!({ "version": 2.0 })),
+        ("new", json!({ "version": "2.1", "minVersion": "2.1" })),
+        ("word", json!({ "version": "2.0", "minVersion": "two" })),
+    ] {
+        let mut file = File::square();
+        if asset.is_null() {
+            file.document.as_object_mut().unwrap().remove("asset");
+        } else {
+            file.document["asset"] = asset;
+        }
+        refused(name, &file.gltf());
+    }
+    for name in ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "EXT_mesh_gpu_instancing"]
+    {
+        refused("extension", &extended(name).gltf());
+    }
+    let mut draco = File::square();
+    let primitive = &mut draco.document["meshes"][0]["primitives"][0];
+    primitive["extensions"] = json!({ "KHR_draco_mesh_compression": {} });
+    draco.document["accessors"][0].as_object_mut().unwrap().remove("bufferView");
+    refused("compressed", &draco.gltf());
+
+    let mut lines = File::square();
+    lines.document["meshes"][0]["primitives"][0]["mode"] = json!(1);
+    refused("lines", &lines.gltf());
+    let mut mode = File::square();
+    mode.document["meshes"][0]["primitives"][0]["mode"] = json!(7);
+    refused("mode", &mode.gltf());
+    let mut weights = morphed();
+    weights.document["meshes"][0]["weights"] = json!([1.0]);
+    refused("weights", &weights.gltf());
+    let mut short = morphed();
+    short.document["accessors"][5]["count"] = json!(3);
+    refused("target", &short.gltf());
+    let mut beyond = sparse(Some(&POINTS));
+    beyond.document["accessors"][4]["count"] = json!(3);
+    refused("sparse", &beyond.gltf());
+    let mut joint = skinned();
+    joint.document["skins"][0]["joints"] = json!([1]);
+    refused("joint", &joint.gltf());
+    let mut away = skinned();
+    away.document["scenes"][0]["nodes"] = json!([0]);
+    refused("skin", &away.gltf());
+    let mut set = File::square();
+    set.document["materials"] = json!([{ "normalTexture": { "index": 0, "texCoord": 3 } }]);
+    set.document["meshes"][0]["primitives"][0]["material"] = json!(0);
+    refused("set", &set.gltf());
+    let mut matrix = File::square();
+    matrix.document["nodes"][0]["matrix"] = json!(vec![1.0; 17]);
+    refused("matrix", &matrix.gltf());
+
+    let whole = File::square().glb();
+    refused("cut", &whole[..whole.len() - 1]);
+    let mut chunk = whole.clone();
+    chunk[12] ^= 0x80;
+    refused("chunk", &chunk);
+    let utf_16: Vec<u8> = "\u{feff}{}".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    refused("encoding", &utf_16);
+    refused("raw", &File::square().text(|_| "data:no comma".to_owned()));
+    expect_test::expect![[r#"
+        none: m.gltf: has no `asset.version`, which every glTF file has: export it again as glTF 2.0
+        empty: m.gltf: has no `asset.version`, which every glTF file has: export it again as glTF 2.0
+        old: m.gltf: its `asset.version` is "1.0": legal is "2.0"; export it as that
+        number: m.gltf: its `asset.version` is 2.0: legal is "2.0"; export it as that
+        new: m.gltf: needs a reader of glTF "2.1" (`asset.minVersion`), and this one is of "2.0": export it as that
+        word: m.gltf: needs a reader of glTF "two" (`asset.minVersion`), and this one is of "2.0": export it as that
+        extension: m.gltf: needs the extension `KHR_draco_mesh_compression`: export without it
+        extension: m.gltf: needs the extension `EXT_meshopt_compression`: export without it
+        extension: m.gltf: needs the extension `EXT_mesh_gpu_instancing`: export without it
+        compressed: m.gltf: mesh 0, primitive 0: its data are compressed by `KHR_draco_mesh_compression`: export without it
+        lines: m.gltf: has no triangles, but 1 primitives of lines or points: export a surface
+        mode: m.gltf: mesh 0, primitive 0: its mode is 7: legal are 0 to 6, of which lists (4), strips (5) and fans (6) of triangles are read
+        weights: m.gltf: mesh 0, primitive 0: 2 morph targets and 1 weights
+        target: m.gltf: mesh 0, primitive 0: points and those of a morph target differ in number
+        sparse: m.gltf: mesh 0, primitive 0: accessor 4: sparse element 3 is named, and there are 3
+        joint: m.gltf: mesh 0, primitive 0: vertex 0 joint 1 is named, and there are 1
+        skin: m.gltf: skin 0: joint 1 isn't in the scene
+        set: m.gltf: mesh 0, primitive 0: has no uv (TEXCOORD_3): export with texture coordinates and normals
+        matrix: m.gltf: no glTF 2.0: trailing characters at line 1 column 156
+        cut: m.glb: its .glb container has 839 bytes of 840: the file is cut off, export or copy it again
+        chunk: m.glb: the chunk at byte 572 of its .glb container has 2066513208 bytes and reaches beyond the container's 840: the file is damaged
+        encoding: m.gltf: its text is UTF-16: save it as UTF-8
+        raw: m.gltf: buffer 0: its data URI can't be decoded: it is `data:;base64,` and base64, or `data:,` and bytes as %00 to %ff
+    "#]].assert_eq(&seen);
+}
+
+/// Many primitives that read one accessor of triangles without area: no triangle comes of it, however long it takes.
+#[test]
+fn work_has_a_limit() {
+    let mut file = File::square();
+    let many = 1_500_000;
+    let corners = file.accessor("SCALAR", UNSIGNED_SHORT, &vec![0.0; many]);
+    let primitive = &mut file.document["meshes"][0]["primitives"][0];
+    (primitive["indices"], primitive["mode"]) = (json!(corners), json!(5));
+    let primitive = primitive.clone();
+    for _ in 1..100 {
+        push(&mut file.document["meshes"][0]["primitives"], primitive.clone());
+    }
+    assert_eq!(
+        scene(&file.glb(), "glb").unwrap_err(),
+        "m.glb: mesh 0, primitive 44: accessor 4: its primitives read more than 67108864 numbers together, those of a shared accessor each time, and that is the most: simplify it"
+    );
+}
