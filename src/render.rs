@@ -161,6 +161,12 @@ impl Pipeline {
         TANGENT_PIPELINES.contains(&self.name.as_str())
     }
 
+    /// False if it takes nothing of the normals at vertices, so that triangles' own do where a mesh has none.
+    #[must_use]
+    pub fn takes_normals(&self) -> bool {
+        self.name != "tangent-faceted"
+    }
+
     /// Parameters of all its units.
     pub fn params(&self) -> impl Iterator<Item = &'static Param> + use<> {
         let behind: &[&'static Unit] = match self.frames {
@@ -608,6 +614,10 @@ pub fn render(
     }
     let (setups, others): (Vec<&Pipeline>, Vec<&Pipeline>) =
         pipelines.iter().partition(|pipeline| pipeline.is_tangent());
+    // The golden then has facets, too, and vertices that nothing splits.
+    let facets = !pipelines.is_empty() && !pipelines.iter().any(Pipeline::takes_normals);
+    let faceted = if facets { scene.faceted() } else { None };
+    let scene = faceted.as_ref().unwrap_or(scene);
     let mut shaders: Vec<Shader> = Vec::new();
     for pipeline in others {
         let mut shader = Shader::with_stages(scene, pipeline, vectors, true, false)?;

@@ -891,7 +891,7 @@ fn wrong_scenes_are_refused() {
         s.toml, line 3: scale is a number or three numbers in brackets in `scale = "big"`
         s.toml, line 3: scale is a number or three numbers in brackets in `scale = [1, 1, 1, 1]`
         s.toml, line 3: invalid length 4, expected three numbers in `translate = [`
-        s.toml, line 3: unknown field `color`, expected one of `shape`, `file`, `source`, `translate`, `rotate_degrees`, `scale`, `material` in `color = 1`
+        s.toml, line 3: unknown field `color`, expected one of `shape`, `file`, `source`, `translate`, `rotate_degrees`, `scale`, `crease_degrees`, `material` in `color = 1`
         s.toml, line 3: `rotate_degrees` = inf: legal is -1000000 to 1000000
         s.toml, line 4: `specular` = 2: legal is 0 to 1
     "#]].assert_eq(&seen);
@@ -946,33 +946,45 @@ fn wrong_files_are_refused() {
 
     let bumpy = "[height]\nsource = \"brick\"\nwidth = 8\nheight = 8\n[[object]]\nshape = \"mesh\"";
     for (name, faces) in [
-        ("no_normals.obj", "f 1/1 2/2 3/3"),
         ("no_uv.obj", "f 1//1 2//1 3//1"),
         ("points.obj", "f 1 2 3"),
-        ("nan.obj", "v 0 nan 0"),
-        ("inf.obj", "vn 0 0 -inf"),
-        ("uv.obj", "vt 1e300 0"),
+        ("nan.obj", "v 0 -1.#IND 0\nf 5/1/1 2/2/1 3/3/1"),
+        ("inf.obj", "vn 0 0 -inf\nf 1/1/2 2/2/1 3/3/1"),
+        ("uv.obj", "vt 1e300 0\nf 1/1/1 2/2/1 3/5/1"),
         ("word.obj", "v 0 zero 0"),
-        ("few.obj", "vt 0"),
-        ("none.obj", "vn 0 0 0"),
+        ("few.obj", "vn 0 1"),
+        ("no_vt.obj", "vt"),
         ("nine.obj", "f 1/1/1 2/2/1 9/3/1"),
         ("zero.obj", "f 1/1/1 2/2/1 0/3/1"),
         ("back.obj", "f 1/1/1 2/2/1 3/-5/1"),
         ("letters.obj", "f 1/1/1 2/2/1 c/3/1"),
-        ("two.obj", "f 1/1/1 2/2/1"),
+        ("many.obj", "f 1/1/1/1 2/2/1 3/3/1"),
+        ("slash.obj", "f /1/1 2/2/1 3/3/1"),
+        (
+            "two.obj",
+            "f 1/1/1 2/2/1\n\nf 1/1/1 1/2/1 1/3/1\nl 1 2\np 1\nsurf 0 1 0 1 1 2\nCall a.obj\ncall b.obj",
+        ),
+        ("crossing.obj", "f 1/1/1 3/3/1 2/2/1 4/4/1"),
+        ("nul.obj", "f 1/1/1 2/2/1 3/3/1\0"),
         ("empty.obj", ""),
-        ("thin.obj", "f 1/1/1 2/2/1 3/3/1\nf 1/1/1 2/2/1 2/3/1"),
         ("flat_uv.obj", "f 1/1/1 2/2/1 3/3/1\nf 1/1/1 3/1/1 4/2/1"),
         ("mesh.stl", ""),
     ] {
         refused(bumpy, name, format!("{SQUARE}{faces}").as_bytes());
     }
+    refused(bumpy, "late.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1/1 2/1/1 3/1/1\nvn 0 0 1");
+    let wide = |bytes: fn(u16) -> [u8; 2]| -> Vec<u8> {
+        "\u{feff}v 0 0 0\n".encode_utf16().flat_map(bytes).collect()
+    };
+    refused(bumpy, "little.obj", &wide(u16::to_le_bytes));
+    refused(bumpy, "big.obj", &wide(u16::to_be_bytes));
+    let painted =
+        "[texture]\nsource = \"brick\"\nwidth = 8\nheight = 8\n[[object]]\nshape = \"mesh\"";
+    refused(painted, "painted.obj", format!("{SQUARE}f 1/1 2/2 3/3\nf 1 3 4").as_bytes());
 
     let (document, binary) = cube_gltf("");
     let mesh = "[[object]]\nshape = \"mesh\"";
     for (name, from, to) in [
-        ("no_normals.glb", "\"NORMAL\": 1, ", ""),
-        ("no_uv.glb", ", \"TEXCOORD_0\": 2", ""),
         ("accessor.glb", "\"NORMAL\": 1", "\"NORMAL\": 9"),
         ("kind.glb", "\"NORMAL\": 1", "\"NORMAL\": 2"),
         (
@@ -1012,9 +1024,6 @@ fn wrong_files_are_refused() {
     let mut wrong = binary.clone();
     wrong[1222..1224].copy_from_slice(&36u16.to_le_bytes());
     refused(mesh, "index.glb", &glb(&document, &wrong));
-    let mut wrong = binary.clone();
-    wrong[1222..1224].copy_from_slice(&34u16.to_le_bytes());
-    refused(mesh, "thin.glb", &glb(&document, &wrong));
     let whole = glb(&document, &binary);
     refused(mesh, "cut.glb", &whole[..whole.len() - 100]);
     refused(mesh, "head.glb", &whole[..9]);
@@ -1039,26 +1048,30 @@ fn wrong_files_are_refused() {
         many.png: a map of 8000 x 8000 texels: legal are sides of 1 to 8192 and at most 33554432 texels; scale it down
         header.png: can't be decoded as PNG or JPEG: unexpected end of file
         cut.jpg: can't be decoded as PNG or JPEG: Format error decoding Jpeg: I/O errors Not enough bytes, expected 1 but found 0
-        no_normals.obj, line 10: corner `1/1` has no normal: export with texture coordinates and normals (v/vt/vn)
-        no_uv.obj, line 10: corner `1//1` has no texture coordinate: export with texture coordinates and normals (v/vt/vn)
-        points.obj, line 10: corner `1` has no texture coordinate: export with texture coordinates and normals (v/vt/vn)
-        nan.obj, line 10: the point has NaN: legal is -1000000 to 1000000
-        inf.obj, line 10: the normal has -inf: legal is -1000000 to 1000000
-        uv.obj, line 10: the texture coordinate has 1e300: legal is -1000000 to 1000000
+        no_uv.obj, line 10: triangle 0 (they count from 0) has no texture coordinates, by which [height] lies on it: unwrap it, or leave [height] out
+        points.obj, line 10: triangle 0 (they count from 0) has no texture coordinates, by which [height] lies on it: unwrap it, or leave [height] out
+        nan.obj, line 11: point 5 has NaN: legal is -1000000 to 1000000
+        inf.obj, line 11: normal 2 has -inf: legal is -1000000 to 1000000
+        uv.obj, line 11: texture coordinate 5 has 1e300: legal is -1000000 to 1000000
         word.obj, line 10: the point has `zero`, no number
-        few.obj, line 10: the texture coordinate has fewer than 2 numbers
-        none.obj, line 10: the normal has no length: give every vertex a direction
+        few.obj, line 10: the normal has 2 numbers, and at least 3 make one
+        no_vt.obj, line 10: the texture coordinate has 0 numbers, and at least 1 make one
         nine.obj, line 10: corner `9/3/1` names point 9, and up to here there are 4 (they count from 1)
         zero.obj, line 10: corner `0/3/1` names point 0, and up to here there are 4 (they count from 1)
         back.obj, line 10: corner `3/-5/1` names texture coordinate -5, and up to here there are 4 (they count from 1)
         letters.obj, line 10: corner `c/3/1` names point c, and up to here there are 4 (they count from 1)
-        two.obj, line 10: a face of 2 corners: 3 or more make one
+        many.obj, line 10: corner `1/1/1/1` has more than three indices (v/vt/vn)
+        slash.obj, line 10: corner `/1/1` names no point
+        two.obj: has no triangles; triangles without area left out: 1, the first in line 12; faces of fewer than 3 corners left out: 1, the first in line 10; lines (`l`) passed over: 1, the first in line 13; points (`p`) passed over: 1, the first in line 14; statements of free-form curves and surfaces passed over: 1, the first in line 15; statements that aren't read passed over, such as `Call`: 2, the first in line 16
+        crossing.obj, line 10: the polygon crosses itself, so it has no inside: cut it into polygons that don't
+        nul.obj: is binary, or UTF-16 without a mark, and no text: save it as UTF-8
         empty.obj: has no triangles
-        thin.obj, line 11: triangle 1 (they count from 0) has no area: remove it
         flat_uv.obj, line 11: triangle 1 (they count from 0) has no area in the texture, so bumps have no direction: unwrap it, or leave [height] out
         mesh.stl: a mesh is an .obj, .gltf or .glb file, by its extension
-        no_normals.glb: mesh 0, primitive 0: has no normals (NORMAL): export with texture coordinates and normals
-        no_uv.glb: mesh 0, primitive 0: has no uv (TEXCOORD_0): export with texture coordinates and normals
+        late.obj, line 6: the first `vn` comes after line 5, whose corners name one: put it before
+        little.obj: the text is UTF-16: save it as UTF-8
+        big.obj: the text is UTF-16: save it as UTF-8
+        painted.obj, line 11: triangle 1 (they count from 0) has no texture coordinates, by which [texture] lies on it: unwrap it, or leave [texture] out
         accessor.glb: mesh 0, primitive 0: accessor 9 is named, and there are 4
         kind.glb: mesh 0, primitive 0: accessor 2: is VEC2 where VEC3 is needed
         count.glb: mesh 0, primitive 0: 35 corners don't make whole triangles
@@ -1078,7 +1091,6 @@ fn wrong_files_are_refused() {
         none.glb: has no triangles
         nan.glb: mesh 0, primitive 0: vertex 0 has NaN: legal is -1000000 to 1000000
         index.glb: mesh 0, primitive 0: vertex 36 is named, and there are 36
-        thin.glb: triangle 11 (they count from 0) has no area: remove it
         cut.glb: its .glb container has 1936 bytes of 2036: the file is cut off, export or copy it again
         head.glb: its .glb container has 9 bytes of 12: the file is cut off, export or copy it again
         old.glb: is .glb of version 1: only 2 is read
@@ -1087,13 +1099,198 @@ fn wrong_files_are_refused() {
     "#]].assert_eq(&seen);
 }
 
+/// A square in x and z, facing -y, as OBJ files have it.
+const UPRIGHT: [&str; 4] = [
+    "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\n",
+    "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n",
+    "vn 0 -1 0\n",
+    "f 1/1/1 2/2/1 3/3/1 4/4/1\n",
+];
+
+/// What is seen of an OBJ file with bumps on it, and the notes without the file's path.
+fn seen_of(bytes: &[u8]) -> (Fragments, Vec<String>) {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("m.obj"), bytes).unwrap();
+    let text = "[image]\nwidth = 48\nheight = 48\n[camera]\neye = [0.3, -4, 1.2]\n[height]\nsource = \"brick\"\nwidth = 64\nheight = 64\n[[object]]\nshape = \"mesh\"\nfile = \"m.obj\"";
+    let scene = Scene::parse(text, &folder.path().join("s.toml")).unwrap();
+    let notes = scene.notes().iter().map(|note| note.rsplit_once("m.obj: ").unwrap().1.to_owned());
+    (traced(&scene), notes.collect())
+}
+
+/// Files as people have them: the picture is that of the plain one, and what was passed over is said.
+#[test]
+fn one_square_as_many_obj_files() {
+    let [v, vt, vn, f] = UPRIGHT;
+    let plain = [v, vt, vn, f].concat();
+    let (expected, notes) = seen_of(plain.as_bytes());
+    assert!(expected.len() > 400 && notes.is_empty());
+    let made = "means of the triangles around it are taken, up to edges of `crease_degrees` = 60 (by `tangent-faceted` alone those of the triangles)";
+    let normals = format!("6 of 6 corners have no normal: {made}");
+    let passed = "statements that aren't read passed over, such as `vw`: 2, the first in line 11";
+    for (name, text, expected_notes) in [
+        ("mark", format!("\u{feff}{plain}"), vec![]),
+        ("two marks", format!("\u{feff}{v}\u{feff}{vt}{vn}{f}"), vec![]),
+        ("CR", plain.replace('\n', "\r"), vec![]),
+        ("CRLF", plain.replace('\n', "\r\n"), vec![]),
+        ("goes on", plain.replace(" 3/3", " \\\n 3/3"), vec![]),
+        ("comments", plain.replace('\n', " # C:\\meshes\\\n"), vec![]),
+        ("colours and weights", plain.replace("-1\n", "-1 0.5 nan 1\n"), vec![]),
+        ("three texture coordinates", plain.replace("vt 0 0", "vt 0 0 7"), vec![]),
+        ("one texture coordinate", plain.replace("vt 1 0", "vt 1"), vec![]),
+        ("names", format!("mtllib a b.mtl\no \ng f 1\nusemtl m#1\ns off\n{plain}"), vec![]),
+        ("old", plain.replace("f ", "fo "), vec![]),
+        ("from behind", [v, vt, vn, "f -4/-4/-1 -3/-3/-1 -2/-2/-1 -1/-1/-1"].concat(), vec![]),
+        (
+            "unused",
+            format!("{plain}vn 0 0 0\nv nan 1.#QNAN -1.#IND\nvt inf 0\nv 7e10 0 0\n"),
+            vec![],
+        ),
+        ("without normals", [v, vt, "f 1/1 2/2 3/3 4/4"].concat(), vec![&*normals]),
+        ("slashes", [v, vt, "f 1/1/ 2/2/ 3/3/ 4/4/"].concat(), vec![&*normals]),
+        ("no length", plain.replace("0 -1 0\n", "0 0 0\n"), vec![&*normals]),
+        (
+            "normals not there",
+            [v, vt, f].concat(),
+            vec![
+                "corners that name a normal, and there are none: 4, the first in line 9",
+                &*normals,
+            ],
+        ),
+        (
+            "one corner twice",
+            [v, vt, vn, "f 1/1/1 2/2/1 3/3/1 4/4/1 4/4/1"].concat(),
+            vec!["triangles without area left out: 1, the first in line 10"],
+        ),
+        (
+            "a face that is a line",
+            format!("{plain}f 1/1/1 3/3/1 1/1/1\nf 1/1/1 1/1/1 1/1/1 1/1/1\nf 1/1/1 2/2/1"),
+            vec![
+                "triangles without area left out: 3, the first in line 11",
+                "faces of fewer than 3 corners left out: 1, the first in line 13",
+            ],
+        ),
+        (
+            "lines and points",
+            format!("{plain}l 1 2 3\np 1\nl 1 2\ncurv 0 1 1 2\n"),
+            vec![
+                "lines (`l`) passed over: 2, the first in line 11",
+                "points (`p`) passed over: 1, the first in line 12",
+                "statements of free-form curves and surfaces passed over: 1, the first in line 14",
+            ],
+        ),
+        ("unknown", format!("{plain}vw 0 0 1\nF 1 2 3\n"), vec![passed]),
+    ] {
+        let (seen, notes) = seen_of(text.as_bytes());
+        assert_eq!(notes, expected_notes, "{name}");
+        assert_eq!((&seen.pixel, &seen.bump), (&expected.pixel, &expected.bump), "{name}");
+        assert_eq!((&seen.normal, &seen.tangent), (&expected.normal, &expected.tangent), "{name}");
+    }
+}
+
+/// The same picture from whichever corner a concave polygon begins, and the notch stays open.
+#[test]
+fn concave_polygons_are_cut_inside() {
+    let notched = "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv 0 0 -0.5\nv -1 0 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0.5 0.25\nvt 0 1\nvn 0 -1 0\n";
+    let mut corners = ["1/1/1", "2/2/1", "3/3/1", "4/4/1", "5/5/1"];
+    // What is seen of the whole square, without what is in the notch.
+    let (square, _) = seen_of(UPRIGHT.concat().as_bytes());
+    let below = |i: &usize| square.position[2][*i] < 1.5 * square.position[0][*i].abs() - 0.5;
+    let expected: Vec<u32> = (0..square.len()).filter(below).map(|i| square.pixel[i]).collect();
+    assert!(expected.len() > 400 && expected.len() < square.len() - 200);
+    let mut bumps: Option<Vec<u32>> = None;
+    for _ in 0..corners.len() {
+        corners.rotate_left(1);
+        let (seen, _) = seen_of(format!("{notched}f {}\n", corners.join(" ")).as_bytes());
+        assert_eq!(seen.pixel, expected, "{corners:?}");
+        assert_eq!(&seen.bump, bumps.get_or_insert_with(|| seen.bump.clone()), "{corners:?}");
+    }
+}
+
+/// Texture coordinates aren't asked for where nothing lies on the surface.
+#[test]
+fn texture_coordinates_only_where_something_needs_them() {
+    let scene = |mesh: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("m.obj"), mesh).unwrap();
+        let text = "[image]\nwidth = 20\nheight = 20\n[camera]\neye = [0, 0, 5]\nup = [0, 1, 0]\n[texture]\ncolor = [1, 0.5, 0]\n[height]\nwidth = 4\nheight = 4\n[[object]]\nshape = \"mesh\"\nfile = \"m.obj\"";
+        Scene::parse(text, &folder.path().join("s.toml")).unwrap()
+    };
+    let with = traced(&scene(&format!("{SQUARE}f 1/1/1 2/2/1 3/3/1 4/4/1")));
+    for faces in ["f 1//1 2//1 3//1 4//1", "f 1 2 3 4", "f 1/1/1 2/2/1 3/3/1\nf 1//1 3/3/1 4/4/1"] {
+        let without = traced(&scene(&format!("{SQUARE}{faces}")));
+        assert_eq!((&without.pixel, &without.normal), (&with.pixel, &with.normal), "{faces}");
+        let t = |i| tangent(&without, i).dot(normal(&without, i));
+        assert!((0..without.len()).all(|i| t(i) == 0.0));
+    }
+}
+
+/// Normals that a mesh lacks, by an eye that looks at it from above.
+fn made_normals(mesh: &str, crease: &str, extra: &str) -> (Scene, Fragments) {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("m.obj"), mesh).unwrap();
+    let text = format!(
+        "[image]\nwidth = 64\nheight = 64\n[camera]\neye = [0, 0, 5]\nup = [0, 1, 0]\n{extra}\n[[object]]\nshape = \"mesh\"\nfile = \"m.obj\"\n{crease}"
+    );
+    let scene = Scene::parse(&text, &folder.path().join("s.toml")).unwrap();
+    let f = traced(&scene);
+    (scene, f)
+}
+
+/// A roof of two slopes of 45°, whose ridge is the y axis; the left one is cut into two triangles, the right one into
+/// three of different sizes.
+const ROOF: &str = "v -1 -1 -1\nv 0 -1 0\nv 0 1 0\nv -1 1 -1\nv 1 -1 -1\nv 1 1 -1\nv 0.25 -1 -0.25\nf 1 2 3\nf 1 3 4\nf 2 7 3\nf 7 5 3\nf 5 6 3\n";
+
+#[test]
+fn normals_are_made_by_angle_up_to_creases() {
+    let slope = |x: f64| DVec3::new(x.signum(), 0.0, 1.0).normalize();
+    // The ridge turns by 90°: sharper than 89, no sharper than 90.
+    let (scene, sharp) = made_normals(ROOF, "crease_degrees = 89", "");
+    assert!(!sharp.is_empty() && !sharp.face.contains(&CURVED), "planes stay flat");
+    for i in 0..sharp.len() {
+        let x = sharp.position[0][i];
+        assert!((normal(&sharp, i) - slope(x)).length() < 1e-15, "{x}");
+    }
+    let mut notes = scene.notes()[0].clone();
+    notes.replace_range(..notes.find("m.obj").unwrap(), "");
+    expect!["m.obj: 15 of 15 corners have no normal: means of the triangles around it are taken, up to edges of `crease_degrees` = 89 (by `tangent-faceted` alone those of the triangles)"].assert_eq(&notes);
+
+    // On the ridge, angles of 90° at one end and 90° at the other on each side, whatever the cuts: straight up.
+    let (_, round) = made_normals(ROOF, "crease_degrees = 90", "");
+    for i in 0..round.len() {
+        let [x, y, _] = [0, 1, 2].map(|axis| round.position[axis][i]);
+        let n = normal(&round, i);
+        assert!(n.y.abs() < 1e-15, "{x} {y}: {n}");
+        if x < 0.0 {
+            // Between the ridge (up) and the eaves (the slope's own).
+            let expected = (DVec3::Z * (1.0 + x) - slope(x) * x).normalize();
+            assert!((n - expected).length() < 1e-12, "{x} {y}: {n}");
+        }
+    }
+}
+
+#[test]
+fn facets_leave_vertices_shared() {
+    let (scene, _) = made_normals(ROOF, "crease_degrees = 30", "");
+    assert_eq!(scene.assemble().unwrap().vertices.len(), 9, "two on each side of the ridge");
+    let faceted = scene.faceted().unwrap();
+    assert_eq!(faceted.assemble().unwrap().vertices.len(), 7);
+    assert!(!traced(&faceted).face.contains(&CURVED));
+    // The same seen from the other side of a mirror, where corners turn the other way round.
+    let mirrored = "crease_degrees = 30\nscale = [-1, 1, 1]";
+    let (scene, right) = made_normals(ROOF, mirrored, "");
+    let left = traced(&scene.faceted().unwrap());
+    assert!(left.len() > 500 && left.pixel == right.pixel);
+    assert!((0..left.len()).all(|i| (normal(&left, i) - normal(&right, i)).length() < 1e-15));
+    assert_eq!(scene.faceted().unwrap().assemble().unwrap().primitives().len(), 5);
+    assert!(parse("[[object]]\nshape = \"cube\"").faceted().is_none());
+}
+
 #[test]
 fn a_scene_has_limits_as_a_whole() {
     let folder = tempfile::tempdir().unwrap();
-    // A polygon of 1003 corners: 1001 triangles, and 1 001 000 of them in 1000 objects.
-    let corners = " 1/1/1 2/2/1 3/3/1".repeat(335);
-    let polygon = corners.rsplitn(3, ' ').last().unwrap();
-    fs::write(folder.path().join("m.obj"), format!("{SQUARE}f{polygon}")).unwrap();
+    // 1001 triangles, and 1 001 000 of them in 1000 objects.
+    let triangles = "f 1/1/1 2/2/1 3/3/1\n".repeat(1001);
+    fs::write(folder.path().join("m.obj"), format!("{SQUARE}{triangles}")).unwrap();
     let refused = |text: &str| {
         Scene::parse(text, &folder.path().join("s.toml")).map(|_| ()).unwrap_err().to_string()
     };

@@ -342,6 +342,79 @@ fn strips_and_fans_are_set_up_as_lists() {
 
 /// The polar and the Cartesian pipeline on frames of the set-up: as near to the golden as on frames in floating
 /// point, mirrored or not; and the seed's rule for mirrored textures is seen through them.
+/// An octahedron without normals, and with texture coordinates if they are asked for.
+fn octahedron(uvs: bool) -> (tempfile::TempDir, Result<Scene, fixpath::error::Error>) {
+    let folder = tempfile::tempdir().unwrap();
+    let mut text = "v 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\n".to_owned();
+    text.push_str("vt 0 0\nvt 1 0\nvt 0 1\n");
+    for (a, b) in [(1, 2), (2, 3), (3, 4), (4, 1)] {
+        let faces = if uvs {
+            format!("f {a}/1 {b}/2 5/3\nf {b}/1 {a}/2 6/3\n")
+        } else {
+            format!("f {a} {b} 5\nf {b} {a} 6\n")
+        };
+        text.push_str(&faces);
+    }
+    fs::write(folder.path().join("m.obj"), text).unwrap();
+    let scene = "[image]\nwidth = 64\nheight = 64\n[[object]]\nshape = \"mesh\"\nfile = \"m.obj\"\ncrease_degrees = 90";
+    let scene = Scene::parse(scene, &folder.path().join("s.toml"));
+    (folder, scene)
+}
+
+/// Without normals `tangent-faceted` alone shows facets of shared vertices; where another pipeline needs normals at
+/// vertices, all are held against the smooth surface.
+#[test]
+fn a_mesh_without_normals_is_faceted_where_nothing_needs_them() {
+    let (_folder, scene) = octahedron(true);
+    let scene = scene.unwrap();
+    let alone = set_up(&scene, &["tangent-faceted"], &[]);
+    let setup = alone.shots[0].setup.as_ref().unwrap();
+    assert_eq!(
+        setup.sharing.vertices,
+        4 * 2 + 2,
+        "each point with each of its texture coordinates"
+    );
+    // Three faces are seen, each lit evenly: but for the highlight, as many colours.
+    let mut codes = alone.golden.to_srgb8().codes().to_vec();
+    codes.sort_unstable();
+    codes.dedup();
+    let faceted = codes.len();
+    let both = set_up(&scene, &BOTH, &[]);
+    let mut codes = both.golden.to_srgb8().codes().to_vec();
+    codes.sort_unstable();
+    codes.dedup();
+    assert!(faceted < codes.len(), "{faceted} {}", codes.len());
+    // The flow of facets is the same, whatever it is held against.
+    assert_eq!(alone.shots[0].picture.pixels(), both.shots[1].picture.pixels());
+    let algorithm = |shot: &fixpath::render::Shot, golden| {
+        differ(&shot.setup.as_ref().unwrap().flow, golden).max.difference
+    };
+    assert!(algorithm(&both.shots[1], &both.golden) > 0.1);
+    assert!(algorithm(&alone.shots[0], &alone.golden) < 0.02);
+}
+
+#[test]
+fn a_set_up_without_texture_coordinates_is_refused() {
+    let (_folder, scene) = octahedron(false);
+    let scene = scene.unwrap();
+    for (names, frames, by) in [
+        (&["tangent-faceted"][..], Frames::Float, "`tangent-faceted`"),
+        (&["corrected", "tangent-smooth"], Frames::Float, "`tangent-smooth`"),
+        (&["corrected"], Frames::Setup, "the set-up of frames"),
+    ] {
+        let refused = render(&scene, &pipelines(names, frames, &[]), false, &|_| ());
+        let why = refused.unwrap_err().to_string();
+        let expected = format!(
+            "m.obj, line 10: triangle 0 (they count from 0) has no texture coordinates, from which {by} takes T: unwrap it, or take a pipeline without"
+        );
+        assert!(why.ends_with(&expected), "{why}");
+    }
+    let shaded = render(&scene, &pipelines(&["corrected"], Frames::Float, &[]), false, &|_| ());
+    let shaded = shaded.unwrap();
+    assert!(shaded.covered > 500);
+    assert!(differ(&shaded.shots[0].picture, &shaded.golden).mean < 0.01);
+}
+
 #[test]
 fn other_pipelines_take_frames_of_the_set_up() {
     let folder = tempfile::tempdir().unwrap();

@@ -20,6 +20,7 @@ use crate::units::Design;
 use clap::Args;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
+use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
 /// The pipelines of a picture, if none are named.
@@ -107,8 +108,17 @@ const SHEET_PIPELINES: usize = 4;
 /// The most frames beside each other on a sheet.
 const SHEET_FRAMES: usize = 12;
 
-/// The scene of a name or a file.
+/// The scene of a name or a file; what isn't as its files have it goes to standard error.
 pub(super) fn scene_of(path: &Path) -> Result<Scene> {
+    let scene = named_scene(path)?;
+    for note in scene.notes() {
+        // A lost note changes nothing.
+        let _ = writeln!(io::stderr(), "note: {note}");
+    }
+    Ok(scene)
+}
+
+fn named_scene(path: &Path) -> Result<Scene> {
     // A bare word that is no file is meant as a name, though there may be no such scene. A folder of
     // that name may be what an earlier run wrote.
     match path.to_str().filter(|name| !name.contains(['.', '/', '\\'])) {

@@ -8,7 +8,8 @@
 //! vectors made unit again, `N'` straight from the bump map, and the formula of the golden.
 //!
 //! - `tangent-smooth` has a map for each vertex of a triangle, with the vertex's normal;
-//! - `tangent-faceted` has one for each triangle, whose normal is its own.
+//! - `tangent-faceted` has one for each triangle, whose normal is its own. It takes none from vertices: by itself it
+//!   shows a mesh without normals in facets, as does its golden then ([`Scene::faceted`]).
 //!
 //! # Two goldens
 //! A picture's difference to the golden of all pipelines (frames and vectors per pixel, without triangles) splits
@@ -477,6 +478,9 @@ pub(super) fn shots(
     pipelines: &[&Pipeline],
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<Vec<Shot>> {
+    for pipeline in pipelines {
+        scene.demand_uv(&format!("`{}`", pipeline.name))?;
+    }
     let front = Front::new(scene)?;
     let shaders: Vec<Shader<'_>> =
         pipelines.iter().map(|pipeline| Shader::new(&front, pipeline)).collect::<Result<_>>()?;
@@ -546,6 +550,7 @@ impl FaceFrames {
     }
 
     pub(super) fn new(scene: &Scene, pipeline: &Pipeline) -> Result<Self> {
+        scene.demand_uv("the set-up of frames")?;
         let of_face =
             |(object, face): (u32, [SharedVertex; 3])| face.map(|corner| (object, corner));
         let corners: Vec<(u32, SharedVertex)> = scene.faces().flat_map(of_face).collect();

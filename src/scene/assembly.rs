@@ -10,7 +10,7 @@ use crate::cast;
 use glam::{DVec2, DVec3};
 use serde::Serialize;
 
-/// How a list of corners makes triangles (glTF's modes 4, 5 and 6; polygons of OBJ files are fans).
+/// How a list of corners makes triangles (glTF's modes 4, 5 and 6).
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Topology {
     /// Three corners each.
@@ -55,17 +55,26 @@ impl Topology {
 pub struct SharedVertex {
     /// Where it is.
     pub position: DVec3,
-    /// Its normal N, of any length but zero where it comes from a file, else a unit vector.
+    /// Its unit normal N; 0 where its triangles take their own ([`Scene::faceted`](super::Scene::faceted)).
     pub normal: DVec3,
-    /// u and v, v up.
+    /// u and v, v up; 0 where there are none, and nothing needs them.
     pub uv: DVec2,
 }
 
-/// Vertices and the triangles between them.
+/// A vertex as a file has it.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct MeshVertex {
+    pub(super) position: DVec3,
+    /// Of any length but zero.
+    pub(super) normal: Option<DVec3>,
+    pub(super) uv: Option<DVec2>,
+}
+
+/// Vertices and the triangles between them, as a file has them.
 #[derive(Clone, Default, Debug)]
 pub(super) struct Mesh {
     /// Each once.
-    pub(super) vertices: Vec<SharedVertex>,
+    pub(super) vertices: Vec<MeshVertex>,
     /// Numbers of each triangle's vertices.
     pub(super) triangles: Vec<[u32; 3]>,
     /// Line of each triangle in its file, where that has lines.
@@ -74,33 +83,117 @@ pub(super) struct Mesh {
     pub(super) indices: u64,
     /// Triangles of strips that were left out since two of their corners are one point: they stitch.
     pub(super) stitches: u64,
+    /// Other triangles that were left out since they have no area.
+    pub(super) flat: Tally,
+    /// What else its reader left out or passed over, in words.
+    pub(super) notes: Vec<String>,
+}
+
+/// How often something was met in a file, and where first.
+#[derive(Clone, Copy, Default, Debug)]
+pub(super) struct Tally {
+    pub(super) count: u64,
+    /// Line of the first, where the file has lines.
+    line: Option<u64>,
+}
+
+impl Tally {
+    pub(super) fn add(&mut self, line: Option<u64>) {
+        if self.count == 0 {
+            self.line = line;
+        }
+        self.count += 1;
+    }
+
+    /// Refuses a statement that these should have come after.
+    pub(super) fn follows(&self, name: &str) -> Result<(), String> {
+        match self.line {
+            Some(line) => Err(format!(
+                "the first `{name}` comes after line {line}, whose corners name one: put it before"
+            )),
+            None => Ok(()),
+        }
+    }
+
+    /// The count and where the first was, after what it counts; `None` if there were none.
+    pub(super) fn told(&self, what: &str) -> Option<String> {
+        let place = self.line.map(|line| format!(", the first in line {line}"));
+        (self.count > 0).then(|| format!("{what}: {}{}", self.count, place.unwrap_or_default()))
+    }
+}
+
+/// Triangles whose area is less than this, against the square of their longest edge, have none.
+const THIN: f64 = 1e-12;
+/// Squares of edges below this have lost their digits.
+const TINY: f64 = 1e-60;
+
+/// False for a triangle or parallelogram of these corners that is no more than a line or a point.
+pub(super) fn has_area([a, b, c]: [DVec3; 3]) -> bool {
+    let longest = a.distance_squared(b).max(a.distance_squared(c)).max(b.distance_squared(c));
+    is_area((b - a).cross(c - a).length(), longest)
+}
+
+/// False if an area is next to none, against the square of the longest edge around it.
+pub(super) fn is_area(area: f64, longest: f64) -> bool {
+    longest > TINY && area > THIN * longest
 }
 
 impl Mesh {
-    /// Adds the triangles of a list of corners, which are numbers of vertices.
+    /// Corners of a triangle.
+    pub(super) fn corners(&self, triangle: [u32; 3]) -> [&MeshVertex; 3] {
+        triangle.map(|corner| &self.vertices[cast::index_of_u32(corner)])
+    }
+
+    /// The first triangle that has a corner without texture coordinates.
+    pub(super) fn without_uv(&self) -> Option<usize> {
+        let lacks = |triangle: &[u32; 3]| self.corners(*triangle).iter().any(|v| v.uv.is_none());
+        self.triangles.iter().position(lacks)
+    }
+
+    /// Line of a triangle, where its file has lines.
+    pub(super) fn line(&self, triangle: usize) -> Option<u64> {
+        self.lines.get(triangle).copied()
+    }
+
+    /// What isn't as its file has it, in words.
+    pub(super) fn told(&self) -> Vec<String> {
+        let flat = self.flat.told("triangles without area left out");
+        flat.into_iter().chain(self.notes.iter().cloned()).collect()
+    }
+
+    /// Adds the triangles of a list of corners, which are numbers of vertices; those without area are counted only.
     ///
     /// # Errors
     /// If the corners make no triangles, or they become too many.
     ///
     /// # Panics
     /// If a corner has no vertex: readers check that.
-    pub(super) fn assemble(&mut self, topology: Topology, corners: &[u32]) -> Result<(), String> {
+    pub(super) fn assemble(
+        &mut self,
+        topology: Topology,
+        corners: &[u32],
+        line: Option<u64>,
+    ) -> Result<(), String> {
         let count = topology.triangles(corners.len())?;
         self.triangles.reserve(count.min(MAX_TRIANGLES));
         for triangle in 0..count {
             let corners = topology.corners(triangle).map(|place| corners[place]);
+            let points = self.corners(corners).map(|vertex| vertex.position);
+            let [a, b, c] = points;
             // Strips are stitched by corners that come twice, or by points that do.
-            if topology == Topology::Strip {
-                let [a, b, c] = corners.map(|c| self.vertices[cast::index_of_u32(c)].position);
-                if a == b || b == c || a == c {
-                    self.stitches += 1;
-                    continue;
-                }
+            if topology == Topology::Strip && (a == b || b == c || a == c) {
+                self.stitches += 1;
+                continue;
+            }
+            if !has_area(points) {
+                self.flat.add(line);
+                continue;
             }
             if self.triangles.len() == MAX_TRIANGLES {
                 return Err(too_many());
             }
             self.triangles.push(corners);
+            self.lines.extend(line);
         }
         Ok(())
     }
@@ -160,10 +253,10 @@ mod tests {
     use super::*;
 
     fn mesh(points: &[[i32; 2]]) -> Mesh {
-        let vertex = |[x, y]: &[i32; 2]| SharedVertex {
+        let vertex = |[x, y]: &[i32; 2]| MeshVertex {
             position: DVec3::new(f64::from(*x), f64::from(*y), 0.0),
-            normal: DVec3::Z,
-            uv: DVec2::ZERO,
+            normal: None,
+            uv: None,
         };
         Mesh { vertices: points.iter().map(vertex).collect(), ..Mesh::default() }
     }
@@ -180,7 +273,7 @@ mod tests {
     fn strips_turn_one_way() {
         let points: Vec<[i32; 2]> = (0..12).map(|i| [i / 2, 1 - i % 2]).collect();
         let mut ladder = mesh(&points);
-        ladder.assemble(Topology::Strip, &(0..12).collect::<Vec<_>>()).unwrap();
+        ladder.assemble(Topology::Strip, &(0..12).collect::<Vec<_>>(), None).unwrap();
         assert_eq!(areas(&ladder), [1.0; 10]);
         let mut seen: Vec<[u32; 3]> = ladder.triangles.clone();
         seen.iter_mut().for_each(|corners| corners.sort_unstable());
@@ -195,13 +288,13 @@ mod tests {
         let points: Vec<[i32; 2]> = ladder(0).chain(ladder(10)).collect();
         let mut indexed = mesh(&points);
         let corners = [0, 1, 2, 3, 4, 5, 5, 6, 6, 7, 8, 9, 10, 11];
-        indexed.assemble(Topology::Strip, &corners).unwrap();
+        indexed.assemble(Topology::Strip, &corners, None).unwrap();
         assert_eq!((areas(&indexed), indexed.stitches), (vec![1.0; 8], 4));
 
         let points: Vec<[i32; 2]> =
             corners.iter().map(|i| points[cast::index_of_u32(*i)]).collect();
         let mut plain = mesh(&points);
-        plain.assemble(Topology::Strip, &(0..14).collect::<Vec<_>>()).unwrap();
+        plain.assemble(Topology::Strip, &(0..14).collect::<Vec<_>>(), None).unwrap();
         assert_eq!((areas(&plain), plain.stitches), (vec![1.0; 8], 4));
     }
 
@@ -209,11 +302,11 @@ mod tests {
     fn fans_and_lists() {
         let points = [[0, 0], [2, 0], [2, 1], [1, 2], [0, 2]];
         let mut fan = mesh(&points);
-        fan.assemble(Topology::Fan, &[0, 1, 2, 3, 4]).unwrap();
+        fan.assemble(Topology::Fan, &[0, 1, 2, 3, 4], None).unwrap();
         assert_eq!(fan.triangles, [[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
         assert_eq!(areas(&fan), [2.0, 3.0, 2.0]);
         let mut list = mesh(&points);
-        list.assemble(Topology::List, &[0, 1, 2, 0, 2, 3, 0, 3, 4]).unwrap();
+        list.assemble(Topology::List, &[0, 1, 2, 0, 2, 3, 0, 3, 4], None).unwrap();
         assert_eq!(list.triangles, fan.triangles);
         for (topology, corners) in
             [(Topology::List, 4), (Topology::Strip, 2), (Topology::Fan, 0), (Topology::Strip, 0)]
@@ -221,6 +314,18 @@ mod tests {
             assert!(topology.triangles(corners).is_err(), "{topology:?} {corners}");
         }
         assert_eq!(Topology::List.triangles(0), Ok(0));
+    }
+
+    #[test]
+    fn triangles_without_area_are_counted() {
+        let mut list = mesh(&[[0, 0], [2, 0], [2, 1], [1, 0]]);
+        let corners = [0, 1, 2, 0, 1, 3, 2, 1, 1, 0, 3, 2];
+        list.assemble(Topology::List, &corners, Some(7)).unwrap();
+        assert_eq!(list.triangles, [[0, 1, 2], [0, 3, 2]]);
+        assert_eq!((list.lines, list.stitches), (vec![7, 7], 0));
+        let told = list.flat.told("flat").unwrap();
+        assert_eq!(told, "flat: 2, the first in line 7");
+        assert_eq!(Tally::default().told("flat"), None);
     }
 
     #[test]

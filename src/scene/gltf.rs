@@ -11,9 +11,9 @@
 
 mod data;
 
-use super::assembly::{Mesh, SharedVertex, Topology};
+use super::assembly::{Mesh, MeshVertex, Topology};
 use super::map;
-use super::mesh::{MAX_TRIANGLES, check_coordinates, check_normal};
+use super::mesh::{MAX_TRIANGLES, check_coordinates, checked_normal};
 use crate::cast;
 use crate::error::{Error, Result};
 use data::{Accessor, Buffer, Buffers, Data, View, get};
@@ -296,6 +296,9 @@ impl File<'_> {
                 "has no triangles, but {passed_over} primitives of lines or points: export a surface"
             ));
         }
+        if passed_over > 0 {
+            whole.notes.push(format!("primitives of lines or points passed over: {passed_over}"));
+        }
         Ok(whole)
     }
 
@@ -384,7 +387,7 @@ impl File<'_> {
                 (0..cast::id_of(vertices)).map(|i| first + i).collect()
             }
         };
-        mesh.assemble(topology, &corners)
+        mesh.assemble(topology, &corners, None)
     }
 
     /// The set of texture coordinates that a material's texture takes, and the material if it transforms them.
@@ -404,7 +407,7 @@ impl File<'_> {
         source: &VertexSource,
         weights: &[f64],
         pose: &Pose,
-        to: &mut Vec<SharedVertex>,
+        to: &mut Vec<MeshVertex>,
     ) -> Result<(), String> {
         let (targets, uv_name) = (source.targets, format!("TEXCOORD_{}", source.uv_set));
         // Without weights, morph targets weigh nothing.
@@ -412,9 +415,7 @@ impl File<'_> {
             return Err(format!("{} morph targets and {} weights", targets.len(), weights.len()));
         }
         let attribute = |what: &str, name: &str, components: usize| {
-            let accessor = source.attributes.get(name).ok_or_else(|| {
-                format!("has no {what} ({name}): export with texture coordinates and normals")
-            })?;
+            let Some(accessor) = source.attributes.get(name) else { return Ok(None) };
             let mut values = self.data.reals(*accessor, components)?;
             for (weight, target) in
                 weights.iter().zip(targets).filter(|(weight, _)| **weight != 0.0)
@@ -426,13 +427,15 @@ impl File<'_> {
                 }
                 values.iter_mut().zip(more).for_each(|(value, more)| *value += weight * more);
             }
-            Ok(values)
+            Ok(Some(values))
         };
-        let points = attribute("points", "POSITION", 3)?;
+        let points = attribute("points", "POSITION", 3)?.ok_or("has no points (POSITION)")?;
         let normals = attribute("normals", "NORMAL", 3)?;
         let uvs = attribute("uv", &uv_name, 2)?;
         let vertices = points.len() / 3;
-        if normals.len() / 3 != vertices || uvs.len() / 2 != vertices {
+        let differ =
+            |of: &Option<Vec<f64>>, n| of.as_ref().is_some_and(|of| of.len() / n != vertices);
+        if differ(&normals, 3) || differ(&uvs, 2) {
             return Err("points, normals and uv differ in number".to_owned());
         }
         let bones = match pose {
@@ -467,17 +470,22 @@ impl File<'_> {
                 &format!("vertex {i}"),
                 &[given.to_array(), position.to_array()].concat(),
             )?;
-            let what = format!("the normal of vertex {i}");
-            let given = DVec3::from_slice(&normals[3 * i..]);
-            check_normal(&what, given)?;
-            // Only its direction counts.
-            let normal = (normal_matrix * given.normalize()).normalize_or_zero();
-            check_normal(&what, normal)?;
-            let uv = DVec2::from_slice(&uvs[2 * i..]);
-            let uv = transform.map_or(uv, |transform| transform.apply(uv));
-            let uv = DVec2::new(uv.x, 1.0 - uv.y);
-            check_coordinates(&format!("the uv of vertex {i}"), &uv.to_array())?;
-            to.push(SharedVertex { position, normal, uv });
+            let normal = normals.as_ref().map(|normals| DVec3::from_slice(&normals[3 * i..]));
+            let normal = normal.map_or(Ok(None), |given| {
+                let what = format!("the normal of vertex {i}");
+                let Some(given) = checked_normal(&what, given)? else { return Ok(None) };
+                // Only its direction counts.
+                checked_normal(&what, (normal_matrix * given.normalize()).normalize_or_zero())
+            })?;
+            let uv = uvs.as_ref().map(|uvs| {
+                let uv = DVec2::from_slice(&uvs[2 * i..]);
+                let uv = transform.map_or(uv, |transform| transform.apply(uv));
+                DVec2::new(uv.x, 1.0 - uv.y)
+            });
+            if let Some(uv) = uv {
+                check_coordinates(&format!("the uv of vertex {i}"), &uv.to_array())?;
+            }
+            to.push(MeshVertex { position, normal, uv });
         }
         Ok(())
     }

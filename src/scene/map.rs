@@ -96,6 +96,11 @@ impl Texture {
         (self.size.width, self.size.height)
     }
 
+    /// True if it has one colour.
+    pub(super) fn is_even(&self) -> bool {
+        self.texels.iter().all(|texel| *texel == self.texels[0])
+    }
+
     /// Colours by texel index: linear RGB, 0 to 1.
     #[must_use]
     pub fn texels(&self) -> &[[f32; 3]] {

@@ -30,10 +30,14 @@
 //!   and θ the angle from +z, u = az/turn in [0, 1) and v = 1 - θ/(half a turn). It is no mesh:
 //!   rays meet it exactly and normals are exact. On the pole itself az is 0.
 //! - *mesh*: triangles of an `.obj`, `.gltf` or `.glb` file, coordinates as in the file (glTF's y is up:
-//!   `rotate_degrees = [90, 0, 0]` stands it upright): lists, strips and fans; polygons of more corners are fans.
+//!   `rotate_degrees = [90, 0, 0]` stands it upright): lists, strips, fans and polygons.
 //!   A glTF file is read as it is at rest: with its nodes, default weights of morph targets, and skins. Texture
 //!   coordinates are those of the material's colour texture (else its normal map's), by KHR_texture_transform.
-//!   Triangles count from 0 in the file's order, without those of strips that have one point for two corners.
+//!   Triangles count from 0 in the file's order, without those that have no area, which are left out.
+//!   Where it has no normals, they are means of those of the triangles around a point, weighted by their angles there,
+//!   up to edges sharper than `crease_degrees` (60 if not given); a triangle's own side is that from which its corners turn
+//!   counter-clockwise. Texture coordinates are needed only where `[texture]` or `[height]` differ from place to place, and
+//!   for a tangent-space set-up.
 //!   With `source = "shell"` instead of a file it is a dome over [-1, 1]^2 whose halves left and right of x = 0 share a
 //!   texture: u = |x|, v = 2 (y + 1), z = 0.6 (1 - x²) (1 - y²), in 48 x 48 squares, each cut
 //!   in two from its lower corner nearer to x = 0 to its upper one farther from it.
@@ -102,6 +106,9 @@ mod gltf;
 mod jpeg;
 mod map;
 mod mesh;
+mod normals;
+mod obj;
+mod polygon;
 mod procedural;
 mod tessellation;
 mod text;
@@ -115,10 +122,13 @@ pub use trace::{CURVED, Fragments};
 
 use crate::error::{Error, Result};
 use glam::{DQuat, DVec3};
+use normals::Normals;
 use serde::Deserialize;
 use std::f64::consts::TAU;
 use std::fmt::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use trace::{Placement, Shape, Surfaces};
 
 /// The scenes that come with the program, with their TOML text.
 pub const BUILTIN: &[(&str, &str)] = &[
@@ -154,7 +164,33 @@ pub struct Scene {
     pub emboss: Emboss,
     /// The path of a light from frame to frame, if there is more than one picture.
     pub orbit: Option<Orbit>,
-    surfaces: trace::Surfaces,
+    surfaces: Surfaces,
+    /// What the surfaces were made from.
+    objects: Arc<[(Shape, Placement)]>,
+    /// The first triangle without texture coordinates.
+    without_uv: Option<Bare>,
+    notes: Vec<String>,
+}
+
+/// A triangle of a file.
+#[derive(Clone, Debug)]
+struct Bare {
+    file: PathBuf,
+    line: Option<u64>,
+    triangle: usize,
+}
+
+impl Bare {
+    /// That it has no texture coordinates, which something needs.
+    fn error(&self, needed: &str) -> Error {
+        let Self { file, line, triangle } = self;
+        let problem =
+            format!("triangle {triangle} (they count from 0) has no texture coordinates, {needed}");
+        match line {
+            Some(line) => Error::line(file, *line, problem),
+            None => Error::file(file, problem),
+        }
+    }
 }
 
 /// Size and background of a scene's image.
@@ -388,6 +424,36 @@ impl Scene {
         }
     }
 
+    /// What of its files was left out, passed over or made up, in words.
+    #[must_use]
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
+    /// The same where normals that meshes lack are those of their triangles, and not means of them: for what needs
+    /// none at vertices. `None` if meshes lack none.
+    ///
+    /// # Panics
+    /// Never: the surfaces were made before.
+    #[must_use]
+    pub fn faceted(&self) -> Option<Self> {
+        let lacks = |(shape, _): &(Shape, Placement)| match shape {
+            Shape::Mesh { mesh, .. } => normals::corners_without(mesh) > 0,
+            Shape::Plane | Shape::Cube | Shape::Sphere => false,
+        };
+        if !self.objects.iter().any(lacks) {
+            return None;
+        }
+        let surfaces = Surfaces::new(&self.objects, !self.bumps.is_flat(), Normals::Facets);
+        Some(Self { surfaces: surfaces.expect("bug: surfaces made before"), ..self.clone() })
+    }
+
+    /// Refuses a scene with triangles without texture coordinates, for what takes T from them.
+    pub(crate) fn demand_uv(&self, by: &str) -> Result<()> {
+        let needed = format!("from which {by} takes T: unwrap it, or take a pipeline without");
+        self.without_uv.as_ref().map_or(Ok(()), |bare| Err(bare.error(&needed)))
+    }
+
     /// Number of pictures: 1, or as many as its orbit has frames.
     #[must_use]
     pub fn frames(&self) -> u32 {
@@ -429,6 +495,9 @@ impl Scene {
             emboss,
             orbit,
             surfaces,
+            objects: _,
+            without_uv: _,
+            notes: _,
         } = self;
         let mut digest = Digest(0xcbf2_9ce4_8422_2325);
         let sizes = (texture.size(), bumps.size(), bumps.scale());

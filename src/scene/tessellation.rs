@@ -52,7 +52,7 @@ pub struct Tessellation {
 /// A scene's surfaces as triangles that share vertices.
 #[derive(Clone, Debug)]
 pub struct Assembly {
-    /// All vertices, in the world, each once; normals are unit vectors.
+    /// All vertices, in the world, each once.
     pub vertices: Vec<SharedVertex>,
     /// Words of index buffers.
     indices: u64,
@@ -145,12 +145,12 @@ impl Scene {
         let mut grower = self.grow(vertex, |vertex| *vertex)?;
         for placed in &self.surfaces.meshes {
             let first = cast::id_of(grower.vertices.len());
-            grower.vertices.extend(&placed.mesh.vertices);
-            for corners in &placed.mesh.triangles {
+            grower.vertices.extend(&placed.vertices);
+            for corners in &placed.triangles {
                 grower.triangle(placed.object, corners.map(|corner| first + corner));
             }
-            grower.indices += placed.mesh.indices;
-            grower.stitches += placed.mesh.stitches;
+            grower.indices += placed.indices;
+            grower.stitches += placed.stitches;
         }
         let (indices, stitches) = (grower.indices, grower.stitches);
         let (vertices, triangles) = (std::mem::take(&mut grower.vertices), grower.done());

@@ -2,11 +2,12 @@
 
 use super::map::{self, Bumps, Texture};
 use super::mesh::{self, MAX_TRIANGLES};
+use super::normals::{self, CREASE_DEGREES, Normals};
 use super::procedural::{Pattern, Samples};
 use super::trace::{Placement, Shape, Surfaces, Unfit};
 use super::{
-    Address, Camera, Emboss, Filter, Image, Light, LightSign, Material, Orbit, Place, Projection,
-    Scene,
+    Address, Bare, Camera, Emboss, Filter, Image, Light, LightSign, Material, Orbit, Place,
+    Projection, Scene,
 };
 use crate::cast;
 use crate::document::{Document, Exactly};
@@ -157,6 +158,7 @@ struct ObjectText {
     translate: Triple,
     rotate_degrees: Triple,
     scale: Option<Spanned<Scale>>,
+    crease_degrees: Real,
     #[serde(default)]
     material: MaterialText,
 }
@@ -222,8 +224,8 @@ pub(super) fn read(text: &str, path: &Path) -> Result<Scene> {
         }
         materials.push(material);
         let (shape, placement) = reader.object(object)?;
-        if let Shape::Mesh(_, of_mesh) = &shape {
-            triangles += of_mesh.triangles.len();
+        if let Shape::Mesh { mesh, .. } = &shape {
+            triangles += mesh.triangles.len();
         }
         if triangles > MAX_TRIANGLES {
             let problem = format!(
@@ -233,17 +235,71 @@ pub(super) fn read(text: &str, path: &Path) -> Result<Scene> {
         }
         objects.push((shape, placement));
     }
-    let surfaces = Surfaces::new(&objects, !bumps.is_flat()).map_err(|unfit| {
+    let without_uv = objects.iter().find_map(|(shape, _)| match shape {
+        Shape::Mesh { file, mesh, .. } => mesh.without_uv().map(|triangle| Bare {
+            file: file.clone(),
+            line: mesh.line(triangle),
+            triangle,
+        }),
+        Shape::Plane | Shape::Cube | Shape::Sphere => None,
+    });
+    if let Some(bare) = &without_uv {
+        for (varies, map) in [(!texture.is_even(), "texture"), (!bumps.is_flat(), "height")] {
+            if varies {
+                let needed =
+                    format!("by which [{map}] lies on it: unwrap it, or leave [{map}] out");
+                return Err(bare.error(&needed));
+            }
+        }
+    }
+    let surfaces = Surfaces::new(&objects, !bumps.is_flat(), Normals::Means).map_err(|unfit| {
         let Unfit { object, line, problem } = unfit;
         match (&objects[object].0, line) {
-            (Shape::Mesh(file, _), Some(line)) => Error::line(file, line, problem),
-            (Shape::Mesh(file, _), None) => Error::file(file, problem),
+            (Shape::Mesh { file, .. }, Some(line)) => Error::line(file, line, problem),
+            (Shape::Mesh { file, .. }, None) => Error::file(file, problem),
             (Shape::Plane | Shape::Cube | Shape::Sphere, _) => {
                 reader.fail(&scene.object[object].span(), problem)
             }
         }
     })?;
-    Ok(Scene { image, camera, lights, ambient, texture, bumps, materials, emboss, orbit, surfaces })
+    Ok(Scene {
+        image,
+        camera,
+        lights,
+        ambient,
+        texture,
+        bumps,
+        materials,
+        emboss,
+        orbit,
+        surfaces,
+        without_uv,
+        notes: notes(&objects),
+        objects: objects.into(),
+    })
+}
+
+/// What isn't in an object's mesh as its file has it, each once.
+fn notes(objects: &[(Shape, Placement)]) -> Vec<String> {
+    let mut notes: Vec<String> = Vec::new();
+    for (shape, _) in objects {
+        let Shape::Mesh { file, mesh, crease_degrees } = shape else { continue };
+        let mut told = mesh.told();
+        let without = normals::corners_without(mesh);
+        if without > 0 {
+            told.push(format!(
+                "{without} of {} corners have no normal: means of the triangles around it are taken, up to edges of `crease_degrees` = {crease_degrees} (by `tangent-faceted` alone those of the triangles)",
+                3 * mesh.triangles.len()
+            ));
+        }
+        let told = told.into_iter().map(|note| format!("{}: {note}", file.display()));
+        for note in told {
+            if !notes.contains(&note) {
+                notes.push(note);
+            }
+        }
+    }
+    notes
 }
 
 const MATERIAL: Material = Material { ambient: 0.1, diffuse: 0.7, specular: 0.2, exponent: 32 };
@@ -562,6 +618,7 @@ impl Reader<'_> {
         if object.shape != ShapeText::Mesh {
             self.refuse("file", &object.file, "it is for `shape = \"mesh\"`")?;
             self.refuse("source", &object.source, "it is for `shape = \"mesh\"`")?;
+            self.refuse("crease_degrees", &object.crease_degrees, "it is for meshes from files")?;
         }
         let shape = match object.shape {
             ShapeText::Plane => Shape::Plane,
@@ -571,9 +628,16 @@ impl Reader<'_> {
                 if let Some(source) = &object.source {
                     let why = "the mesh is that of `source`";
                     self.refuse("file", &object.file, why)?;
+                    let why = "that mesh has normals";
+                    self.refuse("crease_degrees", &object.crease_degrees, why)?;
                     let MeshSource::Shell = source.get_ref();
-                    return Ok((Shape::Mesh(PathBuf::from("shell"), mesh::shell()), placement));
+                    let (file, mesh) = (PathBuf::from("shell"), mesh::shell());
+                    let crease_degrees = CREASE_DEGREES;
+                    return Ok((Shape::Mesh { file, mesh, crease_degrees }, placement));
                 }
+                let crease_degrees = &object.crease_degrees;
+                let crease_degrees =
+                    self.real("crease_degrees", crease_degrees, CREASE_DEGREES, 0.0..=180.0)?;
                 let file = object.file.as_ref().ok_or_else(|| {
                     let problem =
                         "a mesh needs `file`, an .obj, .gltf or .glb file, or `source = \"shell\"`"
@@ -582,7 +646,7 @@ impl Reader<'_> {
                 })?;
                 let file = self.beside(file.get_ref());
                 let mesh = mesh::read(&file)?;
-                Shape::Mesh(file, mesh)
+                Shape::Mesh { file, mesh, crease_degrees }
             }
         };
         Ok((shape, placement))

@@ -1,6 +1,7 @@
 //! The pixels that a scene covers: rays against faces and spheres, and what is there where they meet.
 
-use super::assembly::{Mesh, SharedVertex};
+use super::assembly::{Mesh, SharedVertex, has_area, is_area};
+use super::normals::{self, Normals};
 use super::{Camera, Image, Projection, Scene};
 use crate::cast;
 use crate::trig::Real;
@@ -15,10 +16,6 @@ pub const CURVED: u32 = u32::MAX;
 
 /// Faces are this much larger than they are, in lengths of their edges, so that neighbours leave no crack.
 const EDGE: f64 = 1e-9;
-/// Faces whose area is less than this, against the square of their longest edge, have none.
-const THIN: f64 = 1e-12;
-/// Squares of edges below this have lost their digits.
-const TINY: f64 = 1e-60;
 
 /// Triangles or balls in a leaf of the tree.
 const LEAF: usize = 4;
@@ -206,12 +203,18 @@ impl Rays {
 }
 
 /// A shape before it is placed.
+#[derive(Debug)]
 pub(super) enum Shape {
     Plane,
     Cube,
     Sphere,
-    /// A mesh and the file that it is from.
-    Mesh(PathBuf, Mesh),
+    Mesh {
+        /// The file that it is from.
+        file: PathBuf,
+        mesh: Mesh,
+        /// Edges up to this angle are smooth, where normals are made.
+        crease_degrees: f64,
+    },
 }
 
 /// Where an object is and how large.
@@ -274,11 +277,14 @@ pub(super) struct Surfaces {
     nodes: Vec<TreeNode>,
 }
 
-/// A mesh in the world, of unit normals, and the object that it is.
+/// A mesh in the world and the object that it is.
 #[derive(Clone, Debug)]
 pub(super) struct PlacedMesh {
     pub(super) object: u32,
-    pub(super) mesh: Mesh,
+    pub(super) vertices: Vec<SharedVertex>,
+    pub(super) triangles: Vec<[u32; 3]>,
+    pub(super) indices: u64,
+    pub(super) stitches: u64,
 }
 
 /// A triangle or a parallelogram of points a + s (b-a) + r (c-a). Seen from its own side, a, b, c turn
@@ -343,7 +349,11 @@ const CUBE: [(DVec3, DVec3); 6] = [
 
 impl Surfaces {
     /// Places shapes; with bumps, every face needs an area in the texture.
-    pub(super) fn new(objects: &[(Shape, Placement)], has_bumps: bool) -> Result<Self, Unfit> {
+    pub(super) fn new(
+        objects: &[(Shape, Placement)],
+        has_bumps: bool,
+        normals: Normals,
+    ) -> Result<Self, Unfit> {
         let (mut faces, mut balls, mut meshes) = (Vec::new(), Vec::new(), Vec::new());
         for (i, (shape, placement)) in objects.iter().enumerate() {
             let object = cast::id_of(i);
@@ -372,14 +382,20 @@ impl Surfaces {
                     offset: placement.offset,
                     handedness: placement.linear.determinant().signum(),
                 }),
-                Shape::Mesh(_, mesh) => {
-                    let placed = |vertex: &SharedVertex| SharedVertex {
+                Shape::Mesh { mesh, crease_degrees, .. } => {
+                    let (vertices, mut triangles) =
+                        normals::completed(mesh, *crease_degrees, normals);
+                    let placed = |vertex: SharedVertex| SharedVertex {
                         position: placement.point(vertex.position),
-                        normal: (normal_matrix * vertex.normal).normalize(),
+                        normal: (normal_matrix * vertex.normal).normalize_or_zero(),
                         uv: vertex.uv,
                     };
-                    let vertices: Vec<SharedVertex> = mesh.vertices.iter().map(placed).collect();
-                    for (number, corners) in (0..).zip(&mesh.triangles) {
+                    let vertices: Vec<SharedVertex> = vertices.into_iter().map(placed).collect();
+                    // A mirror turns corners the other way round.
+                    if placement.linear.determinant() < 0.0 {
+                        triangles.iter_mut().for_each(|corners| corners.swap(1, 2));
+                    }
+                    for (number, corners) in (0..).zip(&triangles) {
                         let of = corners.map(|corner| vertices[cast::index_of_u32(corner)]);
                         let face = Face::new(
                             Place { object, number, triangle: true },
@@ -387,10 +403,10 @@ impl Surfaces {
                             of.map(|vertex| vertex.uv),
                             of.map(|vertex| vertex.normal),
                         );
-                        let line = mesh.lines.get(cast::index_of_u32(number)).copied();
+                        let line = mesh.line(cast::index_of_u32(number));
                         if !face.has_area() {
                             let problem = format!(
-                                "triangle {number} (they count from 0) has no area: remove it"
+                                "triangle {number} (they count from 0) has no area where `scale` puts it: scale it evenly, or remove it"
                             );
                             return Err(Unfit { object: i, line, problem });
                         }
@@ -402,7 +418,8 @@ impl Surfaces {
                         }
                         faces.push(face);
                     }
-                    meshes.push(PlacedMesh { object, mesh: Mesh { vertices, ..mesh.clone() } });
+                    let Mesh { indices, stitches, .. } = *mesh;
+                    meshes.push(PlacedMesh { object, vertices, triangles, indices, stitches });
                 }
             }
         }
@@ -532,17 +549,20 @@ impl Surfaces {
 }
 
 impl Face {
-    /// A face, its corners put in such an order that its own side is that of its unit normals.
+    /// A face, its corners put in such an order that its own side is that of its unit normals. In place of a
+    /// normal of 0 it takes its own.
     pub(super) fn new(
         place: Place,
         points: [DVec3; 3],
         uvs: [DVec2; 3],
         normals: [DVec3; 3],
     ) -> Self {
+        let square = (points[1] - points[0]).cross(points[2] - points[0]);
+        let own = |normal| if normal == DVec3::ZERO { square.normalize_or_zero() } else { normal };
+        let normals = normals.map(own);
         let flat = normals[0] == normals[1] && normals[0] == normals[2];
         let mut face = Self { place, points, uvs, normals, flat };
-        let [e1, e2] = face.edges();
-        if e1.cross(e2).dot(normals[0] + normals[1] + normals[2]) < 0.0 {
+        if square.dot(normals[0] + normals[1] + normals[2]) < 0.0 {
             face.points.swap(1, 2);
             face.uvs.swap(1, 2);
             face.normals.swap(1, 2);
@@ -559,9 +579,7 @@ impl Face {
     }
 
     pub(super) fn has_area(&self) -> bool {
-        let [e1, e2] = self.edges();
-        let longest = e1.length_squared().max(e2.length_squared()).max(e1.distance_squared(e2));
-        longest > TINY && e1.cross(e2).length() > THIN * longest
+        has_area(self.points)
     }
 
     /// Twice the area in the texture, negative where it is mirrored; 0 if it is next to none.
@@ -569,8 +587,7 @@ impl Face {
         let [d1, d2] = self.uv_edges();
         let longest = d1.length_squared().max(d2.length_squared()).max(d1.distance_squared(d2));
         let determinant = d1.perp_dot(d2);
-        let has_area = longest > TINY && determinant.abs() > THIN * longest;
-        if has_area { determinant } else { 0.0 }
+        if is_area(determinant.abs(), longest) { determinant } else { 0.0 }
     }
 
     fn bounds(&self) -> (DVec3, DVec3) {
@@ -695,6 +712,7 @@ impl Ball {
 
 #[cfg(test)]
 mod tests {
+    use super::super::assembly::MeshVertex;
     use super::*;
     use rand_core::{RngCore, SeedableRng};
 
@@ -710,19 +728,21 @@ mod tests {
             let (at, normal) = (vector(), vector().normalize());
             let points = [at, at + 0.2 * vector(), at + 0.2 * vector()];
             for (position, uv) in points.into_iter().zip([DVec2::ZERO, DVec2::X, DVec2::Y]) {
-                mesh.vertices.push(SharedVertex { position, normal, uv });
+                let (normal, uv) = (Some(normal), Some(uv));
+                mesh.vertices.push(MeshVertex { position, normal, uv });
             }
             mesh.triangles.push([3 * i, 3 * i + 1, 3 * i + 2]);
         }
         let here = Placement::new(DVec3::ZERO, [0.0; 3], DVec3::ONE);
-        objects.push((Shape::Mesh(PathBuf::new(), mesh), here));
+        let mesh = Shape::Mesh { file: PathBuf::new(), mesh, crease_degrees: 0.0 };
+        objects.push((mesh, here));
         for _ in 0..30 {
             let placement = Placement::new(vector(), vector().to_array(), DVec3::splat(0.05));
             objects.push((Shape::Sphere, placement));
         }
         // Boxes without thickness, and rays that run along them.
         objects.push((Shape::Plane, Placement::new(DVec3::ZERO, [0.0; 3], DVec3::splat(0.3))));
-        let surfaces = Surfaces::new(&objects, true).unwrap();
+        let surfaces = Surfaces::new(&objects, true, Normals::Means).unwrap();
         let mut hits = 0;
         for i in 0..3000 {
             let mut ray = Ray { origin: 2.0 * vector(), direction: vector() };

@@ -1,0 +1,275 @@
+//! Polygons as triangles.
+//!
+//! A strictly convex polygon is a fan from its first corner. All others are cut by ear clipping, as crate `earcut` has
+//! it, after a projection along Newell's normal: the sum of the cross products around the polygon, which a polygon that
+//! isn't quite plane has, too (Sutherland, Sproull and Schumacker, "A characterization of ten hidden-surface algorithms",
+//! 1974). A polygon that crosses itself, or goes around twice, has no inside and is refused; it may touch itself, as one
+//! does that goes to its hole and back.
+
+use super::assembly::{Topology, is_area};
+use earcut::Earcut;
+use glam::{DVec2, DVec3};
+
+/// Most corners of a polygon that isn't convex: its edges are compared in pairs.
+const MOST: usize = 4096;
+/// How far corners may be across an edge, against the size of the polygon: files have six or seven digits.
+const TOUCH: f64 = 1e-6;
+
+/// Triangles of a polygon as a list or a fan of its corners, turning as it does; none if it has no area.
+///
+/// # Errors
+/// If it crosses itself, or has too many corners for one that isn't convex.
+pub(super) fn triangles(points: &[DVec3]) -> Result<(Topology, Vec<usize>), String> {
+    let fan = || Ok((Topology::Fan, (0..points.len()).collect()));
+    if points.len() == 3 {
+        return fan();
+    }
+    let Some(plane) = projected(points) else {
+        return if is_line(points) { Ok((Topology::List, Vec::new())) } else { Err(crosses()) };
+    };
+    if is_convex(&plane) {
+        return fan();
+    }
+    if plane.len() > MOST {
+        return Err(format!(
+            "a polygon of {} corners that isn't convex: {MOST} are the most, so export triangles",
+            plane.len()
+        ));
+    }
+    if cross(&plane) {
+        return Err(crosses());
+    }
+    let mut corners: Vec<usize> = Vec::new();
+    Earcut::new().earcut(plane.iter().map(|at| at.to_array()), &[], &mut corners);
+    let mut whole = 0.0;
+    for corners in corners.chunks_exact_mut(3) {
+        let area = turn(plane[corners[0]], plane[corners[1]], plane[corners[2]]);
+        whole += area.abs();
+        if area < 0.0 {
+            corners.swap(1, 2);
+        }
+    }
+    // What goes around twice, or turns over where it touches itself, isn't covered once.
+    let area: f64 = edges(&plane).map(|(_, [a, b])| a.perp_dot(b)).sum();
+    let rounding = TOUCH * size(&plane).powi(2);
+    if (whole - area).abs() > rounding { Err(crosses()) } else { Ok((Topology::List, corners)) }
+}
+
+fn crosses() -> String {
+    "the polygon crosses itself, so it has no inside: cut it into polygons that don't".to_owned()
+}
+
+/// The corners seen along the normal, from the side that they go around counter-clockwise; relative to the first one.
+/// `None` if there is no such side.
+fn projected(points: &[DVec3]) -> Option<Vec<DVec2>> {
+    let from_first: Vec<DVec3> = points.iter().map(|point| point - points[0]).collect();
+    let next = from_first.iter().cycle().skip(1);
+    let normal: DVec3 = from_first.iter().zip(next).map(|(a, b)| a.cross(*b)).sum();
+    let size = from_first.iter().map(|point| point.length_squared()).fold(0.0, f64::max);
+    if !is_area(normal.length(), size) {
+        return None;
+    }
+    let (x, y) = normal.normalize().any_orthonormal_pair();
+    Some(from_first.iter().map(|point| DVec2::new(point.dot(x), point.dot(y))).collect())
+}
+
+/// True if all points are on one line, or are one.
+fn is_line(points: &[DVec3]) -> bool {
+    let to = |point: &DVec3| point - points[0];
+    let far =
+        points.iter().map(to).max_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
+    let far = far.expect("bug: a polygon has corners");
+    !points.iter().any(|point| is_area(to(point).cross(far).length(), far.length_squared()))
+}
+
+/// The farthest that a corner is from the first.
+fn size(plane: &[DVec2]) -> f64 {
+    plane.iter().map(|at| at.length()).fold(0.0, f64::max)
+}
+
+/// Positive if c is to the left of the way from a to b.
+fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+    (b - a).perp_dot(c - a)
+}
+
+/// Edges with the number of their first corner.
+fn edges(plane: &[DVec2]) -> impl Iterator<Item = (usize, [DVec2; 2])> + '_ {
+    let next = plane.iter().cycle().skip(1);
+    plane.iter().zip(next).map(|(a, b)| [*a, *b]).enumerate()
+}
+
+/// True if every corner turns left, and all of them once around.
+fn is_convex(plane: &[DVec2]) -> bool {
+    let ahead = |(i, [a, b]): (usize, [DVec2; 2])| {
+        let c = plane[(i + 2) % plane.len()];
+        let longest = a.distance_squared(b).max(b.distance_squared(c));
+        turn(a, b, c) > TOUCH * longest
+    };
+    // Once around, x grows in one run and falls in one.
+    let grows: Vec<bool> = edges(plane).map(|(_, [a, b])| b.x > a.x).collect();
+    let turns = (0..grows.len()).filter(|i| grows[*i] != grows[(i + 1) % grows.len()]).count();
+    edges(plane).all(ahead) && turns == 2
+}
+
+/// True if two edges cross between their ends.
+fn cross(plane: &[DVec2]) -> bool {
+    let size = size(plane);
+    let mut sorted: Vec<[DVec2; 2]> = edges(plane).map(|(_, edge)| edge).collect();
+    sorted.sort_unstable_by(|[a, b], [c, d]| a.x.min(b.x).total_cmp(&c.x.min(d.x)));
+    // Signed distances of the ends of an edge to the line of another are on both sides of it.
+    let parted = |[a, b]: [DVec2; 2], [c, d]: [DVec2; 2]| {
+        let length = a.distance(b);
+        let [c, d] = [c, d].map(|end| turn(a, b, end));
+        c.min(d) < -TOUCH * size * length && c.max(d) > TOUCH * size * length
+    };
+    sorted.iter().enumerate().any(|(i, edge)| {
+        let end = edge[0].x.max(edge[1].x);
+        let beside = sorted[i + 1..].iter().take_while(|other| other[0].x.min(other[1].x) <= end);
+        beside.into_iter().any(|other| parted(*edge, *other) && parted(*other, *edge))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand_core::{RngCore, SeedableRng};
+
+    fn flat(points: &[[f64; 2]]) -> Vec<DVec3> {
+        points.iter().map(|[x, y]| DVec3::new(*x, *y, 0.0)).collect()
+    }
+
+    /// Twice the area that the corners go around.
+    fn area(points: &[DVec3]) -> f64 {
+        points.iter().zip(points.iter().cycle().skip(1)).map(|(a, b)| a.cross(*b).z).sum()
+    }
+
+    fn cut(points: &[DVec3]) -> Vec<[usize; 3]> {
+        let (topology, order) = triangles(points).unwrap();
+        let count = topology.triangles(order.len()).unwrap();
+        (0..count).map(|i| topology.corners(i).map(|at| order[at])).collect()
+    }
+
+    fn areas(points: &[DVec3]) -> Vec<f64> {
+        let area =
+            |[a, b, c]: &[usize; 3]| (points[*b] - points[*a]).cross(points[*c] - points[*a]).z;
+        cut(points).iter().map(area).collect()
+    }
+
+    /// Stars of random radii about the origin. Triangles between a polygon's corners that all turn left cover each point as
+    /// often as the polygon goes around it: here, once.
+    #[test]
+    fn triangles_cover_the_polygon_once_from_any_corner() {
+        let mut random = rand_pcg::Pcg64Mcg::seed_from_u64(12);
+        let mut real = || f64::from(random.next_u32()) / f64::from(u32::MAX);
+        for corners in [4, 5, 6, 9, 20, 150] {
+            let star: Vec<DVec3> = (0..corners)
+                .map(|i| {
+                    let angle = f64::from(i) / f64::from(corners) * std::f64::consts::TAU;
+                    DVec3::new(angle.cos(), angle.sin(), 0.0) * (0.2 + real())
+                })
+                .collect();
+            for first in 0..star.len() {
+                let mut turned = star.clone();
+                turned.rotate_left(first);
+                let areas = areas(&turned);
+                assert_eq!(areas.len(), star.len() - 2);
+                assert!(areas.iter().all(|area| *area > 0.0), "{areas:?}");
+                assert!((areas.iter().sum::<f64>() - area(&star)).abs() < 1e-12);
+            }
+        }
+    }
+
+    #[test]
+    fn a_polygon_in_space_turns_as_it_did() {
+        // An arrow whose notch is its first corner, stood up in three ways, and turned over.
+        let arrow = flat(&[[0.0, 0.25], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]]);
+        for axes in [
+            [DVec3::X, DVec3::Y],
+            [DVec3::Y, DVec3::Z],
+            [DVec3::Z, DVec3::X],
+            [DVec3::X, DVec3::NEG_Y],
+            [DVec3::new(1.0, 2.0, 3.0), DVec3::new(-3.0, 1.0, 2.0)],
+        ] {
+            let stood: Vec<DVec3> =
+                arrow.iter().map(|at| at.x * axes[0] + at.y * axes[1] + DVec3::ONE).collect();
+            let normal = axes[0].cross(axes[1]);
+            let triangles = cut(&stood);
+            assert_eq!(triangles.len(), 2);
+            for [a, b, c] in triangles {
+                let own = (stood[b] - stood[a]).cross(stood[c] - stood[a]);
+                assert!(own.dot(normal) > 0.0, "{a} {b} {c}");
+                assert!([a, b, c].contains(&0), "both have the notch");
+            }
+        }
+    }
+
+    #[test]
+    fn corners_on_edges_stay_corners() {
+        // A square with a corner in the middle of each side, from each of them.
+        let mut square = flat(&[
+            [0.0, 0.0],
+            [1.0, 0.0],
+            [2.0, 0.0],
+            [2.0, 1.0],
+            [2.0, 2.0],
+            [1.0, 2.0],
+            [0.0, 2.0],
+            [0.0, 1.0],
+        ]);
+        for _ in 0..8 {
+            square.rotate_left(1);
+            let areas = areas(&square);
+            assert!(areas.len() == 6 && areas.iter().all(|area| *area > 0.0), "{areas:?}");
+            assert_eq!(areas.iter().sum::<f64>(), 8.0);
+        }
+    }
+
+    #[test]
+    fn touching_is_legal_and_crossing_is_not() {
+        // To a square hole and back by the same way.
+        let keyhole = flat(&[
+            [0.0, 0.0],
+            [3.0, 0.0],
+            [3.0, 3.0],
+            [0.0, 3.0],
+            [0.0, 0.0],
+            [1.0, 1.0],
+            [1.0, 2.0],
+            [2.0, 2.0],
+            [2.0, 1.0],
+            [1.0, 1.0],
+        ]);
+        assert!((areas(&keyhole).iter().sum::<f64>() - 16.0).abs() < 1e-12);
+        let bow = [[0.0, 0.0], [2.0, 2.0], [2.0, 0.0], [0.0, 1.0]];
+        let even_bow = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]];
+        let pentagram: Vec<[f64; 2]> = (0..5)
+            .map(|i| f64::from(i) * 0.8 * std::f64::consts::PI)
+            .map(|angle| [angle.cos(), angle.sin()])
+            .collect();
+        let twice = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+        // One half of it turns over in the corner that both halves have.
+        let over = [[0.0, 0.0], [-2.0, 1.0], [-2.0, -1.0], [0.0, 0.0], [1.0, 1.0], [1.0, -1.0]];
+        for crossing in [&bow[..], &even_bow, &pentagram, &twice, &over] {
+            let why = triangles(&flat(crossing)).unwrap_err();
+            assert!(why.starts_with("the polygon crosses itself"), "{crossing:?}: {why}");
+        }
+    }
+
+    #[test]
+    fn lines_have_no_triangles_and_large_polygons_a_limit() {
+        let none = Ok((Topology::List, Vec::new()));
+        assert_eq!(triangles(&[DVec3::ONE; 5]), none);
+        let line: Vec<DVec3> = (0..6).map(|i| f64::from(i % 4) * DVec3::ONE).collect();
+        assert_eq!(triangles(&line), none);
+        let gear = |teeth: i32| -> Vec<DVec3> {
+            let tooth = |i: i32| {
+                let angle = f64::from(i) / f64::from(teeth) * std::f64::consts::PI;
+                DVec3::new(angle.cos(), angle.sin(), 0.0) * f64::from(2 + i % 2)
+            };
+            (0..2 * teeth).map(tooth).collect()
+        };
+        assert_eq!(cut(&gear(2048)).len(), 4094);
+        let why = triangles(&gear(2049)).unwrap_err();
+        assert!(why.starts_with("a polygon of 4098 corners"), "{why}");
+    }
+}
