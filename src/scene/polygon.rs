@@ -41,18 +41,37 @@ pub(super) fn triangles(points: &[DVec3]) -> Result<(Topology, Vec<usize>), Stri
     }
     let mut corners: Vec<usize> = Vec::new();
     Earcut::new().earcut(plane.iter().map(|at| at.to_array()), &[], &mut corners);
-    let mut whole = 0.0;
+    let rounding = TOUCH * size(&plane).powi(2);
+    let (mut whole, mut once) = (0.0, true);
     for corners in corners.chunks_exact_mut(3) {
-        let area = turn(plane[corners[0]], plane[corners[1]], plane[corners[2]]);
+        let [a, b, c] = [corners[0], corners[1], corners[2]].map(|corner| plane[corner]);
+        let area = turn(a, b, c);
         whole += area.abs();
+        once &= area.abs() <= rounding || times_around(&plane, (a + b + c) / 3.0) == 1;
         if area < 0.0 {
             corners.swap(1, 2);
         }
     }
-    // What goes around twice, or turns over where it touches itself, isn't covered once.
+    // What turns over where it touches itself, or goes around twice, isn't covered once.
     let area: f64 = edges(&plane).map(|(_, [a, b])| a.perp_dot(b)).sum();
-    let rounding = TOUCH * size(&plane).powi(2);
-    if (whole - area).abs() > rounding { Err(crosses()) } else { Ok((Topology::List, corners)) }
+    if once && (whole - area).abs() <= rounding {
+        Ok((Topology::List, corners))
+    } else {
+        Err(crosses())
+    }
+}
+
+/// How often the polygon goes around a point, counter-clockwise: by the edges that cross the way to its right.
+fn times_around(plane: &[DVec2], at: DVec2) -> i32 {
+    let crosses = |(_, [a, b]): (usize, [DVec2; 2])| {
+        let left = turn(a, b, at) > 0.0;
+        match (a.y <= at.y, b.y <= at.y) {
+            (true, false) if left => 1,
+            (false, true) if !left => -1,
+            _ => 0,
+        }
+    };
+    edges(plane).map(crosses).sum()
 }
 
 fn crosses() -> String {
