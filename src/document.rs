@@ -4,8 +4,13 @@ use crate::cast;
 use crate::error::{Error, Result};
 use serde::de::{DeserializeOwned, Error as _};
 use serde::{Deserialize, Deserializer};
+use std::borrow::Cow;
+use std::fs::File;
+use std::io::Read as _;
 use std::ops::Range;
 use std::path::Path;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
 
 /// The text of a file, and its path for messages.
 #[derive(Clone, Copy)]
@@ -30,22 +35,129 @@ impl<'de, T: Deserialize<'de>, const N: usize> Deserialize<'de> for Exactly<T, N
     }
 }
 
+/// The kind of a table by the name that it gives: the names of an enum's variants, one inside the other, or
+/// what is wrong with it.
+pub(crate) type Kind = fn(&str) -> Result<Vec<String>, String>;
+
+/// The whole text of a file of no more than `max_bytes`.
+///
+/// # Errors
+/// If it can't be read, isn't UTF-8, or is longer.
+pub(crate) fn read(path: &Path, max_bytes: u64) -> Result<String> {
+    let fail = |why| Error::io(path, "can't read", why);
+    let (file, mut bytes) = (File::open(path).map_err(fail)?, Vec::new());
+    file.take(max_bytes + 1).read_to_end(&mut bytes).map_err(fail)?;
+    if cast::count_of(bytes.len()) > max_bytes {
+        let problem = format!("has more than {max_bytes} bytes, the most that is read");
+        return Err(Error::file(path, problem));
+    }
+    String::from_utf8(bytes)
+        .map_err(|why| Error::file(path, format!("isn't text in UTF-8: {}", why.utf8_error())))
+}
+
+/// Where the lines of a text end, in bytes.
+pub(crate) struct Lines(Vec<usize>);
+
+impl Lines {
+    /// The line of a byte, from 1.
+    pub(crate) fn of(&self, at: usize) -> u64 {
+        cast::count_of(1 + self.0.partition_point(|end| *end < at))
+    }
+}
+
 impl Document<'_> {
     /// Reads the whole text.
     ///
     /// # Errors
     /// If it isn't TOML, or not of this type, with the line and its text.
     pub(crate) fn parse<T: DeserializeOwned>(&self) -> Result<T> {
-        toml::from_str(self.text).map_err(|why| {
-            let span = why.span().unwrap_or_default();
-            // As who writes the file would say it.
-            let message = why.message().trim_end();
-            let message = message.replace("expected i64", "expected a whole number");
-            let message = message.replace("expected f64", "expected a number");
-            let message =
-                message.replace("expected an array of length 3", "expected three numbers");
-            self.fail(&span, format!("{message} in `{}`", self.line_text(span.start)))
-        })
+        toml::from_str(self.text).map_err(|why| self.told(&why))
+    }
+
+    /// Reads the whole text, where each table of some arrays says under the key `tag` which variant of an enum it is.
+    ///
+    /// serde has such enums too, but loses where their keys stand. So each table `{ tag = "Name", … }` becomes
+    /// `{ Name = { … } }`, which is how serde writes an enum that isn't told otherwise.
+    ///
+    /// # Errors
+    /// As [`Document::parse`], also if a table has no such key or its name is of no kind.
+    pub(crate) fn parse_tagged<T: DeserializeOwned>(
+        &self,
+        tag: &str,
+        arrays: &[(&str, Kind)],
+    ) -> Result<T> {
+        let mut root = DeTable::parse(self.text).map_err(|why| self.told(&why))?;
+        for (name, kind) in arrays {
+            // What is no array of tables, serde tells.
+            let array = root.get_mut().get_mut(*name).map(Spanned::get_mut);
+            let Some(DeValue::Array(items)) = array else { continue };
+            for item in items.iter_mut() {
+                self.untag(item, tag, *kind)?;
+            }
+        }
+        T::deserialize(toml::de::Deserializer::from(root)).map_err(|why| self.told(&why))
+    }
+
+    /// `{ tag = "Name", … }` as `{ Name = { … } }`.
+    fn untag(&self, item: &mut Spanned<DeValue<'_>>, tag: &str, kind: Kind) -> Result<()> {
+        let span = item.span();
+        let DeValue::Table(table) = item.get_mut() else {
+            let line = self.line_text(span.start);
+            return Err(self.fail(&span, format!("expected a table with `{tag}` in `{line}`")));
+        };
+        let given = table.remove(tag).ok_or_else(|| {
+            let line = self.line_text(span.start);
+            self.fail(&span, format!("missing field `{tag}` in `{line}`"))
+        })?;
+        let at = given.span();
+        let names = match given.get_ref() {
+            DeValue::String(name) => kind(name),
+            DeValue::Integer(_)
+            | DeValue::Float(_)
+            | DeValue::Boolean(_)
+            | DeValue::Datetime(_)
+            | DeValue::Array(_)
+            | DeValue::Table(_) => Err(format!("`{tag}` is a name in quotes")),
+        };
+        let names = names.map_err(|problem| {
+            self.fail(&at, format!("{problem} in `{}`", self.line_text(at.start)))
+        })?;
+        let mut value = DeValue::Table(std::mem::take(table));
+        for name in names.into_iter().rev() {
+            let mut outer = DeTable::new();
+            outer.insert(
+                Spanned::new(at.clone(), Cow::Owned(name)),
+                Spanned::new(span.clone(), value),
+            );
+            value = DeValue::Table(outer);
+        }
+        *item = Spanned::new(span, value);
+        Ok(())
+    }
+
+    /// An error of the reader, as who writes the file would say it.
+    fn told(&self, why: &toml::de::Error) -> Error {
+        let span = why.span().unwrap_or_default();
+        let message = why.message().trim_end();
+        let message = message.replace("expected i64", "expected a whole number");
+        let message = message.replace("expected f64", "expected a number");
+        let mut message =
+            message.replace("expected an array of length 3", "expected three numbers");
+        // Of an enum it says the same as of a struct, in other words.
+        let unknown = message.strip_prefix("unexpected keys in table: ");
+        if let Some((given, legal)) = unknown.and_then(|rest| rest.split_once(", available keys: "))
+        {
+            let given = given.split(", ").next().unwrap_or_default();
+            let legal: Vec<String> = legal.split(", ").map(|name| format!("`{name}`")).collect();
+            message = format!("unknown field `{given}`, expected one of {}", legal.join(", "));
+        }
+        self.fail(&span, format!("{message} in `{}`", self.line_text(span.start)))
+    }
+
+    /// Where its lines start, for many questions: [`Document::line`] counts from the first one.
+    pub(crate) fn lines(&self) -> Lines {
+        let ends = self.text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
+        Lines(ends.map(|(at, _)| at).collect())
     }
 
     /// The line in which a range of bytes starts, from 1.

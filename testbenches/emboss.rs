@@ -97,6 +97,7 @@ fn goldens_are_those_of_the_seeds() {
         (&[][..], gx as fn(&Ports<'_>) -> Vec<f64>),
         (&["setting=nv"][..], |ports| nv(ports, 1.0, 1.0)),
         (&["setting=nv", "ks=0.5", "kt=-0.25"], |ports| nv(ports, 0.5, -0.25)),
+        (&["setting=nv", "ks=4", "kt=-300.5"], |ports| nv(ports, 4.0, -300.5)),
         (&["setting=nv", "constants=ports"], |ports| nv(ports, ports.get("ks"), ports.get("kt"))),
     ] {
         let design = design("emboss", set);
@@ -224,6 +225,9 @@ const SETS: &[(&str, &[&str])] = &[
     ("emboss", &["setting=nv", "normalise_basis=off", "texture_int_bits=1"]),
     ("emboss", &["setting=nv", "constants=off", "rounding=floor", "overflow=wrap", "ks=0.3"]),
     ("emboss", &["setting=nv", "ks=0.00390625", "kt=0.0078125", "input20=on"]),
+    ("emboss", &["setting=nv", "ks=4", "kt=-3.3"]),
+    ("emboss", &["setting=nv", "ks=1234.567", "kt=-65536"]),
+    ("emboss", &["setting=nv", "constants=ports", "constant_int_bits=4", "constant_frac_bits=16"]),
     // As small and as large as can be.
     (
         "emboss",

@@ -3,6 +3,7 @@
 use assert_cmd::Command;
 use fixpath::texgen::gx::{Function, IDENTITY, MATRIX_ROWS, Source, TexCoords, TexGen};
 use fixpath::texgen::{Calls, Outcome};
+use fixpath::units::Unit;
 use proptest::prelude::*;
 use std::fs;
 
@@ -206,32 +207,7 @@ fn every_rule_between_coordinates_has_its_message() {
         &[BUMP],
         "TEXCOORD1 from TEXCOORD0, which no call has set: set the base coordinate first",
     );
-    gx_refuses(
-        &[BASE, ["TEXCOORD2", "BUMP0", "TEXCOORD0", "IDENTITY"]],
-        "TEXCOORD2 from TEXCOORD0: base and displaced coordinate are numbered n and n + 1, and TEXCOORD1 between them is not set",
-    );
-    gx_refuses(
-        &[
-            BASE,
-            ["TEXCOORD1", "MTX3x4", "NRM", "TEXMTX0"],
-            ["TEXCOORD2", "BUMP0", "TEXCOORD0", "IDENTITY"],
-        ],
-        "TEXCOORD2 from TEXCOORD0: base and displaced coordinate are numbered n and n + 1, and TEXCOORD1 between them is MTX3x4 from NRM",
-    );
-    gx_refuses(
-        &[
-            BASE,
-            BUMP,
-            ["TEXCOORD2", "BUMP1", "TEXCOORD0", "IDENTITY"],
-            ["TEXCOORD3", "BUMP2", "TEXCOORD1", "IDENTITY"],
-        ],
-        "TEXCOORD3 from TEXCOORD1: base and displaced coordinate are numbered n and n + 1, and TEXCOORD2 between them is BUMP1 from TEXCOORD0",
-    );
-    let order = "transformed coordinates (MTX2x4, MTX3x4) come first, then bump coordinates, then those from lighting channels (SRTG)";
-    gx_refuses(
-        &[BASE, BUMP, ["TEXCOORD2", "MTX2x4", "TEX1", "TEXMTX0"]],
-        &format!("TEXCOORD2 (MTX2x4) after TEXCOORD1 (BUMP0): {order}"),
-    );
+    let order = "coordinates from lighting channels (SRTG) come after all others";
     let color = ["TEXCOORD0", "SRTG", "COLOR0", "IDENTITY"];
     gx_refuses(
         &[color, ["TEXCOORD1", "MTX3x4", "POS", "TEXMTX0"]],
@@ -240,15 +216,59 @@ fn every_rule_between_coordinates_has_its_message() {
     gx_refuses(&[color, BUMP], &format!("TEXCOORD1 (BUMP0) after TEXCOORD0 (SRTG): {order}"));
     // What stands may not be changed so that another rule breaks.
     gx_refuses(&[BASE, BUMP, color], &format!("TEXCOORD1 (BUMP0) after TEXCOORD0 (SRTG): {order}"));
-    gx_refuses(
-        &[
-            BASE,
-            BUMP,
-            ["TEXCOORD2", "BUMP1", "TEXCOORD0", "IDENTITY"],
-            ["TEXCOORD1", "MTX2x4", "TEX1", "TEXMTX0"],
-        ],
-        "TEXCOORD2 from TEXCOORD0: base and displaced coordinate are numbered n and n + 1, and TEXCOORD1 between them is MTX2x4 from TEX1",
+}
+
+/// The patents' two "should" can't both be kept by two bases that have a bump each: either way is legal, and is told.
+#[test]
+fn two_bases_each_have_their_bump_in_either_order() {
+    let advice = |calls: &[[&str; 4]]| -> Vec<String> {
+        let outcome = gx(calls);
+        assert_eq!(outcome.problems(), 0, "{outcome:?}");
+        assert_eq!(outcome.registers.len(), 3 + calls.len());
+        outcome.advice.iter().map(ToString::to_string).collect()
+    };
+    let base = |to| [to, "MTX2x4", "TEX1", "IDENTITY"];
+    let bump = |to, func, from| [to, func, from, "IDENTITY"];
+    // Each bump after its base.
+    let pairs = [BASE, BUMP, base("TEXCOORD2"), bump("TEXCOORD3", "BUMP1", "TEXCOORD2")];
+    let order = "TEXCOORD2 (MTX2x4) after TEXCOORD1 (BUMP0): transformed coordinates should come before all bump coordinates";
+    assert_eq!(advice(&pairs), [order]);
+    let of: Vec<String> = gx(&pairs).emboss.iter().map(ToString::to_string).collect();
+    assert_eq!(
+        of,
+        [
+            "setting=gx light=0 source=0 destination=1 ks=1 kt=1",
+            "setting=gx light=1 source=2 destination=3 ks=1 kt=1"
+        ]
     );
+    // Both bases first.
+    let bases = [
+        BASE,
+        base("TEXCOORD1"),
+        bump("TEXCOORD2", "BUMP0", "TEXCOORD0"),
+        bump("TEXCOORD3", "BUMP1", "TEXCOORD1"),
+    ];
+    let apart = |to: u8, from: u8, between: u8, is: &str| {
+        format!(
+            "TEXCOORD{to} from TEXCOORD{from}: base and displaced coordinate should be numbered n and n + 1, and TEXCOORD{between} between them is {is}"
+        )
+    };
+    assert_eq!(
+        advice(&bases),
+        [apart(2, 0, 1, "MTX2x4 from TEX1"), apart(3, 1, 2, "BUMP0 from TEXCOORD0")]
+    );
+    // What the patents say, no one has to be told; also several lights over one base.
+    assert!(advice(&[BASE, BUMP, bump("TEXCOORD2", "BUMP1", "TEXCOORD0")]).is_empty());
+    // In whatever order the calls come: a gap only counts in the end.
+    let [first, second, third, fourth] = bases;
+    assert_eq!(advice(&[first, third, second, fourth]), advice(&bases));
+    assert_eq!(gx(&[first, third]).problems(), 1);
+    let text: String = pairs.iter().map(set).collect();
+    let (code, stdout, _) = command(&text, &[]);
+    assert_eq!(code, 0);
+    assert!(stdout.contains(&format!("  note: {order}\n")), "{stdout}");
+    let told: serde_json::Value = serde_json::from_str(&command(&text, &["--json"]).1).unwrap();
+    assert_eq!(told["notes"], serde_json::json!([order]));
 }
 
 #[test]
@@ -412,16 +432,10 @@ proptest! {
             let _ = state.set(to, TexGen::new(function, source, IDENTITY).unwrap());
         }
         let set: Vec<(u8, TexGen)> = state.iter().collect();
-        let kind = |generated: &TexGen| match generated.function() {
-            Function::Mtx2x4 | Function::Mtx3x4 => 0,
-            Function::Bump(_) => 1,
-            Function::Srtg => 2,
-        };
-        prop_assert!(set.is_sorted_by_key(|(_, generated)| kind(generated)));
+        prop_assert!(set.is_sorted_by_key(|(_, is)| is.function() == Function::Srtg));
         for (to, generated) in &set {
             if let Source::TexCoord(from) = generated.source() {
                 prop_assert!(from < *to && state.get(from).is_some());
-                prop_assert!((from + 1..*to).all(|i| state.get(i).is_some_and(|is| kind(&is) == 1)));
             }
         }
     }
@@ -572,7 +586,7 @@ fn every_error_of_the_extension_has_its_message() {
         (
             odd,
             "TexGen coord=S pname=EMBOSS_LIGHT_NV param=LIGHT-1",
-            "INVALID_ENUM: EMBOSS_LIGHT_NV `LIGHT-1`: legal is LIGHTi",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV `LIGHT-1`, did you mean `LIGHT0`: legal is LIGHTi",
         ),
         (
             odd,
@@ -607,7 +621,7 @@ fn every_error_of_the_extension_has_its_message() {
         (
             odd,
             "TexGen coord=S pname=TEXTURE_GEN_MODE param=EMBOSS_NV",
-            "INVALID_ENUM: TEXTURE_GEN_MODE `EMBOSS_NV`: legal is EYE_LINEAR, OBJECT_LINEAR, SPHERE_MAP or EMBOSS_MAP_NV",
+            "INVALID_ENUM: TEXTURE_GEN_MODE `EMBOSS_NV`, did you mean `EMBOSS_MAP_NV`: legal is EYE_LINEAR, OBJECT_LINEAR, SPHERE_MAP, NORMAL_MAP, REFLECTION_MAP or EMBOSS_MAP_NV",
         ),
         (
             odd,
@@ -621,13 +635,18 @@ fn every_error_of_the_extension_has_its_message() {
         ),
         (
             odd,
-            "TexGen coord=S pname=OBJECT_PLANE param=1",
-            "INVALID_ENUM: pname `OBJECT_PLANE`: legal is TEXTURE_GEN_MODE, EMBOSS_LIGHT_NV or EMBOSS_CONSTANT_NV",
+            "TexGen coord=S pname=OBJECT_PLAIN param=1",
+            "INVALID_ENUM: pname `OBJECT_PLAIN`, did you mean `OBJECT_PLANE`: legal is TEXTURE_GEN_MODE, OBJECT_PLANE, EYE_PLANE, EMBOSS_LIGHT_NV or EMBOSS_CONSTANT_NV",
         ),
         (
             odd,
-            "GetTexGen coord=S pname=EYE_PLANE",
-            "INVALID_ENUM: pname `EYE_PLANE`: legal is TEXTURE_GEN_MODE, EMBOSS_LIGHT_NV or EMBOSS_CONSTANT_NV",
+            "GetTexGen coord=S pname=EYE_PLANES",
+            "INVALID_ENUM: pname `EYE_PLANES`, did you mean `EYE_PLANE`: legal is TEXTURE_GEN_MODE, OBJECT_PLANE, EYE_PLANE, EMBOSS_LIGHT_NV or EMBOSS_CONSTANT_NV",
+        ),
+        (
+            odd,
+            "TexGen coord=Q pname=TEXTURE_GEN_MODE param=REFLECTION_MAP",
+            "INVALID_ENUM: REFLECTION_MAP of coordinate Q: only S, T and R take it",
         ),
         (
             odd,
@@ -643,7 +662,7 @@ fn every_error_of_the_extension_has_its_message() {
         (
             odd,
             "Disable cap=TEXTURE_GEN_U",
-            "INVALID_ENUM: cap `TEXTURE_GEN_U`: legal is LIGHTING, LIGHTi, TEXTURE_GEN_S, TEXTURE_GEN_T, TEXTURE_GEN_R or TEXTURE_GEN_Q",
+            "INVALID_ENUM: cap `TEXTURE_GEN_U`, did you mean `TEXTURE_GEN_Q`: legal is what glEnable takes in OpenGL 1.x, such as LIGHTING, LIGHTi, TEXTURE_GEN_S",
         ),
         (
             odd,
@@ -693,47 +712,47 @@ fn every_error_of_the_extension_has_its_message() {
         (
             odd,
             "TexGen coord=S pname=EMBOSS_LIGHT_NV param=LIGHT007",
-            "INVALID_ENUM: EMBOSS_LIGHT_NV `LIGHT007`: legal is LIGHTi",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV `LIGHT007`, did you mean `LIGHT0`: legal is LIGHTi",
         ),
         (
             odd,
             "TexGen coord=S pname=EMBOSS_LIGHT_NV param=LIGHT00",
-            "INVALID_ENUM: EMBOSS_LIGHT_NV `LIGHT00`: legal is LIGHTi",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV `LIGHT00`, did you mean `LIGHT0`: legal is LIGHTi",
         ),
         (
             odd,
             "TexGen coord=S pname=EMBOSS_LIGHT_NV param=LIGHT-0",
-            "INVALID_ENUM: EMBOSS_LIGHT_NV `LIGHT-0`: legal is LIGHTi",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV `LIGHT-0`, did you mean `LIGHT0`: legal is LIGHTi",
         ),
         (
             odd,
             "TexGen coord=S pname=EMBOSS_LIGHT_NV param=LIGHT+0",
-            "INVALID_ENUM: EMBOSS_LIGHT_NV `LIGHT+0`: legal is LIGHTi",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV `LIGHT+0`, did you mean `LIGHT0`: legal is LIGHTi",
         ),
         (
             odd,
             "TexGen coord=S pname=EMBOSS_LIGHT_NV param=LIGHT",
-            "INVALID_ENUM: EMBOSS_LIGHT_NV `LIGHT`: legal is LIGHTi",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV `LIGHT`, did you mean `LIGHT0`: legal is LIGHTi",
         ),
         (
             odd,
             "TexGen coord=S pname=EMBOSS_LIGHT_NV param=GL_GL_LIGHT0",
-            "INVALID_ENUM: EMBOSS_LIGHT_NV `GL_GL_LIGHT0`: legal is LIGHTi",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV `GL_GL_LIGHT0`, did you mean `LIGHT0`: legal is LIGHTi",
         ),
         (
             odd,
             "ActiveTexture texture=TEXTURE01",
-            "INVALID_ENUM: texture `TEXTURE01`: legal is TEXTUREi",
+            "INVALID_ENUM: texture `TEXTURE01`, did you mean `TEXTURE0`: legal is TEXTUREi",
         ),
         (
             odd,
             "ActiveTexture texture=TEXTURE-1",
-            "INVALID_ENUM: texture `TEXTURE-1`: legal is TEXTUREi",
+            "INVALID_ENUM: texture `TEXTURE-1`, did you mean `TEXTURE0`: legal is TEXTUREi",
         ),
         (
             odd,
             "ActiveTexture texture=GL_GL_TEXTURE1",
-            "INVALID_ENUM: texture `GL_GL_TEXTURE1`: legal is TEXTUREi",
+            "INVALID_ENUM: texture `GL_GL_TEXTURE1`, did you mean `TEXTURE0`: legal is TEXTUREi",
         ),
         (
             odd,
@@ -743,12 +762,12 @@ fn every_error_of_the_extension_has_its_message() {
         (
             odd,
             "Enable cap=TEXTURE_GEN_GL_S",
-            "INVALID_ENUM: cap `TEXTURE_GEN_GL_S`: legal is LIGHTING, LIGHTi, TEXTURE_GEN_S, TEXTURE_GEN_T, TEXTURE_GEN_R or TEXTURE_GEN_Q",
+            "INVALID_ENUM: cap `TEXTURE_GEN_GL_S`, did you mean `TEXTURE_GEN_S`: legal is what glEnable takes in OpenGL 1.x, such as LIGHTING, LIGHTi, TEXTURE_GEN_S",
         ),
         (
             odd,
             "Enable cap=LIGHT00",
-            "INVALID_ENUM: cap `LIGHT00`: legal is LIGHTING, LIGHTi, TEXTURE_GEN_S, TEXTURE_GEN_T, TEXTURE_GEN_R or TEXTURE_GEN_Q",
+            "INVALID_ENUM: cap `LIGHT00`, did you mean `LIGHT0`: legal is what glEnable takes in OpenGL 1.x, such as LIGHTING, LIGHTi, TEXTURE_GEN_S",
         ),
     ];
     for (before, call, message) in cases {
@@ -762,6 +781,179 @@ fn every_error_of_the_extension_has_its_message() {
         let after = nv(&format!("{DEFINED}{before}{call}\n{odd}"));
         assert_eq!(after.emboss, nv(DEFINED).emboss, "{call}");
     }
+}
+
+/// Rules bind what the extension adds; the rest of OpenGL is kept as it was given, or passed on.
+#[test]
+fn what_opengl_has_itself_is_kept_or_passed_on() {
+    let plane = |call: &str, pname: &str, value: &str| {
+        format!("[[nv]]\ncall = \"{call}\"\ncoord = \"S\"\npname = \"{pname}\"\n{value}\n")
+    };
+    let effects = |toml: &str| -> Vec<String> {
+        let outcome = run(toml);
+        assert_eq!(outcome.problems(), 0, "{toml}: {outcome:?}");
+        outcome.events.into_iter().map(|event| event.outcome.unwrap()).collect()
+    };
+    // Planes, by every entry point, on an even unit too.
+    for call in ["TexGen", "glTexGeniv", "TexGenfv", "glTexGendv"] {
+        for pname in ["OBJECT_PLANE", "GL_EYE_PLANE"] {
+            let toml = plane(call, pname, "params = [1, 0.5, 0, -2]");
+            let name = pname.trim_start_matches("GL_");
+            assert_eq!(effects(&toml), [format!("unit 0: {name} of S = [1, 0.5, 0, -2]")]);
+        }
+    }
+    assert_eq!(
+        effects(&plane("TexGen", "OBJECT_PLANE", "param = 1.0")),
+        ["unit 0: OBJECT_PLANE of S = 1"]
+    );
+    for (coord, plane) in [("S", "[1, 0, 0, 0]"), ("T", "[0, 1, 0, 0]"), ("Q", "[0, 0, 0, 0]")] {
+        for call in ["GetTexGen", "glGetTexGeniv", "glGetTexGenfv", "GetTexGendv"] {
+            let got = nv(&format!("{call} coord={coord} pname=EYE_PLANE"));
+            let told = got.events[0].outcome.as_ref().unwrap();
+            assert_eq!(*told, format!("unit 0: EYE_PLANE of {coord} = {plane}"));
+        }
+    }
+    // What the extension adds, by the vector entry points.
+    for (call, param) in [
+        ("glTexGenfv", "params = [0.25]"),
+        ("glTexGenfv", "param = 0.25"),
+        ("TexGendv", "param = [0.25]"),
+        ("glTexGend", "param = 0.25"),
+    ] {
+        let toml = format!(
+            "{}{}",
+            nv_call("ActiveTexture texture=GL_TEXTURE1_ARB"),
+            plane(call, "EMBOSS_CONSTANT_NV", param)
+        );
+        assert_eq!(effects(&toml)[1], "unit 1: EMBOSS_CONSTANT_NV of S = 0.25");
+    }
+    for mode in ["REFLECTION_MAP", "NORMAL_MAP_ARB", "GL_REFLECTION_MAP_EXT", "0x8511"] {
+        assert_eq!(
+            nv(&format!("TexGeni coord=R pname=TEXTURE_GEN_MODE param={mode}")).problems(),
+            0
+        );
+    }
+    // Everything that can be enabled, where each unit has its own and where not.
+    for (cap, unit) in [
+        ("TEXTURE_2D", "unit 1: "),
+        ("GL_TEXTURE_CUBE_MAP_ARB", "unit 1: "),
+        ("NORMALIZE", ""),
+        ("GL_MAP2_TEXTURE_COORD_3", ""),
+        ("MAP1_VERTEX_4", ""),
+        ("AUTO_NORMAL", ""),
+        ("CLIP_PLANE5", ""),
+        ("RESCALE_NORMAL_EXT", ""),
+        ("POLYGON_OFFSET_FILL", ""),
+        ("REGISTER_COMBINERS_NV", ""),
+        ("COLOR_SUM_EXT", ""),
+        ("ALPHA_TEST", ""),
+    ] {
+        let outcome = nv(&format!(
+            "ActiveTexture texture=TEXTURE1\nIsEnabled cap={cap}\nglEnable cap={cap}\nglIsEnabled cap={cap}\n\
+             ActiveTexture texture=TEXTURE0\nIsEnabled cap={cap}\nActiveTexture texture=TEXTURE1\nDisable cap={cap}"
+        ));
+        assert_eq!(outcome.problems(), 0, "{cap}: {outcome:?}");
+        let told = |i: usize| outcome.events[i].outcome.as_ref().unwrap().as_str();
+        let name = cap.trim_start_matches("GL_").trim_end_matches("_ARB").trim_end_matches("_EXT");
+        assert_eq!(told(1), format!("{unit}{name} disabled"));
+        assert_eq!(told(3), format!("{unit}{name} enabled"));
+        let elsewhere = if unit.is_empty() { "enabled" } else { "disabled" };
+        assert!(told(5).ends_with(elsewhere), "{cap}: {}", told(5));
+        assert_eq!(told(7), format!("{unit}{name} disabled"));
+    }
+    assert_eq!(nv("IsEnabled cap=DITHER").events[0].outcome.as_deref(), Ok("DITHER enabled"));
+    // Other commands, with their arguments as they stand.
+    let toml = "[[nv]]\ncall = \"glLightfv\"\nlight = \"LIGHT0\"\npname = \"POSITION\"\nparams = [0, 0.5, 1, 0]\n\
+                [[nv]]\ncall = \"MultiTexCoord3fARB\"\ntarget = \"TEXTURE1\"\ns = 1\nt = 0\nr = 0\n\
+                [[nv]]\ncall = \"glMap2f\"\ntarget = \"MAP2_TEXTURE_COORD_3\"\n\
+                [[nv]]\ncall = \"glGetIntegerv\"\npname = \"MAX_LIGHTS\"\n\
+                [[nv]]\ncall = \"glDepthMask\"\nflag = true\n[[nv]]\ncall = \"glFlush\"\n";
+    assert_eq!(effects(toml), ["passed on"; 6]);
+    let calls: Vec<String> = run(toml).events.into_iter().map(|event| event.call).collect();
+    let told = [
+        "glLightfv(LIGHT0, POSITION, [0, 0.5, 1, 0])",
+        "glMultiTexCoord3fARB(TEXTURE1, 1, 0, 0)",
+        "glMap2f(MAP2_TEXTURE_COORD_3)",
+        "glGetIntegerv(MAX_LIGHTS)",
+        "glDepthMask(TRUE)",
+        "glFlush()",
+    ];
+    assert_eq!(calls, told);
+    // What might change what is judged says so.
+    let attrib = effects("[[nv]]\ncall = \"glPopAttrib\"\n");
+    assert_eq!(attrib, ["passed on; what it does to the state that is judged here isn't followed"]);
+    // Nothing of it changes what is judged.
+    let between = "Enable cap=TEXTURE_2D\nTexGenf coord=S pname=EYE_PLANE param=1\nglFlush\n";
+    assert_eq!(nv(&format!("{DEFINED}{between}")).emboss, nv(DEFINED).emboss);
+}
+
+/// A configuration is one that the unit takes, word by word.
+#[test]
+fn the_unit_takes_every_configuration_that_is_told() {
+    let with = |ks: &str, kt: &str| {
+        let set = [("S", ks), ("T", kt)]
+            .map(|(c, k)| format!("TexGen coord={c} pname=EMBOSS_CONSTANT_NV param={k}\n"));
+        let calls = format!("{DEFINED}{}", set.concat()).replace("TEXTURE1", "TEXTURE3");
+        let outcome = nv(&calls);
+        assert_eq!(outcome.problems(), 0, "{outcome:?}");
+        outcome.emboss[0]
+    };
+    let design = |told: &str| {
+        let words: Vec<&str> = told.split(' ').collect();
+        Unit::find("emboss").unwrap().values(&words).and_then(|values| values.build())
+    };
+    let bump = ["TEXCOORD1", "BUMP7", "TEXCOORD0", "IDENTITY"];
+    design(&gx(&[BASE, bump]).emboss[0].to_string()).unwrap();
+    for (ks, kt) in [
+        ("4", "1"),
+        ("0.00390625", "-0.0078125"),
+        ("-2", "3.75"),
+        ("1e-6", "100"),
+        ("1000", "-12345.678"),
+        ("65536", "-65536"),
+    ] {
+        let emboss = with(ks, kt);
+        let built = design(&emboss.to_string()).unwrap_or_else(|why| panic!("{emboss}: {why}"));
+        assert_eq!(built.values.int("light"), Some(0));
+        assert_eq!(
+            (built.values.int("source"), built.values.int("destination")),
+            (Some(2), Some(3))
+        );
+        assert_eq!(built.values.real("ks"), ks.parse::<f64>().unwrap());
+    }
+    let refused = |told: &str| design(told).unwrap_err().to_string();
+    assert_eq!(
+        refused("setting=nv ks=4 kt=-3 constant_int_bits=1"),
+        "parameter `ks` = `4`: legal is -2 to 1.9999990463256836 in format s22f20 of constant_int_bits=1; constant_int_bits=3 holds it"
+    );
+    assert_eq!(
+        refused("setting=nv kt=-2 constant_int_bits=0 constant_frac_bits=8"),
+        "parameter `ks` = `1`: legal is -1 to 0.99609375 in format s9f8 of constant_int_bits=0; constant_int_bits=1 holds it"
+    );
+    let far = with("1e6", "1").to_string();
+    assert_eq!(
+        refused(&far),
+        "parameter `ks` = `1000000`: legal is -65536 to 65536, also with fractions"
+    );
+}
+
+/// A long file takes time in proportion to its length, and a longer one than is legal none.
+#[test]
+fn long_files_are_read_in_proportion_or_refused() {
+    let seconds = |calls: usize| {
+        let text = set(&BASE).repeat(calls);
+        let start = std::time::Instant::now();
+        let (code, stdout, _) = command(&text, &[]);
+        assert_eq!((code, stdout.lines().count()), (0, calls + 6));
+        assert!(stdout.contains(&format!("{}", 6 * (calls - 1) + 1)));
+        start.elapsed().as_secs_f64()
+    };
+    let (short, long) = (seconds(4_000), seconds(40_000));
+    // Ten times as many, not a hundred times; with room for a busy machine.
+    assert!(long < 40.0 * short.max(0.1), "{short} s, {long} s");
+    let (code, _, stderr) = command(&format!("{}#{}", set(&BASE), "x".repeat(16 << 20)), &[]);
+    assert_eq!(code, 2);
+    assert_eq!(stderr, "error: calls.toml: has more than 16777216 bytes, the most that is read\n");
 }
 
 /// Neither a call, nor what it did, nor a configuration is hundreds of digits long.
@@ -878,29 +1070,50 @@ fn malformed_files_are_refused_with_the_line() {
             "calls.toml, line 1: unknown field `xg`, expected one of `limits`, `gx`, `nv` in `[[xg]]`",
         ),
         (
+            // Each in its own call, far from the first line.
+            &format!("{}\n# a note\n{}foo = 1\n", set(&BASE), set(&BUMP)),
+            "calls.toml, line 15: unknown field `foo`, expected one of",
+        ),
+        (
+            &format!("{}{}[[gx]]\ncall = \"SetTexCoordGen\"\n", set(&BASE), set(&BUMP)),
+            "calls.toml, line 13: missing field `dst_coord` in `[[gx]]`",
+        ),
+        (
+            &format!(
+                "{}[[gx]]\ncall = \"LoadRegister\"\ndst_coord = \"TEXCOORD1\"\nword = \"0x290\"\n",
+                set(&BASE)
+            ),
+            "calls.toml, line 10: invalid type: string \"0x290\", expected a whole number in `word = \"0x290\"`",
+        ),
+        (
             "\n[[gx]]\ndst_coord = \"TEXCOORD0\"\n",
             "calls.toml, line 2: missing field `call` in `[[gx]]`",
         ),
         (
             "[[gx]]\ncall = \"Set\"\n",
-            "calls.toml, line 2: unknown variant `Set`, expected one of `GXSetTexCoordGen`, `SetTexCoordGen`, `LoadRegister`",
+            "calls.toml, line 2: no call `Set`: legal is SetTexCoordGen or LoadRegister in `call = \"Set\"`",
         ),
+        ("[[gx]]\ncall = 3\n", "calls.toml, line 2: `call` is a name in quotes in `call = 3`"),
         (call, "calls.toml, line 1: missing field `func` in `[[gx]]`"),
         (
             &format!("{call}function = \"SRTG\"\n"),
-            "unknown field `function`, expected one of `dst_coord`, `func`, `src_param`, `mat_idx`",
+            "calls.toml, line 4: unknown field `function`, expected one of `dst_coord`, `func`, `src_param`, `mat_idx`",
         ),
         (
             &format!("{call}func = \"SRTG\"\nsrc_param = 4\nmat_idx = 60\n"),
-            "calls.toml, line 1: invalid type: integer `4`, expected a string",
+            "calls.toml, line 5: invalid type: integer `4`, expected a string in `src_param = 4`",
         ),
         (
             &format!("{call}func = \"SRTG\"\nsrc_param = \"COLOR0\"\nmat_idx = 1.5\n"),
-            "calls.toml, line 1: a matrix is TEXMTX0 to TEXMTX9, IDENTITY or the number of its first row",
+            "calls.toml, line 6: a matrix is TEXMTX0 to TEXMTX9, IDENTITY or the number of its first row",
         ),
         (
             "gx = 3\n",
             "calls.toml, line 1: invalid type: integer `3`, expected a sequence in `gx = 3`",
+        ),
+        (
+            "gx = [3]\n",
+            "calls.toml, line 1: expected a table with `call` in `gx = [3]`",
         ),
         (
             "[limits]\nlights = 4\n[[nv]]\ncall = \"Enable\"\ncap = \"LIGHTING\"\n",
@@ -924,8 +1137,24 @@ fn malformed_files_are_refused_with_the_line() {
             "calls.toml, line 2: unknown field `light`, expected `lights` or `texture_units`",
         ),
         (
-            "[[nv]]\ncall = \"TexGen\"\ncoord = \"S\"\npname = \"EMBOSS_LIGHT_NV\"\nparam = [1]\n",
-            "param is a number or the name of a token",
+            "[[nv]]\ncall = \"TexGen\"\ncoord = \"S\"\npname = \"EMBOSS_LIGHT_NV\"\nparam = {}\n",
+            "calls.toml, line 5: param is a number or the name of a token, or an array of them",
+        ),
+        (
+            "[[nv]]\ncall = \"TexGen\"\ncoord = \"S\"\npname = \"EMBOSS_CONSTANT_NV\"\nparam = [1.0, 2.0]\n",
+            "calls.toml, line 5: EMBOSS_CONSTANT_NV takes 1, and `param` has 2",
+        ),
+        (
+            "[[nv]]\ncall = \"glTexGenfv\"\ncoord = \"S\"\npname = \"GL_EYE_PLANE\"\n\nparams = [1, 2, 3]\n",
+            "calls.toml, line 6: GL_EYE_PLANE takes 4, and `param` has 3",
+        ),
+        (
+            "[[nv]]\ncall = \"glEnabel\"\n",
+            "calls.toml, line 2: no call `glEnabel`, did you mean `Enable`: legal are the commands of OpenGL 1.x in `call = \"glEnabel\"`",
+        ),
+        (
+            "[[nv]]\ncall = \"glLightfv\"\nlight = 1979-05-27\n",
+            "calls.toml, line 3: param is a number or the name of a token, or an array of them",
         ),
     ];
     for (toml, message) in cases {

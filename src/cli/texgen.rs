@@ -1,7 +1,7 @@
 //! `fixpath texgen`: calls of a texture-coordinate interface, and what they configure.
 
 use super::text;
-use crate::document::Document;
+use crate::document::{self, Document, Lines};
 use crate::error::{Error, Result};
 use crate::texgen::{Calls, Outcome, Setting};
 use clap::Args;
@@ -12,8 +12,10 @@ use std::path::PathBuf;
 /// Ends with a file that shows every kind of call.
 pub(super) const HELP: &str = "\
 Each call is checked against the rules of its interface; one that breaks a rule changes nothing and
-is told with its line. Texture units whose coordinates the extension leaves undefined are told with
-every condition that fails. Exit code 2 if there is any of these.
+is told with its line. Of OpenGL only what GL_NV_texgen_emboss adds is judged: all other commands of
+OpenGL 1.x, what they enable, and planes are kept or passed on. A file has 16 MiB at most. Texture units whose coordinates the extension leaves undefined are told with
+every condition that fails. Exit code 2 if there is any of these. A configuration that is told is one of
+the unit `emboss`: each of its words goes after a `-p` of sim, hdl, cost and so on.
 
 Examples:
   fixpath texgen calls.toml
@@ -43,12 +45,12 @@ calls.toml, with one emboss coordinate in each interface:
   [[nv]]
   call = \"TexGen\"                  # so for S, T, R and Q
   coord = \"S\"
-  pname = \"TEXTURE_GEN_MODE\"       # or EMBOSS_LIGHT_NV, EMBOSS_CONSTANT_NV
-  param = \"EMBOSS_MAP_NV\"          # or LIGHT0, 0.0078125
+  pname = \"TEXTURE_GEN_MODE\"       # or EMBOSS_LIGHT_NV, EMBOSS_CONSTANT_NV, OBJECT_PLANE, EYE_PLANE
+  param = \"EMBOSS_MAP_NV\"          # or LIGHT0, 0.0078125, [1, 0, 0, 0]
 
   [[nv]]
   call = \"Enable\"                  # or Disable; so for S, T, R and Q
-  cap = \"TEXTURE_GEN_S\"            # or LIGHTING, LIGHT0
+  cap = \"TEXTURE_GEN_S\"            # or LIGHTING, LIGHT0, and what else OpenGL has
 
   [[nv]]
   call = \"GetTexGen\"
@@ -65,12 +67,14 @@ pub(super) struct TexgenArgs {
     json: bool,
 }
 
+/// The longest file that is read: some 150 000 calls.
+const MAX_BYTES: u64 = 16 << 20;
+
 /// Makes the calls; returns what to tell, and what is wrong in all.
 pub(super) fn run(args: &TexgenArgs) -> Result<(String, Option<Error>)> {
     let path = args.file.as_path();
-    let read = std::fs::read_to_string(path);
-    let toml = read.map_err(|why| Error::io(path, "can't read", why))?;
-    let document = Document { text: &toml, path };
+    let toml = document::read(path, MAX_BYTES)?;
+    let lines = Document { text: &toml, path }.lines();
     let calls = Calls::parse(&toml, path)?;
     if calls.is_empty() {
         let problem =
@@ -78,11 +82,8 @@ pub(super) fn run(args: &TexgenArgs) -> Result<(String, Option<Error>)> {
         return Err(Error::file(path, problem.to_owned()));
     }
     let outcome = calls.run();
-    let told = if args.json {
-        super::pretty(&json_of(&document, &outcome))
-    } else {
-        told(&document, &outcome)
-    };
+    let told =
+        if args.json { super::pretty(&json_of(&lines, &outcome)) } else { told(&lines, &outcome) };
     let problems = outcome.problems();
     let wrong = (problems > 0).then(|| {
         let what = if problems == 1 { "problem" } else { "problems" };
@@ -91,7 +92,7 @@ pub(super) fn run(args: &TexgenArgs) -> Result<(String, Option<Error>)> {
     Ok((told, wrong))
 }
 
-fn told(document: &Document<'_>, outcome: &Outcome) -> String {
+fn told(lines: &Lines, outcome: &Outcome) -> String {
     let mut told = String::new();
     for api in [Setting::Gx, Setting::Nv] {
         let events = outcome.events.iter().filter(|event| event.api == api);
@@ -101,7 +102,7 @@ fn told(document: &Document<'_>, outcome: &Outcome) -> String {
                     Ok(effect) => effect.clone(),
                     Err(refused) => format!("REFUSED: {}", refused.message),
                 };
-                let line = document.line(&event.span).to_string();
+                let line = lines.of(event.span.start).to_string();
                 vec![event.number.to_string(), line, event.call.clone(), effect]
             })
             .collect();
@@ -115,6 +116,9 @@ fn told(document: &Document<'_>, outcome: &Outcome) -> String {
                     told,
                     "  at the end: REFUSED: {broken}; until then registers are left out"
                 );
+            }
+            for advice in &outcome.advice {
+                let _ = writeln!(told, "  note: {advice}");
             }
             for register in &outcome.registers {
                 let _ = writeln!(
@@ -146,7 +150,7 @@ fn told(document: &Document<'_>, outcome: &Outcome) -> String {
     told
 }
 
-fn json_of(document: &Document<'_>, outcome: &Outcome) -> Value {
+fn json_of(lines: &Lines, outcome: &Outcome) -> Value {
     let calls: Vec<Value> = outcome
         .events
         .iter()
@@ -154,7 +158,7 @@ fn json_of(document: &Document<'_>, outcome: &Outcome) -> Value {
             let mut call = json!({
                 "api": event.api,
                 "number": event.number,
-                "line": document.line(&event.span),
+                "line": lines.of(event.span.start),
                 "call": event.call,
             });
             match &event.outcome {
@@ -185,6 +189,7 @@ fn json_of(document: &Document<'_>, outcome: &Outcome) -> Value {
         "version": env!("CARGO_PKG_VERSION"),
         "calls": calls,
         "unfinished": outcome.unfinished.as_ref().map(ToString::to_string),
+        "notes": outcome.advice.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "registers": outcome.registers,
         "emboss": outcome.emboss,
         "undefined": undefined,

@@ -8,7 +8,9 @@
 //! The seeds give the call and its four arguments, the names of the functions, a light for each BUMP, that
 //! a bump offset coordinate is numbered after its base (n, n + 1), that bump coordinates come after the
 //! transformed ones and before those of lit colours, and that no matrix is used for a bump
-//! coordinate, "therefore use an identity matrix". They say "should"; here each is a rule. Several
+//! coordinate, "therefore use an identity matrix". For the two orders (n + 1 after n; all transformed ones first) they
+//! say "should", and two bases, each with a bump, can't keep both: what departs from them is told as [`Advice`] and
+//! stands. That those of lit colours come last is a rule, as nothing has to break it. Several
 //! lights over one base are ours: their coordinates follow it as n + 1, n + 2, … without a gap.
 //!
 //! The register words are not in the seeds. Names of sources and matrices, addresses and fields are
@@ -36,12 +38,10 @@ const FIRST_TEXTURE_MATRIX: u8 = 30;
 /// Texture matrices, TEXMTX0 to TEXMTX9.
 const TEXTURE_MATRICES: u8 = 10;
 
-/// A call, as a TOML table with its name under `call`.
+/// A call, in a file a TOML table with its name under `call`.
 #[derive(Clone, Debug, Deserialize)]
-#[serde(tag = "call", deny_unknown_fields)]
 pub enum Call {
     /// Sets how a coordinate is generated.
-    #[serde(alias = "GXSetTexCoordGen")]
     SetTexCoordGen {
         /// The generated coordinate: TEXCOORD0 to TEXCOORD7.
         dst_coord: String,
@@ -61,6 +61,22 @@ pub enum Call {
         /// As above; the word doesn't hold it. IDENTITY if not given.
         mat_idx: Option<Matrix>,
     },
+}
+
+impl Call {
+    /// The variant of a call, with or without its `GX`.
+    ///
+    /// # Errors
+    /// If there is no such call.
+    pub(super) fn kind(given: &str) -> Result<Vec<String>, String> {
+        let names = ["SetTexCoordGen", "LoadRegister"];
+        let name = given.strip_prefix("GX").unwrap_or(given);
+        if names.contains(&name) {
+            return Ok(vec![name.to_owned()]);
+        }
+        let hint = nearest(name, names.into_iter());
+        Err(format!("no call `{given}`{hint}: legal is SetTexCoordGen or LoadRegister"))
+    }
 }
 
 /// A matrix by its name or by its first row.
@@ -205,23 +221,9 @@ pub enum Broken {
         /// Its source.
         source_index: u8,
     },
-    /// Something stands between a base coordinate and its displaced one.
-    #[error(
-        "TEXCOORD{destination} from TEXCOORD{source_index}: base and displaced coordinate are numbered n and n + 1, and TEXCOORD{between} between them is {}", .is.map_or("not set".to_owned(), |is| format!("{} from {}", is.function, is.source))
-    )]
-    NotSequential {
-        /// The displaced coordinate.
-        destination: u8,
-        /// Its base.
-        source_index: u8,
-        /// What is in between.
-        between: u8,
-        /// How that is generated, if it is.
-        is: Option<TexGen>,
-    },
     /// Kinds out of order.
     #[error(
-        "TEXCOORD{later} ({later_function}) after TEXCOORD{earlier} ({earlier_function}): transformed coordinates (MTX2x4, MTX3x4) come first, then bump coordinates, then those from lighting channels (SRTG)"
+        "TEXCOORD{later} ({later_function}) after TEXCOORD{earlier} ({earlier_function}): coordinates from lighting channels (SRTG) come after all others"
     )]
     Order {
         /// The lower number.
@@ -256,6 +258,39 @@ pub enum Broken {
         given: u32,
         /// What they may hold here.
         legal: &'static str,
+    },
+}
+
+/// Where the patents say "should" and a state may be otherwise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Advice {
+    /// Something stands between a base coordinate and its displaced one.
+    #[error(
+        "TEXCOORD{destination} from TEXCOORD{source_index}: base and displaced coordinate should be numbered n and n + 1, and TEXCOORD{between} between them is {} from {}", .is.function, .is.source
+    )]
+    NotSequential {
+        /// The displaced coordinate.
+        destination: u8,
+        /// Its base.
+        source_index: u8,
+        /// What is in between.
+        between: u8,
+        /// How that is generated.
+        is: TexGen,
+    },
+    /// A transformed coordinate comes late.
+    #[error(
+        "TEXCOORD{later} ({later_function}) after TEXCOORD{earlier} ({earlier_function}): transformed coordinates should come before all bump coordinates"
+    )]
+    Order {
+        /// The lower number.
+        earlier: u8,
+        /// How it is generated.
+        earlier_function: Function,
+        /// The higher number.
+        later: u8,
+        /// How it is generated.
+        later_function: Function,
     },
 }
 
@@ -701,32 +736,46 @@ impl TexCoords {
                 return Err(Broken::SourceNotSet { destination, source_index });
             }
         }
-        let rank = |function| match function {
-            Function::Mtx2x4 | Function::Mtx3x4 => 0,
-            Function::Bump(_) => 1,
-            Function::Srtg => 2,
-        };
         let set: Vec<(u8, TexGen)> = self.iter().collect();
         for pair in set.windows(2) {
             let ((earlier, before), (later, after)) = (pair[0], pair[1]);
-            if rank(before.function) > rank(after.function) {
-                let (earlier_function, later_function) = (before.function, after.function);
+            let (earlier_function, later_function) = (before.function, after.function);
+            if earlier_function == Function::Srtg && later_function != Function::Srtg {
                 return Err(Broken::Order { earlier, earlier_function, later, later_function });
+            }
+        }
+        Ok(())
+    }
+
+    /// What the patents say that should be otherwise.
+    #[must_use]
+    pub fn advice(&self) -> Vec<Advice> {
+        let mut all = Vec::new();
+        let set: Vec<(u8, TexGen)> = self.iter().collect();
+        for pair in set.windows(2) {
+            let ((earlier, before), (later, after)) = (pair[0], pair[1]);
+            let (earlier_function, later_function) = (before.function, after.function);
+            let transforms = matches!(later_function, Function::Mtx2x4 | Function::Mtx3x4);
+            if transforms && matches!(earlier_function, Function::Bump(_)) {
+                all.push(Advice::Order { earlier, earlier_function, later, later_function });
             }
         }
         for (destination, generated) in set {
             let Source::TexCoord(source_index) = generated.source else { continue };
-            for between in source_index + 1..destination {
-                let is = self.get(between);
+            let between = (source_index + 1..destination).find_map(|between| {
+                let is = self.get(between)?;
                 // One more light over the same base, or over what another one gave.
-                let displaced =
-                    |is: TexGen| matches!(is.source, Source::TexCoord(i) if i >= source_index);
-                if !is.is_some_and(displaced) {
-                    return Err(Broken::NotSequential { destination, source_index, between, is });
-                }
-            }
+                let displaced = matches!(is.source, Source::TexCoord(i) if i >= source_index);
+                (!displaced).then_some((between, is))
+            });
+            all.extend(between.map(|(between, is)| Advice::NotSequential {
+                destination,
+                source_index,
+                between,
+                is,
+            }));
         }
-        Ok(())
+        all
     }
 
     /// What has to hold once all calls are made.

@@ -32,6 +32,7 @@
 
 pub mod gx;
 pub mod nv;
+mod opengl;
 
 use crate::document::Document;
 use crate::error::Result;
@@ -149,6 +150,8 @@ pub struct Outcome {
     pub events: Vec<Event>,
     /// What the GX calls leave unfinished.
     pub unfinished: Option<gx::Broken>,
+    /// Where the GX state isn't as the patents say that it should be, but may be.
+    pub advice: Vec<gx::Advice>,
     /// The registers that hold the GX state.
     pub registers: Vec<gx::Register>,
     /// Configurations of the emboss unit.
@@ -173,13 +176,17 @@ impl Calls {
     /// If it isn't TOML, if a key is unknown, missing or of another type, or a limit is out of range.
     pub fn parse(text: &str, path: &Path) -> Result<Self> {
         let document = Document { text, path };
-        let calls: Self = document.parse()?;
+        let calls: Self =
+            document.parse_tagged("call", &[("gx", gx::Call::kind), ("nv", nv::Call::kind)])?;
         calls.check(&document)?;
         Ok(calls)
     }
 
     /// What serde can't check.
     pub(crate) fn check(&self, document: &Document<'_>) -> Result<()> {
+        if let Some((at, problem)) = self.nv.iter().find_map(|call| call.get_ref().miscounted()) {
+            return Err(document.fail(&at, problem));
+        }
         let Some(limits) = &self.limits else { return Ok(()) };
         let of = limits.get_ref();
         for (key, value, least) in
@@ -219,8 +226,14 @@ impl Calls {
                 Err(unit) => undefined.push(unit),
             }
         }
-        let unfinished = coordinates.finish().err();
-        Outcome { events, unfinished, registers: coordinates.registers(), emboss, undefined }
+        Outcome {
+            events,
+            unfinished: coordinates.finish().err(),
+            advice: coordinates.advice(),
+            registers: coordinates.registers(),
+            emboss,
+            undefined,
+        }
     }
 
     /// True if there is no call at all.

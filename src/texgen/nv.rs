@@ -2,20 +2,26 @@
 //! the lights that it needs.
 //!
 //! [`State`] is what calls build up; one that OpenGL answers with an error is refused and leaves it as it
-//! was. So is, by this tool's own restriction, a constant that is no finite number. The values of coordinates whose mode is EMBOSS_MAP_NV are defined only if all four
+//! was. So is, by this tool's own restriction, a constant that is no finite number. Only what the extension adds is
+//! judged: all else of OpenGL 1.x (planes, what can be enabled, other commands; [`super::opengl`] has the names) is
+//! kept as it was given, or passed on. The values of coordinates whose mode is EMBOSS_MAP_NV are defined only if all four
 //! coordinates of the unit have that mode and are enabled, S and T name the same light, and that light
 //! and lighting are enabled: [`State::emboss`] gives a configuration, or every condition that fails.
 //!
 //! From the seed: tokens, errors, initial values (EYE_LINEAR, 1.0, LIGHT0, for each of four coordinates
 //! of each unit), odd units only, conditions. From OpenGL 1.2 and ARB_multitexture, on which it builds:
-//! the other modes, that SPHERE_MAP is refused for R and Q, that everything is disabled at the start,
-//! and that a unit or a light out of range is INVALID_ENUM.
+//! the other modes, that SPHERE_MAP is refused for R and Q, what is enabled at the start (DITHER, MULTISAMPLE),
+//! and that a unit or a light out of range is INVALID_ENUM. From OpenGL 1.3: REFLECTION_MAP and NORMAL_MAP, not for Q.
 
 use super::gx::numbered;
-use super::{Emboss, Setting};
+use super::{Emboss, Setting, opengl};
 use crate::cast;
+use crate::error::nearest;
 use serde::{Deserialize, Serialize};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
+use std::ops::Range;
+use toml::Spanned;
 
 /// What an implementation has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
@@ -33,51 +39,101 @@ impl Default for Limits {
     }
 }
 
-/// A call, as a TOML table with its name under `call`.
+/// A call, in a file a TOML table with its name under `call`.
 #[derive(Clone, Debug, Deserialize)]
-#[serde(tag = "call", deny_unknown_fields)]
 pub enum Call {
     /// Chooses the unit that later calls are about.
-    #[serde(alias = "glActiveTexture", alias = "glActiveTextureARB")]
     ActiveTexture {
         /// TEXTUREi.
         texture: String,
     },
     /// Sets a parameter of a coordinate.
-    #[serde(alias = "glTexGend", alias = "glTexGenf", alias = "glTexGeni")]
     TexGen {
         /// S, T, R or Q.
         coord: String,
-        /// TEXTURE_GEN_MODE, EMBOSS_LIGHT_NV or EMBOSS_CONSTANT_NV.
+        /// TEXTURE_GEN_MODE, OBJECT_PLANE, EYE_PLANE, EMBOSS_LIGHT_NV or EMBOSS_CONSTANT_NV.
         pname: String,
-        /// A token or a number.
-        param: Param,
+        /// A token, a number, or an array of them.
+        #[serde(alias = "params")]
+        param: Spanned<Param>,
     },
     /// Tells a parameter of a coordinate.
-    #[serde(alias = "glGetTexGendv", alias = "glGetTexGenfv", alias = "glGetTexGeniv")]
     GetTexGen {
         /// S, T, R or Q.
         coord: String,
         /// As above.
         pname: String,
     },
-    /// Enables LIGHTING, LIGHTi or TEXTURE_GEN_S, T, R, Q.
-    #[serde(alias = "glEnable")]
+    /// Enables something: LIGHTING, LIGHTi, TEXTURE_GEN_S, T, R, Q, and all else that OpenGL can.
     Enable {
         /// What.
         cap: String,
     },
     /// Disables it.
-    #[serde(alias = "glDisable")]
     Disable {
         /// What.
         cap: String,
     },
+    /// Tells if it is enabled.
+    IsEnabled {
+        /// What.
+        cap: String,
+    },
+    /// One of OpenGL's own, by its name, with its arguments by theirs: passed on.
+    Other(BTreeMap<String, BTreeMap<Spanned<String>, Param>>),
+}
+
+/// The commands that do something here, without the letters of their types.
+const JUDGED: [&str; 6] =
+    ["ActiveTexture", "TexGen", "GetTexGen", "Enable", "Disable", "IsEnabled"];
+
+/// Those of the others that may change what is kept here, in a way that isn't followed.
+const NOT_FOLLOWED: [&str; 6] =
+    ["PushAttrib", "PopAttrib", "NewList", "EndList", "CallList", "CallLists"];
+
+impl Call {
+    /// The variant of a command, with or without its `gl`.
+    ///
+    /// # Errors
+    /// If OpenGL has no such command.
+    pub(super) fn kind(given: &str) -> Result<Vec<String>, String> {
+        let name = command(given);
+        let plain = name.strip_suffix("ARB").unwrap_or(name);
+        // TexGen{ifd}, TexGen{ifd}v, and so for GetTexGen.
+        let typed = |of: &str| {
+            let end = plain.strip_prefix(of).map(|end| end.strip_suffix('v').unwrap_or(end));
+            end.is_some_and(|end| ["", "d", "f", "i"].contains(&end))
+        };
+        let is = |of: &&&str| **of == plain || (of.ends_with("TexGen") && typed(of));
+        if let Some(known) = JUDGED.iter().find(is) {
+            return Ok(vec![(*known).to_owned()]);
+        }
+        if opengl::is_command(name) {
+            return Ok(vec!["Other".to_owned(), given.to_owned()]);
+        }
+        let hint = nearest(name, JUDGED.into_iter().chain(opengl::commands()));
+        Err(format!("no call `{given}`{hint}: legal are the commands of OpenGL 1.x"))
+    }
+
+    /// Where and why a parameter has another number of values than the command reads.
+    pub(super) fn miscounted(&self) -> Option<(Range<usize>, String)> {
+        let Self::TexGen { pname, param, .. } = self else { return None };
+        let Param::List(values) = param.get_ref() else { return None };
+        let takes = Pname::parse(pname).ok()?.values();
+        let many = values.len();
+        let told = || (param.span(), format!("{pname} takes {takes}, and `param` has {many}"));
+        (takes != many).then(told)
+    }
+}
+
+/// The name of a command without `gl`.
+fn command(name: &str) -> &str {
+    name.strip_prefix("gl").unwrap_or(name)
 }
 
 /// What a parameter is set to.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(untagged, expecting = "param is a number or the name of a token")]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(untagged, expecting = "param is a number or the name of a token, or an array of them")]
 pub enum Param {
     /// A whole number.
     Integer(i64),
@@ -85,6 +141,10 @@ pub enum Param {
     Number(f64),
     /// A token by its name.
     Token(String),
+    /// TRUE or FALSE.
+    Flag(bool),
+    /// What a pointer points to.
+    List(Vec<Param>),
 }
 
 /// A coordinate of a unit.
@@ -108,8 +168,12 @@ pub enum Mode {
     EyeLinear,
     /// A plane in the object's coordinates.
     ObjectLinear,
-    /// A reflection.
+    /// A reflection, on a sphere.
     SphereMap,
+    /// The normal in eye coordinates.
+    NormalMap,
+    /// A reflection in eye coordinates.
+    ReflectionMap,
     /// Emboss.
     EmbossMapNv,
 }
@@ -118,16 +182,20 @@ pub enum Mode {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Pname {
     Mode,
+    ObjectPlane,
+    EyePlane,
     Light,
     Constant,
 }
 
 /// What can be enabled.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 enum Cap {
     Lighting,
     Light(u8),
     TexGen(Coord),
+    /// Of OpenGL alone, with the unit that has it.
+    Other(Option<u8>, String),
 }
 
 /// A call that is refused. OpenGL answers each with INVALID_ENUM, but for [`Broken::Constant`]: a program in C
@@ -135,12 +203,14 @@ enum Cap {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Broken {
     /// A name or a number that is no such token.
-    #[error("INVALID_ENUM: {argument} `{given}`: legal is {legal}")]
+    #[error("INVALID_ENUM: {argument} `{given}`{hint}: legal is {legal}")]
     Token {
         /// The argument.
         argument: &'static str,
         /// What was given.
         given: String,
+        /// `, did you mean …`, or nothing.
+        hint: String,
         /// Its values.
         legal: &'static str,
     },
@@ -186,11 +256,15 @@ pub enum Broken {
         /// The last unit.
         last: u8,
     },
-    /// A reflection of R or Q.
-    #[error("INVALID_ENUM: SPHERE_MAP of coordinate {coord:?}: only S and T take it")]
-    SphereMap {
+    /// A mode that has no such coordinate.
+    #[error("INVALID_ENUM: {mode} of coordinate {coord:?}: only {takes} take it")]
+    ModeCoord {
+        /// The mode.
+        mode: Mode,
         /// The coordinate.
         coord: Coord,
+        /// Those that have it.
+        takes: &'static str,
     },
     /// A constant that is NaN, infinite, or a token. C has all of them as numbers and OpenGL takes them; this
     /// tool doesn't, as no displacement follows from the first two and the last is a mistake.
@@ -215,8 +289,18 @@ impl Broken {
             Self::Light { .. }
             | Self::LightNumber { .. }
             | Self::Unit { .. }
-            | Self::SphereMap { .. } => Some("INVALID_ENUM"),
+            | Self::ModeCoord { .. } => Some("INVALID_ENUM"),
         }
+    }
+
+    fn token<'a>(
+        argument: &'static str,
+        given: &str,
+        legal: &'static str,
+        known: impl Iterator<Item = &'a str>,
+    ) -> Self {
+        let hint = nearest(bare(given), known);
+        Self::Token { argument, given: given.to_owned(), hint, legal }
     }
 }
 
@@ -293,6 +377,11 @@ impl fmt::Display for Param {
             Self::Integer(number) => write!(f, "{number}"),
             Self::Number(number) => write!(f, "{}", Brief(*number)),
             Self::Token(name) => write!(f, "{name}"),
+            Self::Flag(on) => write!(f, "{}", if *on { "TRUE" } else { "FALSE" }),
+            Self::List(values) => {
+                let values: Vec<String> = values.iter().map(ToString::to_string).collect();
+                write!(f, "[{}]", values.join(", "))
+            }
         }
     }
 }
@@ -302,11 +391,20 @@ impl fmt::Display for Call {
         match self {
             Self::ActiveTexture { texture } => write!(f, "glActiveTexture({texture})"),
             Self::TexGen { coord, pname, param } => {
-                write!(f, "glTexGen({coord}, {pname}, {param})")
+                write!(f, "glTexGen({coord}, {pname}, {})", param.get_ref())
             }
             Self::GetTexGen { coord, pname } => write!(f, "glGetTexGen({coord}, {pname})"),
             Self::Enable { cap } => write!(f, "glEnable({cap})"),
             Self::Disable { cap } => write!(f, "glDisable({cap})"),
+            Self::IsEnabled { cap } => write!(f, "glIsEnabled({cap})"),
+            Self::Other(calls) => calls.iter().try_for_each(|(name, arguments)| {
+                // As they stand in the file.
+                let mut arguments: Vec<_> = arguments.iter().collect();
+                arguments.sort_by_key(|(key, _)| key.span().start);
+                let values: Vec<String> =
+                    arguments.into_iter().map(|(_, value)| value.to_string()).collect();
+                write!(f, "gl{}({})", command(name), values.join(", "))
+            }),
         }
     }
 }
@@ -325,11 +423,8 @@ impl Coord {
     }
 
     fn parse(text: &str) -> Result<Self, Broken> {
-        Self::named(bare(text)).ok_or_else(|| Broken::Token {
-            argument: "coord",
-            given: text.to_owned(),
-            legal: "S, T, R or Q",
-        })
+        let names = || Self::ALL.iter().map(|(_, name)| *name);
+        Self::named(bare(text)).ok_or_else(|| Broken::token("coord", text, "S, T, R or Q", names()))
     }
 
     fn index(self) -> usize {
@@ -338,62 +433,111 @@ impl Coord {
 }
 
 impl Mode {
-    const ALL: [(Self, &'static str, i64); 4] = [
+    const ALL: [(Self, &'static str, i64); 6] = [
         (Self::EyeLinear, "EYE_LINEAR", 0x2400),
         (Self::ObjectLinear, "OBJECT_LINEAR", 0x2401),
         (Self::SphereMap, "SPHERE_MAP", 0x2402),
+        (Self::NormalMap, "NORMAL_MAP", 0x8511),
+        (Self::ReflectionMap, "REFLECTION_MAP", 0x8512),
         (Self::EmbossMapNv, "EMBOSS_MAP_NV", 0x855f),
     ];
 
     fn parse(param: &Param) -> Result<Self, Broken> {
+        // Two of them were extensions, of three vendors, with the same numbers.
+        let core = |name: &str| -> String {
+            let ends = ["_MAP_ARB", "_MAP_EXT", "_MAP_NV"];
+            let stem = ends.iter().find_map(|end| name.strip_suffix(end));
+            match stem.filter(|stem| ["NORMAL", "REFLECTION"].contains(stem)) {
+                Some(stem) => format!("{stem}_MAP"),
+                None => name.to_owned(),
+            }
+        };
         let known = Self::ALL.iter().find(|(_, name, number)| match param {
-            Param::Token(text) => *name == bare(text),
+            Param::Token(text) => *name == core(bare(text)),
             Param::Integer(given) => number == given,
             Param::Number(given) => cast::f64_of(*number) == *given,
+            Param::Flag(_) | Param::List(_) => false,
         });
-        known.map(|(mode, ..)| *mode).ok_or_else(|| Broken::Token {
-            argument: "TEXTURE_GEN_MODE",
-            given: param.to_string(),
-            legal: "EYE_LINEAR, OBJECT_LINEAR, SPHERE_MAP or EMBOSS_MAP_NV",
+        known.map(|(mode, ..)| *mode).ok_or_else(|| {
+            let legal =
+                "EYE_LINEAR, OBJECT_LINEAR, SPHERE_MAP, NORMAL_MAP, REFLECTION_MAP or EMBOSS_MAP_NV";
+            let names = Self::ALL.iter().map(|(_, name, _)| *name);
+            Broken::token("TEXTURE_GEN_MODE", &param.to_string(), legal, names)
         })
+    }
+
+    /// Coordinates that have it, if not all do.
+    fn takes(self) -> Option<(&'static str, &'static [Coord])> {
+        match self {
+            Self::EyeLinear | Self::ObjectLinear | Self::EmbossMapNv => None,
+            Self::SphereMap => Some(("S and T", &[Coord::S, Coord::T])),
+            Self::NormalMap | Self::ReflectionMap => {
+                Some(("S, T and R", &[Coord::S, Coord::T, Coord::R]))
+            }
+        }
     }
 }
 
 impl Pname {
+    const ALL: [(Self, &'static str); 5] = [
+        (Self::Mode, "TEXTURE_GEN_MODE"),
+        (Self::ObjectPlane, "OBJECT_PLANE"),
+        (Self::EyePlane, "EYE_PLANE"),
+        (Self::Light, "EMBOSS_LIGHT_NV"),
+        (Self::Constant, "EMBOSS_CONSTANT_NV"),
+    ];
+
     fn parse(text: &str) -> Result<Self, Broken> {
-        match bare(text) {
-            "TEXTURE_GEN_MODE" => Ok(Self::Mode),
-            "EMBOSS_LIGHT_NV" => Ok(Self::Light),
-            "EMBOSS_CONSTANT_NV" => Ok(Self::Constant),
-            _ => Err(Broken::Token {
-                argument: "pname",
-                given: text.to_owned(),
-                legal: "TEXTURE_GEN_MODE, EMBOSS_LIGHT_NV or EMBOSS_CONSTANT_NV",
-            }),
-        }
+        let known = Self::ALL.iter().find(|(_, name)| *name == bare(text));
+        known.map(|(pname, _)| *pname).ok_or_else(|| {
+            let legal =
+                "TEXTURE_GEN_MODE, OBJECT_PLANE, EYE_PLANE, EMBOSS_LIGHT_NV or EMBOSS_CONSTANT_NV";
+            Broken::token("pname", text, legal, Self::ALL.iter().map(|(_, name)| *name))
+        })
     }
 
     fn name(self) -> &'static str {
+        let known = Self::ALL.iter().find(|(pname, _)| *pname == self);
+        known.expect("bug: every parameter has a name").1
+    }
+
+    /// Values that it has: a plane has four coefficients.
+    fn values(self) -> usize {
         match self {
-            Self::Mode => "TEXTURE_GEN_MODE",
-            Self::Light => "EMBOSS_LIGHT_NV",
-            Self::Constant => "EMBOSS_CONSTANT_NV",
+            Self::ObjectPlane | Self::EyePlane => 4,
+            Self::Mode | Self::Light | Self::Constant => 1,
         }
     }
 }
 
 /// A coordinate's state.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 struct Generation {
     mode: Mode,
     enabled: bool,
+    object_plane: Param,
+    eye_plane: Param,
     constant: f64,
     light: u8,
 }
 
-/// Table 6.14 as the extension changes it.
-const INITIAL: Generation =
-    Generation { mode: Mode::EyeLinear, enabled: false, constant: 1.0, light: 0 };
+impl Generation {
+    /// Table 6.14 as the extension changes it.
+    fn initial(coord: Coord) -> Self {
+        // The planes of S and T are theirs, those of R and Q are 0.
+        let plane = |along| Param::Number(if coord == along { 1.0 } else { 0.0 });
+        let zero = || Param::Number(0.0);
+        let plane = || Param::List(vec![plane(Coord::S), plane(Coord::T), zero(), zero()]);
+        Self {
+            mode: Mode::EyeLinear,
+            enabled: false,
+            object_plane: plane(),
+            eye_plane: plane(),
+            constant: 1.0,
+            light: 0,
+        }
+    }
+}
 
 /// The number of LIGHT0.
 const LIGHT0: i64 = 0x4000;
@@ -405,6 +549,8 @@ pub struct State {
     units: Vec<[Generation; 4]>,
     lights: Vec<bool>,
     lighting: bool,
+    /// What else is enabled, with the unit where each has its own.
+    others: BTreeSet<(Option<u8>, String)>,
 }
 
 impl State {
@@ -414,9 +560,13 @@ impl State {
         let count = |limit: i64| cast::index_of(limit.clamp(1, i64::from(u8::MAX)));
         Self {
             active: 0,
-            units: vec![[INITIAL; 4]; count(limits.texture_units)],
+            units: vec![
+                Coord::ALL.map(|(coord, _)| Generation::initial(coord));
+                count(limits.texture_units)
+            ],
             lights: vec![false; count(limits.lights)],
             lighting: false,
+            others: ["DITHER", "MULTISAMPLE"].map(|cap| (None, cap.to_owned())).into(),
         }
     }
 
@@ -438,50 +588,74 @@ impl State {
         let found = match param {
             Param::Token(name) => {
                 return self.light(name).unwrap_or_else(|| {
-                    let (argument, legal) = ("EMBOSS_LIGHT_NV", "LIGHTi");
-                    Err(Broken::Token { argument, given: name.clone(), legal })
+                    let known = ["LIGHT0"].into_iter();
+                    Err(Broken::token("EMBOSS_LIGHT_NV", name, "LIGHTi", known))
                 });
             }
             Param::Integer(given) => (0..=last).find(|light| number(light) == *given),
             Param::Number(given) => (0..=last).find(|light| cast::f64_of(number(light)) == *given),
+            Param::Flag(_) | Param::List(_) => None,
         };
         found.ok_or_else(|| Broken::LightNumber { given: param.to_string(), last })
     }
 
     fn cap(&self, text: &str) -> Result<Cap, Broken> {
-        let name = bare(text);
         if let Some(light) = self.light(text) {
             return Ok(Cap::Light(light?));
         }
-        let coord = name.strip_prefix("TEXTURE_GEN_").and_then(Coord::named);
-        match (name, coord) {
-            ("LIGHTING", _) => Ok(Cap::Lighting),
-            (_, Some(coord)) => Ok(Cap::TexGen(coord)),
-            (_, None) => Err(Broken::Token {
-                argument: "cap",
-                given: text.to_owned(),
-                legal: "LIGHTING, LIGHTi, TEXTURE_GEN_S, TEXTURE_GEN_T, TEXTURE_GEN_R or TEXTURE_GEN_Q",
-            }),
-        }
+        let known = opengl::capability(bare(text)).ok_or_else(|| {
+            let numbered = ["LIGHT0", "CLIP_PLANE0"].into_iter();
+            let legal =
+                "what glEnable takes in OpenGL 1.x, such as LIGHTING, LIGHTi, TEXTURE_GEN_S";
+            Broken::token("cap", text, legal, opengl::capabilities().chain(numbered))
+        })?;
+        let coord = known.strip_prefix("TEXTURE_GEN_").and_then(Coord::named);
+        Ok(match (known, coord) {
+            ("LIGHTING", _) => Cap::Lighting,
+            (_, Some(coord)) => Cap::TexGen(coord),
+            (_, None) => {
+                let unit = opengl::is_of_unit(known).then_some(self.active);
+                Cap::Other(unit, known.to_owned())
+            }
+        })
     }
 
     fn enable(&mut self, text: &str, on: bool) -> Result<String, Broken> {
         let cap = self.cap(text)?;
-        let is = if on { "enabled" } else { "disabled" };
-        Ok(match cap {
-            Cap::Lighting => {
-                self.lighting = on;
-                format!("LIGHTING {is}")
+        match cap.clone() {
+            Cap::Lighting => self.lighting = on,
+            Cap::Light(light) => self.lights[usize::from(light)] = on,
+            Cap::TexGen(coord) => self.generation_mut(coord).enabled = on,
+            Cap::Other(unit, name) if on => {
+                self.others.insert((unit, name));
             }
-            Cap::Light(light) => {
-                self.lights[usize::from(light)] = on;
-                format!("LIGHT{light} {is}")
+            Cap::Other(unit, name) => {
+                self.others.remove(&(unit, name));
             }
-            Cap::TexGen(coord) => {
-                self.generation_mut(coord).enabled = on;
-                format!("unit {}: TEXTURE_GEN_{coord:?} {is}", self.active)
+        }
+        Ok(self.told_enabled(&cap))
+    }
+
+    /// If it is enabled.
+    fn told_enabled(&self, cap: &Cap) -> String {
+        let (unit, name, on) = match cap {
+            Cap::Lighting => (None, "LIGHTING".to_owned(), self.lighting),
+            Cap::Light(light) => (None, format!("LIGHT{light}"), self.lights[usize::from(*light)]),
+            Cap::TexGen(coord) => (
+                Some(self.active),
+                format!("TEXTURE_GEN_{coord:?}"),
+                self.generation(*coord).enabled,
+            ),
+            Cap::Other(unit, name) => {
+                (*unit, name.clone(), self.others.contains(&(*unit, name.clone())))
             }
-        })
+        };
+        let of = unit.map_or(String::new(), |unit| format!("unit {unit}: "));
+        format!("{of}{name} {}", if on { "enabled" } else { "disabled" })
+    }
+
+    fn generation(&self, coord: Coord) -> &Generation {
+        &self.units[usize::from(self.active)][coord.index()]
     }
 
     fn generation_mut(&mut self, coord: Coord) -> &mut Generation {
@@ -489,9 +663,11 @@ impl State {
     }
 
     fn told(&self, coord: Coord, pname: Pname) -> String {
-        let generation = self.units[usize::from(self.active)][coord.index()];
+        let generation = self.generation(coord);
         let value = match pname {
             Pname::Mode => generation.mode.to_string(),
+            Pname::ObjectPlane => generation.object_plane.to_string(),
+            Pname::EyePlane => generation.eye_plane.to_string(),
             Pname::Light => format!("LIGHT{}", generation.light),
             Pname::Constant => Brief(generation.constant).to_string(),
         };
@@ -500,7 +676,16 @@ impl State {
 
     fn texgen(&mut self, coord: Coord, pname: Pname, param: &Param) -> Result<(), Broken> {
         let (unit, even) = (self.active, self.active.is_multiple_of(2));
-        if pname != Pname::Mode {
+        // Where a pointer points to one value, it is that.
+        let param = match param {
+            Param::List(values) if pname.values() == 1 && values.len() == 1 => &values[0],
+            Param::Integer(_)
+            | Param::Number(_)
+            | Param::Token(_)
+            | Param::Flag(_)
+            | Param::List(_) => param,
+        };
+        if matches!(pname, Pname::Light | Pname::Constant) {
             let token = pname.name();
             if even {
                 return Err(Broken::EvenUnit { token, unit });
@@ -515,11 +700,15 @@ impl State {
                 if mode == Mode::EmbossMapNv && even {
                     return Err(Broken::EvenUnit { token: "EMBOSS_MAP_NV", unit });
                 }
-                if mode == Mode::SphereMap && matches!(coord, Coord::R | Coord::Q) {
-                    return Err(Broken::SphereMap { coord });
+                if let Some((takes, coords)) = mode.takes()
+                    && !coords.contains(&coord)
+                {
+                    return Err(Broken::ModeCoord { mode, coord, takes });
                 }
                 self.generation_mut(coord).mode = mode;
             }
+            Pname::ObjectPlane => self.generation_mut(coord).object_plane = param.clone(),
+            Pname::EyePlane => self.generation_mut(coord).eye_plane = param.clone(),
             Pname::Light => {
                 self.generation_mut(coord).light = self.emboss_light(param)?;
             }
@@ -527,7 +716,7 @@ impl State {
                 let number = match param {
                     Param::Integer(number) => Some(cast::f64_of(*number)),
                     Param::Number(number) => Some(*number),
-                    Param::Token(_) => None,
+                    Param::Token(_) | Param::Flag(_) | Param::List(_) => None,
                 };
                 let finite = number.filter(|number| number.is_finite());
                 let given = param.to_string();
@@ -545,10 +734,10 @@ impl State {
     pub fn call(&mut self, call: &Call) -> Result<String, Broken> {
         match call {
             Call::ActiveTexture { texture } => {
-                let unit = numbered(bare(texture), "TEXTURE").ok_or_else(|| Broken::Token {
-                    argument: "texture",
-                    given: texture.clone(),
-                    legal: "TEXTUREi",
+                let name = bare(texture);
+                let name = name.strip_suffix("_ARB").unwrap_or(name);
+                let unit = numbered(name, "TEXTURE").ok_or_else(|| {
+                    Broken::token("texture", texture, "TEXTUREi", ["TEXTURE0"].into_iter())
                 })?;
                 let last = u8::try_from(self.units.len() - 1).expect("bug: 255 units at most");
                 if unit > last {
@@ -559,7 +748,7 @@ impl State {
             }
             Call::TexGen { coord, pname, param } => {
                 let (coord, pname) = (Coord::parse(coord)?, Pname::parse(pname)?);
-                self.texgen(coord, pname, param)?;
+                self.texgen(coord, pname, param.get_ref())?;
                 Ok(self.told(coord, pname))
             }
             Call::GetTexGen { coord, pname } => {
@@ -567,6 +756,12 @@ impl State {
             }
             Call::Enable { cap } => self.enable(cap, true),
             Call::Disable { cap } => self.enable(cap, false),
+            Call::IsEnabled { cap } => Ok(self.told_enabled(&self.cap(cap)?)),
+            Call::Other(calls) => {
+                let followed = calls.keys().all(|name| !NOT_FOLLOWED.contains(&command(name)));
+                let not = "passed on; what it does to the state that is judged here isn't followed";
+                Ok(if followed { "passed on" } else { not }.to_owned())
+            }
         }
     }
 

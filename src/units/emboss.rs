@@ -1,12 +1,19 @@
 //! The emboss unit: displaced texture coordinates of a vertex, as two published designs have them.
 //!
 //! - `setting=gx`, seeds 000 and 003 (US 6,980,218 and 7,307,640): T and B of the model by a 3×3
-//!   matrix, L from the vertex to the light, `(S1, T1) = (S0, T0) + (T·L, B·L)/|L|`. The matrix may
+//!   matrix, L from the vertex to the light, `(S1, T1) = (S0, T0) + (T·L, B·L)/|L|`. This sign of L departs from the
+//!   patents: their table prints L = V - L_p, from the light to the vertex (`l_sign=vertex-light`), which displaces
+//!   away from the light, so that the displaced height less the undisplaced one is bright toward the light. Here the
+//!   default displaces toward it, and the difference is the other way round. The matrix may
 //!   scale, which sets the strength, so T and B are not normalised. The normal isn't used. Here s goes
 //!   with T and t with B; in that console's own API the vector of s is the *second* of a vertex's
 //!   N, B, T, so that one is what port `tangent` takes.
 //! - `setting=nv`, seed 002 (`GL_NV_texgen_emboss`): T and BN of [`super::basis`],
-//!   `Es = PCTs + Ks (L·BN)/|L| PCTq, Et = PCTt - Kt (L·T)/|L| PCTq`; r and q pass.
+//!   `Es = PCTs + Ks (L·BN)/|L| PCTq, Et = PCTt - Kt (L·T)/|L| PCTq`; r and q pass. L points to the light, and CT
+//!   along growing t; then BN = N × CT points against growing s, and both displacements lead away from the light.
+//!
+//! Parameters `light`, `source` and `destination` say which light and which coordinates the ports stand for, as
+//! `fixpath texgen` tells a configuration; no word depends on them.
 //!
 //! Every difference between them is a switch that a setting sets and a user may set otherwise.
 //!
@@ -97,7 +104,7 @@ static PARAMS: &[Param] = &[
         name: "l_sign",
         kind: Kind::Choice(&["light-vertex", "vertex-light"]),
         default: "light-vertex",
-        help: "L = light - vertex, or as the patent prints it; turns what looks raised",
+        help: "L = light - vertex, or as the patents print it (from the light to the vertex), from which the default departs; turns what looks raised",
     },
     Param {
         name: "t_sign",
@@ -119,15 +126,15 @@ static PARAMS: &[Param] = &[
     },
     Param {
         name: "ks",
-        kind: Kind::Real { min: -1.0, max: 1.0 },
+        kind: Kind::Real { min: -MAX_CONSTANT, max: MAX_CONSTANT },
         default: "1",
-        help: "Ks (constants=parameters)",
+        help: "Ks, any number that its format holds (constants=parameters)",
     },
     Param {
         name: "kt",
-        kind: Kind::Real { min: -1.0, max: 1.0 },
+        kind: Kind::Real { min: -MAX_CONSTANT, max: MAX_CONSTANT },
         default: "1",
-        help: "Kt (constants=parameters)",
+        help: "Kt, any number that its format holds (constants=parameters)",
     },
     Param {
         name: "input20",
@@ -167,9 +174,23 @@ static PARAMS: &[Param] = &[
     ROOT_ADDR_BITS,
     ROOT_FRAC_BITS,
     Param {
+        name: "constant_int_bits",
+        kind: Kind::Int {
+            min: 0,
+            max: MAX_CONSTANT_INT_BITS as i64,
+            auto: Some("as many as ks and kt ask for, 1 at least"),
+        },
+        default: "auto",
+        help: "Ks and Kt are from -2^constant_int_bits to 2^constant_int_bits",
+    },
+    Param {
         name: "constant_frac_bits",
-        kind: Kind::Int { min: 2, max: 24, auto: None },
-        default: "20",
+        kind: Kind::Int {
+            min: 2,
+            max: 24,
+            auto: Some("20, and fewer with more than 6 whole bits, 26 of both"),
+        },
+        default: "auto",
         help: "fraction bits of Ks and Kt, and of their products with q",
     },
     Param {
@@ -197,7 +218,34 @@ static PARAMS: &[Param] = &[
         default: "256",
         help: "texels along the texture: only for errors in texels",
     },
+    Param {
+        name: "light",
+        kind: Kind::Int { min: 0, max: 31, auto: None },
+        default: "0",
+        help: "the light that port `light` is the place of: only told",
+    },
+    Param {
+        name: "source",
+        kind: Kind::Int { min: 0, max: 31, auto: None },
+        default: "0",
+        help: "the coordinate (gx) or texture unit (nv) that s0 and t0 are of: only told",
+    },
+    Param {
+        name: "destination",
+        kind: Kind::Int { min: 0, max: 31, auto: None },
+        default: "1",
+        help: "the coordinate (gx) or texture unit (nv) that s1 and t1 are of: only told",
+    },
 ];
+
+/// Most whole bits of Ks and Kt.
+const MAX_CONSTANT_INT_BITS: u32 = 17;
+/// Ks and Kt are this at most, so that each of them has a format that holds it.
+const MAX_CONSTANT: f64 = 65_536.0;
+/// Fraction bits of Ks and Kt with few whole bits, and the most that both kinds are together: then products with q
+/// and with a displacement fit words.
+const CONSTANT_FRAC_BITS: u32 = 20;
+const CONSTANT_BITS: u32 = 26;
 
 /// Where T and B come from.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -302,7 +350,7 @@ impl Ports {
         let matrix_frac = cast::signed_count(matrix_bits) - cast::signed_count(matrix_int) - 1;
         let matrix = Format::signed(matrix_bits, matrix_frac)?;
         let texture = texture(values)?;
-        let constant = number(1, values.bits("constant_frac_bits"))?;
+        let constant = constant(values, switches)?;
         let port = |name: &'static str| {
             let (format, quantity) = match name {
                 "m0" | "m1" | "m2" => (matrix, short),
@@ -338,6 +386,47 @@ impl Ports {
 /// Format of texture coordinates.
 fn texture(values: &Values) -> Result<Format> {
     number(values.bits("texture_int_bits"), values.bits("texture_frac_bits"))
+}
+
+/// Format of Ks and Kt.
+///
+/// # Errors
+/// If it doesn't hold one of them; the message names the one that does.
+fn constant(values: &Values, switches: Switches) -> Result<Format> {
+    let format = |int_bits: u32| {
+        let few = CONSTANT_FRAC_BITS.min(CONSTANT_BITS.saturating_sub(int_bits));
+        let frac_bits = values.int("constant_frac_bits");
+        let frac_bits = frac_bits.map_or(few, |_| values.bits("constant_frac_bits"));
+        number(int_bits, frac_bits)
+    };
+    let holds = |format: Format, name: &str| {
+        quantize(values.real(name), format, Round::HalfEven, Overflow::Error).is_ok()
+    };
+    let names: &[&str] = match switches.constants {
+        Constants::Parameters => &["ks", "kt"],
+        Constants::Off | Constants::Ports => &[],
+    };
+    let asked = |name: &str| {
+        let enough = |bits: &u32| format(*bits).is_ok_and(|format| holds(format, name));
+        (1..=MAX_CONSTANT_INT_BITS).find(enough).unwrap_or(MAX_CONSTANT_INT_BITS)
+    };
+    let int_bits = match values.int("constant_int_bits") {
+        Some(_) => values.bits("constant_int_bits"),
+        None => names.iter().map(|name| asked(name)).max().unwrap_or(1),
+    };
+    let format = format(int_bits)?;
+    if let Some(name) = names.iter().find(|name| !holds(format, name)) {
+        return Err(values.refuse(
+            name,
+            &format!(
+                "{} to {} in format {format} of constant_int_bits={int_bits}; constant_int_bits={} holds it",
+                cast::f64_of(format.min_raw()) * format.ulp(),
+                cast::f64_of(format.max_raw()) * format.ulp(),
+                asked(name)
+            ),
+        ));
+    }
+    Ok(format)
 }
 
 fn build(values: &Values) -> Result<Design> {
@@ -582,12 +671,11 @@ fn factor(
     axis: char,
 ) -> Result<NodeId> {
     let name = if axis == 's' { "ks" } else { "kt" };
-    let frac_bits = values.bits("constant_frac_bits");
+    let format = constant(values, switches)?;
     let constant = match switches.constants {
         Constants::Off => None,
         Constants::Ports => Some(ports.number(name)),
         Constants::Parameters => {
-            let format = number(1, frac_bits)?;
             let word = quantize(values.real(name), format, Round::HalfEven, Overflow::Saturate)?;
             Some(b.constant(word.0, format))
         }
@@ -597,7 +685,7 @@ fn factor(
         (Some(constant), Some(q)) => {
             let product = b.mul(constant, q);
             let round: Round = values.choice("rounding").parse()?;
-            let product = rounded(b, product, cast::signed_count(frac_bits), round);
+            let product = rounded(b, product, format.frac_bits(), round);
             b.name(product, &format!("{name}_q"))
         }
         (Some(only), None) | (None, Some(only)) => only,
@@ -678,19 +766,20 @@ impl Errors {
         };
         let length = length_error(values, worst);
         let dot = rounding * ulp("dot_frac_bits");
+        let format = constant(values, switches).expect("bug: the unit was built with it");
         let factor = switches.has_factor().then(|| {
             let q = if switches.q { texture_limit(values) } else { 1.0 };
             let (constant, error) = match switches.constants {
                 Constants::Off => (1.0, 0.0),
                 Constants::Parameters => {
                     let real = values.real(if axis == 's' { "ks" } else { "kt" });
-                    let ulp = ulp("constant_frac_bits");
+                    let ulp = format.ulp();
                     (real.abs(), ((real / ulp).round() * ulp - real).abs())
                 }
-                Constants::Ports => (2.0, 0.0),
+                Constants::Ports => (2f64.powi(format.int_bits()), 0.0),
             };
             let product = switches.q && switches.constants != Constants::Off;
-            let product = if product { rounding * ulp("constant_frac_bits") } else { 0.0 };
+            let product = if product { rounding * format.ulp() } else { 0.0 };
             let before = 2f64.powi(-UNIT_GUARD_BITS) * ulp("texture_frac_bits") * rounding;
             [constant * q, error * q + product, before]
         });

@@ -3,9 +3,10 @@
 //   setting=nv frame=auto normalise_basis=auto s_vector=auto l_sign=light-vertex t_sign=auto
 //   scale_q=auto constants=auto ks=1 kt=1 input20=off component_bits=16 matrix_bits=16
 //   matrix_int_bits=2 position_bits=28 position_frac_bits=15 guard_bits=4 norm_bits=18
-//   dot_frac_bits=20 root_scheme=linear root_addr_bits=9 root_frac_bits=18 constant_frac_bits=20
-//   texture_int_bits=6 texture_frac_bits=18 overflow=saturate rounding=half-up texture_size=256
-//   period_ps=5000 stages=auto rom=block
+//   dot_frac_bits=20 root_scheme=linear root_addr_bits=9 root_frac_bits=18 constant_int_bits=auto
+//   constant_frac_bits=auto texture_int_bits=6 texture_frac_bits=18 overflow=saturate
+//   rounding=half-up texture_size=256 light=0 source=0 destination=1 period_ps=5000 stages=auto
+//   rom=block
 // latency 25 cycles, interval 1 cycle; tables read on the clock
 // absolute errors against the golden of the quantised inputs, over 65536 random inputs
 // (sampler sphere, seed 1), and the input words of the worst:
