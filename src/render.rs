@@ -456,6 +456,8 @@ pub struct Shot {
     pub pipeline: Pipeline,
     /// Its picture.
     pub picture: Picture,
+    /// Its golden picture, where that isn't [`Rendered::golden`]: an emboss that displaces the other way.
+    pub golden: Option<Arc<Picture>>,
     /// One of its designs: that of the first material under the first light.
     pub design: Arc<Design>,
     /// Designs of the units behind it, if there are some.
@@ -490,7 +492,7 @@ impl Shot {
 /// A scene rendered.
 #[derive(Clone, Debug)]
 pub struct Rendered {
-    /// The golden picture, in `f64`: tangent-space bump mapping, or an emboss.
+    /// The golden picture, in `f64`: tangent-space bump mapping, or an emboss as the first pipeline has it.
     pub golden: Picture,
     /// The largest difference of Blinn's equation to it, in linear light; an emboss has none.
     pub blinn: Option<f64>,
@@ -503,6 +505,12 @@ pub struct Rendered {
 }
 
 impl Rendered {
+    /// The golden picture of a shot.
+    #[must_use]
+    pub fn golden_of<'a>(&'a self, shot: &'a Shot) -> &'a Picture {
+        shot.golden.as_deref().unwrap_or(&self.golden)
+    }
+
     /// A shot as a measurement, end to end: `picture`, the difference to the golden in linear light of
     /// every channel of every pixel, and `lt_angle`, if it was judged. The difference is that of
     /// the shot's picture.
@@ -511,7 +519,8 @@ impl Rendered {
         let mut histogram = vec![0; BINS];
         let (mut stream, histograms) = (Stream::EMPTY, Histograms::new(1));
         let width = self.golden.width_px();
-        let rows = shot.picture.pixels().chunks(width).zip(self.golden.pixels().chunks(width));
+        let golden = self.golden_of(shot);
+        let rows = shot.picture.pixels().chunks(width).zip(golden.pixels().chunks(width));
         for (is, should) in rows {
             let pairs = is.iter().flatten().zip(should.iter().flatten());
             let errors: Vec<f64> = pairs.map(|(a, b)| f64::from(*a) - f64::from(*b)).collect();
@@ -699,6 +708,7 @@ pub fn shoot(
         shots.push(Shot {
             pipeline: shader.pipeline.clone(),
             picture,
+            golden: None,
             design: Arc::clone(shader.design()),
             behind: shader.frames.iter().map(|frames| Arc::clone(frames.design())).collect(),
             emboss: None,

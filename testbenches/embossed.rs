@@ -29,7 +29,8 @@ fn small(name: &str) -> Scene {
 }
 
 fn difference(shot: &Shot, rendered: &Rendered) -> f64 {
-    Difference::between(&shot.picture, &rendered.golden, PIXELS_PER_DEGREE).unwrap().max.difference
+    let golden = rendered.golden_of(shot);
+    Difference::between(&shot.picture, golden, PIXELS_PER_DEGREE).unwrap().max.difference
 }
 
 /// Within its bound, which is no idle one.
@@ -63,8 +64,10 @@ fn reliefs(scene: &Scene) -> Vec<Vec<f64>> {
     let mut flat = scene.clone();
     flat.emboss.strength = 0.0;
     let (bumped, flat) = (embossed(scene, &[]), embossed(&flat, &[]));
-    let of_shots = bumped.shots.iter().map(|shot| relief(&shot.picture, &flat.golden));
-    std::iter::once(relief(&bumped.golden, &flat.golden)).chain(of_shots).collect()
+    // Each golden, and each picture: flat ones are equal, whichever way they displace.
+    let goldens = bumped.shots.iter().map(|shot| bumped.golden_of(shot));
+    let pictures = bumped.shots.iter().map(|shot| &shot.picture);
+    goldens.chain(pictures).map(|picture| relief(picture, &flat.golden)).collect()
 }
 
 /// On the plate a pixel is a texel: what rises away from the light is bright, whoever draws it.
@@ -98,6 +101,47 @@ fn raised_letters_are_bright_towards_the_light() {
     turned.emboss.light_sign = LightSign::VertexLight;
     for relief in reliefs(&turned) {
         assert!(correlation(&relief, &rises) > 0.9);
+    }
+}
+
+/// CT points along growing t, Ks and Kt are positive but for a mirrored texture, and by the extension's own equations
+/// both displacements lead away from the light; the displaced height less the other one is then bright toward it.
+#[test]
+fn nv_displaces_away_from_the_light() {
+    let scene = Scene::builtin("lettering-raised").unwrap();
+    let rendered = embossed(&scene, &[]);
+    let [toward, away] = &rendered.shots[..] else { panic!("two pipelines") };
+    assert_eq!(
+        (toward.pipeline.name.as_str(), away.pipeline.name.as_str()),
+        ("emboss-gx", "emboss-nv")
+    );
+    assert!(toward.golden.is_none());
+    // Alone, its golden is the only one.
+    let alone = render(&scene, &pipelines(&[])[1..], false, &|_| ()).unwrap();
+    assert_eq!(&alone.golden, rendered.golden_of(away));
+    assert_ne!(alone.golden, rendered.golden);
+    // From nothing but the map: the light is up, to the left, and toward the eye.
+    let (width, height) = (512i64, 256i64);
+    let light = DVec3::new(-1.0, 1.0, 1.0).normalize();
+    let texel = |x: i64, y: i64| {
+        let (x, y) = (x.rem_euclid(width), y.rem_euclid(height));
+        (scene.bumps.heights()[(y * width + x) as usize] * 255.0).round() / 255.0
+    };
+    let sample = |x: f64, y: f64| {
+        let (i, j) = (x.floor() as i64, y.floor() as i64);
+        let (a, b) = (x - x.floor(), y - y.floor());
+        let along = |j| (1.0 - a) * texel(i, j) + a * texel(i + 1, j);
+        (1.0 - b) * along(j) + b * along(j + 1)
+    };
+    let (strength, gain) = (scene.emboss.strength, 2f64.powi(scene.emboss.gain_log2));
+    for i in (0..width * height).step_by(61) {
+        let (x, y) = ((i % width) as f64, (i / width) as f64);
+        // Rows count downwards.
+        let there = sample(x - strength * light.x, y + strength * light.y);
+        let diffuse = (0.1 + 0.9 * light.z) * f64::from(scene.texture.texels()[i as usize][0]);
+        let should = (diffuse + gain * (there - sample(x, y))).clamp(0.0, 1.0);
+        let is = f64::from(alone.golden.pixels()[i as usize][0]);
+        assert!((is - should).abs() < 1e-6, "{x} {y}: {is} for {should}");
     }
 }
 
@@ -225,11 +269,13 @@ fn a_mirrored_plate_is_a_mirrored_picture() {
     let (plain, mirrored) = (text(false), text(true));
     assert!(!mirrored.facts().right_handed);
     let (a, b) = (embossed(&plain, &[]), embossed(&mirrored, &[]));
-    let rows = a.golden.pixels().chunks(128).zip(b.golden.pixels().chunks(128));
-    for (row, turned) in rows {
-        for (is, should) in row.iter().zip(turned.iter().rev()) {
-            for channel in 0..3 {
-                assert!((is[channel] - should[channel]).abs() < 1e-6, "{is:?} {should:?}");
+    for (is, should) in a.shots.iter().zip(&b.shots) {
+        let pixels = [a.golden_of(is), b.golden_of(should)].map(Picture::pixels);
+        for (row, turned) in pixels[0].chunks(128).zip(pixels[1].chunks(128)) {
+            for (is, should) in row.iter().zip(turned.iter().rev()) {
+                for channel in 0..3 {
+                    assert!((is[channel] - should[channel]).abs() < 1e-6, "{is:?} {should:?}");
+                }
             }
         }
     }
@@ -244,7 +290,7 @@ fn nearest_texels_are_nearly_all_the_goldens() {
     let rendered = embossed(&scene, &[]);
     for shot in &rendered.shots {
         assert_eq!(shot.emboss.unwrap().bound, None);
-        let pairs = shot.picture.pixels().iter().zip(rendered.golden.pixels());
+        let pairs = shot.picture.pixels().iter().zip(rendered.golden_of(shot).pixels());
         let off =
             pairs.filter(|(a, b)| a.iter().zip(*b).any(|(a, b)| (a - b).abs() > 1.01 / 255.0));
         let off = off.count();

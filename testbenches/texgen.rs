@@ -1111,10 +1111,7 @@ fn malformed_files_are_refused_with_the_line() {
             "gx = 3\n",
             "calls.toml, line 1: invalid type: integer `3`, expected a sequence in `gx = 3`",
         ),
-        (
-            "gx = [3]\n",
-            "calls.toml, line 1: expected a table with `call` in `gx = [3]`",
-        ),
+        ("gx = [3]\n", "calls.toml, line 1: expected a table with `call` in `gx = [3]`"),
         (
             "[limits]\nlights = 4\n[[nv]]\ncall = \"Enable\"\ncap = \"LIGHTING\"\n",
             "calls.toml, line 1: `lights` = 4: legal is 8 to 32",

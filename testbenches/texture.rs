@@ -102,14 +102,16 @@ fn texel_centres_are_at_halves() {
 /// Every word of texels, fractions and channels, against whole numbers.
 #[test]
 fn the_combiner_is_right_for_every_word() {
-    for (filter, channel_bits, fraction_bits, lights, gain_log2) in [
-        ("nearest", 3, 1, 1, 0),
-        ("nearest", 2, 1, 3, -1),
-        ("nearest", 2, 1, 2, 1),
-        ("bilinear", 1, 1, 1, 0),
-        ("bilinear", 1, 1, 1, 2),
-        ("bilinear", 1, 1, 1, -2),
-        ("bilinear", 1, 2, 1, 0),
+    let (toward, away) = ("undisplaced-displaced", "displaced-undisplaced");
+    for (filter, channel_bits, fraction_bits, lights, gain_log2, difference) in [
+        ("nearest", 3, 1, 1, 0, toward),
+        ("nearest", 2, 1, 3, -1, toward),
+        ("nearest", 2, 1, 2, 1, toward),
+        ("nearest", 2, 1, 2, 0, away),
+        ("bilinear", 1, 1, 1, 0, toward),
+        ("bilinear", 1, 1, 1, 2, toward),
+        ("bilinear", 1, 1, 1, -2, toward),
+        ("bilinear", 1, 2, 1, 0, away),
     ] {
         let design = design(
             "combine",
@@ -119,6 +121,7 @@ fn the_combiner_is_right_for_every_word() {
                 ("fraction_bits", &fraction_bits),
                 ("lights", &lights),
                 ("gain_log2", &gain_log2),
+                ("difference", &difference),
                 ("guard_bits", &8), // exact here: 2 · fraction_bits are enough
                 ("rounding", &"half-up"),
             ]),
@@ -158,6 +161,7 @@ fn the_combiner_is_right_for_every_word() {
         for row in rows.clone() {
             let relief: i64 =
                 (0..lights).map(|n| height("h", row) - height(&format!("d{n}"), row)).sum();
+            let relief = if difference == away { -relief } else { relief };
             for channel in ["r", "g", "b"] {
                 // In codes / (4 · 2^2f), so that a gain of a quarter is whole.
                 let unit = 4 * one * one;

@@ -201,7 +201,9 @@ fn rendered(
     let differences = rendered
         .shots
         .iter()
-        .map(|shot| Difference::between(&shot.picture, &rendered.golden, args.pixels_per_degree))
+        .map(|shot| {
+            Difference::between(&shot.picture, rendered.golden_of(shot), args.pixels_per_degree)
+        })
         .collect::<Result<Vec<_>>>()?;
     Ok((rendered, differences))
 }
@@ -237,8 +239,17 @@ fn run_frames(args: &RenderArgs, scene: &Scene) -> Result<(String, bool)> {
         for (i, shot) in rendered.shots.iter().enumerate() {
             let picture = shot.picture.to_srgb8();
             picture.save_png(&args.out.join(&shot.pipeline.name).join(&file))?;
+            if let Some(golden) = &shot.golden {
+                let folder = args.out.join(format!("{}_golden", shot.pipeline.name));
+                output::make_folder(&folder)?;
+                golden.to_srgb8().save_png(&folder.join(&file))?;
+            }
             rows[1 + 2 * i].push(picture);
-            rows[2 + 2 * i].push(absolute_map(&shot.picture, &rendered.golden, Amplify::Fit)?);
+            rows[2 + 2 * i].push(absolute_map(
+                &shot.picture,
+                rendered.golden_of(shot),
+                Amplify::Fit,
+            )?);
         }
         held &= bounds_hold(&rendered, &differences);
         values.push(figures(&rendered, &differences, &parts(&rendered, args)?));
@@ -443,9 +454,12 @@ fn write_pictures(out: &Path, rendered: &Rendered) -> Result<()> {
         let name = &shot.pipeline.name;
         let picture = shot.picture.to_srgb8();
         picture.save_png(&out.join(format!("{name}.png")))?;
-        let difference = absolute_map(&shot.picture, &rendered.golden, Amplify::Fit)?;
+        if let Some(golden) = &shot.golden {
+            golden.to_srgb8().save_png(&out.join(format!("{name}_golden.png")))?;
+        }
+        let difference = absolute_map(&shot.picture, rendered.golden_of(shot), Amplify::Fit)?;
         difference.save_png(&out.join(format!("{name}_difference.png")))?;
-        signed_map(&shot.picture, &rendered.golden, Amplify::Fit)?
+        signed_map(&shot.picture, rendered.golden_of(shot), Amplify::Fit)?
             .save_png(&out.join(format!("{name}_signed.png")))?;
         if let Some(setup) = &shot.setup {
             setup.flow.to_srgb8().save_png(&out.join(format!("{name}_flow.png")))?;

@@ -5,8 +5,8 @@ use super::with;
 use crate::error::{Error, Result};
 use crate::netlist::Counts;
 use crate::output;
-use crate::picture::{Difference, Picture};
-use crate::render::{Pipeline, Shot, render, shots_together};
+use crate::picture::Difference;
+use crate::render::{Pipeline, Rendered, Shot, render, shots_together};
 use crate::report::ladder::{Table, markdown_table};
 use crate::report::record::SceneId;
 use crate::scene::Scene;
@@ -121,7 +121,7 @@ pub fn climb(
         // If one can't be built, each goes on its own.
         let outcomes = match render(scene, &pipelines, false, &|_| ()) {
             Ok(rendered) => {
-                let of = |shot| measured(shot, &rendered.golden, pixels_per_degree).map(Ok);
+                let of = |shot| measured(&rendered, shot, pixels_per_degree).map(Ok);
                 rendered.shots.iter().map(of).collect::<Result<Vec<_>>>()?
             }
             Err(_) => {
@@ -129,8 +129,7 @@ pub fn climb(
                     let rendered = render(scene, std::slice::from_ref(pipeline), false, &|_| ());
                     match rendered {
                         Ok(rendered) => {
-                            measured(&rendered.shots[0], &rendered.golden, pixels_per_degree)
-                                .map(Ok)
+                            measured(&rendered, &rendered.shots[0], pixels_per_degree).map(Ok)
                         }
                         Err(why) => Ok(Err(why)),
                     }
@@ -173,7 +172,8 @@ pub fn climb(
 }
 
 /// Figures of a picture.
-fn measured(shot: &Shot, golden: &Picture, pixels_per_degree: f64) -> Result<Figures> {
+fn measured(rendered: &Rendered, shot: &Shot, pixels_per_degree: f64) -> Result<Figures> {
+    let golden = rendered.golden_of(shot);
     let counts = || {
         let designs = shot.behind.iter().chain([&shot.design]);
         designs.map(|design| design.netlist.counts())

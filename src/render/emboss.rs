@@ -5,8 +5,16 @@
 //! units `sampler` and `combine` look the height map up and add the differences to the diffuse light, which is the
 //! texture's colour times light computed per vertex (Gouraud). There is no specular light.
 //!
-//! The golden is the same in `f64` without any rounding: displacements `strength (T·L)/|L|` and
-//! `strength (B·L)/|L|`, in texels, and interpolation between exact texels. What both share is the front end (surfaces,
+//! Each setting keeps the convention of its seed, and what looks raised in one does in the other:
+//!
+//! - `emboss-gx` displaces toward the light, and adds h(undisplaced) - h(displaced). The sign of L departs from that of
+//!   the patents, which is `light_sign = "vertex-light"` in `[emboss]` and turns what looks raised.
+//! - `emboss-nv` displaces away from the light, as the extension's CT points along growing t, and adds
+//!   h(displaced) - h(undisplaced).
+//!
+//! These are two pictures of one relief, a displacement apart, so each has its golden: the same in `f64` without any
+//! rounding: displacements `± strength (T·L)/|L|` and
+//! `± strength (B·L)/|L|`, in texels, and interpolation between exact texels. What a picture and its golden share is the front end (surfaces,
 //! rays and their weights, light per vertex, the texture's colour) and the texels of the height map, which have 8
 //! bits. Of `scale` in `[height]` only the sign counts: a negative one makes dents of bumps.
 //!
@@ -17,8 +25,8 @@
 //!
 //! - `emboss-gx`: the matrix is the camera's times the strength in those steps, so its scale is the strength, and T
 //!   and B are unit vectors.
-//! - `emboss-nv`: Ks and Kt are the strength in those steps. The extension's current texture coordinate
-//!   stands for -B, so that its BN is T and its T is -B. As N × CT knows nothing of mirrored textures, Kt is
+//! - `emboss-nv`: Ks and Kt are the strength in those steps. The extension's current texture coordinate CT is B, along
+//!   which t grows, so that its BN is -T and its T is B. As N × CT knows nothing of mirrored textures, Ks is
 //!   negative where one is.
 //!
 //! A directional light stands [`FAR_AWAY`] from the vertex, in both models.
@@ -70,6 +78,10 @@ pub(super) const FROM_SCENE: &[&str] = &[
     "log2_height",
     "lights",
     "gain_log2",
+    "difference",
+    "light",
+    "source",
+    "destination",
 ];
 
 /// How far a directional light is from what it shines on.
@@ -97,7 +109,39 @@ struct Coordinates {
     displaced: Vec<Vec<DVec2>>,
 }
 
-/// What the golden and all pipelines share of a scene.
+/// Which way a setting displaces, and so which of two samples it takes from the other.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Way {
+    /// To the light.
+    Toward,
+    /// From it.
+    Away,
+}
+
+impl Way {
+    fn of(pipeline: &Pipeline) -> Self {
+        let nv = pipeline.assignments.iter().any(|set| set == "setting=nv");
+        if nv { Self::Away } else { Self::Toward }
+    }
+
+    /// The factor of displacements, and of the undisplaced height less the displaced one.
+    fn sign(self) -> f64 {
+        match self {
+            Self::Toward => 1.0,
+            Self::Away => -1.0,
+        }
+    }
+
+    /// The parameter of the combiner.
+    fn difference(self) -> &'static str {
+        match self {
+            Self::Toward => "undisplaced-displaced",
+            Self::Away => "displaced-undisplaced",
+        }
+    }
+}
+
+/// What the goldens and all pipelines share of a scene.
 struct Front<'a> {
     scene: &'a Scene,
     mesh: Tessellation,
@@ -111,7 +155,8 @@ struct Front<'a> {
     texels: Vec<u8>,
     /// Columns and rows.
     size: [u32; 2],
-    golden: Coordinates,
+    toward: Coordinates,
+    away: Coordinates,
 }
 
 impl<'a> Front<'a> {
@@ -154,11 +199,21 @@ impl<'a> Front<'a> {
             light: Vec::new(),
             texels,
             size,
-            golden: Coordinates::default(),
+            toward: Coordinates::default(),
+            away: Coordinates::default(),
         };
         front.light = front.mesh.vertices.iter().map(|vertex| gouraud(scene, vertex)).collect();
-        front.golden = front.displaced();
+        front.toward = front.displaced(Way::Toward);
+        front.away = front.displaced(Way::Away);
         Ok(front)
+    }
+
+    /// The golden coordinates.
+    fn golden(&self, way: Way) -> &Coordinates {
+        match way {
+            Way::Toward => &self.toward,
+            Way::Away => &self.away,
+        }
     }
 
     fn in_texels(&self, vertex: &Vertex) -> DVec2 {
@@ -175,12 +230,12 @@ impl<'a> Front<'a> {
         }
     }
 
-    /// The golden displacement.
-    fn displaced(&self) -> Coordinates {
+    /// The golden displacements.
+    fn displaced(&self, way: Way) -> Coordinates {
         let emboss = self.scene.emboss;
         let sign = match emboss.light_sign {
-            LightSign::LightVertex => 1.0,
-            LightSign::VertexLight => -1.0,
+            LightSign::LightVertex => way.sign(),
+            LightSign::VertexLight => -way.sign(),
         };
         let displaced = |light: &Light| -> Vec<DVec2> {
             let at = |(number, vertex): (usize, &Vertex)| {
@@ -272,6 +327,7 @@ fn between(seen: &Seen, i: usize, of: &[DVec2]) -> DVec2 {
 /// A pipeline ready for the pixels of a scene: its designs, and what its first unit made of the vertices.
 struct Shader<'a> {
     pipeline: &'a Pipeline,
+    way: Way,
     emboss: Stage,
     sampler: Stage,
     combine: Stage,
@@ -287,7 +343,8 @@ impl<'a> Shader<'a> {
         let settings = scene.emboss;
         let set = |key: &str, value: &dyn std::fmt::Display| format!("{key}={value}");
         let mut of_emboss = vec![set("l_sign", &settings.light_sign.name())];
-        if pipeline.assignments.iter().any(|set| set == "setting=nv") {
+        let way = Way::of(pipeline);
+        if way == Way::Away {
             of_emboss.push(set("constants", &"ports"));
         }
         let emboss = Stage::new(pipeline.unit, pipeline, &of_emboss)?;
@@ -295,6 +352,7 @@ impl<'a> Shader<'a> {
             set("filter", &settings.filter.name()),
             set("lights", &scene.lights.len()),
             set("gain_log2", &settings.gain_log2),
+            set("difference", &way.difference()),
         ];
         let combine = Stage::new(&COMBINE, pipeline, &of_combine)?;
         let mut vertices = BlockShot::of([&emboss.program].into_iter());
@@ -317,11 +375,12 @@ impl<'a> Shader<'a> {
             set("log2_height", &front.size[1].trailing_zeros()),
         ];
         let sampler = Stage::new(&SAMPLER, pipeline, &of_sampler)?;
-        let pairs = coordinates.displaced.iter().zip(&front.golden.displaced);
+        let pairs = coordinates.displaced.iter().zip(&front.golden(way).displaced);
         let displacement_max_texels =
             pairs.map(|(is, should)| apart(is, should).max_element()).fold(0.0, f64::max);
         let known = Known { bound: None, displacement_max_texels, step_texels };
-        let mut shader = Self { pipeline, emboss, sampler, combine, coordinates, vertices, known };
+        let mut shader =
+            Self { pipeline, way, emboss, sampler, combine, coordinates, vertices, known };
         shader.known.bound = shader.bounded(front)?;
         Ok(shader)
     }
@@ -344,8 +403,9 @@ impl<'a> Shader<'a> {
             };
             axis(0) + axis(1)
         };
-        let plain = of_height(apart(&self.coordinates.plain, &front.golden.plain));
-        let displaced = self.coordinates.displaced.iter().zip(&front.golden.displaced);
+        let golden = front.golden(self.way);
+        let plain = of_height(apart(&self.coordinates.plain, &golden.plain));
+        let displaced = self.coordinates.displaced.iter().zip(&golden.displaced);
         let relief: f64 =
             displaced.map(|(is, should)| plain + of_height(apart(is, should))).sum::<f64>()
                 / TEXEL_MAX;
@@ -384,8 +444,8 @@ const LEAST_SCALE_ULPS: f64 = 4.0;
 fn displaced(front: &Front<'_>, stage: &Stage, shot: &mut BlockShot) -> Result<(Coordinates, f64)> {
     let scene = front.scene;
     let strength = scene.emboss.strength;
-    let golden = &front.golden;
-    let farthest = golden.plain.iter().map(|at| at.abs().max_element()).fold(0.0, f64::max);
+    let plain = &front.toward.plain; // the same either way
+    let farthest = plain.iter().map(|at| at.abs().max_element()).fold(0.0, f64::max);
     // A word of the coordinates counts so many texels as a whole one; a strength of 1 at most.
     let reach = stage.reach("s0");
     let step = (0..32)
@@ -408,7 +468,7 @@ fn displaced(front: &Front<'_>, stage: &Stage, shot: &mut BlockShot) -> Result<(
     let reach = stage.reach("vertex_x");
     let rows = [0, 1, 2].map(|row| front.turn.row(row));
     let mut runner = stage.program.runner();
-    let (mut words, mut plain) = (Vec::new(), Vec::new());
+    let (mut words, mut undisplaced) = (Vec::new(), Vec::new());
     let mut all = Vec::new();
     for light in &scene.lights {
         let mut columns: BTreeMap<String, Vec<f64>> = BTreeMap::new();
@@ -425,7 +485,7 @@ fn displaced(front: &Front<'_>, stage: &Stage, shot: &mut BlockShot) -> Result<(
                     )));
                 }
             }
-            let texels = golden.plain[number];
+            let texels = plain[number];
             let vectors = [
                 ("vertex", vertex.position),
                 ("light", place),
@@ -435,7 +495,7 @@ fn displaced(front: &Front<'_>, stage: &Stage, shot: &mut BlockShot) -> Result<(
                 ("tangent", world.tangent),
                 ("binormal", world.binormal),
                 ("normal", vertex.normal),
-                ("ct", -vertex.handedness * vertex.binormal),
+                ("ct", vertex.binormal),
             ];
             for (name, vector) in vectors {
                 for (axis, value) in ["x", "y", "z"].iter().zip(vector.to_array()) {
@@ -447,8 +507,8 @@ fn displaced(front: &Front<'_>, stage: &Stage, shot: &mut BlockShot) -> Result<(
                 ("t0", texels.y / step),
                 ("q0", 1.0),
                 ("r0", 0.0),
-                ("ks", scale),
-                ("kt", scale * vertex.handedness),
+                ("ks", scale * vertex.handedness),
+                ("kt", scale),
             ];
             numbers.into_iter().for_each(|(name, value)| put(name, value));
         }
@@ -463,9 +523,9 @@ fn displaced(front: &Front<'_>, stage: &Stage, shot: &mut BlockShot) -> Result<(
         let netlist = &stage.design.netlist;
         let port = |name: &str| (0..words.len()).find(|at| netlist.input_name(*at) == name);
         let [s0, t0] = ["s0", "t0"].map(|name| &words[port(name).expect("bug: a port")]);
-        plain = s0.iter().zip(t0).map(value).collect();
+        undisplaced = s0.iter().zip(t0).map(value).collect();
     }
-    Ok((Coordinates { plain, displaced: all }, step))
+    Ok((Coordinates { plain: undisplaced, displaced: all }, step))
 }
 
 /// What a thread keeps from block to block.
@@ -492,6 +552,9 @@ pub fn render(
     let nothing = |shader: &Shader<'_>| {
         BlockShot::of(shader.stages().into_iter().map(|stage| &stage.program))
     };
+    // `Rendered` has the golden of the first pipeline.
+    let first = shaders.first().map_or(Way::Toward, |shader| shader.way);
+    let other = shaders.iter().map(|shader| shader.way).find(|way| *way != first);
     let lanes = || Lanes {
         seen: Seen::default(),
         runners: shaders
@@ -507,16 +570,24 @@ pub fn render(
             shot.colours = shader.shade(&front, seen, runners, &mut shot)?;
             Ok(shot)
         });
+        let golden = |way| -> Vec<[f64; 3]> {
+            (0..seen.len()).map(|i| golden(&front, way, seen, i)).collect()
+        };
+        // The golden of the other way is one more picture.
+        let other =
+            other.map(|way| BlockShot { colours: golden(way), ..BlockShot::of([].into_iter()) });
         Ok(Block {
             pixels: seen.pixel.clone(),
-            golden: (0..seen.len()).map(|i| golden(&front, seen, i)).collect(),
+            golden: golden(first),
             blinn: 0.0,
-            shots: shots.collect::<Result<_>>()?,
+            shots: shots.chain(other.map(Ok)).collect::<Result<_>>()?,
         })
     };
-    let totals = shaders.iter().map(nothing).collect();
-    let Gathered { golden, covered, pictures, totals, mut rates, .. } =
+    let other_total = other.map(|_| BlockShot::of([].into_iter()));
+    let totals = shaders.iter().map(nothing).chain(other_total).collect();
+    let Gathered { golden, covered, mut pictures, totals, mut rates, .. } =
         gather(scene, totals, lanes, shade, progress)?;
+    let other_golden = other.and_then(|_| pictures.pop()).map(Arc::new);
     let mut shots = Vec::new();
     for (((shader, picture), mut total), rates) in
         shaders.iter().zip(pictures).zip(totals).zip(&mut rates)
@@ -526,6 +597,7 @@ pub fn render(
         shots.push(Shot {
             pipeline: shader.pipeline.clone(),
             picture,
+            golden: if shader.way == first { None } else { other_golden.clone() },
             design: Arc::clone(&shader.emboss.design),
             behind: [&shader.sampler, &shader.combine].map(|s| Arc::clone(&s.design)).to_vec(),
             emboss: Some(shader.known),
@@ -542,11 +614,12 @@ pub fn render(
 }
 
 /// The golden colour of a pixel.
-fn golden(front: &Front<'_>, seen: &Seen, i: usize) -> [f64; 3] {
+fn golden(front: &Front<'_>, way: Way, seen: &Seen, i: usize) -> [f64; 3] {
     let height = |of: &[DVec2]| front.height(between(seen, i, of));
-    let here = height(&front.golden.plain);
-    let relief: f64 = front.golden.displaced.iter().map(|there| here - height(there)).sum();
-    let gain = 2f64.powi(front.scene.emboss.gain_log2) / TEXEL_MAX;
+    let golden = front.golden(way);
+    let here = height(&golden.plain);
+    let relief: f64 = golden.displaced.iter().map(|there| here - height(there)).sum();
+    let gain = way.sign() * 2f64.powi(front.scene.emboss.gain_log2) / TEXEL_MAX;
     front.colour(seen, i).map(|channel| (channel + gain * relief).clamp(0.0, 1.0))
 }
 

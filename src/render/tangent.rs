@@ -520,6 +520,7 @@ pub(super) fn shots(
         shots.push(Shot {
             pipeline: pipeline.clone(),
             picture: fixed,
+            golden: None,
             design,
             behind: Vec::new(),
             emboss: None,

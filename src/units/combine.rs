@@ -2,7 +2,9 @@
 //!
 //! `out = clamp(diffuse + Σ (h(S0, T0) - h(S1, T1)) · 2^gain_log2)`, for each channel and over the lights
 //! (seed 000, US 6,980,218: the undisplaced sample less the displaced one; each light has its own displaced
-//! one). Texels and channels are codes of `channel_bits`, 0 to 2^channel_bits - 1; differences and their
+//! one). Where displacements lead away from the light, as in `GL_NV_texgen_emboss` and with the patents' own sign of L,
+//! the displaced sample less the undisplaced one is the emboss that is bright toward it:
+//! `difference=displaced-undisplaced`. Texels and channels are codes of `channel_bits`, 0 to 2^channel_bits - 1; differences and their
 //! sum are signed and as wide as they need be; only the result is clamped.
 //!
 //! A bilinear sample is three linear interpolations, top and bottom along a and then along b:
@@ -25,7 +27,7 @@ pub static COMBINE: Unit = Unit {
     summary: "diffuse light plus the differences of height samples: the emboss of one to eight lights",
     source: "seed 000 (US 6,980,218), the texture combination of the emboss; seed 003 has the same text",
     params: PARAMS,
-    golden_params: &["filter", "lights", "channel_bits", "gain_log2"],
+    golden_params: &["filter", "lights", "difference", "channel_bits", "gain_log2"],
     inputs: "h and d0 … d7: texels of the undisplaced sample and of each light's displaced one (nearest); or h_00, h_10, h_01, h_11 (column 0 or 1, then row), h_a, h_b (fractions), and likewise d0_00 … d7_b (bilinear); r, g, b: diffuse light",
     outputs: "out_r, out_g, out_b: codes like those of the texels, clamped",
     build,
@@ -41,6 +43,12 @@ static PARAMS: &[Param] = &[
         kind: Kind::Int { min: 1, max: MAX_LIGHTS, auto: None },
         default: "1",
         help: "displaced samples, one for each light",
+    },
+    Param {
+        name: "difference",
+        kind: Kind::Choice(&["undisplaced-displaced", "displaced-undisplaced"]),
+        default: "undisplaced-displaced",
+        help: "which sample is taken from which: the first for displacements toward the light, the other for those away from it",
     },
     Param {
         name: "channel_bits",
@@ -69,6 +77,11 @@ const CORNERS: [&str; 4] = ["00", "10", "01", "11"];
 const FRACTIONS: [&str; 2] = ["a", "b"];
 const CHANNELS: [&str; 3] = ["r", "g", "b"];
 const OUTPUTS: [&str; 3] = ["out_r", "out_g", "out_b"];
+
+/// True if the undisplaced sample is taken from the displaced ones.
+fn is_reversed(values: &Values) -> bool {
+    values.choice("difference") == "displaced-undisplaced"
+}
 
 /// Names of the samples: the undisplaced one, and that of each light.
 fn samples(values: &Values) -> Vec<String> {
@@ -109,7 +122,11 @@ fn build(values: &Values) -> Result<Design> {
         })
         .collect::<Result<Vec<_>>>()?;
     let (undisplaced, displaced) = heights.split_first().expect("bug: h is there");
-    let differences: Vec<NodeId> = displaced.iter().map(|d| b.sub(*undisplaced, *d)).collect();
+    let reversed = is_reversed(values);
+    let difference = |d: &NodeId| {
+        if reversed { b.sub(*d, *undisplaced) } else { b.sub(*undisplaced, *d) }
+    };
+    let differences: Vec<NodeId> = displaced.iter().map(difference).collect();
     let relief = differences.into_iter().reduce(|sum, next| b.add(sum, next));
     let relief = relief.expect("bug: a light is there");
     b.name(relief, "relief");
@@ -185,6 +202,7 @@ fn channel_bound(values: &Values, _: &dyn Fn(&str) -> f64) -> f64 {
 fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
     let per_sample = if values.choice("filter") == "bilinear" { 6 } else { 1 };
     let (samples, diffuse) = inputs.split_at(inputs.len() - 3);
+    let reversed = is_reversed(values);
     let gain_log2 = values.int("gain_log2").expect("bug: no auto here");
     let gain = F::from(2).expect("bug: floats hold it").powi(i32::try_from(gain_log2).unwrap_or(0));
     let most = F::from((1u32 << values.bits("channel_bits")) - 1).expect("bug: floats hold it");
@@ -202,6 +220,7 @@ fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
         };
         let heights: Vec<F> = samples.chunks(per_sample).map(height).collect();
         let relief = heights[1..].iter().fold(F::zero(), |sum, d| sum + (heights[0] - *d));
+        let relief = if reversed { -relief } else { relief };
         for (output, channel) in outputs.iter_mut().zip(diffuse) {
             output[i] = (channel[i] + gain * relief).max(F::zero()).min(most);
         }

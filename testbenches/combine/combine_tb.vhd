@@ -1,7 +1,7 @@
 -- combine: diffuse light plus the differences of height samples: the emboss of one to eight lights
 -- made by fixpath 0.1.0; seed 000 (US 6,980,218), the texture combination of the emboss; seed 003 has the same text
---   filter=bilinear lights=1 channel_bits=8 fraction_bits=8 guard_bits=4 gain_log2=0
---   rounding=half-up period_ps=5000 stages=auto rom=block
+--   filter=bilinear lights=1 difference=undisplaced-displaced channel_bits=8 fraction_bits=8
+--   guard_bits=4 gain_log2=0 rounding=half-up period_ps=5000 stages=auto rom=block
 -- latency 4 cycles, interval 1 cycle; no tables
 -- absolute errors against the golden of the quantised inputs, over 65536 random inputs
 -- (sampler sphere, seed 1), and the input words of the worst:
