@@ -5,6 +5,7 @@ mod cost;
 mod demo;
 mod hardware;
 mod ladder;
+mod number;
 mod render;
 mod schedule;
 mod texgen;
@@ -13,11 +14,13 @@ mod verify;
 
 use crate::cast;
 use crate::error::{Error, Result};
-use crate::eval::{self, AngleUnit, InputFile};
+use crate::eval;
 use crate::measure::{self, Basis, BoundCheck, Cone, Inputs, Profile, Report};
+use crate::netlist::Netlist;
 use crate::output;
 use crate::outside;
 use crate::report::record::RankBy;
+use crate::samples::{AngleUnit, Block, SampleFile};
 use crate::sweep::{Axis, Sweep};
 use crate::units::{Design, Sampler, UNITS, Unit, Values};
 use crate::wave::{Options, Wave};
@@ -46,8 +49,8 @@ use std::process::ExitCode;
 )]
 struct Cli {
     /// Threads to use; all cores if not given.
-    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    threads: Option<u16>,
+    #[arg(long, global = true, value_name = "N", value_parser = number::whole(1..=1024))]
+    threads: Option<u64>,
     #[command(subcommand)]
     command: Command,
 }
@@ -84,7 +87,7 @@ enum Command {
     Schedule(schedule::ScheduleArgs),
     /// Run a unit on a CSV of real inputs.
     #[command(
-        after_help = "Input columns are named by port (see `fixpath list`); for rotation phi_a,theta_a,phi_n,theta_n.\nOutput: P_q and P_raw per input port, P, P_raw and P_golden per output port.\n\nExample:\n  fixpath eval rotation -p scheme=linear --in vectors.csv --out results.csv --angle degrees"
+        after_help = "Input columns are named by port P (see `fixpath list`); for rotation phi_a,theta_a,phi_n,theta_n.\nEach may be its word P_raw, its quantised value P_q or a real P: the first that is there counts, and\nothers have to agree. Commas, semicolons or tabs separate.\nOutput: P_q and P_raw per input port, P, P_raw and P_golden per output port, and in `clipped` the\ninput ports whose value was past their range. It can be read again.\n\nExamples:\n  fixpath eval rotation -p scheme=linear --in vectors.csv --out results.csv --angle degrees\n  fixpath eval rotation --in - --out - < vectors.csv | head -3"
     )]
     Eval {
         #[command(flatten)]
@@ -95,9 +98,8 @@ enum Command {
         /// CSV to write; - is the standard output.
         #[arg(long, value_name = "FILE")]
         out: PathBuf,
-        /// Unit of angles in both files.
-        #[arg(long, value_enum, default_value = "radians")]
-        angle: AngleArg,
+        #[command(flatten)]
+        table: TableArgs,
     },
     /// Measure errors against the golden model, with the input that gives the worst.
     #[command(
@@ -137,30 +139,30 @@ enum Command {
     },
     /// Simulate the pipeline cycle by cycle into a VCD, with a GTKWave save file beside it.
     #[command(
-        after_help = "Examples:\n  fixpath wave rotation --out rotation.vcd\n  fixpath wave rotation --in vectors.csv --cycles 0..50 --signals 'x*' --out short.vcd\n  fixpath wave rotation -p stages=0 -p rom=distributed --out combinational.vcd"
+        after_help = "Examples:\n  fixpath wave rotation --out rotation.vcd\n  fixpath wave rotation --in vectors.csv --cycles 0..50 --signals 'x*' --out short.vcd\n  fixpath wave rotation --signals '*error' --out errors.vcd\n  fixpath wave rotation -p stages=0 -p rom=distributed --out combinational.vcd"
     )]
     Wave {
         #[command(flatten)]
         unit: UnitArgs,
-        /// CSV of inputs, one row a sample: a cycle, or an interval; without it, hard cases and random vectors.
+        /// CSV of inputs as `eval` reads it, one row a sample: a cycle, or an interval; - is the standard
+        /// input. Without it, hard cases and random vectors.
         #[arg(long = "in", value_name = "FILE")]
         input: Option<PathBuf>,
-        /// Unit of angles in that file.
-        #[arg(long, value_enum, default_value = "radians")]
-        angle: AngleArg,
+        #[command(flatten)]
+        table: TableArgs,
         /// VCD to write; FILE.gtkw is written beside it.
         #[arg(long, value_name = "FILE")]
         out: PathBuf,
-        /// Samples if there is no CSV.
-        #[arg(long, default_value_t = 200, value_parser = clap::value_parser!(u64).range(1..=10_000_000))]
-        samples: u64,
-        /// Seed of the random vectors.
-        #[arg(long, default_value_t = 1)]
-        seed: u64,
+        /// Samples if there is no CSV; 200 if not given.
+        #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = number::whole(1..=MAX_SAMPLES))]
+        samples: Option<u64>,
+        /// Seed of the random vectors; 1 if not given.
+        #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = number::whole(0..=u64::MAX))]
+        seed: Option<u64>,
         /// Cycles to write, as FIRST..END without END itself.
-        #[arg(long, value_name = "A..B", value_parser = parse_window)]
+        #[arg(long, value_name = "A..B", allow_negative_numbers = true, value_parser = number::window)]
         cycles: Option<std::ops::Range<u64>>,
-        /// Signals to write, as scope.name (without the unit) with * for any text.
+        /// Signals to write, as scope.name (without the unit) with * for any text; *error takes all errors.
         #[arg(long, value_name = "PATTERN", value_delimiter = ',')]
         signals: Vec<String>,
         /// Also unnamed nodes and pipeline registers.
@@ -257,12 +259,12 @@ impl UnitArgs {
 
 #[derive(Args)]
 struct InputArgs {
-    /// Number of random samples.
-    #[arg(long, default_value_t = 1_000_000, value_parser = clap::value_parser!(u64).range(1..))]
-    samples: u64,
-    /// Seed of the random samples.
-    #[arg(long, default_value_t = 1)]
-    seed: u64,
+    /// Number of random samples; 1e6 if not given.
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = number::whole(1..=u64::MAX))]
+    samples: Option<u64>,
+    /// Seed of the random samples; 1 if not given.
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = number::whole(0..=u64::MAX))]
+    seed: Option<u64>,
     /// Where samples come from.
     #[arg(long, value_enum, default_value = "lit")]
     sampler: SamplerArg,
@@ -343,21 +345,58 @@ impl clap::ValueEnum for BasisArg {
 }
 
 impl InputArgs {
-    fn inputs(&self) -> Inputs {
+    fn inputs(&self, hard: bool) -> Inputs {
         let sampler = match self.sampler {
+            _ if hard => Sampler::Hard,
             SamplerArg::Lit => Sampler::Lit,
             SamplerArg::Sphere => Sampler::Sphere,
             SamplerArg::Exhaustive => Sampler::Exhaustive,
         };
-        Inputs { sampler, samples: self.samples, seed: self.seed }
+        if !sampler.is_random() {
+            let why = format!("sampler {} draws nothing", sampler.name());
+            note_unused(&[("--samples", self.samples), ("--seed", self.seed)], &why);
+        }
+        Inputs { sampler, samples: self.samples.unwrap_or(1_000_000), seed: self.seed.unwrap_or(1) }
     }
 }
 
-fn parse_window(text: &str) -> Result<std::ops::Range<u64>, String> {
-    let range = text.split_once("..").and_then(|(a, b)| Some(a.parse().ok()?..b.parse().ok()?));
-    range
-        .filter(|range: &std::ops::Range<u64>| range.start < range.end)
-        .ok_or_else(|| "write FIRST..END with FIRST below END, such as 10..60".to_owned())
+/// How a table of values is read.
+#[derive(Args)]
+struct TableArgs {
+    /// Unit of the angles in tables.
+    #[arg(long, value_enum, default_value = "radians")]
+    angle: AngleArg,
+    /// Pass over columns of the input that mean nothing here.
+    #[arg(long)]
+    ignore_columns: bool,
+}
+
+impl TableArgs {
+    fn open<'a>(
+        &self,
+        path: &'a Path,
+        netlist: &'a Netlist,
+    ) -> Result<SampleFile<'a, Box<dyn io::Read>>> {
+        let (from, path): (Box<dyn io::Read>, _) = if path == Path::new("-") {
+            (Box::new(io::stdin().lock()), Path::new("standard input"))
+        } else {
+            (Box::new(open(path)?), path)
+        };
+        SampleFile::open(from, path, netlist, self.angle.unit(), self.ignore_columns)
+    }
+}
+
+/// Tells what doesn't stop a command, and doesn't belong to its result.
+fn note(text: &str) {
+    // A lost stderr changes nothing.
+    let _ = writeln!(io::stderr(), "note: {text}");
+}
+
+/// Tells which of some options were given for nothing.
+fn note_unused(options: &[(&str, Option<u64>)], why: &str) {
+    for (name, _) in options.iter().filter(|(_, given)| given.is_some()) {
+        note(&format!("{name} changes nothing: {why}"));
+    }
 }
 
 /// Runs the command line; the binary's `main`.
@@ -387,7 +426,7 @@ pub fn main() -> ExitCode {
         std::process::exit(130);
     });
     if let Some(threads) = cli.threads {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads));
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(cast::index_of_bits(threads));
         if let Err(why) = pool.build_global() {
             eprintln!("error: can't start {threads} threads: {why}");
             return ExitCode::from(2);
@@ -425,8 +464,8 @@ fn run(command: &Command) -> Result<bool> {
                 text::show(&design)?
             })?;
         }
-        Command::Eval { unit, input, out, angle } => {
-            eval_command(&unit.design()?, input, out, angle.unit())?;
+        Command::Eval { unit, input, out, table } => {
+            eval_command(&unit.design()?, input, out, table)?;
         }
         Command::Sim { unit, cone: Some(label), profile, json, .. } => {
             let design = unit.design()?;
@@ -443,10 +482,7 @@ fn run(command: &Command) -> Result<bool> {
             })?;
         }
         Command::Sim { unit, inputs, hard, cases, cone: None, basis, profile, json } => {
-            let mut inputs = inputs.inputs();
-            if *hard {
-                inputs.sampler = Sampler::Hard;
-            }
+            let inputs = inputs.inputs(*hard);
             let asked = |known: &Basis| {
                 *known == Basis::Total || basis.iter().any(|asked| asked.0 == *known)
             };
@@ -466,7 +502,7 @@ fn run(command: &Command) -> Result<bool> {
         Command::Wave {
             unit,
             input,
-            angle,
+            table,
             out,
             samples,
             seed,
@@ -479,8 +515,12 @@ fn run(command: &Command) -> Result<bool> {
             // What comes after the window doesn't matter.
             let end = cycles.as_ref().map_or(u64::MAX, |cycles| cycles.end);
             let stimulus = match input {
-                Some(path) => read_stimulus(&design, path, angle.unit(), end)?,
-                None => stimulus(&design, *samples.min(&end), *seed)?,
+                Some(path) => {
+                    let why = "the samples are those of --in";
+                    note_unused(&[("--samples", *samples), ("--seed", *seed)], why);
+                    read_stimulus(table.open(path, &design.netlist)?, end)?
+                }
+                None => stimulus(&design, samples.unwrap_or(200).min(end), seed.unwrap_or(1))?,
             };
             let options = Options {
                 cycles: cycles.clone(),
@@ -505,7 +545,7 @@ fn run(command: &Command) -> Result<bool> {
                 }
             }
             let sweep = match scene {
-                None => Sweep::new(base, axes, inputs.inputs())?,
+                None => Sweep::new(base, axes, inputs.inputs(false))?,
                 Some(path) => {
                     let keys = unit.params.iter().filter_map(|set| set.split_once('='));
                     let set: Vec<&str> = keys.map(|(key, _)| key).collect();
@@ -574,19 +614,19 @@ fn same_file(a: &Path, b: &Path) -> bool {
     matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b && a.is_file())
 }
 
-fn eval_command(design: &Design, input: &Path, out: &Path, angle: AngleUnit) -> Result<()> {
+fn eval_command(design: &Design, input: &Path, out: &Path, table: &TableArgs) -> Result<()> {
     let dash = Path::new("-");
     if out != dash && input != dash && same_file(input, out) {
         return Err(Error::file(out, "is the input: give another file to write".to_owned()));
     }
-    let from: Box<dyn io::Read> =
-        if input == dash { Box::new(io::stdin().lock()) } else { Box::new(open(input)?) };
+    let mut samples = table.open(input, &design.netlist)?;
     if out == dash {
         let path = Path::new("standard output");
-        eval::eval(design, from, input, &mut io::stdout().lock(), path, angle)?;
+        eval::eval(design, &mut samples, &mut io::stdout().lock(), path)?;
     } else {
-        output::write_file(out, |to| eval::eval(design, from, input, to, out, angle).map(|_| ()))?;
+        output::write_file(out, |to| eval::eval(design, &mut samples, to, out).map(|_| ()))?;
     }
+    samples.clipped_note().as_deref().map(note);
     Ok(())
 }
 
@@ -639,7 +679,7 @@ fn write_cases(sim: &Sim, to: &mut dyn Write, path: &Path) -> Result<()> {
         header.extend(columns.iter().map(|column| format!("{column}_{result}")));
     }
     header.extend(["error", "f32_error", "bound", "holds", "quantity"].map(str::to_owned));
-    let fail = |why: csv::Error| Error::io(path, "can't write", why.into());
+    let fail = output::csv_at(path);
     writer.write_record(&header).map_err(fail)?;
     for group in &sim.design.hard {
         for case in measure::hard_results(&sim.design, group, &sim.bounds) {
@@ -658,21 +698,24 @@ fn write_cases(sim: &Sim, to: &mut dyn Write, path: &Path) -> Result<()> {
     writer.flush().map_err(output::at(path))
 }
 
-/// Input words from a CSV, one row a sample.
-fn read_stimulus(
-    design: &Design,
-    path: &Path,
-    angle: AngleUnit,
-    end: u64,
-) -> Result<Vec<Vec<i64>>> {
-    let mut file = InputFile::open(open(path)?, path, &design.netlist, angle)?;
-    let (mut values, mut words, mut rows) = (Vec::new(), Vec::new(), Vec::new());
+/// The most samples of a wave, which are held at once.
+const MAX_SAMPLES: u64 = 10_000_000;
+
+/// Input words of a table's samples up to the end of the window.
+fn read_stimulus<R: io::Read>(mut samples: SampleFile<'_, R>, end: u64) -> Result<Vec<Vec<i64>>> {
+    let (mut block, mut rows) = (Block::default(), Vec::new());
     loop {
-        let count = file.read(1 << 12, &mut values)?;
-        measure::quantize_inputs(&design.netlist, &values, &mut words)?;
-        rows.extend((0..count).map(|row| words.iter().map(|column| column[row]).collect()));
-        if count < 1 << 12 || cast::count_of(rows.len()) >= end {
+        let count = samples.read(&mut block)?;
+        rows.extend((0..count).map(|row| block.words.iter().map(|column| column[row]).collect()));
+        if count == 0 || cast::count_of(rows.len()) >= end {
+            samples.clipped_note().as_deref().map(note);
             return Ok(rows);
+        }
+        if cast::count_of(rows.len()) > MAX_SAMPLES {
+            let problem = format!(
+                "more than {MAX_SAMPLES} rows, which a wave doesn't hold: --cycles 0..1e6 takes the first"
+            );
+            return Err(Error::file(samples.path(), problem));
         }
     }
 }

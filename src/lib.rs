@@ -64,6 +64,7 @@ pub mod picture;
 pub mod render;
 pub mod report;
 pub mod rtl;
+pub mod samples;
 pub mod scene;
 pub mod schedule;
 pub mod sim;

@@ -127,3 +127,12 @@ pub fn write_file(path: &Path, body: impl FnOnce(&mut dyn Write) -> Result<()>) 
 pub(crate) fn at(path: &Path) -> impl Fn(io::Error) -> Error {
     move |why| Error::io(path, "can't write", why)
 }
+
+/// The same for a writer of CSV, whose errors hold that of the file.
+#[expect(clippy::wildcard_enum_match_arm, reason = "a foreign enum that may grow")]
+pub(crate) fn csv_at(path: &Path) -> impl Fn(csv::Error) -> Error + Copy {
+    move |why| match why.into_kind() {
+        csv::ErrorKind::Io(why) => at(path)(why),
+        kind => panic!("bug: rows of equal length can be written: {kind:?}"),
+    }
+}

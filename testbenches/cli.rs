@@ -145,14 +145,15 @@ fn eval_writes_words_values_and_golden() {
     // Columns in another order, one more than needed, and spaces.
     fs::write(&input, "note,theta_n,phi_n,theta_a,phi_a\na, 0, 0, 90, 90\nb,0,0,45,-360\n")
         .unwrap();
-    let args = ["eval", "rotation", "-p", "scheme=linear", "--angle", "degrees"];
+    let args =
+        ["eval", "rotation", "-p", "scheme=linear", "--angle", "degrees", "--ignore-columns"];
     fixpath().args(args).arg("--in").arg(&input).arg("--out").arg(&out).assert().success();
     let text = fs::read_to_string(&out).unwrap();
     let mut lines = text.lines();
     assert_eq!(
         lines.next().unwrap(),
         "phi_a_q,phi_a_raw,theta_a_q,theta_a_raw,phi_n_q,phi_n_raw,theta_n_q,theta_n_raw,\
-         x,x_raw,x_golden,y,y_raw,y_golden,z,z_raw,z_golden"
+         x,x_raw,x_golden,y,y_raw,y_golden,z,z_raw,z_golden,clipped"
     );
     let row: Vec<&str> = lines.next().unwrap().split(',').collect();
     assert_eq!(row[..4], ["90", "16384", "90", "16384"]);
@@ -448,8 +449,7 @@ fn contradictions_are_refused() {
     refused(&["eval", "rotation", "--in", input, "--out", input], "in.csv: is the input");
     assert!(fs::read_to_string(input).unwrap().starts_with("phi_a"));
     for args in [
-        &["sim", "rotation", "--samples", "1e6"][..],
-        &["sim", "rotation", "--samples", "0"],
+        &["sim", "rotation", "--samples", "0"][..],
         &["--threads", "0", "list"],
         &["wave", "rotation", "--cycles", "5..2", "--out", "w.vcd"],
         &["wave", "rotation", "--samples", "0", "--out", "w.vcd"],
@@ -562,6 +562,83 @@ fn a_sweep_leaves_somebodys_files_alone() {
     let args = ["sweep", "rotation", "--axis", "angle_bits=8", "--samples", "10", "--out", here];
     refused(&args, "report.md: is in the way and from no sweep");
     assert_eq!(fs::read_to_string(folder.path().join("report.md")).unwrap(), "mine");
+}
+
+/// Every whole number is read in the same forms, and one that can't be is told with its value and them.
+#[test]
+fn numbers_are_read_in_the_forms_that_people_write() {
+    let sim = |samples: &str, seed: &str| {
+        let args = ["sim", "rotation", "--json", "--samples", samples, "--seed", seed];
+        let (code, text, stderr) = run(&args);
+        assert_eq!((code, stderr.as_str()), (0, ""));
+        serde_json::from_str::<serde_json::Value>(&text).unwrap()["inputs"].clone()
+    };
+    let should = sim("4096", "1000");
+    assert_eq!(should["samples"], 4096);
+    for (samples, seed) in [("4_096", "1e3"), ("2^12", "1_000"), ("4.096e3", "10^3")] {
+        assert_eq!(sim(samples, seed), should);
+    }
+    for (args, option, legal) in [
+        (&["sim", "rotation", "--samples"][..], "--samples <N>", "from 1 to 2^64-1"),
+        (&["sim", "rotation", "--seed"], "--seed <N>", "from 0 to 2^64-1"),
+        (&["sweep", "rotation", "--samples"], "--samples <N>", "from 1 to 2^64-1"),
+        (&["wave", "rotation", "--samples"], "--samples <N>", "from 1 to 10000000"),
+        (&["wave", "rotation", "--seed"], "--seed <N>", "from 0 to 2^64-1"),
+        (&["hdl", "rotation", "--vectors"], "--vectors <N>", "from 0 to 100000000"),
+        (&["hdl", "rotation", "--seed"], "--seed <N>", "from 0 to 2^64-1"),
+        (&["verify", "rotation", "--vectors"], "--vectors <N>", "from 0 to 1000000000"),
+        (&["verify", "rotation", "--time-limit"], "--time-limit <S>", "from 1 to 86400"),
+        (&["cost", "rotation", "--time-limit"], "--time-limit <S>", "from 1 to 86400"),
+        (&["compare", "--samples"], "--samples <N>", "from 1 to 2^64-1"),
+        (&["compare", "--seed"], "--seed <N>", "from 0 to 2^64-1"),
+        (&["--threads"], "--threads <N>", "from 1 to 1024"),
+    ] {
+        for value in ["many", "1.5", "-1", "1e99", ""] {
+            let message = format!(
+                "invalid value '{value}' for '{option}': write a whole number {legal}: in digits, or as 1_000, 1e3 or 2^10"
+            );
+            refused(&[args, &[value]].concat(), &message);
+        }
+    }
+    refused(
+        &["wave", "rotation", "--out", "w.vcd", "--cycles", "-5..2"],
+        "invalid value '-5..2' for '--cycles <A..B>': write FIRST..END with FIRST below END",
+    );
+    refused(
+        &["render", "plane", "--out", "o", "--pixels-per-degree", "many"],
+        "invalid value 'many' for '--pixels-per-degree <X>': write a number, such as 60",
+    );
+}
+
+/// What a sampler can't use is told, and changes nothing.
+#[test]
+fn samples_and_seeds_without_a_use_are_noted() {
+    let sim = ["sim", "rotation", "-p", "angle_bits=3", "--json"];
+    let hard = [&sim[..], &["--hard"]].concat();
+    let exhaustive = [&sim[..], &["--sampler", "exhaustive"]].concat();
+    let given = ["--samples", "10", "--seed", "7"];
+    let figures =
+        |text: &str| serde_json::from_str::<serde_json::Value>(text).unwrap()["figures"].clone();
+    for (args, sampler) in [(hard, "hard"), (exhaustive, "exhaustive")] {
+        let (code, without, stderr) = run(&args);
+        assert_eq!((code, stderr.as_str()), (0, ""));
+        let (code, with, stderr) = run(&[&args[..], &given].concat());
+        assert_eq!((code, figures(&with)), (0, figures(&without)));
+        let should = format!(
+            "note: --samples changes nothing: sampler {sampler} draws nothing\n\
+             note: --seed changes nothing: sampler {sampler} draws nothing\n"
+        );
+        assert_eq!(stderr, should);
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let (input, out) = (folder.path().join("in.csv"), folder.path().join("o.vcd"));
+    fs::write(&input, "phi_a,theta_a,phi_n,theta_n\n1,2,3,4\n").unwrap();
+    let (input, out) = (input.to_str().unwrap(), out.to_str().unwrap());
+    let (code, _, stderr) = run(&["wave", "rotation", "--in", input, "--seed", "7", "--out", out]);
+    assert_eq!(
+        (code, stderr.as_str()),
+        (0, "note: --seed changes nothing: the samples are those of --in\n")
+    );
 }
 
 /// A coarse input looks good against its own golden: such sweeps are ranked end to end.

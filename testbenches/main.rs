@@ -28,6 +28,7 @@ mod op;
 mod render;
 mod rivals;
 mod rotation;
+mod samples;
 mod scene;
 mod shading;
 mod shared;

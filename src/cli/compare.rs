@@ -1,6 +1,6 @@
 //! `fixpath compare`: Table 1 of seed 001, rebuilt.
 
-use super::text;
+use super::{number, text};
 use crate::cast;
 use crate::compare::{self, COUNTS, Comparison, Hardware, Row, Spread, Stage, saved_percent};
 use crate::error::{Error, Result};
@@ -17,10 +17,10 @@ pub(super) struct CompareArgs {
     #[arg(short = 'p', long = "param", value_name = "KEY=VALUE")]
     params: Vec<String>,
     /// Number of random fragments.
-    #[arg(long, default_value_t = 100_000, value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", default_value_t = 100_000, allow_negative_numbers = true, value_parser = number::whole(1..=u64::MAX))]
     samples: u64,
     /// Seed of the random fragments.
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = number::whole(0..=u64::MAX))]
     seed: u64,
     /// Scenes to render for the image error: built-in ones or files; none to leave it out.
     #[arg(

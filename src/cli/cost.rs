@@ -1,6 +1,6 @@
 //! `fixpath cost`: what a unit takes on an FPGA.
 
-use super::{UnitArgs, text};
+use super::{UnitArgs, number, text};
 use crate::cost::{
     self, Clock, Cost, DEVIATIONS, DEVIATIONS_YOSYS, Synthesis, Target, estimate, route, synthesize,
 };
@@ -25,7 +25,7 @@ pub(super) struct CostArgs {
     #[arg(long, value_enum, value_delimiter = ',', default_value = "ice40,ecp5,xilinx")]
     target: Vec<TargetArg>,
     /// Longest run of a tool in s.
-    #[arg(long, value_name = "S", default_value_t = 300, value_parser = clap::value_parser!(u64).range(1..=86_400))]
+    #[arg(long, value_name = "S", default_value_t = 300, allow_negative_numbers = true, value_parser = number::whole(1..=86_400))]
     time_limit: u64,
     /// As JSON.
     #[arg(long)]

@@ -4,10 +4,11 @@ use super::render::{self, RenderArgs};
 use super::{Sim, pretty, print, run_sweep, stimulus, text, write_wave};
 use crate::emit::{Package, Settings};
 use crate::error::Result;
-use crate::eval::{self, AngleUnit};
+use crate::eval;
 use crate::measure::{Basis, Inputs};
 use crate::output;
 use crate::render::EMBOSS_PIPELINES;
+use crate::samples::{AngleUnit, SampleFile};
 use crate::sweep::{Axis, Sweep};
 use crate::units::{Sampler, Unit};
 use crate::wave::Options;
@@ -92,9 +93,9 @@ pub(super) fn run(out: &Path) -> Result<bool> {
     let results = out.join("results.csv");
     let design = unit.values(&["scheme=linear"])?.build()?;
     output::write_file(&results, |to| {
-        let from = vectors.as_bytes();
-        eval::eval(&design, from, Path::new("vectors.csv"), to, &results, AngleUnit::Degrees)?;
-        Ok(())
+        let (from, path) = (vectors.as_bytes(), Path::new("vectors.csv"));
+        let mut samples = SampleFile::open(from, path, &design.netlist, AngleUnit::Degrees, false)?;
+        eval::eval(&design, &mut samples, to, &results).map(|_| ())
     })?;
 
     let axes = [

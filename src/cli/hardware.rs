@@ -1,6 +1,6 @@
 //! `fixpath hdl`: a design as files of hardware.
 
-use super::UnitArgs;
+use super::{UnitArgs, number};
 use crate::emit::{Package, Settings};
 use crate::error::Result;
 use crate::hdl::testbench::vectors_file;
@@ -26,10 +26,10 @@ pub(super) struct HdlArgs {
     #[arg(long, value_enum, default_value = "auto")]
     tables: TablesArg,
     /// Random vectors after the hard-case list.
-    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u64).range(..=100_000_000))]
+    #[arg(long, value_name = "N", default_value_t = 10_000, allow_negative_numbers = true, value_parser = number::whole(0..=100_000_000))]
     vectors: u64,
     /// Seed of the random vectors.
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = number::whole(0..=u64::MAX))]
     seed: u64,
 }
 

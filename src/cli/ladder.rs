@@ -1,6 +1,6 @@
 //! `fixpath render --ladder`: whole pipelines over widths, and light tables over exponents.
 
-use super::{pretty, progress_bar, text};
+use super::{number, pretty, progress_bar, text};
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::ladder::{self, EXPONENTS, LEGAL_EXPONENTS, LEGAL_WIDTHS, Ladder, WIDTHS};
@@ -15,7 +15,8 @@ use std::path::Path;
 fn numbers(what: &str, list: &str, legal: &RangeInclusive<u32>) -> Result<Vec<u32>> {
     let mut numbers = Vec::new();
     for item in list.split(',').map(str::trim) {
-        let number = item.parse().ok().filter(|number| legal.contains(number));
+        let number = number::parse(item).and_then(|number| number.try_into().ok());
+        let number = number.filter(|number| legal.contains(number));
         let number = number.ok_or_else(|| {
             let (least, most) = (legal.start(), legal.end());
             Error::usage(format!("{what} `{item}`: legal are whole numbers from {least} to {most}"))

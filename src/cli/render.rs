@@ -1,6 +1,6 @@
 //! `fixpath render`: a scene by pipelines, its golden, differences and figures.
 
-use super::{ladder, pretty, progress_bar, text};
+use super::{ladder, number, pretty, progress_bar, text};
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::netlist::Counts;
@@ -49,7 +49,7 @@ pub(super) struct RenderArgs {
     #[arg(long, value_name = "SOURCE", default_value = "float", value_parser = ["float", "setup"])]
     frames: String,
     /// Pixels per degree of sight, for FLIP.
-    #[arg(long, default_value_t = PIXELS_PER_DEGREE)]
+    #[arg(long, value_name = "X", default_value_t = PIXELS_PER_DEGREE, allow_negative_numbers = true, value_parser = number::real)]
     pixels_per_degree: f64,
     /// Cut each pipeline down to what the scene needs, hold it to the general one on every pixel, and
     /// tell what that saves.

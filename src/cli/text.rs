@@ -362,10 +362,14 @@ pub(super) fn sim(sim: &Sim) -> String {
     let mut text = format!("{} {}\n", design.values.unit().name, parameter_line(&design.values));
     let _ = writeln!(
         text,
-        "{} samples, sampler {}, seed {}; errors are absolute, with the input words of the worst\n",
+        "{} samples, sampler {}{}; errors are absolute, with the input words of the worst\n",
         report.samples,
         sim.inputs.sampler.name(),
-        sim.inputs.seed
+        if sim.inputs.sampler.is_random() {
+            format!(", seed {}", sim.inputs.seed)
+        } else {
+            String::new()
+        }
     );
     text.push_str(&figures(netlist, &report.figures));
     let told = |basis| report.figures.iter().any(|figures| figures.basis == basis);

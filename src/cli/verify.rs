@@ -1,7 +1,7 @@
 //! `fixpath verify`: a unit's hardware in outside simulators.
 
 use super::hardware::TablesArg;
-use super::{UnitArgs, text};
+use super::{UnitArgs, number, text};
 use crate::error::{Error, Result};
 use crate::units::Design;
 use crate::verify::{self, Decoded, Mismatch, Request, Row, Simulator, Verdict};
@@ -21,16 +21,16 @@ pub(super) struct VerifyArgs {
     with: Vec<String>,
     /// Random vectors after the hard-case list; if not given, 1000000 in Verilator and 10000 in
     /// Icarus and GHDL.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(..=1_000_000_000))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = number::whole(0..=1_000_000_000))]
     vectors: Option<u64>,
     /// Seed of the random vectors.
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = number::whole(0..=u64::MAX))]
     seed: u64,
     /// Where the words of tables stand.
     #[arg(long, value_enum, default_value = "auto")]
     tables: TablesArg,
     /// Longest run of a tool in s.
-    #[arg(long, value_name = "S", default_value_t = 600, value_parser = clap::value_parser!(u64).range(1..=86_400))]
+    #[arg(long, value_name = "S", default_value_t = 600, allow_negative_numbers = true, value_parser = number::whole(1..=86_400))]
     time_limit: u64,
     /// Keep the generated files in this folder.
     #[arg(long, value_name = "DIR")]

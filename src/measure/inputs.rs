@@ -3,7 +3,7 @@
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::format::{Format, Overflow, Round, float20, quantize};
-use crate::netlist::{Netlist, NodeId, Quantity};
+use crate::netlist::{Netlist, Node, NodeId, Quantity};
 use crate::sim::batch::BLOCK;
 use crate::simd::{Body, vectorised};
 use crate::trig::ROUNDER;
@@ -52,7 +52,7 @@ impl Inputs {
 
     /// True if each design has inputs of its own: words, and not numbers to be quantised.
     pub(crate) fn are_words(&self) -> bool {
-        matches!(self.sampler, Sampler::Hard | Sampler::Exhaustive)
+        !self.sampler.is_random()
     }
 
     /// True if two designs get the same values before quantisation, and the same golden of them.
@@ -155,14 +155,29 @@ pub fn quantize_inputs(
         vectorised(Quantise { column, to, format: node.format, wraps, short, far: &mut far });
         if far {
             for (to, value) in to.iter_mut().zip(column) {
-                let value = if short { float20(*value) } else { *value };
-                let (value, overflow) =
-                    if wraps { (value % 1.0, Overflow::Wrap) } else { (value, Overflow::Saturate) };
-                *to = quantize(value, node.format, Round::HalfEven, overflow)?.0;
+                *to = quantize_input(node, *value)?.0;
             }
         }
     }
     Ok(())
+}
+
+/// The word of one value of an input port, as [`quantize_inputs`] has it, and whether the value is past the port's range.
+///
+/// # Errors
+/// If it is not finite.
+pub(crate) fn quantize_input(node: &Node, value: f64) -> Result<(i64, bool)> {
+    let (value, overflow) = match node.quantity {
+        Quantity::Turns => (value % 1.0, Overflow::Wrap),
+        Quantity::Number => (value, Overflow::Saturate),
+        // Past the range of `f32` is past that of any port.
+        Quantity::Float20 if value.is_finite() => {
+            (float20(value.clamp(f32::MIN.into(), f32::MAX.into())), Overflow::Saturate)
+        }
+        Quantity::Float20 => (value, Overflow::Saturate),
+    };
+    let (word, overflowed) = quantize(value, node.format, Round::HalfEven, overflow)?;
+    Ok((word, overflowed && overflow == Overflow::Saturate))
 }
 
 /// Words of a column; those of numbers that are far out or not finite are wrong, and told.

@@ -21,8 +21,8 @@ pub use bounds::{
     BoundCheck, HardResult, HardVerdict, StatedBound, hard_columns, hard_results, hard_verdicts,
 };
 pub use cone::{Cone, ConeReport};
-pub(crate) use inputs::values_of;
 pub use inputs::{Inputs, quantize_inputs, sample_words};
+pub(crate) use inputs::{quantize_input, values_of};
 pub use stream::angle_between;
 pub use tables::{TABLE_ARGUMENT_BITS, TableFigures, table_figures};
 
@@ -186,6 +186,25 @@ impl Measurand {
     fn three<'a>(&self, columns: &'a [Vec<f64>]) -> [&'a [f64]; 3] {
         [0, 1, 2].map(|axis| columns[self.column + axis].as_slice())
     }
+}
+
+/// Names of the angles whose error is measured, one for each direction.
+pub(crate) fn angle_quantities(design: &Design) -> Vec<String> {
+    angles(design).map(|measurand| measurand.name).collect()
+}
+
+/// The same errors in rad, of golden columns of samples; each is a column.
+pub(crate) fn angle_errors(design: &Design, is: &[Vec<f64>], should: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let errors = |measurand: Measurand| {
+        let mut errors = Vec::new();
+        measurand.errors(is, should, should, &mut errors);
+        errors
+    };
+    angles(design).map(errors).collect()
+}
+
+fn angles(design: &Design) -> impl Iterator<Item = Measurand> {
+    Measurand::all(design).into_iter().filter(|measurand| measurand.kind == Kind::Angle)
 }
 
 /// What an error is measured against.

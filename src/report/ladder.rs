@@ -176,7 +176,7 @@ impl Record {
         points: impl Iterator<Item = (Vec<String>, &'a Point)>,
     ) -> Result<()> {
         output::write_file(path, |to| {
-            let fail = |why: csv::Error| output::at(path)(why.into());
+            let fail = output::csv_at(path);
             let mut writer = csv::Writer::from_writer(to);
             let figures = FIGURES.map(|(name, _)| name);
             writer

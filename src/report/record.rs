@@ -684,7 +684,7 @@ impl Record {
     ) -> Result<()> {
         let columns = Columns::new(header, points.clone());
         output::write_file(path, |to| {
-            let fail = |why: csv::Error| output::at(path)(why.into());
+            let fail = output::csv_at(path);
             let mut writer = csv::Writer::from_writer(to);
             writer.write_record(columns.names()).map_err(fail)?;
             for point in points {

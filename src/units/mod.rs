@@ -735,6 +735,15 @@ impl Sampler {
         (Self::Hard, "hard"),
     ];
 
+    /// True if it draws, so that a number of samples and a seed mean something.
+    #[must_use]
+    pub fn is_random(self) -> bool {
+        match self {
+            Self::Lit | Self::Sphere => true,
+            Self::Exhaustive | Self::Hard => false,
+        }
+    }
+
     /// Name on the command line.
     ///
     /// # Panics
