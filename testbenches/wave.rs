@@ -1,10 +1,11 @@
 //! Waves are read back by independent readers and compared with the reference.
 
-use fixpath::measure::{Inputs, sample_words};
+use fixpath::measure::{Basis, Inputs, measure, sample_words};
 use fixpath::units::rotation::ROTATION;
-use fixpath::units::{Design, Sampler, Shape, Unit};
+use fixpath::units::{Design, Sampler, Shape, UNITS, Unit};
 use fixpath::wave::{Options, Wave};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::f64::consts::TAU;
 use std::path::Path;
 use std::process::Command;
 
@@ -139,6 +140,12 @@ fn every_word_and_twin_is_the_reference_of_its_sample() {
                     let (_, text) = changes.range(..=time).next_back().unwrap();
                     let shown: f64 = text.parse().unwrap();
                     assert!(shown == error || shown.is_nan() && error.is_nan(), "{full}: {shown}");
+                    // In ulp to 1/256, whatever the ulp.
+                    let ulp = read.at(&format!("{full}_arith_error_ulp"), time);
+                    let ulp: f64 = ulp.parse().unwrap();
+                    assert!((ulp * 256.0).fract() == 0.0 || error.is_nan(), "{full}: {ulp}");
+                    let off = (ulp - error / format.ulp()).abs();
+                    assert!(off <= 1.0 / 512.0 || error.is_nan(), "{full}: {ulp} for {error}");
                 }
             }
         }
@@ -156,6 +163,153 @@ fn the_golden_stands_beside_output_ports() {
     let end = *read.times.last().unwrap();
     let z: f64 = read.at("rotation.z_golden", end).parse().unwrap();
     assert!((z - 0.5f64.sqrt()).abs() < 1e-15);
+}
+
+/// The angle of every direction of every unit is the one that `sim` ranks by.
+#[test]
+fn angle_errors_are_those_that_sim_measures() {
+    let shared = ["schedule=shared", "share_mul=2", "share_add=3"];
+    let more = [("rotation", &["output=polar-table"][..]), ("illumination", &shared)];
+    let all = UNITS.iter().map(|unit| (unit.name, &[][..]));
+    let mut directions = 0;
+    for (unit, assignments) in all.chain(more) {
+        let design = Unit::find(unit).unwrap().values(assignments).unwrap().build().unwrap();
+        if !design.groups.iter().any(|group| group.shape.is_direction()) {
+            continue;
+        }
+        let inputs = Inputs { sampler: Sampler::Hard, samples: 1, seed: 1 };
+        let report = measure(&[&design], &inputs, &|_| ()).unwrap().pop().unwrap();
+        let rows = sample_words(&design, &inputs).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let options = Options { signals: vec!["*angle_error".to_owned()], ..Options::default() };
+        let read = ReadBack::open(&write(&design, options, &rows, folder.path()));
+        for figures in report.figures.iter().filter(|figures| figures.basis == Basis::Total) {
+            if figures.unit != "rad" || !figures.quantity.ends_with("angle") {
+                continue;
+            }
+            directions += 1;
+            let name = format!("{}.{}_error_deg", design.netlist.name(), figures.quantity);
+            let shown = read.signals.get(&name).unwrap_or_else(|| panic!("no {name}"));
+            let shown = shown.values().map(|text| text.parse::<f64>().unwrap());
+            assert_eq!(shown.fold(0.0, f64::max), figures.max.to_degrees(), "{name}");
+        }
+    }
+    assert!(directions >= 8, "{directions}");
+}
+
+/// In its own cycle: a direction at the pole that should be at the equator is 90° off, and it alone.
+#[test]
+fn an_angle_error_is_in_the_cycle_of_its_result() {
+    let design = design(&["variant=printed"]);
+    let folder = tempfile::tempdir().unwrap();
+    let rows = samples(&design);
+    let read = ReadBack::open(&write(&design, Options::default(), &rows, folder.path()));
+    let latency = design.rtl().unwrap().schedule().latency() as usize;
+    let period = read.times[2] - read.times[0];
+    let netlist = &design.netlist;
+    for (sample, words) in rows.iter().enumerate() {
+        let values: Vec<f64> = words
+            .iter()
+            .zip(netlist.inputs())
+            .map(|(w, id)| netlist.node(*id).format.value(*w))
+            .collect();
+        let columns: Vec<&[f64]> = values.iter().map(std::slice::from_ref).collect();
+        let mut golden = vec![vec![0.0]; design.golden_columns()];
+        (design.golden)(&design.values, &columns, &mut golden);
+        let (reference, _) = netlist.eval(words);
+        let outputs = netlist.outputs().iter();
+        let is: Vec<f64> =
+            outputs.map(|o| netlist.node(o.node).format.value(reference[o.node.index()])).collect();
+        assert_eq!(design.groups[0].shape, Shape::Polar);
+        let (phi, theta) = (is[0] * TAU, is[1] * TAU);
+        let is = [phi.cos() * theta.sin(), phi.sin() * theta.sin(), theta.cos()];
+        // Kahan: good for small and for large angles.
+        let (mut less, mut more) = (0.0f64, 0.0f64);
+        for (is, golden) in is.iter().zip(&golden) {
+            less += (is - golden[0]).powi(2);
+            more += (is + golden[0]).powi(2);
+        }
+        let should = 2.0 * less.sqrt().atan2(more.sqrt()).to_degrees();
+        let shown = read.at("rotation.angle_error_deg", (sample + latency) as u64 * period);
+        let shown: f64 = shown.parse().unwrap();
+        // Rounding of the sines and of the golden, 2^-52 each, in degrees.
+        assert!((shown - should).abs() < 1e-12, "sample {sample}: {shown} for {should}");
+    }
+}
+
+#[test]
+fn errors_are_found_by_their_name() {
+    for (assignments, some) in [
+        (&["scheme=linear"][..], ["x_total_error", "y_arith_error_ulp", "angle_error_deg"]),
+        (
+            &["output=polar-table"],
+            ["phi_total_error_deg", "phi_total_error_ulp", "angle_error_deg"],
+        ),
+    ] {
+        let design = design(assignments);
+        let folder = tempfile::tempdir().unwrap();
+        let rows = samples(&design);
+        let names = |pattern: &str| -> BTreeSet<String> {
+            let options = Options { signals: vec![pattern.to_owned()], ..Options::default() };
+            let read = ReadBack::open(&write(&design, options, &rows, folder.path()));
+            let always = ["clk", "rst", "valid_in", "valid_out"];
+            let names = read.signals.keys().map(|name| name["rotation.".len()..].to_owned());
+            names.filter(|name| !always.contains(&name.as_str())).collect()
+        };
+        let found = names("*error");
+        let is_error = |name: &str| {
+            ["_error", "_error_deg", "_error_ulp"].iter().any(|end| name.ends_with(end))
+        };
+        assert!(found.iter().all(|name| is_error(name)), "{found:?}");
+        assert!(some.iter().all(|name| found.contains(*name)), "{found:?}");
+        let all = names("*");
+        assert_eq!(found, all.iter().filter(|name| is_error(name)).cloned().collect());
+        // The save file shows them, each by a line.
+        let save = std::fs::read_to_string(folder.path().join("unit.gtkw")).unwrap();
+        assert!(some.iter().all(|name| save.contains(&format!("\nrotation.{name}\n"))), "{save}");
+    }
+}
+
+/// The save file opens on the first samples, so wide that the results of the first can be seen.
+#[test]
+fn gtkwave_opens_on_inputs_and_outputs_of_the_first_samples() {
+    let shared = ["schedule=shared", "share_mul=1", "share_add=2"];
+    for (unit, assignments, first) in [
+        ("rotation", &[][..], 0),
+        ("rotation", &["scheme=linear", "period_ps=2500"], 7),
+        ("emboss", &[], 0),
+        ("illumination", &shared, 0),
+    ] {
+        let design = Unit::find(unit).unwrap().values(assignments).unwrap().build().unwrap();
+        let options = Options { cycles: (first > 0).then_some(first..1000), ..Options::default() };
+        let wave = Wave::new(&design, options).unwrap();
+        let mut save = Vec::new();
+        wave.write_gtkw(Path::new("u.vcd"), &mut save).unwrap();
+        let save = String::from_utf8(save).unwrap();
+        let line = |start: &str| -> &str {
+            save.lines().find_map(|line| line.strip_prefix(start)).unwrap()
+        };
+        let rows = sample_words(&design, &Inputs { sampler: Sampler::Lit, samples: 3, seed: 1 });
+        let mut vcd = Vec::new();
+        wave.write(&rows.unwrap(), &mut vcd, Path::new("u.vcd")).unwrap();
+        let times: Vec<u64> = String::from_utf8(vcd)
+            .unwrap()
+            .lines()
+            .filter_map(|line| line.strip_prefix('#')?.parse().ok())
+            .collect();
+        let period = times[2] - times[0];
+        assert_eq!(line("[timestart] ").parse::<u64>().unwrap(), first * period);
+        // GTKWave: so many units of time in 200 pixels.
+        let zoom: f64 = line("*").split(' ').next().unwrap().parse().unwrap();
+        let pixels_per_cycle = 200.0 * period as f64 / 2f64.powf(-zoom);
+        let schedule = wave.rtl().schedule();
+        let cycles = schedule.latency() + 2 * schedule.interval();
+        let width: f64 = line("[size] ").split(' ').next().unwrap().parse().unwrap();
+        let names: f64 = line("[signals_width] ").parse().unwrap();
+        let tree: f64 = line("[sst_width] ").parse().unwrap();
+        assert!(pixels_per_cycle * f64::from(cycles) <= width - names - tree, "{unit}");
+        assert!(pixels_per_cycle <= 100.001);
+    }
 }
 
 /// Twins are evaluated for blocks of samples: long waves have several, and windows start in one.

@@ -5,7 +5,9 @@
 //! netlist evaluated on reals for the same sample (`ideal`), and the difference (`arith_error`);
 //! beside each output port also the golden, and the difference to that (`total_error`). Words that are exact, such as sums of inputs, have
 //! only their value. Angles are in degrees there, and their errors are
-//! taken modulo a turn. In stage s, cycle t shows the sample that entered at cycle t - s;
+//! taken modulo a turn. Each direction has the angle between it and its golden (`angle_error_deg`), which reports
+//! rank by. GTKWave cuts long numbers, and with them the exponent of a small error, so errors also stand in ulp of
+//! their word, to 1/256 (`arith_error_ulp`, `total_error_ulp`): short, and without exponent. In stage s, cycle t shows the sample that entered at cycle t - s;
 //! what no data has reached yet is `x`.
 //!
 //! With a time-shared schedule, a word in its own stage is shown in its phase only and is `x` in
@@ -35,13 +37,14 @@ mod units;
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::format::Format;
+use crate::measure::angle_quantities;
 use crate::netlist::{Netlist, NodeId, Quantity};
 use crate::op::Op;
 use crate::output;
 use crate::rtl::{Rtl, Signal};
 use crate::sim::cycle::Cycle;
 use crate::timetable::Timetable;
-use crate::units::Design;
+use crate::units::{Design, Group};
 use std::collections::BTreeSet;
 use std::io::{self, Write};
 use std::ops::Range;
@@ -57,11 +60,12 @@ use vcd::{IdCode, ReferenceIndex, TimescaleUnit, VarType};
 pub struct Options {
     /// Cycles to write; all if `None`.
     pub cycles: Option<Range<u64>>,
-    /// Patterns of signals to write, with `*` for any text; every named one if empty.
+    /// Patterns of signals to write, with `*` for any text; every named one if empty. A word comes with its
+    /// twins, and a twin, with or without the unit in its name, may be chosen alone.
     pub signals: Vec<String>,
     /// Also nodes without a name, and the registers that carry words to later stages.
     pub all: bool,
-    /// No real twins.
+    /// No real twins and no angles.
     pub words_only: bool,
 }
 
@@ -73,20 +77,100 @@ struct Trace {
     path: Vec<String>,
     name: String,
     quantity: Quantity,
-    /// How many of value, ideal, arithmetic error, golden and total error stand beside it.
-    twins: usize,
+    /// True if the word itself is shown, not only some of its twins.
+    word: bool,
+    /// The reals beside it.
+    twins: Vec<Twin>,
     /// Number of the output port that it is.
     port: Option<usize>,
 }
 
+/// A real beside a word.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Twin {
+    Value,
+    Ideal,
+    ArithError,
+    ArithErrorUlp,
+    Golden,
+    TotalError,
+    TotalErrorUlp,
+}
+
+impl Twin {
+    /// Those of an exact word.
+    const EXACT: &[Self] = &[Self::Value];
+    /// Those of another word inside.
+    const INSIDE: &[Self] = &[Self::Value, Self::Ideal, Self::ArithError, Self::ArithErrorUlp];
+    /// Those of an output port.
+    const PORT: &[Self] = &[
+        Self::Value,
+        Self::Ideal,
+        Self::ArithError,
+        Self::ArithErrorUlp,
+        Self::Golden,
+        Self::TotalError,
+        Self::TotalErrorUlp,
+    ];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Value => "value",
+            Self::Ideal => "ideal",
+            Self::ArithError | Self::ArithErrorUlp => "arith_error",
+            Self::Golden => "golden",
+            Self::TotalError | Self::TotalErrorUlp => "total_error",
+        }
+    }
+
+    fn is_in_ulp(self) -> bool {
+        matches!(self, Self::ArithErrorUlp | Self::TotalErrorUlp)
+    }
+}
+
+/// The angle between a direction and its golden.
+#[derive(Clone, Debug)]
+struct AngleTrace {
+    /// Name without its unit.
+    name: String,
+    /// Number of the direction.
+    direction: usize,
+    /// The stage in which all of the direction is there.
+    stage: u32,
+}
+
+/// Unit of angles at the end of a name.
+const DEGREES: &str = "_deg";
+
 impl Trace {
-    fn names(&self) -> [String; 5] {
+    /// Name of a twin, and its unit behind it.
+    fn twin_name(&self, twin: Twin) -> (String, &'static str) {
         let unit = match self.quantity {
-            Quantity::Turns => "_deg",
+            _ if twin.is_in_ulp() => "_ulp",
+            Quantity::Turns => DEGREES,
             Quantity::Number | Quantity::Float20 => "",
         };
-        ["value", "ideal", "arith_error", "golden", "total_error"]
-            .map(|twin| format!("{}_{twin}{unit}", self.name))
+        (format!("{}_{}", self.name, twin.name()), unit)
+    }
+
+    /// Leaves what patterns choose: all of a word that one matches, or the twins that one does.
+    fn choose(&mut self, patterns: &[String]) {
+        let any = |text: &str| patterns.iter().any(|pattern| matches(pattern, text));
+        if any(&full_name(self)) {
+            return;
+        }
+        self.word = false;
+        let scopes = self.path.iter().map(|scope| format!("{scope}.")).collect::<String>();
+        let mut twins = std::mem::take(&mut self.twins);
+        twins.retain(|twin| {
+            let (name, unit) = self.twin_name(*twin);
+            any(&format!("{scopes}{name}{unit}")) || any(&format!("{scopes}{name}"))
+        });
+        self.twins = twins;
+    }
+
+    fn is_shown(&self) -> bool {
+        self.word || !self.twins.is_empty()
     }
 
     /// Factor from values to what twins show.
@@ -105,6 +189,7 @@ pub struct Wave<'a> {
     rtl: Arc<Rtl>,
     table: Timetable,
     traces: Vec<Trace>,
+    angles: Vec<AngleTrace>,
     options: Options,
     period_ps: u64,
 }
@@ -133,28 +218,36 @@ impl<'a> Wave<'a> {
     pub fn new(design: &'a Design, options: Options) -> Result<Self> {
         let rtl = Arc::new(design.rtl()?);
         let mut traces = all_traces(&rtl, &options);
+        let mut angles = all_angles(design, &rtl);
+        if options.words_only {
+            traces.iter_mut().for_each(|trace| trace.twins.clear());
+            angles.clear();
+        }
         for pattern in &options.signals {
-            if !traces.iter().any(|trace| matches(pattern, &full_name(trace))) {
+            let chosen = |trace: &Trace| {
+                let mut trace = trace.clone();
+                trace.choose(std::slice::from_ref(pattern));
+                trace.is_shown()
+            };
+            if !traces.iter().any(chosen) && !angles.iter().any(|angle| angle.matches(pattern)) {
                 let mut names: Vec<String> = traces.iter().map(full_name).collect();
                 names.truncate(8);
                 return Err(Error::usage(format!(
-                    "no signal matches `{pattern}`: there are {}, …; --all adds unnamed ones",
+                    "no signal matches `{pattern}`: there are {}, …; *error takes all errors, --all adds unnamed signals",
                     names.join(", ")
                 )));
             }
         }
         if !options.signals.is_empty() {
-            traces.retain(|trace| {
-                options.signals.iter().any(|pattern| matches(pattern, &full_name(trace)))
-            });
-        }
-        if options.words_only {
-            traces.iter_mut().for_each(|trace| trace.twins = 0);
+            traces.iter_mut().for_each(|trace| trace.choose(&options.signals));
+            traces.retain(Trace::is_shown);
+            angles.retain(|angle| options.signals.iter().any(|pattern| angle.matches(pattern)));
         }
         let target = design.values.int("period_ps").expect("bug: no auto here");
         let period_ps = u64::from(rtl.schedule().period_ps()).max(target.unsigned_abs());
         let table = Timetable::new(&rtl, design.printed());
-        Ok(Self { design, rtl, table, traces, options, period_ps: period_ps.next_multiple_of(2) })
+        let period_ps = period_ps.next_multiple_of(2);
+        Ok(Self { design, rtl, table, traces, angles, options, period_ps })
     }
 
     /// The hardware that it shows.
@@ -166,13 +259,13 @@ impl<'a> Wave<'a> {
     /// Number of signals.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.traces.len()
+        self.traces.len() + self.angles.len()
     }
 
     /// True if there is no signal.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.traces.is_empty()
+        self.len() == 0
     }
 
     /// Cycles until the last of so many samples is out.
@@ -292,15 +385,19 @@ impl<'a> Wave<'a> {
         // The name alone: the pair of files can be moved together.
         let file = vcd.file_name().unwrap_or_default().to_string_lossy();
         writeln!(to, "[*] fixpath {}: unit {unit}", env!("CARGO_PKG_VERSION"))?;
-        // From the first result on: before it there is nothing to see.
-        let cycles = self.options.cycles.clone().unwrap_or(0..u64::MAX);
-        let latency = u64::from(self.rtl.schedule().latency());
-        let first = if latency < cycles.end { latency.max(cycles.start) } else { cycles.start };
-        let start = first * self.period_ps;
+        // The first samples from the left edge on, as wide as lets their results be seen too.
+        let start = self.options.cycles.as_ref().map_or(0, |cycles| cycles.start) * self.period_ps;
         writeln!(to, "[dumpfile] \"{file}\"\n[timestart] {start}")?;
-        writeln!(to, "[size] 1500 1000\n[pos] -1 -1")?;
-        writeln!(to, "[sst_width] 210\n[signals_width] 330\n[sst_expanded] 0\n[treeopen] {unit}.")?;
-        let zoom = -(cast::f64_of_count(self.period_ps).log2() + 1.0);
+        writeln!(to, "[size] {WINDOW_WIDTH} 1000\n[pos] -1 -1")?;
+        writeln!(
+            to,
+            "[sst_width] {TREE_WIDTH}\n[signals_width] {NAMES_WIDTH}\n[sst_expanded] 0\n[treeopen] {unit}."
+        )?;
+        let schedule = self.rtl.schedule();
+        let cycles = f64::from(schedule.latency() + FIRST_SAMPLES * schedule.interval());
+        let width = (WAVES_WIDTH / cycles).min(CYCLE_WIDTH);
+        // GTKWave draws 2^-zoom units of time in 200 pixels.
+        let zoom = -(cast::f64_of_count(self.period_ps) * 200.0 / width).log2();
         writeln!(to, "*{zoom:.6} 0 {}", "-1 ".repeat(26).trim_end())?;
         writeln!(to, "@28\n{unit}.clk\n{unit}.rst\n{unit}.valid_in\n{unit}.valid_out")?;
         self.write_units(to)?;
@@ -309,6 +406,12 @@ impl<'a> Wave<'a> {
         let latency = self.rtl.schedule().latency();
         let title = format!("output ports, {latency} cycles later");
         self.write_group(&title, |trace| trace.port.is_some(), to)?;
+        if !self.angles.is_empty() {
+            writeln!(to, "@200\n-angle to the golden")?;
+        }
+        for angle in &self.angles {
+            write_gtkw_real(&format!("{unit}.{}{DEGREES}", angle.name), ERROR_COLOR, 2, to)?;
+        }
         let shared = self.rtl.schedule().interval() > 1;
         let is_held = |trace: &Trace| {
             shared && trace.signal.stage > self.rtl.schedule().stage(trace.signal.node)
@@ -374,29 +477,59 @@ impl<'a> Wave<'a> {
         let netlist = self.rtl.netlist();
         let node = netlist.node(trace.signal.node);
         let (format, dots) = (node.format, path_text(netlist, trace));
-        let port = trace.port.is_some() || node.op == Op::Input;
-        let color = if port { 2 } else { 3 };
-        write_gtkw_word(&format!("{dots}{}", trace.name), format, color, to)?;
-        let [value, _, arith_error, golden, total_error] = trace.names();
-        if trace.quantity == Quantity::Turns && (1..5).contains(&trace.twins) {
-            writeln!(to, "@20\n[color] {color}\n{dots}{value}")?;
+        let is_output = trace.port.is_some();
+        let color = if is_output || node.op == Op::Input { 2 } else { 3 };
+        if trace.word {
+            write_gtkw_word(&format!("{dots}{}", trace.name), format, color, to)?;
         }
-        match trace.twins {
-            5 => {
-                // Value and error also as analog traces: steps, scaled to all of the data.
-                let analog = |color: u8, name: &str, rows: usize| {
-                    let space = "\n-".repeat(rows);
-                    format!("@88420\n[color] {color}\n{dots}{name}\n@20000{space}\n")
-                };
-                write!(to, "{}", analog(color, &value, 1))?;
-                writeln!(to, "@20\n[color] 5\n{dots}{golden}")?;
-                write!(to, "{}", analog(1, &total_error, 2))?;
-                writeln!(to, "@20\n[color] 1\n{dots}{arith_error}")
-            }
-            3 => writeln!(to, "@20\n[color] 1\n{dots}{arith_error}"),
-            _ => Ok(()),
+        let order = [
+            Twin::Value,
+            Twin::Ideal,
+            Twin::Golden,
+            Twin::TotalError,
+            Twin::TotalErrorUlp,
+            Twin::ArithError,
+            Twin::ArithErrorUlp,
+        ];
+        for twin in order.into_iter().filter(|twin| trace.twins.contains(twin)) {
+            // What the word beside it tells isn't shown again, but an angle's value has another unit.
+            let (color, rows) = match twin {
+                Twin::Value if is_output => (color, 1),
+                Twin::Value if trace.word && trace.quantity != Quantity::Turns => continue,
+                Twin::Value => (color, 0),
+                Twin::Ideal | Twin::ArithError if trace.word => continue,
+                Twin::Ideal | Twin::Golden => (5, 0),
+                Twin::TotalError | Twin::ArithError => (ERROR_COLOR, 2),
+                Twin::TotalErrorUlp | Twin::ArithErrorUlp => (ERROR_COLOR, 0),
+            };
+            let (name, unit) = trace.twin_name(twin);
+            write_gtkw_real(&format!("{dots}{name}{unit}"), color, rows, to)?;
         }
+        Ok(())
     }
+}
+
+/// Pixels of GTKWave's window, of its tree and of its list of names.
+const WINDOW_WIDTH: u32 = 1500;
+const TREE_WIDTH: u32 = 210;
+const NAMES_WIDTH: u32 = 330;
+/// Pixels that waves have then.
+const WAVES_WIDTH: f64 = 920.0;
+/// A cycle's width that shows words and errors in full.
+const CYCLE_WIDTH: f64 = 100.0;
+/// Samples whose results are to be seen at the start.
+const FIRST_SAMPLES: u32 = 2;
+
+/// Red.
+const ERROR_COLOR: u8 = 1;
+
+/// A real in the save file: as text, or as steps scaled to all of the data, so many rows below its name.
+fn write_gtkw_real(name: &str, color: u8, rows: usize, to: &mut dyn Write) -> io::Result<()> {
+    if rows == 0 {
+        return writeln!(to, "@20\n[color] {color}\n{name}");
+    }
+    let space = "\n-".repeat(rows);
+    writeln!(to, "@88420\n[color] {color}\n{name}\n@20000{space}")
 }
 
 /// A word with its fixed-point shift in the save file.
@@ -459,12 +592,13 @@ fn all_traces(rtl: &Rtl, options: &Options) -> Vec<Trace> {
     let trace = |signal: Signal, path: Vec<String>, name: String, port: Option<usize>| {
         let node = netlist.node(signal.node);
         let twins = match port {
-            _ if !node.has_real || node.format.bits() == 1 => 0,
-            Some(_) => 5,
-            None if exact[signal.node.index()] => 1,
-            None => 3,
+            _ if !node.has_real || node.format.bits() == 1 => &[],
+            Some(_) => Twin::PORT,
+            None if exact[signal.node.index()] => Twin::EXACT,
+            None => Twin::INSIDE,
         };
-        Trace { signal, path, name, quantity: node.quantity, twins, port }
+        let twins = twins.to_vec();
+        Trace { signal, path, name, quantity: node.quantity, word: true, twins, port }
     };
     let mut traces = Vec::new();
     for (port, output) in netlist.outputs().iter().enumerate() {
@@ -500,7 +634,7 @@ fn all_traces(rtl: &Rtl, options: &Options) -> Vec<Trace> {
                 if !is_output {
                     let mut copy = trace(register, path.clone(), rtl.local_name(register), None);
                     if own_twins {
-                        copy.twins = 0;
+                        copy.twins.clear();
                     }
                     own_twins = true;
                     traces.push(copy);
@@ -511,6 +645,30 @@ fn all_traces(rtl: &Rtl, options: &Options) -> Vec<Trace> {
     let mut names = BTreeSet::new();
     traces.retain(|trace| names.insert(full_name(trace)));
     traces
+}
+
+/// The angle of every direction.
+fn all_angles(design: &Design, rtl: &Rtl) -> Vec<AngleTrace> {
+    let netlist = rtl.netlist();
+    let stage = |node: &NodeId| {
+        let is_output = netlist.outputs().iter().any(|output| output.node == *node);
+        if is_output { rtl.schedule().latency() } else { rtl.schedule().stage(*node) }
+    };
+    let directions = design.groups.iter().filter(|group| group.shape.is_direction());
+    let names = angle_quantities(design).into_iter();
+    let angle = |(direction, (group, name)): (usize, (&Group, String))| AngleTrace {
+        name: format!("{name}_error"),
+        direction,
+        stage: group.nodes.iter().map(stage).max().unwrap_or(0),
+    };
+    directions.zip(names).enumerate().map(angle).collect()
+}
+
+impl AngleTrace {
+    /// True if a pattern chooses it, with its unit or without.
+    fn matches(&self, pattern: &str) -> bool {
+        matches(pattern, &self.name) || matches(pattern, &format!("{}{DEGREES}", self.name))
+    }
 }
 
 /// Identifiers and last values of the signals.
@@ -590,27 +748,39 @@ impl<'a> Codes<'a> {
             open = &trace.path;
             let Signal { node, stage } = trace.signal;
             let format = netlist.node(node).format;
-            let code =
-                writer.add_var(VarType::Wire, format.bits(), &trace.name, index_range(format))?;
-            words.push(Word {
-                shown: Shown::new(code, format.bits()),
-                format,
-                slot: cycle.slot(trace.signal),
-                stage: stage.into(),
-                phase: (stage == schedule.stage(node)).then(|| schedule.phase(stage)),
-            });
+            if trace.word {
+                let code = writer.add_var(
+                    VarType::Wire,
+                    format.bits(),
+                    &trace.name,
+                    index_range(format),
+                )?;
+                words.push(Word {
+                    shown: Shown::new(code, format.bits()),
+                    format,
+                    slot: cycle.slot(trace.signal),
+                    stage: stage.into(),
+                    phase: (stage == schedule.stage(node)).then(|| schedule.phase(stage)),
+                });
+            }
             let mut codes = Vec::new();
-            for name in trace.names().iter().take(trace.twins) {
-                codes.push(writer.add_var(VarType::Real, 64, name, None)?);
+            for twin in &trace.twins {
+                let (name, unit) = trace.twin_name(*twin);
+                codes.push(writer.add_var(VarType::Real, 64, &format!("{name}{unit}"), None)?);
             }
             twins.push((trace, codes));
         }
         for _ in open {
             writer.upscope()?;
         }
+        let mut angles = Vec::new();
+        for angle in &wave.angles {
+            let name = format!("{}{DEGREES}", angle.name);
+            angles.push((angle, writer.add_var(VarType::Real, 64, &name, None)?));
+        }
         writer.upscope()?;
         writer.enddefinitions()?;
-        let twins = Twins::new(wave.design, &wave.rtl, cycle, twins, oldest);
+        let twins = Twins::new(wave.design, &wave.rtl, cycle, twins, angles, oldest);
         Ok(Self { clk, rst, valid_in, valid_out, words, twins, units })
     }
 
@@ -637,8 +807,9 @@ impl<'a> Codes<'a> {
 
 /// The nodes that a wave shows, for tests.
 impl Wave<'_> {
-    /// Names and nodes of the signals, with their stages.
+    /// Names and nodes of the words, with their stages.
     pub fn signals(&self) -> impl Iterator<Item = (String, NodeId, u32)> + '_ {
-        self.traces.iter().map(|trace| (full_name(trace), trace.signal.node, trace.signal.stage))
+        let words = self.traces.iter().filter(|trace| trace.word);
+        words.map(|trace| (full_name(trace), trace.signal.node, trace.signal.stage))
     }
 }

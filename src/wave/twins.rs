@@ -1,14 +1,16 @@
-//! The reals beside words: value, ideal, arithmetic error, golden, total error.
+//! The reals beside words: value, ideal, arithmetic error, golden, total error; and the angle of each direction.
 //!
-//! Ideal and golden belong to a sample, not to a cycle: they are evaluated for a block of samples at
-//! once, by the engine on reals and by the golden model. Columns hold them from the oldest
+//! Ideal, golden and angle belong to a sample, not to a cycle: they are evaluated for a block of samples at
+//! once, by the engines and by the golden model. Columns hold them from the oldest
 //! sample in the pipeline on, so memory doesn't grow with the wave.
 
-use super::Trace;
 use super::text::{Code, Lines};
+use super::{AngleTrace, Trace, Twin};
 use crate::cast;
+use crate::measure::{angle_errors, as_golden, values_of};
 use crate::netlist::{NodeId, Quantity};
 use crate::rtl::Rtl;
+use crate::sim::batch;
 use crate::sim::cycle::Cycle;
 use crate::sim::real::{Program, Runner};
 use crate::units::Design;
@@ -34,6 +36,7 @@ pub(super) struct Twins<'a> {
     ideals: Vec<Vec<f64>>,
     /// By output port, which are the first of what is judged; none if no golden is shown.
     judged: Vec<Vec<f64>>,
+    angles: Option<Angles>,
     /// Inputs and ideals of a block.
     inputs: Vec<Vec<f64>>,
     block: Vec<Vec<f64>>,
@@ -53,7 +56,63 @@ struct Shown {
     /// The output port that it is.
     port: Option<usize>,
     /// Identifiers, and what they show.
-    codes: Vec<(Code, Option<u64>)>,
+    codes: Vec<(Twin, Real)>,
+}
+
+/// A real variable, and the bits of what it shows.
+struct Real {
+    code: Code,
+    last: Option<u64>,
+}
+
+impl Real {
+    fn new(code: IdCode) -> Self {
+        Self { code: code.into(), last: None }
+    }
+
+    /// Writes a value if it is another.
+    fn change(&mut self, lines: &mut Lines<'_>, now: f64) -> io::Result<()> {
+        if self.last == Some(now.to_bits()) {
+            return Ok(());
+        }
+        self.last = Some(now.to_bits());
+        lines.real(now, &self.code)
+    }
+}
+
+/// The angles of directions to their golden.
+struct Angles {
+    /// What is judged, bit-true.
+    program: batch::Program,
+    runner: batch::Runner,
+    /// Number of the direction, the stage it is there in, and the variable.
+    shown: Vec<(usize, u64, Real)>,
+    /// By direction, in degrees; as many samples as the other columns.
+    columns: Vec<Vec<f64>>,
+}
+
+impl Angles {
+    /// Appends a block of samples with this golden.
+    fn append(&mut self, design: &Design, block: &[Vec<i64>], golden: &[Vec<f64>]) {
+        let ports = 0..design.netlist.inputs().len();
+        let words: Vec<Vec<i64>> =
+            ports.map(|port| block.iter().map(|words| words[port]).collect()).collect();
+        let words: Vec<&[i64]> = words.iter().map(Vec::as_slice).collect();
+        let judged = design.judged();
+        let mut results = vec![Vec::new(); judged.len()];
+        self.runner.run(&self.program, &words, &mut results);
+        let (mut values, mut is) = (Vec::new(), Vec::new());
+        values_of(&design.netlist, &judged, &results, &mut values);
+        as_golden(&design.groups, &mut values, &mut is);
+        for (column, errors) in self.columns.iter_mut().zip(angle_errors(design, &is, golden)) {
+            column.extend(errors.into_iter().map(f64::to_degrees));
+        }
+    }
+}
+
+/// An error in ulp for the eye: to 1/256, which a few digits hold exactly.
+fn in_ulp(error: f64, ulp: f64) -> f64 {
+    (error / ulp * 256.0).round() / 256.0 + 0.0 // -0 becomes 0
 }
 
 impl<'a> Twins<'a> {
@@ -63,6 +122,7 @@ impl<'a> Twins<'a> {
         rtl: &Rtl,
         cycle: &Cycle,
         signals: Vec<(&Trace, Vec<IdCode>)>,
+        angles: Vec<(&AngleTrace, IdCode)>,
         first: usize,
     ) -> Self {
         let netlist = rtl.netlist();
@@ -73,7 +133,10 @@ impl<'a> Twins<'a> {
             .filter(|(_, codes)| !codes.is_empty())
             .map(|(trace, codes)| {
                 let id = trace.signal.node;
-                let ideal = (codes.len() > 1).then(|| {
+                let has = |twin| trace.twins.contains(&twin);
+                let ideals = [Twin::Ideal, Twin::ArithError, Twin::ArithErrorUlp];
+                let goldens = [Twin::Golden, Twin::TotalError, Twin::TotalErrorUlp];
+                let ideal = ideals.into_iter().any(has).then(|| {
                     *columns[id.index()].get_or_insert_with(|| {
                         nodes.push(id);
                         nodes.len() - 1
@@ -87,14 +150,32 @@ impl<'a> Twins<'a> {
                     scale: trace.scale(),
                     quantity: trace.quantity,
                     ideal,
-                    port: trace.port,
-                    codes: codes.into_iter().map(|code| (Code::from(code), None)).collect(),
+                    port: trace.port.filter(|_| goldens.into_iter().any(has)),
+                    codes: trace
+                        .twins
+                        .iter()
+                        .copied()
+                        .zip(codes.into_iter().map(Real::new))
+                        .collect(),
                 }
             })
             .collect();
         let judged = shown.iter().any(|shown| shown.port.is_some());
         let program = Program::compile(netlist, &nodes);
         let schedule = rtl.schedule();
+        let angles = (!angles.is_empty()).then(|| {
+            let program = batch::Program::compile(&design.netlist, &design.judged());
+            let shown = angles
+                .into_iter()
+                .map(|(angle, code)| (angle.direction, u64::from(angle.stage), Real::new(code)));
+            let directions = design.groups.iter().filter(|group| group.shape.is_direction());
+            Angles {
+                runner: program.runner(),
+                program,
+                shown: shown.collect(),
+                columns: vec![Vec::new(); directions.count()],
+            }
+        });
         Self {
             design,
             runner: program.runner(),
@@ -106,6 +187,7 @@ impl<'a> Twins<'a> {
             kept: cast::index_of_u32(schedule.latency() / schedule.interval()) + 2,
             ideals: vec![Vec::new(); nodes.len()],
             judged: vec![Vec::new(); if judged { netlist.outputs().len() } else { 0 }],
+            angles,
             inputs: vec![Vec::new(); netlist.inputs().len()],
             block: vec![Vec::new(); nodes.len()],
         }
@@ -118,7 +200,7 @@ impl<'a> Twins<'a> {
         samples: &[Vec<i64>],
         cycle: &Cycle,
     ) -> io::Result<()> {
-        if self.shown.is_empty() {
+        if self.shown.is_empty() && self.angles.is_none() {
             return Ok(());
         }
         let (now, interval) = (cycle.edges(), self.interval);
@@ -144,12 +226,26 @@ impl<'a> Twins<'a> {
             };
             let ideal = shown.ideal.map_or(0.0, |column| self.ideals[column][at] * shown.scale);
             let golden = shown.port.map_or(0.0, |port| self.judged[port][at] * shown.scale);
-            let values = [value, ideal, difference(ideal), golden, difference(golden)];
-            for ((code, last), value) in shown.codes.iter_mut().zip(values) {
-                if *last != Some(value.to_bits()) {
-                    *last = Some(value.to_bits());
-                    lines.real(value, code)?;
-                }
+            let ulp = shown.ulp * shown.scale;
+            for (twin, real) in &mut shown.codes {
+                let now = match twin {
+                    Twin::Value => value,
+                    Twin::Ideal => ideal,
+                    Twin::ArithError => difference(ideal),
+                    Twin::ArithErrorUlp => in_ulp(difference(ideal), ulp),
+                    Twin::Golden => golden,
+                    Twin::TotalError => difference(golden),
+                    Twin::TotalErrorUlp => in_ulp(difference(golden), ulp),
+                };
+                real.change(lines, now)?;
+            }
+        }
+        let Some(Angles { shown, columns, .. }) = &mut self.angles else { return Ok(()) };
+        for (direction, stage, real) in shown {
+            let Some(since) = now.checked_sub(*stage) else { continue };
+            let sample = usize::try_from(since / interval).unwrap_or(usize::MAX);
+            if sample < samples.len() {
+                real.change(lines, columns[*direction][sample - self.first])?;
             }
         }
         Ok(())
@@ -160,7 +256,8 @@ impl<'a> Twins<'a> {
         while self.end <= sample {
             let block = &samples[self.end..samples.len().min(self.end + BLOCK)];
             let first = self.first.max(self.end.saturating_sub(self.kept));
-            let columns = self.ideals.iter_mut().chain(&mut self.judged);
+            let angles = self.angles.iter_mut().flat_map(|angles| &mut angles.columns);
+            let columns = self.ideals.iter_mut().chain(&mut self.judged).chain(angles);
             columns.for_each(|column| drop(column.drain(..first - self.first)));
             (self.first, self.end) = (first, self.end + block.len());
             let netlist = &self.design.netlist;
@@ -174,11 +271,17 @@ impl<'a> Twins<'a> {
             for (column, block) in self.ideals.iter_mut().zip(&self.block) {
                 column.extend(block);
             }
-            if self.judged.is_empty() {
+            if self.judged.is_empty() && self.angles.is_none() {
                 continue;
             }
             let mut golden = vec![vec![0.0; block.len()]; self.design.golden_columns()];
             (self.design.golden)(&self.design.values, &inputs, &mut golden);
+            if let Some(angles) = &mut self.angles {
+                angles.append(self.design, block, &golden);
+            }
+            if self.judged.is_empty() {
+                continue;
+            }
             let mut row = vec![0.0; golden.len()];
             for at in 0..block.len() {
                 row.iter_mut().zip(&golden).for_each(|(value, column)| *value = column[at]);
