@@ -520,7 +520,7 @@ fn run(command: &Command) -> Result<bool> {
                     note_unused(&[("--samples", *samples), ("--seed", *seed)], why);
                     read_stimulus(table.open(path, &design.netlist)?, end)?
                 }
-                None => stimulus(&design, samples.unwrap_or(200).min(end), seed.unwrap_or(1))?,
+                None => stimulus(&design, samples.unwrap_or(200).min(end), *seed)?,
             };
             let options = Options {
                 cycles: cycles.clone(),
@@ -722,7 +722,7 @@ fn read_stimulus<R: io::Read>(mut samples: SampleFile<'_, R>, end: u64) -> Resul
 
 /// One vector of each hard case, then a turn of the first input with the others held, which
 /// makes smooth curves, then random vectors.
-fn stimulus(design: &Design, samples: u64, seed: u64) -> Result<Vec<Vec<i64>>> {
+fn stimulus(design: &Design, samples: u64, seed: Option<u64>) -> Result<Vec<Vec<i64>>> {
     const RAMP: u64 = 64;
     let mut rows: Vec<Vec<i64>> =
         design.hard.iter().filter_map(|case| case.words.first().cloned()).collect();
@@ -736,7 +736,10 @@ fn stimulus(design: &Design, samples: u64, seed: u64) -> Result<Vec<Vec<i64>>> {
         });
         rows.push(ports.collect());
     }
-    let inputs = Inputs { sampler: Sampler::Lit, samples, seed };
+    if cast::count_of(rows.len()) >= samples {
+        note_unused(&[("--seed", seed)], "hard cases and the curve are all of the samples");
+    }
+    let inputs = Inputs { sampler: Sampler::Lit, samples, seed: seed.unwrap_or(1) };
     rows.extend(measure::sample_words(design, &inputs)?);
     rows.truncate(usize::try_from(samples).unwrap_or(usize::MAX));
     Ok(rows)

@@ -77,7 +77,7 @@ pub(super) fn run(out: &Path) -> Result<bool> {
         write(&out.join(format!("netlists/{name}.txt")), &text::show(&sim.design)?)?;
         write(&out.join(format!("netlists/{name}.dot")), &netlist.to_dot())?;
         let wave = out.join(format!("waves/{name}.vcd"));
-        write_wave(&sim.design, Options::default(), &stimulus(&sim.design, 200, 1)?, &wave)?;
+        write_wave(&sim.design, Options::default(), &stimulus(&sim.design, 200, None)?, &wave)?;
         let settings = Settings {
             name: Some(format!("rotation_{name}")),
             hard_per_group: Some(10),

@@ -1,6 +1,6 @@
 //! `fixpath hdl`: a design as files of hardware.
 
-use super::{UnitArgs, number};
+use super::{UnitArgs, note_unused, number};
 use crate::emit::{Package, Settings};
 use crate::error::Result;
 use crate::hdl::testbench::vectors_file;
@@ -28,9 +28,9 @@ pub(super) struct HdlArgs {
     /// Random vectors after the hard-case list.
     #[arg(long, value_name = "N", default_value_t = 10_000, allow_negative_numbers = true, value_parser = number::whole(0..=100_000_000))]
     vectors: u64,
-    /// Seed of the random vectors.
-    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = number::whole(0..=u64::MAX))]
-    seed: u64,
+    /// Seed of the random vectors; 1 if not given.
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = number::whole(0..=u64::MAX))]
+    seed: Option<u64>,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -86,12 +86,15 @@ pub(super) fn run(args: &HdlArgs) -> Result<String> {
             languages.push(*language);
         }
     }
+    if args.vectors == 0 {
+        note_unused(&[("--seed", args.seed)], "no vectors are drawn");
+    }
     let settings = Settings {
         name: args.name.clone(),
         tables: args.tables.tables(),
         languages: languages.into_iter().map(LanguageArg::language).collect(),
         random: args.vectors,
-        seed: args.seed,
+        seed: args.seed.unwrap_or(1),
         ..Settings::default()
     };
     let mut package = Package::new(&args.unit.design()?, &settings)?;

@@ -1,7 +1,7 @@
 //! `fixpath verify`: a unit's hardware in outside simulators.
 
 use super::hardware::TablesArg;
-use super::{UnitArgs, number, text};
+use super::{UnitArgs, note_unused, number, text};
 use crate::error::{Error, Result};
 use crate::units::Design;
 use crate::verify::{self, Decoded, Mismatch, Request, Row, Simulator, Verdict};
@@ -23,9 +23,9 @@ pub(super) struct VerifyArgs {
     /// Icarus and GHDL.
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = number::whole(0..=1_000_000_000))]
     vectors: Option<u64>,
-    /// Seed of the random vectors.
-    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = number::whole(0..=u64::MAX))]
-    seed: u64,
+    /// Seed of the random vectors; 1 if not given.
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = number::whole(0..=u64::MAX))]
+    seed: Option<u64>,
     /// Where the words of tables stand.
     #[arg(long, value_enum, default_value = "auto")]
     tables: TablesArg,
@@ -47,10 +47,16 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(String, bool)> {
     } else {
         verify::simulators_of(&args.with)?
     };
+    if simulators == [Simulator::Yosys] {
+        let why = "Yosys proves and draws no vectors";
+        note_unused(&[("--vectors", args.vectors), ("--seed", args.seed)], why);
+    } else if args.vectors == Some(0) {
+        note_unused(&[("--seed", args.seed)], "no vectors are drawn");
+    }
     let request = Request {
         simulators,
         vectors: args.vectors,
-        seed: args.seed,
+        seed: args.seed.unwrap_or(1),
         tables: args.tables.tables(),
         limit: Duration::from_secs(args.time_limit),
         keep: args.keep.clone(),

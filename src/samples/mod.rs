@@ -143,7 +143,9 @@ impl<'a, R: Read> SampleFile<'a, R> {
                     return Err(header(Some(name), "the column is there twice".to_owned()));
                 }
             } else if !ignore_columns && !written.contains(name) {
-                let hint = nearest(name, known());
+                // What is there already isn't what was meant.
+                let missing = known().filter(|known| !names.iter().any(|name| name == known));
+                let hint = nearest(name, missing);
                 let problem = format!(
                     "column {} means nothing here{hint}: the header should name {wanted}, \
                      and --ignore-columns passes others over",
