@@ -49,7 +49,7 @@ use std::process::ExitCode;
 )]
 struct Cli {
     /// Threads to use; all cores if not given.
-    #[arg(long, global = true, value_name = "N", value_parser = number::whole(1..=1024))]
+    #[arg(long, global = true, value_name = "N", allow_negative_numbers = true, value_parser = number::whole(1..=1024))]
     threads: Option<u64>,
     #[command(subcommand)]
     command: Command,
@@ -160,7 +160,7 @@ enum Command {
         #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = number::whole(0..=u64::MAX))]
         seed: Option<u64>,
         /// Cycles to write, as FIRST..END without END itself.
-        #[arg(long, value_name = "A..B", allow_negative_numbers = true, value_parser = number::window)]
+        #[arg(long, value_name = "A..B", allow_hyphen_values = true, value_parser = number::window)]
         cycles: Option<std::ops::Range<u64>>,
         /// Signals to write, as scope.name (without the unit) with * for any text; *error takes all errors.
         #[arg(long, value_name = "PATTERN", value_delimiter = ',')]

@@ -403,15 +403,15 @@ impl<'a> Wave<'a> {
         self.write_units(to)?;
         let is_input = |trace: &Trace| netlist.node(trace.signal.node).op == Op::Input;
         self.write_group("input ports", is_input, to)?;
-        let latency = self.rtl.schedule().latency();
-        let title = format!("output ports, {latency} cycles later");
-        self.write_group(&title, |trace| trace.port.is_some(), to)?;
         if !self.angles.is_empty() {
             writeln!(to, "@200\n-angle to the golden")?;
         }
         for angle in &self.angles {
             write_gtkw_real(&format!("{unit}.{}{DEGREES}", angle.name), ERROR_COLOR, 2, to)?;
         }
+        let latency = self.rtl.schedule().latency();
+        let title = format!("output ports, {latency} cycles later");
+        self.write_group(&title, |trace| trace.port.is_some(), to)?;
         let shared = self.rtl.schedule().interval() > 1;
         let is_held = |trace: &Trace| {
             shared && trace.signal.stage > self.rtl.schedule().stage(trace.signal.node)
@@ -498,7 +498,8 @@ impl<'a> Wave<'a> {
                 Twin::Value if trace.word && trace.quantity != Quantity::Turns => continue,
                 Twin::Value => (color, 0),
                 Twin::Ideal | Twin::ArithError if trace.word => continue,
-                Twin::Ideal | Twin::Golden => (5, 0),
+                // As curves: cut text would lose its exponent.
+                Twin::Ideal | Twin::Golden => (5, 1),
                 Twin::TotalError | Twin::ArithError => (ERROR_COLOR, 2),
                 Twin::TotalErrorUlp | Twin::ArithErrorUlp => (ERROR_COLOR, 0),
             };
