@@ -510,10 +510,10 @@ impl<'a> Wave<'a> {
     }
 }
 
-/// Pixels of GTKWave's window, of its tree and of its list of names.
+/// Pixels of GTKWave's window, of its tree and of its list of names, which shows numbers in full.
 const WINDOW_WIDTH: u32 = 1500;
-const TREE_WIDTH: u32 = 210;
-const NAMES_WIDTH: u32 = 330;
+const TREE_WIDTH: u32 = 110;
+const NAMES_WIDTH: u32 = 430;
 /// Pixels that waves have then.
 const WAVES_WIDTH: f64 = 920.0;
 /// A cycle's width that shows words and errors in full.
