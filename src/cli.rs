@@ -557,9 +557,9 @@ fn run(command: &Command) -> Result<bool> {
         Command::Schedule(args) => print(&schedule::run(args)?)?,
         Command::Hdl(args) => print(&hardware::run(args)?)?,
         Command::Verify(args) => {
-            let (told, agree) = verify::run(args)?;
+            let (told, ended) = verify::run(args)?;
             print(&told)?;
-            return Ok(agree);
+            return ended;
         }
         Command::Cost(args) => print(&cost::run(args)?)?,
         Command::Compare(args) => print(&compare::run(args)?)?,

@@ -24,14 +24,13 @@ pub use estimate::{estimate, of_module};
 use crate::error::{Error, Result};
 use crate::hdl::{Module, Verilog};
 use crate::output::{Scratch, write_text};
-use crate::outside::{self, Outcome, Tool};
+use crate::outside::{self, Limits, Outcome, Tool};
 use estimate::{Adds, Dsp, Rules, Sum};
 use serde::Serialize;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
-use std::time::Duration;
 
 /// A family of FPGAs.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -223,10 +222,12 @@ pub enum Clock {
         /// What is missing.
         why: String,
     },
-    /// It ran past the time limit.
-    TimedOut {
+    /// It did not end by itself.
+    CutShort {
         /// The device.
         device: &'static str,
+        /// A limit of time or memory, or a signal.
+        why: String,
     },
     /// The tool isn't there, and what brings it.
     Missing(String),
@@ -237,8 +238,8 @@ pub enum Clock {
 /// Runs Yosys on a module.
 ///
 /// # Errors
-/// If Yosys isn't there, fails or runs past `limit`, or files can't be written.
-pub fn synthesize(module: &Module, target: Target, limit: Duration) -> Result<Synthesis> {
+/// If Yosys isn't there, fails or runs past a limit, or files can't be written.
+pub fn synthesize(module: &Module, target: Target, limits: Limits) -> Result<Synthesis> {
     let folder = Scratch::new()?;
     write_module(module, folder.path())?;
     let name = &module.name;
@@ -246,7 +247,7 @@ pub fn synthesize(module: &Module, target: Target, limit: Duration) -> Result<Sy
         "read_verilog {name}.v\n{} -top {name}\ntee -o stat.json stat -json\n",
         target.command()
     );
-    yosys(&script, folder.path(), limit)?;
+    yosys(&script, folder.path(), limits)?;
     let path = folder.path().join("stat.json");
     let text = std::fs::read_to_string(&path).map_err(|why| Error::io(&path, "can't read", why))?;
     let cells = cells_of(&text)?;
@@ -280,13 +281,13 @@ pub fn cells_of(text: &str) -> Result<BTreeMap<String, u64>> {
 /// iCE40: an HX8K, or an UP5K if the unit has DSPs. ECP5: an LFE5U-25F. The seed is 1.
 ///
 /// # Errors
-/// If a tool fails, Yosys runs past `limit`, or files can't be written.
+/// If a tool fails, Yosys runs past a limit, or files can't be written.
 pub fn route(
     module: &Module,
     target: Target,
     cost: Cost,
     period_ps: u32,
-    limit: Duration,
+    limits: Limits,
 ) -> Result<Clock> {
     let (device, tools, mut arguments): (_, &[&Tool], Vec<&str>) = match target {
         Target::Ice40 => {
@@ -316,13 +317,13 @@ pub fn route(
         module.name,
         target.command()
     );
-    yosys(&script, folder.path(), limit)?;
+    yosys(&script, folder.path(), limits)?;
     let mhz = format!("{:.3}", 1e6 / f64::from(period_ps.max(1)));
     arguments.extend(["--json", "bench.json", "--seed", "1", "--timing-allow-fail"]);
     arguments.extend(["--freq", &mhz]);
-    let outcome = outside::run(tool.program, &arguments, folder.path(), limit, None)?;
-    if outcome.timed_out {
-        return Ok(Clock::TimedOut { device });
+    let outcome = outside::run(tool.program, &arguments, folder.path(), limits, None)?;
+    if let Some(why) = outcome.cut_short(tool.name) {
+        return Ok(Clock::CutShort { device, why });
     }
     if let Some(why) = too_large(&outcome.stderr) {
         return Ok(Clock::TooLarge { device, why });
@@ -343,19 +344,15 @@ fn write_module(module: &Module, folder: &Path) -> Result<()> {
     files.iter().try_for_each(|file| write_text(&folder.join(&file.name), &file.text))
 }
 
-fn yosys(script: &str, folder: &Path, limit: Duration) -> Result<()> {
+fn yosys(script: &str, folder: &Path, limits: Limits) -> Result<()> {
     let tool = &outside::YOSYS;
     if tool.version().is_none() {
         return Err(Error::usage(format!("{} is {}", tool.name, tool.missing())));
     }
     write_text(&folder.join("script.ys"), script)?;
-    let outcome = outside::run(tool.program, &["-q", "-s", "script.ys"], folder, limit, None)?;
-    if outcome.timed_out {
-        let seconds = limit.as_secs();
-        return Err(Error::usage(format!(
-            "{} ran past the time limit of {seconds} s: give it more, or take a smaller unit",
-            tool.name
-        )));
+    let outcome = outside::run(tool.program, &["-q", "-s", "script.ys"], folder, limits, None)?;
+    if let Some(why) = outcome.cut_short(tool.name) {
+        return Err(Error::usage(why));
     }
     if outcome.success() { Ok(()) } else { Err(failed(tool.name, &outcome)) }
 }

@@ -37,19 +37,53 @@ pub fn make_folder(path: &Path) -> Result<()> {
     fs::create_dir_all(path).map_err(|why| Error::io(path, "can't make the folder", why))
 }
 
+/// Copies all that a folder holds into another that is there.
+///
+/// # Errors
+/// If a file can't be read or written.
+pub fn copy_folder(from: &Path, to: &Path) -> Result<()> {
+    let unreadable = |why| Error::io(from, "can't read", why);
+    for entry in fs::read_dir(from).map_err(unreadable)? {
+        let entry = entry.map_err(unreadable)?;
+        let (old, new) = (entry.path(), to.join(entry.file_name()));
+        if entry.file_type().map_err(unreadable)?.is_dir() {
+            make_folder(&new)?;
+            copy_folder(&old, &new)?;
+        } else {
+            fs::copy(&old, &new).map_err(|why| Error::io(&new, "can't write", why))?;
+        }
+    }
+    Ok(())
+}
+
 /// A folder for files of no further use, which goes with it.
 #[derive(Debug)]
 pub struct Scratch(tempfile::TempDir);
 
 impl Scratch {
-    /// Makes one where the system keeps such folders.
+    /// Makes one where the system keeps such folders, with a path that shells and makefiles take
+    /// as it is: outside tools pass it on to them unquoted.
     ///
     /// # Errors
-    /// If it can't be made.
+    /// If it can't be made, or no such path is known.
     pub fn new() -> Result<Self> {
-        let fail = |why| Error::io(&std::env::temp_dir(), "can't make a folder in it", why);
+        let given = std::env::temp_dir();
+        let plain = |path: &PathBuf| {
+            let is_plain = |c: char| c.is_ascii_alphanumeric() || "/._-".contains(c);
+            path.is_absolute() && path.to_str().is_some_and(|text| text.chars().all(is_plain))
+        };
+        let usual = ["/tmp", "/var/tmp"].map(PathBuf::from);
+        let Some(place) = std::iter::once(given.clone()).chain(usual).find(plain) else {
+            return Err(Error::usage(format!(
+                "outside tools can't work in `{}`: set TMPDIR to a folder whose path has letters, \
+                 digits, `.`, `_`, `-` alone",
+                given.display()
+            )));
+        };
+        let fail = |why| Error::io(&place, "can't make a folder in it", why);
         let mut known = SCRATCH.lock().unwrap_or_else(PoisonError::into_inner);
-        let folder = tempfile::Builder::new().prefix("fixpath-").tempdir().map_err(fail)?;
+        let folder =
+            tempfile::Builder::new().prefix("fixpath-").tempdir_in(&place).map_err(fail)?;
         known.insert(folder.path().to_owned());
         Ok(Self(folder))
     }

@@ -1,11 +1,11 @@
-//! Outside tools: whether they are there, what version they are, and running them with a
-//! time limit.
+//! Outside tools: whether they are there, what version they are, and running them within limits
+//! of time and memory.
 
 use crate::error::{Error, Result};
 use std::collections::BTreeSet;
 use std::io::{self, Read, Write};
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::{Mutex, PoisonError, mpsc};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -95,7 +95,8 @@ impl Tool {
     #[must_use]
     pub fn version(&self) -> Option<String> {
         // Some print their version and then fail.
-        let outcome = run(self.program, self.version, Path::new("."), VERSION_LIMIT, None).ok()?;
+        let limits = Limits::of_time(VERSION_LIMIT);
+        let outcome = run(self.program, self.version, Path::new("."), limits, None).ok()?;
         let text = outcome.stdout + &outcome.stderr;
         let number =
             |word: &&str| word.starts_with(|c: char| c.is_ascii_digit()) && word.contains('.');
@@ -110,26 +111,127 @@ impl Tool {
     }
 }
 
+/// What a run may take.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Limits {
+    /// Longest time.
+    pub time: Duration,
+    /// Largest memory of each of its processes, in bytes; held to on Linux.
+    pub memory_bytes: u64,
+}
+
+impl Limits {
+    /// Limits with the default of memory.
+    #[must_use]
+    pub fn of_time(time: Duration) -> Self {
+        Self { time, memory_bytes: default_memory_bytes() }
+    }
+}
+
+/// Bytes of so many GiB; of none the default.
+pub(crate) fn memory_bytes(gib: Option<u64>) -> u64 {
+    gib.map_or_else(default_memory_bytes, |gib| gib.saturating_mul(1 << 30))
+}
+
+/// 4 GiB, or half of the machine's memory where that is less.
+#[must_use]
+pub fn default_memory_bytes() -> u64 {
+    const MOST: u64 = 4 << 30;
+    #[cfg(target_os = "linux")]
+    {
+        let machine = rustix::system::sysinfo();
+        #[allow(clippy::useless_conversion, reason = "its width is the platform's")]
+        let total = u64::from(machine.totalram).saturating_mul(u64::from(machine.mem_unit));
+        MOST.min(total / 2)
+    }
+    #[cfg(not(target_os = "linux"))]
+    MOST
+}
+
 /// How a run ended.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum End {
+    /// By itself, with this status.
+    Status(i32),
+    /// By a signal that others sent.
+    Signal(i32),
+    /// It ran past the limit of time.
+    OutOfTime,
+    /// It asked for more memory than the limit, or than the machine has.
+    OutOfMemory,
+}
+
+/// What a run printed and how it ended.
 #[derive(Debug)]
 pub struct Outcome {
-    /// Exit status; `None` if it was ended by a signal, or by the time limit.
-    pub status: Option<i32>,
-    /// True if it ran past the limit.
-    pub timed_out: bool,
+    /// How it ended.
+    pub end: End,
+    /// The limits that it had.
+    pub limits: Limits,
     /// What it printed.
     pub stdout: String,
     /// What it printed as errors and warnings.
     pub stderr: String,
-    /// How long it ran.
-    pub seconds: f64,
 }
 
 impl Outcome {
     /// True if it ended well.
     #[must_use]
     pub fn success(&self) -> bool {
-        self.status == Some(0)
+        self.end == End::Status(0)
+    }
+
+    /// Why a run that didn't end by itself says nothing of its input, and what to do; `None` if it
+    /// ended by itself.
+    #[must_use]
+    pub fn cut_short(&self, program: &str) -> Option<String> {
+        let Limits { time, memory_bytes } = self.limits;
+        match self.end {
+            End::Status(_) => None,
+            End::Signal(signal) => Some(format!("{program} was killed by signal {signal}")),
+            End::OutOfTime => Some(format!(
+                "{program} ran past the limit of {} s: raise --time-limit, or take a smaller unit",
+                time.as_secs()
+            )),
+            End::OutOfMemory => Some(format!(
+                "{program} ran out of memory at {:.1} GiB: raise --memory-limit, or take a smaller unit",
+                memory_bytes as f64 / f64::from(1 << 30)
+            )),
+        }
+    }
+}
+
+/// What programs say when they are refused memory.
+const NO_MEMORY: [&str; 6] = [
+    "bad_alloc",
+    "cannot allocate memory",
+    "heap exhausted",
+    "memory exhausted",
+    "out of memory",
+    "storage_error",
+];
+
+/// Signal that the system ends a process with when memory is short.
+const SIGKILL: i32 = 9;
+
+/// The end of a run that wasn't ended at its limit of time.
+fn end_of(status: ExitStatus, said: &[&str]) -> End {
+    #[cfg(unix)]
+    let signal = std::os::unix::process::ExitStatusExt::signal(&status);
+    #[cfg(not(unix))]
+    let signal = None;
+    let refused = || {
+        said.iter().any(|text| {
+            let text = text.to_lowercase();
+            NO_MEMORY.iter().any(|words| text.contains(words))
+        })
+    };
+    match (status.code(), signal) {
+        (Some(0), _) => End::Status(0),
+        (_, Some(SIGKILL)) => End::OutOfMemory,
+        _ if refused() => End::OutOfMemory,
+        (Some(status), _) => End::Status(status),
+        (None, signal) => End::Signal(signal.unwrap_or(0)),
     }
 }
 
@@ -190,8 +292,8 @@ fn collect(mut from: impl Read + Send + 'static) -> mpsc::Receiver<String> {
 /// What writes a program's standard input.
 pub type Feed<'a> = dyn FnMut(&mut dyn Write) -> io::Result<()> + Send + 'a;
 
-/// Runs a program in a folder, and ends it and all that it started at the limit. `feed` writes
-/// its standard input. Of what it prints, the start and the end are kept.
+/// Runs a program in a folder, and ends it and all that it started at the limit of time. `feed`
+/// writes its standard input. Of what it prints, the start and the end are kept.
 ///
 /// # Errors
 /// If it can't be started.
@@ -202,7 +304,7 @@ pub fn run(
     program: &str,
     arguments: &[&str],
     folder: &Path,
-    limit: Duration,
+    limits: Limits,
     feed: Option<&mut Feed<'_>>,
 ) -> Result<Outcome> {
     let mut command = Command::new(program);
@@ -223,39 +325,53 @@ pub fn run(
     let mut child =
         command.spawn().map_err(|why| Error::io(Path::new(program), "can't start", why))?;
     let id = child.id();
+    limit_memory(id, limits.memory_bytes);
     groups.insert(id);
     drop(groups);
     let stdout = collect(child.stdout.take().expect("bug: piped"));
     let stderr = collect(child.stderr.take().expect("bug: piped"));
     let stdin = child.stdin.take();
-    let (status, timed_out) = thread::scope(|scope| {
+    let status = thread::scope(|scope| {
         if let (Some(mut stdin), Some(feed)) = (stdin, feed) {
             // A program that stops reading says why by itself.
             scope.spawn(move || {
                 let _ = feed(&mut stdin).and_then(|()| stdin.flush());
             });
         }
-        let ended = wait(&mut child, start, limit);
+        let ended = wait(&mut child, start, limits.time);
         // What it left running would hold its streams open.
         end_group(id);
         ended
     });
     running().remove(&id);
     let text = |from: mpsc::Receiver<String>| from.recv_timeout(STREAMS_LIMIT).unwrap_or_default();
-    Ok(Outcome {
-        status,
-        timed_out,
-        stdout: text(stdout),
-        stderr: text(stderr),
-        seconds: start.elapsed().as_secs_f64(),
-    })
+    let (stdout, stderr) = (text(stdout), text(stderr));
+    let end = status.map_or(End::OutOfTime, |status| end_of(status, &[&stdout, &stderr]));
+    Ok(Outcome { end, limits, stdout, stderr })
 }
 
-fn wait(child: &mut Child, start: Instant, limit: Duration) -> (Option<i32>, bool) {
+/// Limits the memory of a process and of those that it will start.
+fn limit_memory(id: u32, bytes: u64) {
+    #[cfg(target_os = "linux")]
+    {
+        use rustix::process::{Pid, Resource, Rlimit, prlimit};
+        // Not address space: tools that run as WebAssembly reserve far more than they use.
+        let limit = Rlimit { current: Some(bytes), maximum: Some(bytes) };
+        if let Some(process) = i32::try_from(id).ok().and_then(Pid::from_raw) {
+            // It may have ended, or have a lower limit already.
+            let _ = prlimit(Some(process), Resource::Data, limit);
+        }
+    }
+    #[cfg(not(target_os = "linux"))]
+    let _ = (id, bytes);
+}
+
+/// Its status; `None` if it was ended at the limit.
+fn wait(child: &mut Child, start: Instant, limit: Duration) -> Option<ExitStatus> {
     let mut pause = Duration::from_millis(1);
     loop {
         match child.try_wait() {
-            Ok(Some(status)) => return (status.code(), false),
+            Ok(Some(status)) => return Some(status),
             Ok(None) if start.elapsed() < limit => {
                 thread::sleep(pause);
                 pause = (pause * 2).min(Duration::from_millis(50));
@@ -264,7 +380,7 @@ fn wait(child: &mut Child, start: Instant, limit: Duration) -> (Option<i32>, boo
                 end_group(child.id());
                 let _ = child.kill();
                 let _ = child.wait();
-                return (None, true);
+                return None;
             }
         }
     }

@@ -7,7 +7,7 @@ use fixpath::cost::{
 use fixpath::format::{Format, Overflow, Round};
 use fixpath::hdl::{Module, Options};
 use fixpath::netlist::{Builder, Quantity};
-use fixpath::outside;
+use fixpath::outside::{self, Limits};
 use fixpath::rtl::Rtl;
 use fixpath::schedule::{Depth, Rom, Schedule};
 use fixpath::units::Unit;
@@ -16,7 +16,9 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 
-const LIMIT: Duration = Duration::from_secs(900);
+fn limits() -> Limits {
+    Limits::of_time(Duration::from_secs(900))
+}
 
 const SMALL: &[&str] = &["angle_bits=10", "table_addr_bits=8", "frac_bits=8"];
 
@@ -221,7 +223,7 @@ fn the_stated_deviations_are_true() {
         .flat_map(|(target, _)| rotations.clone().map(|(_, _, set)| (*target, *set)))
         .collect();
     let far = |(target, set): &(Target, &[&str])| -> [u32; 4] {
-        let is = synthesize(&module_of(set), *target, LIMIT).unwrap().cost.columns();
+        let is = synthesize(&module_of(set), *target, limits()).unwrap().cost.columns();
         let guess = estimate(&rtl_of(set), *target).unwrap().columns();
         std::array::from_fn(|at| match (is[at], guess[at]) {
             (is, guess) if is == guess => 0,
@@ -244,7 +246,7 @@ fn tables_go_where_they_are_asked_and_nothing_latches() {
     for (target, name) in Target::ALL {
         for (rom, block) in [("rom=block", true), ("rom=distributed", false)] {
             let module = module_of(&[SMALL, &[rom]].concat());
-            let made = synthesize(&module, *target, LIMIT).unwrap();
+            let made = synthesize(&module, *target, limits()).unwrap();
             assert_eq!(made.cost.block_rams > 0, block, "{name} {rom}: {made:?}");
             let latch = |cell: &String| {
                 let cell = cell.to_lowercase();
@@ -259,20 +261,20 @@ fn tables_go_where_they_are_asked_and_nothing_latches() {
 #[ignore = "needs yosys and nextpnr-ice40: testbenches/run installs them"]
 fn nextpnr_reaches_a_clock_or_says_what_does_not_fit() {
     let small = module_of(SMALL);
-    let cost = synthesize(&small, Target::Ice40, LIMIT).unwrap().cost;
-    let clock = route(&small, Target::Ice40, cost, 5000, LIMIT).unwrap();
+    let cost = synthesize(&small, Target::Ice40, limits()).unwrap().cost;
+    let clock = route(&small, Target::Ice40, cost, 5000, limits()).unwrap();
     let Clock::Reached { device: "hx8k", mhz } = clock else { panic!("{clock:?}") };
     assert!((20.0..500.0).contains(&mhz), "{mhz}");
     // 70 block RAMs.
     let large = module_of(&[]);
-    let cost = synthesize(&large, Target::Ice40, LIMIT).unwrap().cost;
-    let clock = route(&large, Target::Ice40, cost, 5000, LIMIT).unwrap();
+    let cost = synthesize(&large, Target::Ice40, limits()).unwrap().cost;
+    let clock = route(&large, Target::Ice40, cost, 5000, limits()).unwrap();
     let Clock::TooLarge { device: "hx8k", why } = clock else { panic!("{clock:?}") };
     assert_eq!(why, "70 of 32 block RAMs");
     // Without a clock of its own it is timed between the registers around it.
     let still = module_of(&[SMALL, &["rom=distributed", "stages=0"]].concat());
-    let cost = synthesize(&still, Target::Ice40, LIMIT).unwrap().cost;
-    let clock = route(&still, Target::Ice40, cost, 5000, LIMIT).unwrap();
+    let cost = synthesize(&still, Target::Ice40, limits()).unwrap().cost;
+    let clock = route(&still, Target::Ice40, cost, 5000, limits()).unwrap();
     assert!(matches!(clock, Clock::Reached { .. }), "{clock:?}");
 }
 
@@ -280,6 +282,17 @@ fn nextpnr_reaches_a_clock_or_says_what_does_not_fit() {
 #[ignore = "needs yosys and nextpnr-ice40: testbenches/run installs them"]
 fn a_time_limit_ends_the_tools() {
     let module = module_of(&["output=polar-cordic"]);
-    let error = synthesize(&module, Target::Ice40, Duration::from_millis(500)).unwrap_err();
-    assert!(error.to_string().contains("yosys ran past the time limit"), "{error}");
+    let limits = Limits::of_time(Duration::from_millis(500));
+    let error = synthesize(&module, Target::Ice40, limits).unwrap_err();
+    assert!(error.to_string().contains("yosys ran past the limit of 0 s"), "{error}");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+#[ignore = "needs yosys and nextpnr-ice40: testbenches/run installs them"]
+fn a_memory_limit_ends_the_tools() {
+    let module = module_of(&["table_addr_bits=12"]);
+    let limits = Limits { memory_bytes: 40 << 20, ..limits() };
+    let error = synthesize(&module, Target::Ecp5, limits).unwrap_err();
+    assert!(error.to_string().contains("yosys ran out of memory at 0.0 GiB"), "{error}");
 }

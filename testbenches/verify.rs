@@ -396,13 +396,24 @@ mod commands {
     /// A verdict that isn't one, a warning, an end without one, and a run past the limit.
     #[test]
     fn a_simulator_that_fails_is_no_agreement() {
-        for (iverilog, vvp, says) in [
-            ("exit 0", "exit 0", "FAILED: vvp gave no verdict"),
-            ("exit 0", "echo PASS 0 vectors", "FAILED: vvp took 0 of"),
-            ("exit 0", "echo PASS; exit 3", "FAILED: vvp ended with status 3: PASS"),
-            ("echo careful >&2", "exit 0", "FAILED: iverilog warns: careful"),
-            ("echo no good >&2; exit 2", "exit 0", "FAILED: iverilog ended with status 2: no good"),
-            ("exit 0", "while true; do :; done", "TIMED OUT: vvp ran past the limit"),
+        // Exit code 1 where the tool says something of the hardware, 2 where it doesn't.
+        for (ends, iverilog, vvp, says) in [
+            (1, "exit 0", "exit 0", "FAILED: vvp gave no verdict"),
+            (1, "exit 0", "echo PASS 0 vectors", "FAILED: vvp took 0 of"),
+            (1, "exit 0", "echo PASS; exit 3", "FAILED: vvp ended with status 3: PASS"),
+            (1, "echo careful >&2", "exit 0", "FAILED: iverilog warns: careful"),
+            (1, "echo no good >&2; exit 2", "", "FAILED: iverilog ended with status 2: no good"),
+            (2, "exit 0", "while true; do :; done", "TIMED OUT: vvp ran past the limit"),
+            (2, "exit 0", "echo no library >&2; exit 127", "COULD NOT RUN: vvp ended with status"),
+            (2, "exit 0", "echo No space left on device; exit 1", "COULD NOT RUN: vvp ended with"),
+            (2, "exit 0", "kill -15 $$", "COULD NOT RUN: vvp was killed by signal 15"),
+            (2, "exit 0", "kill -9 $$", "OUT OF MEMORY: vvp ran out of memory"),
+            (
+                2,
+                "exit 0",
+                "echo std::bad_alloc >&2; exit 1",
+                "OUT OF MEMORY: vvp ran out of memory",
+            ),
         ] {
             let tools = tempfile::tempdir().unwrap();
             let version = "if [ \"$1\" = -V ]; then echo 1.0; exit; fi";
@@ -411,8 +422,47 @@ mod commands {
             program(tools.path(), "vvp", &format!("{version}; {vvp}"));
             let args = ["verify", "rotation", "--with", "icarus", "--time-limit", "2"];
             let (code, told, stderr) = ended(fixpath(&args).env("PATH", tools.path()));
-            assert_eq!(code, 1, "{told}{stderr}");
+            assert_eq!(code, ends, "{told}{stderr}");
             assert!(told.contains(says), "no `{says}` in {told}");
+        }
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn memory_is_limited() {
+        let eats = |gib: &str| {
+            let tools = fake_icarus("exec perl -e '$word = \"x\" x (3 << 29); print \"PASS\\n\"'");
+            let mut command = fixpath(&SMALL);
+            command.args(["--with", "icarus", "--vectors", "0", "--memory-limit", gib]);
+            let (code, told, _) = ended(command.env("PATH", before_the_system(tools.path())));
+            (code, told)
+        };
+        let (code, told) = eats("1");
+        assert!(
+            code == 2 && told.contains("OUT OF MEMORY: vvp ran out of memory at 1.0 GiB"),
+            "{told}"
+        );
+        // It has what it takes, and gives no count of vectors.
+        let (code, told) = eats("4");
+        assert!(code == 1 && told.contains("FAILED: vvp gave no verdict: PASS"), "{told}");
+    }
+
+    /// Shells and makefiles of tools never see a path of the user's.
+    #[test]
+    #[ignore = "needs iverilog and verilator: testbenches/run installs them"]
+    fn no_folder_is_a_command() {
+        let here = tempfile::tempdir().unwrap();
+        for folder in ["d$(touch run)", "a b", "a;touch run;b", "quote'\"", "#$X"] {
+            let mut command = fixpath(&SMALL);
+            command.args(["--with", "icarus,verilator", "--vectors", "10", "--keep", folder]);
+            let path = here.path().join(folder);
+            fs::create_dir(&path).unwrap();
+            command.env("TMPDIR", &path);
+            let (code, told, stderr) = ended(command.current_dir(here.path()));
+            assert_eq!(code, 0, "{folder}: {told}{stderr}");
+            assert!(path.join("rotation.v").is_file(), "{folder}");
+            assert!(path.join("obj_rotation/Vrotation").is_file(), "{folder}");
+            assert!(!here.path().join("run").exists() && !path.join("run").exists(), "{folder}");
         }
     }
 
@@ -457,8 +507,9 @@ mod commands {
     #[test]
     fn a_flood_of_words_ends_at_the_limit() {
         let (code, told, seconds) = with_fake_icarus("yes", &["--time-limit", "2"]);
-        assert_eq!(code, 1, "{told}");
+        assert_eq!(code, 2, "{told}");
         assert!(told.contains("TIMED OUT: vvp ran past the limit of 2 s"), "{told}");
+        assert!(told.contains("error: icarus did not finish"), "{told}");
         assert!(seconds < 15.0, "{seconds} s");
     }
 
@@ -495,7 +546,7 @@ mod commands {
         assert_eq!((code, stderr.as_str()), (1, ""), "{told}");
         for (tool, says) in [
             ("icarus", "DISAGREES"),
-            ("ghdl", "FAILED: ghdl ended with status 127: no library"),
+            ("ghdl", "COULD NOT RUN: ghdl ended with status 127: no library"),
             ("verilator", "`apt-get install verilator` brings it"),
             ("yosys", "`apt-get install yosys` brings it"),
         ] {

@@ -4,9 +4,9 @@ use super::{UnitArgs, number, text};
 use crate::cost::{
     self, Clock, Cost, DEVIATIONS, DEVIATIONS_YOSYS, Synthesis, Target, estimate, route, synthesize,
 };
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::hdl::{Module, Options};
-use crate::outside;
+use crate::outside::{self, Limits};
 use crate::rtl::Rtl;
 use crate::units::Design;
 use clap::{Args, ValueEnum};
@@ -27,6 +27,10 @@ pub(super) struct CostArgs {
     /// Longest run of a tool in s.
     #[arg(long, value_name = "S", default_value_t = 300, allow_negative_numbers = true, value_parser = number::whole(1..=86_400))]
     time_limit: u64,
+    /// Largest memory of a tool in GiB (Linux); if not given, 4, or half of the machine's where
+    /// that is less.
+    #[arg(long, value_name = "GIB", value_parser = clap::value_parser!(u64).range(1..=4096))]
+    memory_limit: Option<u64>,
     /// As JSON.
     #[arg(long)]
     json: bool,
@@ -65,7 +69,10 @@ pub(super) fn run(args: &CostArgs) -> Result<String> {
     let design = args.unit.design()?;
     let rtl = Arc::new(design.rtl()?);
     let module = Module::new(&rtl, &Options::default())?;
-    let limit = Duration::from_secs(args.time_limit);
+    let limits = Limits {
+        time: Duration::from_secs(args.time_limit),
+        memory_bytes: outside::memory_bytes(args.memory_limit),
+    };
     let mut targets: Vec<Target> = args.target.iter().map(|target| target.target()).collect();
     targets.sort_unstable();
     targets.dedup();
@@ -76,9 +83,10 @@ pub(super) fn run(args: &CostArgs) -> Result<String> {
     let period_ps = rtl.schedule().period_ps();
     let row = |target: &Target| {
         let target = *target;
-        let synthesis = synthesize(&module, target, limit)?;
+        let named = |why| Error::usage(format!("{}: {why}", target.name()));
+        let synthesis = synthesize(&module, target, limits).map_err(named)?;
         bar.println(format!("{}: counted", target.name()));
-        let clock = route(&module, target, synthesis.cost, period_ps, limit)?;
+        let clock = route(&module, target, synthesis.cost, period_ps, limits).map_err(named)?;
         bar.println(format!("{}: done", target.name()));
         Ok(Row { target, estimate: cost::of_module(&module, target).ok(), synthesis, clock })
     };
@@ -97,7 +105,7 @@ fn clock(clock: &Clock) -> String {
     match clock {
         Clock::Reached { device, mhz } => format!("{mhz:.1} MHz on {device}"),
         Clock::TooLarge { device, why } => format!("does not fit {device}: {why}"),
-        Clock::TimedOut { device } => format!("ran past the time limit on {device}"),
+        Clock::CutShort { device, why } => format!("unknown on {device}: {why}"),
         Clock::Missing(how) => format!("nextpnr {how}"),
         Clock::Unsupported => "no place and route for this target".to_owned(),
     }

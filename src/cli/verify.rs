@@ -3,6 +3,7 @@
 use super::hardware::TablesArg;
 use super::{UnitArgs, note_unused, number, text};
 use crate::error::{Error, Result};
+use crate::outside;
 use crate::units::Design;
 use crate::verify::{self, Decoded, Mismatch, Request, Row, Simulator, Verdict};
 use clap::Args;
@@ -32,6 +33,10 @@ pub(super) struct VerifyArgs {
     /// Longest run of a tool in s.
     #[arg(long, value_name = "S", default_value_t = 600, allow_negative_numbers = true, value_parser = number::whole(1..=86_400))]
     time_limit: u64,
+    /// Largest memory of each process of a tool, in GiB (Linux); if not given, 4, or half of the
+    /// machine's where that is less.
+    #[arg(long, value_name = "GIB", value_parser = clap::value_parser!(u64).range(1..=4096))]
+    memory_limit: Option<u64>,
     /// Keep the generated files in this folder.
     #[arg(long, value_name = "DIR")]
     keep: Option<PathBuf>,
@@ -40,8 +45,9 @@ pub(super) struct VerifyArgs {
     pub(super) json: bool,
 }
 
-/// Runs the tools; returns what to tell, and whether all that ran agree.
-pub(super) fn run(args: &VerifyArgs) -> Result<(String, bool)> {
+/// Runs the tools; returns what to tell, and whether all that ran agree: an error where none
+/// disagrees and one didn't finish.
+pub(super) fn run(args: &VerifyArgs) -> Result<(String, Result<bool>)> {
     let simulators = if args.with.is_empty() {
         Simulator::ALL.to_vec()
     } else {
@@ -59,6 +65,7 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(String, bool)> {
         seed: args.seed.unwrap_or(1),
         tables: args.tables.tables(),
         limit: Duration::from_secs(args.time_limit),
+        memory_bytes: outside::memory_bytes(args.memory_limit),
         keep: args.keep.clone(),
         ..Request::default()
     };
@@ -81,10 +88,17 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(String, bool)> {
         let missing: Vec<String> = rows.iter().map(|row| verdict(&row.verdict)).collect();
         return Err(Error::usage(missing.join("; ")));
     }
-    let agree = rows.iter().all(|row| row.agrees() || row.is_missing());
+    let ended = if !rows.iter().all(|row| row.agrees() || row.is_missing() || row.is_unfinished()) {
+        Ok(false)
+    } else if let Some(row) = rows.iter().find(|row| row.is_unfinished()) {
+        let text = format!("{} did not finish, so nothing is known of it", row.tool);
+        Err(Error::usage(text))
+    } else {
+        Ok(true)
+    };
     let told =
         if args.json { super::pretty(&json_of(&design, &rows)) } else { told(&design, &rows) };
-    Ok((told, agree))
+    Ok((told, ended))
 }
 
 fn verdict(verdict: &Verdict) -> String {
@@ -94,6 +108,8 @@ fn verdict(verdict: &Verdict) -> String {
         Verdict::Disagrees(_) => "DISAGREES".to_owned(),
         Verdict::Failed(why) => format!("FAILED: {why}"),
         Verdict::TimedOut(why) => format!("TIMED OUT: {why}"),
+        Verdict::OutOfMemory(why) => format!("OUT OF MEMORY: {why}"),
+        Verdict::Unusable(why) => format!("COULD NOT RUN: {why}"),
         Verdict::Missing(how) => how.clone(),
     }
 }

@@ -8,7 +8,7 @@ use crate::emit::{Package, Settings};
 use crate::error::{Error, Result};
 use crate::hdl::Tables;
 use crate::netlist::Netlist;
-use crate::output::{Scratch, make_folder};
+use crate::output::{Scratch, copy_folder, make_folder};
 use crate::outside::{self, Tool};
 use crate::units::Design;
 use serde::Serialize;
@@ -94,6 +94,8 @@ pub struct Request {
     pub tables: Option<Tables>,
     /// Longest run of a tool.
     pub limit: Duration,
+    /// Largest memory of each process of a tool, in bytes.
+    pub memory_bytes: u64,
     /// Longest proof of Yosys's at one of the widths that it tries, within that.
     pub proof_limit: Duration,
     /// Folder to keep the files in; a scratch folder if `None`.
@@ -108,6 +110,7 @@ impl Default for Request {
             seed: 1,
             tables: None,
             limit: Duration::from_secs(600),
+            memory_bytes: outside::default_memory_bytes(),
             proof_limit: Duration::from_secs(60),
             keep: None,
         }
@@ -150,10 +153,15 @@ pub enum Verdict {
     Agrees(String),
     /// Words differ; the first of them, if one was named.
     Disagrees(Option<Box<Mismatch>>),
-    /// It could not be run through, or warned: what it said.
+    /// It refused the hardware, or warned: what it said.
     Failed(String),
-    /// It ran past the time limit.
+    /// It ran past the limit of time.
     TimedOut(String),
+    /// It ran past the limit of memory, or the machine has too little.
+    OutOfMemory(String),
+    /// It could not be started, was killed, or had no room for its files: that says nothing of the
+    /// hardware.
+    Unusable(String),
     /// It isn't there, and what brings it.
     Missing(String),
 }
@@ -182,6 +190,15 @@ impl Row {
         matches!(self.verdict, Verdict::Agrees(_))
     }
 
+    /// True if the tool could not finish, which says nothing of the hardware.
+    #[must_use]
+    pub fn is_unfinished(&self) -> bool {
+        matches!(
+            self.verdict,
+            Verdict::TimedOut(_) | Verdict::OutOfMemory(_) | Verdict::Unusable(_)
+        )
+    }
+
     /// True if the tool isn't there.
     #[must_use]
     pub fn is_missing(&self) -> bool {
@@ -198,15 +215,10 @@ impl Row {
 /// # Panics
 /// If a simulator's thread did.
 pub fn verify(design: &Design, request: &Request, progress: &dyn Fn(&Row)) -> Result<Vec<Row>> {
-    let scratch = if request.keep.is_some() { None } else { Some(Scratch::new()?) };
-    let folder = match (&request.keep, &scratch) {
-        (Some(folder), _) => folder.as_path(),
-        (None, Some(scratch)) => scratch.path(),
-        (None, None) => unreachable!("bug: one of them is there"),
-    };
-    make_folder(folder)?;
-    // Tools run in the folder: a path from here would lead nowhere.
-    let folder = folder.canonicalize().map_err(|why| Error::io(folder, "can't open", why))?;
+    // Before long work: the folder of files that are kept can be made.
+    request.keep.as_deref().map_or(Ok(()), make_folder)?;
+    let scratch = Scratch::new()?;
+    let folder = scratch.path();
     let settings = Settings {
         tables: request.tables,
         random: request.vectors.unwrap_or(SLOW_VECTORS),
@@ -215,16 +227,16 @@ pub fn verify(design: &Design, request: &Request, progress: &dyn Fn(&Row)) -> Re
         ..Settings::default()
     };
     let mut package = Package::new(design, &settings)?;
-    package.write_texts(&folder, &folder)?;
+    package.write_texts(folder, folder)?;
     let reads_file = |simulator: &Simulator| match simulator {
         Simulator::Icarus | Simulator::Ghdl => true,
         // It gets them through a pipe; a proof takes none.
         Simulator::Verilator | Simulator::Yosys => false,
     };
     if request.keep.is_some() || request.simulators.iter().any(reads_file) {
-        package.write_vectors(&folder)?;
+        package.write_vectors(folder)?;
     }
-    let job = Job { design, request, package: &package, folder: &folder };
+    let job = Job { design, request, package: &package, folder };
     let mut rows: Vec<(usize, Row)> = Vec::new();
     let (sender, receiver) = mpsc::channel();
     thread::scope(|scope| {
@@ -241,6 +253,9 @@ pub fn verify(design: &Design, request: &Request, progress: &dyn Fn(&Row)) -> Re
             rows.push((at, row));
         }
     });
+    if let Some(keep) = &request.keep {
+        copy_folder(folder, keep)?;
+    }
     assert_eq!(rows.len(), request.simulators.len(), "bug: one row a simulator");
     rows.sort_by_key(|(at, _)| *at);
     Ok(rows.into_iter().map(|(_, row)| row).collect())

@@ -6,13 +6,13 @@ use crate::error::{Error, Result};
 use crate::hdl::testbench::{proof, reference_name};
 use crate::hdl::{Module, Options, Tables, Verilog};
 use crate::output::{Scratch, write_text};
-use crate::outside::{self, Outcome};
+use crate::outside::{self, End, Limits, Outcome};
 use crate::rtl::Rtl;
 use crate::schedule::{Depth, Rom, Schedule};
 use crate::units::{Design, Kind, Value};
 use std::io::Write;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// Widths at which Yosys proves: larger ones first, smaller ones where those take too long.
 const PROOF_BITS: [i64; 2] = [4, 3];
@@ -53,21 +53,25 @@ pub(super) fn run(job: &Job<'_>, simulator: Simulator) -> Row {
 /// A verdict, or the one that ended the run before its time.
 type Ended<T = Verdict> = std::result::Result<T, Verdict>;
 
-/// What keeps a tool from being run is no agreement.
-fn failed(why: Error) -> Verdict {
-    Verdict::Failed(why.to_string())
+/// What keeps a tool from being run says nothing of the hardware.
+fn unusable(why: Error) -> Verdict {
+    Verdict::Unusable(why.to_string())
 }
 
-/// Runs one step within the time limit.
+fn limits(job: &Job<'_>) -> Limits {
+    Limits { time: job.request.limit, memory_bytes: job.request.memory_bytes }
+}
+
+/// Runs one step within the limits.
 fn run_step(job: &Job<'_>, program: &str, arguments: &[&str]) -> Ended<Outcome> {
-    outside::run(program, arguments, job.folder, job.request.limit, None).map_err(failed)
+    outside::run(program, arguments, job.folder, limits(job), None).map_err(unusable)
 }
 
 /// Runs one step, which has to end well and in silence. Not through the makefiles that are
 /// written for people: each step has its limit, and what it says is told.
 fn step(job: &Job<'_>, program: &str, arguments: &[&str]) -> Ended<Outcome> {
     let outcome = run_step(job, program, arguments)?;
-    if let Some(verdict) = failure(&outcome, program, job.request.limit) {
+    if let Some(verdict) = failure(&outcome, program) {
         return Err(verdict);
     }
     silent(&outcome.stderr, program)?;
@@ -82,20 +86,32 @@ fn silent(said: &str, program: &str) -> Ended<()> {
     Err(Verdict::Failed(format!("{program} warns: {}", first_line(said))))
 }
 
-fn failure(outcome: &Outcome, program: &str, limit: Duration) -> Option<Verdict> {
-    if outcome.timed_out {
-        let text = format!("{program} ran past the limit of {} s", limit.as_secs());
-        return Some(Verdict::TimedOut(text));
-    }
-    if outcome.success() {
-        return None;
-    }
-    let said = if outcome.stderr.trim().is_empty() { &outcome.stdout } else { &outcome.stderr };
-    let how = match outcome.status {
-        Some(status) => format!("status {status}"),
-        None => "a signal".to_owned(),
+/// What programs say when the machine, and not their input, stops them.
+const NO_ROOM: [&str; 4] = [
+    "disk quota exceeded",
+    "no space left on device",
+    "read-only file system",
+    "too many open files",
+];
+
+/// Statuses of shells for programs that can't be started, also for want of a library.
+const CANNOT_START: std::ops::RangeInclusive<i32> = 126..=127;
+
+fn failure(outcome: &Outcome, program: &str) -> Option<Verdict> {
+    let cut_short = outcome.cut_short(program).unwrap_or_default();
+    let status = match outcome.end {
+        End::Status(0) => return None,
+        End::Status(status) => status,
+        End::Signal(_) => return Some(Verdict::Unusable(cut_short)),
+        End::OutOfTime => return Some(Verdict::TimedOut(cut_short)),
+        End::OutOfMemory => return Some(Verdict::OutOfMemory(cut_short)),
     };
-    Some(Verdict::Failed(format!("{program} ended with {how}: {}", first_line(said))))
+    let said = if outcome.stderr.trim().is_empty() { &outcome.stdout } else { &outcome.stderr };
+    let text = format!("{program} ended with status {status}: {}", first_line(said));
+    let lower = said.to_lowercase();
+    let machine =
+        CANNOT_START.contains(&status) || NO_ROOM.iter().any(|words| lower.contains(words));
+    Some(if machine { Verdict::Unusable(text) } else { Verdict::Failed(text) })
 }
 
 /// The first line that says something.
@@ -140,7 +156,7 @@ fn judged(
                 None => Verdict::Disagrees(None),
             })
         }
-        _ => Err(failure(outcome, program, job.request.limit).unwrap_or_else(|| {
+        _ => Err(failure(outcome, program).unwrap_or_else(|| {
             Verdict::Failed(format!("{program} gave no verdict: {}", first_line(&outcome.stdout)))
         })),
     }
@@ -172,16 +188,16 @@ fn verilator(job: &Job<'_>, row: &mut Row) -> Ended {
     let flags = ["OPT_FAST=", "OPT_SLOW=", "OPT_GLOBAL="];
     let make = ["-s", "-C", &objects, "-f", &makefile, &top];
     let built = run_step(job, "make", &[&make[..], &flags[..]].concat())?;
-    if let Some(verdict) = failure(&built, "make", job.request.limit) {
+    if let Some(verdict) = failure(&built, "make") {
         return Err(verdict);
     }
     let count = random(job, Simulator::Verilator);
     let program = job.folder.join(&objects).join(&top);
     let mut vectors = job.vectors(count);
     let mut feed = |to: &mut dyn Write| vectors.write(to);
-    let limit = job.request.limit;
-    let outcome = outside::run(&program.to_string_lossy(), &[], job.folder, limit, Some(&mut feed))
-        .map_err(failed)?;
+    let program = program.to_string_lossy();
+    let outcome =
+        outside::run(&program, &[], job.folder, limits(job), Some(&mut feed)).map_err(unusable)?;
     judged(job, row, &outcome, &top, job.vectors(count))
 }
 
@@ -198,11 +214,12 @@ fn ghdl(job: &Job<'_>, row: &mut Row) -> Ended {
 fn yosys(job: &Job<'_>) -> Ended {
     let script = format!("{}.ys", job.package.module.name);
     step(job, "yosys", &["-q", &script])?;
-    let limit = job.request.proof_limit.min(job.request.limit);
+    let time = job.request.proof_limit.min(job.request.limit);
+    let limits = Limits { time, ..limits(job) };
     for bits in PROOF_BITS {
         let Some((design, shrunk)) = small(job.design, bits) else { continue };
-        let (outcome, latency) = prove(&design, limit).map_err(failed)?;
-        if outcome.timed_out {
+        let (outcome, latency) = prove(&design, limits).map_err(unusable)?;
+        if matches!(outcome.end, End::OutOfTime | End::OutOfMemory) {
             continue;
         }
         let at = format!("with a latency of {latency} cycles, at {shrunk}");
@@ -210,7 +227,7 @@ fn yosys(job: &Job<'_>) -> Ended {
             let text = format!("the pipeline is NOT equal to its combinational reference {at}");
             return Err(Verdict::Failed(text));
         }
-        if let Some(verdict) = failure(&outcome, "yosys", limit) {
+        if let Some(verdict) = failure(&outcome, "yosys") {
             return Err(verdict);
         }
         silent(&outcome.stderr, "yosys")?;
@@ -219,7 +236,7 @@ fn yosys(job: &Job<'_>) -> Ended {
     }
     Ok(Verdict::Agrees(format!(
         "no latch; NOT proved equal to its combinational reference: with the other parameters no small widths are legal, or {} s are too short",
-        limit.as_secs()
+        time.as_secs()
     )))
 }
 
@@ -257,7 +274,7 @@ fn small(design: &Design, bits: i64) -> Option<(Design, String)> {
 }
 
 /// Runs Yosys's proof for a design; also gives its latency.
-fn prove(design: &Design, limit: Duration) -> Result<(Outcome, u32)> {
+fn prove(design: &Design, limits: Limits) -> Result<(Outcome, u32)> {
     let scratch = Scratch::new()?;
     let inline = |name| Options { name, tables: Some(Tables::Inline), ..Options::default() };
     let module = Module::new(&Arc::new(design.rtl()?), &inline(None))?;
@@ -269,6 +286,6 @@ fn prove(design: &Design, limit: Duration) -> Result<(Outcome, u32)> {
     for file in [module.file(&Verilog), reference.file(&Verilog), comparison, script] {
         write_text(&scratch.path().join(file.name), &file.text)?;
     }
-    let outcome = outside::run("yosys", &["-Q", "-T", &script_name], scratch.path(), limit, None)?;
+    let outcome = outside::run("yosys", &["-Q", "-T", &script_name], scratch.path(), limits, None)?;
     Ok((outcome, module.latency))
 }
