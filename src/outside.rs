@@ -313,6 +313,9 @@ pub fn run(
     if folder.is_absolute() {
         // Compilers that are ended leave files behind: where they go with the others.
         command.env("TMPDIR", folder);
+    } else {
+        // Icarus passes it to a shell.
+        command.env_remove("TMPDIR");
     }
     #[cfg(unix)]
     {
