@@ -114,7 +114,7 @@ fn scene(file: &[u8], extension: &str) -> Result<Scene, String> {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("m").with_extension(extension), file).unwrap();
     let text = format!(
-        "[image]\nwidth = 24\nheight = 24\n[camera]\neye = [0.5, -1, 4]\n[texture]\nsource = \"wood\"\n[height]\nsource = \"brick\"\n[[object]]\nshape = \"mesh\"\nfile = \"m.{extension}\""
+        "[image]\nwidth = 24\nheight = 24\n[camera]\neye = [0.5, -1, 4]\n[texture]\nsource = \"wood\"\nwidth = 64\nheight = 64\n[height]\nsource = \"brick\"\nwidth = 32\nheight = 32\n[[object]]\nshape = \"mesh\"\nfile = \"m.{extension}\""
     );
     Scene::parse(&text, &folder.path().join("s.toml"))
         .map_err(|why| why.to_string().replace(&format!("{}/", folder.path().display()), ""))
@@ -453,4 +453,31 @@ fn work_has_a_limit() {
         scene(&file.glb(), "glb").unwrap_err(),
         "m.glb: mesh 0, primitive 44: accessor 4: its primitives read more than 67108864 numbers together, those of a shared accessor each time, and that is the most: simplify it"
     );
+}
+
+/// A file of few triangles but many vertices, shown by many objects.
+#[test]
+fn vertices_of_all_objects_have_a_limit() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut file = File::square();
+    let many = 50_000;
+    for (name, kind, values) in [
+        ("POSITION", "VEC3", POINTS.repeat(many)),
+        ("NORMAL", "VEC3", NORMALS.repeat(many)),
+        ("TEXCOORD_0", "VEC2", UVS.repeat(many)),
+    ] {
+        let accessor = file.accessor(kind, FLOAT, &values);
+        file.document["meshes"][0]["primitives"][0]["attributes"][name] = json!(accessor);
+    }
+    fs::write(folder.path().join("m.glb"), file.glb()).unwrap();
+    let read = |objects: usize| {
+        let text = "[[object]]\nshape = \"mesh\"\nfile = \"m.glb\"\n".repeat(objects);
+        Scene::parse(&text, &folder.path().join("s.toml"))
+            .map(|_| ())
+            .map_err(|why| why.to_string())
+    };
+    assert_eq!(read(2), Ok(()));
+    let why = read(16).unwrap_err();
+    let expected = "s.toml, line 46: more than 3000000 vertices in all objects together, the most that a scene may have: simplify the meshes or leave some out";
+    assert!(why.ends_with(expected), "{why}");
 }

@@ -1309,3 +1309,32 @@ fn a_scene_has_limits_as_a_whole() {
     let expected = "s.toml, line 193: more than 64 different materials, the most that a scene may have: give some objects the same";
     assert!(why.ends_with(expected), "{why}");
 }
+
+/// One face 50 000 times gives the picture of one; faces that rays would all try are refused before.
+#[test]
+fn faces_upon_each_other() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = |mesh: &str, image: u32, eye: &str| {
+        fs::write(folder.path().join("m.obj"), mesh).unwrap();
+        let text = format!(
+            "[image]\nwidth = {image}\nheight = {image}\n[camera]\neye = {eye}\nup = [0, 1, 0]\n[[object]]\nshape = \"mesh\"\nfile = \"m.obj\""
+        );
+        Scene::parse(&text, &folder.path().join("s.toml"))
+    };
+    let face = "f 1/1/1 2/2/1 3/3/1\n";
+    let one = traced(&scene(&format!("{SQUARE}{face}"), 40, "[0, 0, 4]").unwrap());
+    let many =
+        traced(&scene(&format!("{SQUARE}{}", face.repeat(50_000)), 40, "[0, 0, 4]").unwrap());
+    assert_eq!((many.pixel, many.face), (one.pixel, one.face));
+
+    // Each a little above the one before, and seen from behind, where no ray is stopped.
+    let mut pile = SQUARE.to_owned();
+    for i in 1..=2000 {
+        let z = f64::from(i) * 1e-6;
+        writeln!(pile, "v -1 -1 {z}\nv 1 -1 {z}\nv 1 1 {z}\nf -3/1/1 -2/2/1 -1/3/1").unwrap();
+    }
+    assert!(scene(&pile, 40, "[0, 0, -4]").is_ok() && scene(&pile, 4096, "[0, 0, 4]").is_ok());
+    let why = scene(&pile, 4096, "[0, 0, -2]").unwrap_err().to_string();
+    let expected = "s.toml: faces lie so close upon each other that the rays of a picture would try more than 8589934592 of them, the most that a picture may take: remove those that are there many times, or make the picture smaller than 4096 x 4096";
+    assert!(why.ends_with(expected), "{why}");
+}

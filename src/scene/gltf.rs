@@ -329,6 +329,8 @@ impl File<'_> {
 
     /// The matrices of a skin's joints, from the mesh's own space. The node that shows the mesh doesn't move it.
     fn joints(&self, skin: &Skin, to_worlds: &HashMap<usize, DMat4>) -> Result<Pose, String> {
+        // Many nodes may show one skin.
+        self.data.spend(skin.joints.len())?;
         let binds = match skin.inverse_bind_matrices {
             Some(accessor) => self.data.reals(accessor, 16)?,
             None => DMat4::IDENTITY.to_cols_array().repeat(skin.joints.len()),

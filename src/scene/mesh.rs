@@ -6,7 +6,10 @@ use super::{gltf, map, obj};
 use crate::cast;
 use crate::error::{Error, Result};
 use glam::{DVec2, DVec3};
-use std::path::Path;
+use std::collections::HashMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Most triangles of a mesh, and of all objects of a scene together.
 pub(super) const MAX_TRIANGLES: usize = 1_000_000;
@@ -45,8 +48,24 @@ pub(super) fn shell() -> Mesh {
     mesh
 }
 
+/// Meshes by their files, each of which is read once, however many objects it is.
+#[derive(Default)]
+pub(super) struct Files(HashMap<PathBuf, Arc<Mesh>>);
+
+impl Files {
+    pub(super) fn open(&mut self, path: &Path) -> Result<Arc<Mesh>> {
+        let file = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        if let Some(mesh) = self.0.get(&file) {
+            return Ok(Arc::clone(mesh));
+        }
+        let mesh = Arc::new(read(path)?);
+        self.0.insert(file, Arc::clone(&mesh));
+        Ok(mesh)
+    }
+}
+
 /// Reads a mesh by its file's extension.
-pub(super) fn read(path: &Path) -> Result<Mesh> {
+fn read(path: &Path) -> Result<Mesh> {
     let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
     let mesh = match extension.to_ascii_lowercase().as_str() {
         "obj" => obj::read(&map::read_file(path)?, path)?,
@@ -83,4 +102,22 @@ pub(super) fn checked_normal(what: &str, normal: DVec3) -> Result<Option<DVec3>,
 
 pub(super) fn too_many() -> String {
     format!("more than {MAX_TRIANGLES} triangles, the most that a mesh may have: simplify it")
+}
+
+#[cfg(test)]
+mod file_tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_read_once() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.obj");
+        let text =
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1/1 2/2/1 3/3/1";
+        fs::write(&path, text).unwrap();
+        let mut files = Files::default();
+        let first = files.open(&path).unwrap();
+        assert!(Arc::ptr_eq(&first, &files.open(&folder.path().join("./a.obj")).unwrap()));
+        assert!(files.open(&folder.path().join("b.obj")).is_err());
+    }
 }

@@ -1,7 +1,7 @@
 //! From TOML text to a scene: what is legal, and what is wrong in which line.
 
 use super::map::{self, Bumps, Texture};
-use super::mesh::{self, MAX_TRIANGLES};
+use super::mesh::{self, Files, MAX_TRIANGLES};
 use super::normals::{self, CREASE_DEGREES, Normals};
 use super::procedural::{Pattern, Samples};
 use super::trace::{Placement, Shape, Surfaces, Unfit};
@@ -16,6 +16,7 @@ use glam::DVec3;
 use serde::Deserialize;
 use std::ops::{Range, RangeInclusive};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use toml::Spanned;
 
 /// Coordinates, lengths and angles stay within this, so that their squares stay far from infinity.
@@ -210,7 +211,8 @@ pub(super) fn read(text: &str, path: &Path) -> Result<Scene> {
     let mut materials = Vec::new();
     let mut different: Vec<Material> = Vec::new();
     let mut objects = Vec::new();
-    let mut triangles = 0;
+    let mut files = Files::default();
+    let (mut triangles, mut vertices) = (0, 0);
     for object in &scene.object {
         let material = reader.material(&object.get_ref().material, material)?;
         if !different.contains(&material) {
@@ -223,13 +225,21 @@ pub(super) fn read(text: &str, path: &Path) -> Result<Scene> {
             return Err(reader.fail(&object.span(), problem));
         }
         materials.push(material);
-        let (shape, placement) = reader.object(object)?;
+        let (shape, placement) = reader.object(object, &mut files)?;
         if let Shape::Mesh { mesh, .. } = &shape {
             triangles += mesh.triangles.len();
+            vertices += mesh.vertices.len();
         }
         if triangles > MAX_TRIANGLES {
             let problem = format!(
                 "more than {MAX_TRIANGLES} triangles in all objects together, the most that a scene may have: simplify the meshes or leave some out"
+            );
+            return Err(reader.fail(&object.span(), problem));
+        }
+        if vertices > 3 * MAX_TRIANGLES {
+            let problem = format!(
+                "more than {} vertices in all objects together, the most that a scene may have: simplify the meshes or leave some out",
+                3 * MAX_TRIANGLES
             );
             return Err(reader.fail(&object.span(), problem));
         }
@@ -262,6 +272,7 @@ pub(super) fn read(text: &str, path: &Path) -> Result<Scene> {
             }
         }
     })?;
+    surfaces.check_tries(&camera, &image).map_err(|problem| Error::file(path, problem))?;
     Ok(Scene {
         image,
         camera,
@@ -593,7 +604,7 @@ impl Reader<'_> {
         })
     }
 
-    fn object(&self, given: &Spanned<ObjectText>) -> Result<(Shape, Placement)> {
+    fn object(&self, given: &Spanned<ObjectText>, files: &mut Files) -> Result<(Shape, Placement)> {
         let object = given.get_ref();
         let scale = match &object.scale {
             None => [1.0; 3],
@@ -631,7 +642,7 @@ impl Reader<'_> {
                     let why = "that mesh has normals";
                     self.refuse("crease_degrees", &object.crease_degrees, why)?;
                     let MeshSource::Shell = source.get_ref();
-                    let (file, mesh) = (PathBuf::from("shell"), mesh::shell());
+                    let (file, mesh) = (PathBuf::from("shell"), Arc::new(mesh::shell()));
                     let crease_degrees = CREASE_DEGREES;
                     return Ok((Shape::Mesh { file, mesh, crease_degrees }, placement));
                 }
@@ -645,7 +656,7 @@ impl Reader<'_> {
                     self.fail(&given.span(), problem)
                 })?;
                 let file = self.beside(file.get_ref());
-                let mesh = mesh::read(&file)?;
+                let mesh = files.open(&file)?;
                 Shape::Mesh { file, mesh, crease_degrees }
             }
         };

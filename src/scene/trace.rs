@@ -7,9 +7,11 @@ use crate::cast;
 use crate::trig::Real;
 use glam::{DMat3, DVec2, DVec3};
 use std::array;
+use std::collections::HashSet;
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// Face number of a fragment whose face isn't flat: its normal changes from pixel to pixel.
 pub const CURVED: u32 = u32::MAX;
@@ -19,6 +21,10 @@ const EDGE: f64 = 1e-9;
 
 /// Triangles or balls in a leaf of the tree.
 const LEAF: usize = 4;
+/// Most faces and spheres that the rays of one picture may try together: about a minute's work.
+const MAX_TRIES: u64 = 1 << 33;
+/// Columns and rows of rays that are tried before.
+const PROBES: u32 = 32;
 /// Depth of the tree at most: every level halves, and there are fewer than 2^32 primitives.
 const DEPTH: usize = 40;
 
@@ -211,7 +217,8 @@ pub(super) enum Shape {
     Mesh {
         /// The file that it is from.
         file: PathBuf,
-        mesh: Mesh,
+        /// Objects of one file share it.
+        mesh: Arc<Mesh>,
         /// Edges up to this angle are smooth, where normals are made.
         crease_degrees: f64,
     },
@@ -272,7 +279,7 @@ pub(super) struct Surfaces {
     pub(super) balls: Vec<Ball>,
     /// What the faces that are triangles were assembled from.
     pub(super) meshes: Vec<PlacedMesh>,
-    /// Faces, then balls, in the order of the tree's leaves.
+    /// Faces, then balls, in the order of the tree's leaves; without faces that others hide everywhere.
     order: Vec<u32>,
     nodes: Vec<TreeNode>,
 }
@@ -418,7 +425,7 @@ impl Surfaces {
                         }
                         faces.push(face);
                     }
-                    let Mesh { indices, stitches, .. } = *mesh;
+                    let Mesh { indices, stitches, .. } = **mesh;
                     meshes.push(PlacedMesh { object, vertices, triangles, indices, stitches });
                 }
             }
@@ -451,9 +458,19 @@ impl Surfaces {
             let (low, high) = boxes[cast::index_of_u32(i)];
             low + high
         };
-        self.order = (0..cast::id_of(boxes.len())).collect();
+        // Of faces that lie right upon each other the first alone is ever seen.
+        let mut seen = HashSet::new();
+        let is_first = |i: &u32| match self.faces.get(cast::index_of_u32(*i)) {
+            // No zero has a sign.
+            Some(Face { points, place, .. }) => seen.insert((
+                points.map(|point| point.to_array().map(|x| (x + 0.0).to_bits())),
+                place.triangle,
+            )),
+            None => true,
+        };
+        self.order = (0..cast::id_of(boxes.len())).filter(is_first).collect();
         // Ranges yet to become nodes, and the parent that waits to know its second child's place.
-        let mut waiting: Vec<(Range<usize>, Option<usize>)> = vec![(0..boxes.len(), None)];
+        let mut waiting: Vec<(Range<usize>, Option<usize>)> = vec![(0..self.order.len(), None)];
         while let Some((range, parent)) = waiting.pop() {
             let id = self.nodes.len();
             if let Some(parent) = parent {
@@ -494,6 +511,33 @@ impl Surfaces {
     /// The nearest thing that a ray meets from in front; of several at one distance, the one that is
     /// first in the scene: how far away it is, its number among faces and then balls, and where on a face.
     pub(super) fn meet(&self, ray: &Ray) -> Option<(f64, u32, DVec2)> {
+        self.meet_counted(ray, &mut 0)
+    }
+
+    /// Refuses what would take hours: faces and spheres that lie so close upon each other that rays must try most of
+    /// them. Some rays are tried, and as many tries expected of the others.
+    pub(super) fn check_tries(&self, camera: &Camera, image: &Image) -> Result<(), String> {
+        let rays = Rays::new(camera, image);
+        let (columns, rows) = (image.width.min(PROBES), image.height.min(PROBES));
+        let most = MAX_TRIES / image.pixels() * u64::from(columns * rows);
+        let middle = |i: u32, of: u32, side: u32| (2 * i + 1) * side / (2 * of);
+        let mut tries = 0;
+        for (i, j) in (0..rows).flat_map(|j| (0..columns).map(move |i| (i, j))) {
+            let ray = rays.through(middle(i, columns, image.width), middle(j, rows, image.height));
+            self.meet_counted(&ray, &mut tries);
+            if tries > most {
+                return Err(format!(
+                    "faces lie so close upon each other that the rays of a picture would try more than {MAX_TRIES} of them, the most that a picture may take: remove those that are there many times, or make the picture smaller than {} x {}",
+                    image.width, image.height
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// As [`Self::meet`], and counts what it tries.
+    #[inline]
+    fn meet_counted(&self, ray: &Ray, tries: &mut u64) -> Option<(f64, u32, DVec2)> {
         // A direction of 0 along an axis would give NaN at the faces of a box.
         let inverse = DVec3::from_array(
             ray.direction.to_array().map(|d| 1.0 / if d == 0.0 { 1e-300 } else { d }),
@@ -529,6 +573,7 @@ impl Surfaces {
                 top += 2;
                 continue;
             }
+            *tries += u64::from(node.len);
             let start = cast::index_of_u32(node.next);
             for &i in &self.order[start..start + cast::index_of_u32(node.len)] {
                 let index = cast::index_of_u32(i);
@@ -734,8 +779,8 @@ mod tests {
             mesh.triangles.push([3 * i, 3 * i + 1, 3 * i + 2]);
         }
         let here = Placement::new(DVec3::ZERO, [0.0; 3], DVec3::ONE);
-        let mesh = Shape::Mesh { file: PathBuf::new(), mesh, crease_degrees: 0.0 };
-        objects.push((mesh, here));
+        let (file, mesh) = (PathBuf::new(), Arc::new(mesh));
+        objects.push((Shape::Mesh { file, mesh, crease_degrees: 0.0 }, here));
         for _ in 0..30 {
             let placement = Placement::new(vector(), vector().to_array(), DVec3::splat(0.05));
             objects.push((Shape::Sphere, placement));
