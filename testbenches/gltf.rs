@@ -451,7 +451,7 @@ fn work_has_a_limit() {
     }
     assert_eq!(
         scene(&file.glb(), "glb").unwrap_err(),
-        "m.glb: mesh 0, primitive 44: accessor 4: its primitives read more than 67108864 numbers together, those of a shared accessor each time, and that is the most: simplify it"
+        "m.glb: mesh 0, primitive 22: accessor 4: its primitives read more than 33554432 numbers together, those of a shared accessor each time, and that is the most: simplify it"
     );
 }
 

@@ -13,7 +13,7 @@ use std::collections::HashMap;
 use std::path::Path;
 
 /// Most numbers that a file's primitives read, each as often as one reads it: many may share an accessor.
-const MAX_NUMBERS: usize = 1 << 26;
+const MAX_NUMBERS: usize = 1 << 25;
 
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
