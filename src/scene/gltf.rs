@@ -4,10 +4,10 @@
 //! places, texture coordinates of the material's colour texture (else its normal map's) with KHR_texture_transform.
 //! Images, colours, animations and cameras are passed over, and so are lines and points beside triangles.
 //!
-//! The reader is our own. The crate `gltf` reads the same JSON, but it knows an extension only if it has a feature
-//! for it, panics on some accessors that name what isn't there, and leaves to its caller all that is much here: limits
-//! before memory is asked for, buffers read once, sparse values and skins. JSON, base64 and %XX are other crates'
-//! here too.
+//! The reader is our own. Crate `gltf` (1.4) panics on what damaged files hold: a component type that an attribute
+//! can't have, more sparse indices than values, an accessor of no elements, a URI that isn't UTF-8. It reads a buffer
+//! as often as it is named, has no limits and no data URIs but of plain base64, and leaves skins, morph targets, strips
+//! and every check of a count to its caller. JSON, base64 and %XX are other crates' here too.
 
 mod data;
 
