@@ -8,6 +8,8 @@ mod ladder;
 mod number;
 mod render;
 mod schedule;
+mod shell;
+mod signals;
 mod texgen;
 mod text;
 mod verify;
@@ -15,10 +17,10 @@ mod verify;
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::eval;
+use crate::input;
 use crate::measure::{self, Basis, BoundCheck, Cone, Inputs, Profile, Report};
 use crate::netlist::Netlist;
-use crate::output;
-use crate::outside;
+use crate::output::{self, Draft};
 use crate::report::record::RankBy;
 use crate::samples::{AngleUnit, Block, SampleFile};
 use crate::sweep::{Axis, Sweep};
@@ -27,10 +29,13 @@ use crate::wave::{Options, Wave};
 use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
-use std::fs::File;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::time::Duration;
+
+/// The most threads.
+const MAX_THREADS: u64 = 1024;
 
 /// Generator and bit-true simulator of fixed-point datapaths.
 #[derive(Parser)]
@@ -48,8 +53,8 @@ use std::process::ExitCode;
         fixpath demo"
 )]
 struct Cli {
-    /// Threads to use; all cores if not given.
-    #[arg(long, global = true, value_name = "N", allow_negative_numbers = true, value_parser = number::whole(1..=1024))]
+    /// Threads to use; if not given, as many as RAYON_NUM_THREADS says, else all cores.
+    #[arg(long, global = true, value_name = "N", allow_negative_numbers = true, value_parser = number::whole(1..=MAX_THREADS))]
     threads: Option<u64>,
     #[command(subcommand)]
     command: Command,
@@ -378,9 +383,9 @@ impl TableArgs {
         netlist: &'a Netlist,
     ) -> Result<SampleFile<'a, Box<dyn io::Read>>> {
         let (from, path): (Box<dyn io::Read>, _) = if path == Path::new("-") {
-            (Box::new(io::stdin().lock()), Path::new("standard input"))
+            (Box::new(input::stdin()?), Path::new("standard input"))
         } else {
-            (Box::new(open(path)?), path)
+            (Box::new(input::open(path)?), path)
         };
         SampleFile::open(from, path, netlist, self.angle.unit(), self.ignore_columns)
     }
@@ -402,37 +407,15 @@ fn note_unused(options: &[(&str, Option<u64>)], why: &str) {
 /// Runs the command line; the binary's `main`.
 #[must_use]
 pub fn main() -> ExitCode {
-    let cli = Cli::try_parse().unwrap_or_else(|error| {
-        let help = ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand;
-        if !error.use_stderr() || error.kind() == help {
-            error.exit(); // --help, --version, and no arguments at all
-        }
-        // One line, as every other error: the message and its tips, without the usage.
-        let text = error.to_string();
-        let ends = |line: &str| line.starts_with("Usage:") || line.starts_with("For more info");
-        let lines = text.lines().take_while(|line| !ends(line));
-        let parts: Vec<&str> = lines.map(str::trim).filter(|line| !line.is_empty()).collect();
-        let _ = writeln!(io::stderr(), "{}: `fixpath --help` tells more", parts.join(" "));
-        std::process::exit(2);
-    });
-    // An interrupt leaves no half-written file behind. Without the handler it would leave one.
-    let _ = ctrlc::set_handler(|| {
-        outside::abandon();
-        output::abandon();
-        let _ = writeln!(
-            io::stderr(),
-            "interrupted: what was finished is saved, nothing half-written is left"
-        );
-        std::process::exit(130);
-    });
-    if let Some(threads) = cli.threads {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(cast::index_of_bits(threads));
-        if let Err(why) = pool.build_global() {
-            eprintln!("error: can't start {threads} threads: {why}");
-            return ExitCode::from(2);
-        }
-    }
-    match run(&cli.command) {
+    let done = match Cli::try_parse() {
+        Ok(cli) => signals::watch()
+            .and_then(|()| start_threads(cli.threads))
+            .and_then(|()| run(&cli.command)),
+        // --help and --version.
+        Err(told) if !told.use_stderr() => printed(told.print()).map(|()| true),
+        Err(error) => return refuse(&error),
+    };
+    match done {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::from(1),
         Err(error) if error.is_broken_pipe() => ExitCode::SUCCESS,
@@ -442,6 +425,48 @@ pub fn main() -> ExitCode {
             ExitCode::from(if error.is_failed_check() { 1 } else { 2 })
         }
     }
+}
+
+/// Tells what is wrong with the command line.
+fn refuse(error: &clap::Error) -> ExitCode {
+    if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        let _ = error.print();
+        return ExitCode::from(2);
+    }
+    // One line, as every other error: the message and its tips, without the usage.
+    let text = error.to_string();
+    let ends = |line: &str| line.starts_with("Usage:") || line.starts_with("For more info");
+    let lines = text.lines().take_while(|line| !ends(line));
+    let parts: Vec<&str> = lines.map(str::trim).filter(|line| !line.is_empty()).collect();
+    let _ = writeln!(io::stderr(), "{}: `fixpath --help` tells more", parts.join(" "));
+    ExitCode::from(2)
+}
+
+/// Starts the threads that all work is shared among: here, since the library would take any number from
+/// its environment variable, and panic where they can't start.
+fn start_threads(asked: Option<u64>) -> Result<()> {
+    const VARIABLE: &str = "RAYON_NUM_THREADS";
+    let given = std::env::var(VARIABLE).ok().and_then(|text| text.trim().parse::<u64>().ok());
+    let threads = match (asked, given) {
+        (Some(asked), _) => asked,
+        (None, Some(given)) if given > MAX_THREADS => {
+            let text =
+                format!("{VARIABLE} = {given}: legal is 1 to {MAX_THREADS}; or give --threads");
+            return Err(Error::usage(text));
+        }
+        (None, Some(given @ 1..)) => given,
+        (None, Some(0) | None) => std::thread::available_parallelism()
+            .map_or(1, |cores| cast::count_of(cores.get()).min(MAX_THREADS)),
+    };
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(cast::index_of_bits(threads))
+        .build_global()
+        .map_err(|why| {
+            let why = std::error::Error::source(&why).map_or(why.to_string(), ToString::to_string);
+            let remedy =
+                "ask for fewer with --threads, or raise the limit on processes (ulimit -u)";
+            Error::usage(format!("can't start {threads} threads: {why}: {remedy}"))
+        })
 }
 
 /// Runs a command; false means that a check failed.
@@ -578,11 +603,19 @@ fn run(command: &Command) -> Result<bool> {
     Ok(true)
 }
 
-/// Writes to the standard output; a reader that went away is no error worth telling.
+/// Writes to the standard output. A reader that went away is no error, and changes no verdict.
 fn print(text: &str) -> Result<()> {
-    let mut stdout = io::stdout().lock();
-    let written = stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush());
-    written.map_err(output::at(Path::new("standard output")))
+    printed(io::stdout().lock().write_all(text.as_bytes()))
+}
+
+/// Whether all of what was written to the standard output got there.
+fn printed(written: io::Result<()>) -> Result<()> {
+    match written.and_then(|()| io::stdout().flush()) {
+        Err(why) if why.kind() != io::ErrorKind::BrokenPipe => {
+            Err(output::at(Path::new("standard output"))(why))
+        }
+        Ok(()) | Err(_) => Ok(()),
+    }
 }
 
 fn pretty(value: &serde_json::Value) -> String {
@@ -602,23 +635,8 @@ fn progress_bar(total: u64, what: &str) -> ProgressBar {
     bar
 }
 
-fn open(path: &Path) -> Result<File> {
-    let file = File::open(path).map_err(|why| Error::io(path, "can't read", why))?;
-    if file.metadata().is_ok_and(|metadata| metadata.is_dir()) {
-        return Err(Error::file(path, "can't read: it is a folder".to_owned()));
-    }
-    Ok(file)
-}
-
-fn same_file(a: &Path, b: &Path) -> bool {
-    matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b && a.is_file())
-}
-
 fn eval_command(design: &Design, input: &Path, out: &Path, table: &TableArgs) -> Result<()> {
     let dash = Path::new("-");
-    if out != dash && input != dash && same_file(input, out) {
-        return Err(Error::file(out, "is the input: give another file to write".to_owned()));
-    }
     let mut samples = table.open(input, &design.netlist)?;
     if out == dash {
         let path = Path::new("standard output");
@@ -628,6 +646,13 @@ fn eval_command(design: &Design, input: &Path, out: &Path, table: &TableArgs) ->
     }
     samples.clipped_note().as_deref().map(note);
     Ok(())
+}
+
+/// Turns a spinner that somebody sees; it takes a thread.
+fn tick(bar: &ProgressBar) {
+    if !bar.is_hidden() {
+        bar.enable_steady_tick(Duration::from_millis(200));
+    }
 }
 
 /// Seconds of each part beside what was measured.
@@ -769,20 +794,23 @@ fn write_wave(
         )));
     }
     let mut cycles = 0;
-    // The save file is written while the VCD is not in place yet: both are there or none.
-    output::write_file(out, |to| {
+    // Before the work, not after it.
+    output::check(&save)?;
+    let dump = Draft::write(out, |to| {
         let bar = progress_bar(end, "cycles");
         cycles = wave.write_with(samples, to, out, &|done| bar.set_position(done))?;
         bar.finish_and_clear();
-        output::write_file(&save, |to| wave.write_gtkw(out, to).map_err(output::at(&save)))
+        Ok(())
     })?;
+    let save_file = Draft::write(&save, |to| wave.write_gtkw(out, to).map_err(output::at(&save)))?;
+    Draft::publish_all([dump, save_file])?;
     Ok(format!(
         "{}: {cycles} cycles, {} signals, latency {}\nopen with: gtkwave {} {}\n",
         out.display(),
         wave.len(),
         latency,
-        out.display(),
-        save.display()
+        shell::word(out),
+        shell::word(&save)
     ))
 }
 

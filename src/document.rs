@@ -2,11 +2,10 @@
 
 use crate::cast;
 use crate::error::{Error, Result};
+use crate::input;
 use serde::de::{DeserializeOwned, Error as _};
 use serde::{Deserialize, Deserializer};
 use std::borrow::Cow;
-use std::fs::File;
-use std::io::Read as _;
 use std::ops::Range;
 use std::path::Path;
 use toml::Spanned;
@@ -44,14 +43,7 @@ pub(crate) type Kind = fn(&str) -> Result<Vec<String>, String>;
 /// # Errors
 /// If it can't be read, isn't UTF-8, or is longer.
 pub(crate) fn read(path: &Path, max_bytes: u64) -> Result<String> {
-    let fail = |why| Error::io(path, "can't read", why);
-    let (file, mut bytes) = (File::open(path).map_err(fail)?, Vec::new());
-    file.take(max_bytes + 1).read_to_end(&mut bytes).map_err(fail)?;
-    if cast::count_of(bytes.len()) > max_bytes {
-        let problem = format!("has more than {max_bytes} bytes, the most that is read");
-        return Err(Error::file(path, problem));
-    }
-    String::from_utf8(bytes)
+    String::from_utf8(input::read(input::open(path)?, path, max_bytes)?)
         .map_err(|why| Error::file(path, format!("isn't text in UTF-8: {}", why.utf8_error())))
 }
 

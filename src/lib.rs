@@ -53,6 +53,7 @@ pub mod eval;
 pub mod format;
 pub mod function;
 pub mod hdl;
+mod input;
 pub mod ladder;
 pub mod lut;
 pub mod measure;

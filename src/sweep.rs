@@ -12,7 +12,7 @@
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::measure::{self, Inputs};
-use crate::output;
+use crate::output::{self, Set};
 use crate::picture::PIXELS_PER_DEGREE;
 use crate::render::{MATERIAL, Pipeline, Shader, set_material, shots_together};
 use crate::report;
@@ -325,7 +325,7 @@ impl Sweep {
         fresh: bool,
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Record> {
-        output::make_folder(folder)?;
+        let set = Set::open(folder, "sweep")?;
         let header = self.header();
         let mut run = Run {
             sweep: self,
@@ -340,10 +340,14 @@ impl Sweep {
                 Source::Scene { view, .. } => Some(view.scene.clone()),
             },
         };
+        // Before the work, not after it.
+        let check = || files().try_for_each(|name| output::check(&folder.join(name)));
         if fresh {
+            check()?;
             run.remove_files()?;
         } else {
             run.resume()?;
+            check()?;
         }
         run.finish()?;
         let record =
@@ -357,7 +361,8 @@ impl Sweep {
                 first.unwrap_or_default()
             )));
         }
-        report::write(folder, &record)?;
+        report::write(&set.path(), &record)?;
+        set.commit()?;
         Ok(record)
     }
 
@@ -482,7 +487,7 @@ impl Run<'_> {
     /// Removes what an earlier sweep left, so that a sweep that is stopped before its first
     /// point is done doesn't leave another one's points and reports behind.
     fn remove_files(&self) -> Result<()> {
-        for name in ["sweep.json", "sweep.csv"].into_iter().chain(report::FILES) {
+        for name in files() {
             let path = self.folder.join(name);
             match fs::remove_file(&path) {
                 Err(why) if why.kind() != io::ErrorKind::NotFound => {
@@ -636,6 +641,11 @@ impl Run<'_> {
         self.written = Some((end, end - start));
         Ok(())
     }
+}
+
+/// Names of all files that a sweep may write.
+fn files() -> impl Iterator<Item = &'static str> {
+    ["sweep.json", "sweep.csv"].into_iter().chain(report::FILES)
 }
 
 /// What tells the points of a grid apart.

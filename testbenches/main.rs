@@ -15,6 +15,7 @@ mod cycle;
 mod emboss;
 mod embossed;
 mod engines;
+mod files;
 mod format;
 mod gltf;
 mod hdl;

@@ -60,6 +60,7 @@ pub(super) fn run(args: &CompareArgs) -> Result<String> {
             .map(|name| Ok((name.as_str(), super::render::scene_of(Path::new(name))?)))
             .collect::<Result<_>>()?,
     };
+    args.out.as_deref().map_or(Ok(()), output::check)?;
     let mut comparison = compare::compare(&args.params, &inputs, &progress)?;
     bar.finish_and_clear();
     for (name, scene) in &scenes {

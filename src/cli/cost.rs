@@ -79,7 +79,7 @@ pub(super) fn run(args: &CostArgs) -> Result<String> {
     let bar = ProgressBar::new_spinner();
     let names: Vec<&str> = targets.iter().map(|target| target.name()).collect();
     bar.set_message(format!("synthesis for {}", names.join(", ")));
-    bar.enable_steady_tick(Duration::from_millis(200));
+    super::tick(&bar);
     let period_ps = rtl.schedule().period_ps();
     let row = |target: &Target| {
         let target = *target;

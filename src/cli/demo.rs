@@ -6,7 +6,7 @@ use crate::emit::{Package, Settings};
 use crate::error::Result;
 use crate::eval;
 use crate::measure::{Basis, Inputs};
-use crate::output;
+use crate::output::{self, Set};
 use crate::render::EMBOSS_PIPELINES;
 use crate::samples::{AngleUnit, SampleFile};
 use crate::sweep::{Axis, Sweep};
@@ -38,6 +38,8 @@ const EMBOSSED: &str = "lettering-raised";
 /// Runs the demo; false means that a check failed.
 pub(super) fn run(out: &Path) -> Result<bool> {
     let unit = Unit::find("rotation")?;
+    let (set, place) = (Set::open(out, "demo")?, out);
+    let out = &*set.path();
     for folder in ["sim", "waves", "netlists"] {
         output::make_folder(&out.join(folder))?;
     }
@@ -84,7 +86,7 @@ pub(super) fn run(out: &Path) -> Result<bool> {
             ..Settings::default()
         };
         let hardware = out.join("hdl").join(name);
-        Package::new(&sim.design, &settings)?.write(&hardware, &hardware)?;
+        Package::new(&sim.design, &settings)?.write(&hardware)?;
     }
     write(&out.join("hard_cases.txt"), &hard_text)?;
 
@@ -132,7 +134,8 @@ pub(super) fn run(out: &Path) -> Result<bool> {
          - `sweep/`: table sizes, variants and schemes as CSV, JSON, `report.md` and plots\n",
     );
     write(&out.join("README.md"), &story)?;
-    print(&format!("{story}\nwritten to {}\n", out.display()))?;
+    set.commit()?;
+    print(&format!("{story}\nwritten to {}\n", place.display()))?;
     if !passed {
         print("a stated bound is BROKEN: see sim/ and hard_cases.txt\n")?;
     }

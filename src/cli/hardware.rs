@@ -1,6 +1,6 @@
 //! `fixpath hdl`: a design as files of hardware.
 
-use super::{UnitArgs, note_unused, number};
+use super::{UnitArgs, note_unused, number, shell};
 use crate::emit::{Package, Settings};
 use crate::error::Result;
 use crate::hdl::testbench::vectors_file;
@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 pub(super) struct HdlArgs {
     #[command(flatten)]
     unit: UnitArgs,
-    /// Folder to write.
+    /// Folder to write; what an earlier run made there under the same name goes, other modules stay.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     /// Name of the module and of the files; the unit's if not given.
@@ -99,7 +99,7 @@ pub(super) fn run(args: &HdlArgs) -> Result<String> {
     };
     let mut package = Package::new(&args.unit.design()?, &settings)?;
     let count = package.vectors.count();
-    package.write(&args.out, &args.out)?;
+    package.write(&args.out)?;
     Ok(told(&package, count, &args.out))
 }
 
@@ -112,8 +112,8 @@ fn told(package: &Package, vectors: u64, out: &Path) -> String {
     let _ = writeln!(text, "  {}: {vectors} vectors", vectors_file(module));
     let makefile = package.companions.iter().find(|file| file.name.ends_with(".mk"));
     if let Some(makefile) = makefile {
-        let out = out.display();
-        let _ = writeln!(text, "run its testbench with: make -C '{out}' -f {}", makefile.name);
+        let out = shell::word(out);
+        let _ = writeln!(text, "run its testbench with: make -C {out} -f {}", makefile.name);
     }
     text
 }

@@ -4,12 +4,16 @@ use super::{number, pretty, progress_bar, text};
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::ladder::{self, EXPONENTS, LEGAL_EXPONENTS, LEGAL_WIDTHS, Ladder, WIDTHS};
+use crate::output::Set;
 use crate::render::Pipeline;
 use crate::report::ladder::{Record, Table};
 use crate::scene::Scene;
 use std::fmt::Write as _;
 use std::ops::RangeInclusive;
 use std::path::Path;
+
+/// Files of a ladder, of whichever pipelines.
+const SET: &str = "ladder";
 
 /// A list of whole numbers, each legal and none twice.
 fn numbers(what: &str, list: &str, legal: &RangeInclusive<u32>) -> Result<Vec<u32>> {
@@ -58,10 +62,12 @@ pub(super) fn run(
     out: &Path,
     json: bool,
 ) -> Result<String> {
+    let set = Set::open(out, SET)?;
     let bar = progress_bar(cast::count_of(ladder.pictures(scene)), "pictures");
     let record = ladder.climb(scene, name, &|done| bar.set_position(cast::count_of(done)))?;
     bar.finish_and_clear();
-    record.write(out)?;
+    record.write(&set.path())?;
+    set.commit()?;
     if json {
         return Ok(pretty(&serde_json::to_value(&record).expect("bug: figures are plain values")));
     }
@@ -83,11 +89,13 @@ pub(super) fn run_emboss(
     };
     // Of a light that moves, where it starts.
     let scene = scene.frame(0);
+    let set = Set::open(out, SET)?;
     let bar = progress_bar(cast::count_of(emboss::pictures(pipelines, &widths)), "pictures");
     let done = |done| bar.set_position(cast::count_of(done));
     let record = emboss::climb(&scene, name, pipelines, &widths, pixels_per_degree, &done)?;
     bar.finish_and_clear();
-    record.write(out)?;
+    record.write(&set.path())?;
+    set.commit()?;
     if json {
         return Ok(pretty(&serde_json::to_value(&record).expect("bug: figures are plain values")));
     }

@@ -4,7 +4,7 @@ use super::{ladder, number, pretty, progress_bar, text};
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::netlist::Counts;
-use crate::output;
+use crate::output::{self, Set};
 use crate::picture::{
     Amplify, Difference, PIXELS_PER_DEGREE, Panel, Picture, Srgb8, absolute_map,
     check_pixels_per_degree, sheet, signed_map,
@@ -32,7 +32,7 @@ pub(super) struct RenderArgs {
     /// Scene file, or a built-in scene: plane, cube, sphere, lettering-raised, lettering-lowered, brick,
     /// light-orbit, mirrored.
     scene: PathBuf,
-    /// Folder to write.
+    /// Folder to write; pictures that an earlier run made there go.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     /// Pipelines to compare; if not given emboss-gx,emboss-nv for a scene with an [emboss] section, else
@@ -90,7 +90,8 @@ impl RenderArgs {
 pub(super) fn demo_rows(args: &RenderArgs) -> Result<Vec<String>> {
     let made = render_and_write(args, scene_of(&args.scene)?)?;
     let value = figures(&made.rendered, &made.differences, &parts(&made.rendered, args)?);
-    output::write_text(&args.out.join("figures.json"), &pretty(&value))?;
+    output::write_text(&made.set.path().join("figures.json"), &pretty(&value))?;
+    made.set.commit()?;
     let row = |(shot, d): (&Shot, &Difference)| {
         format!(
             "{} | {} | {} | {:.1} %",
@@ -143,7 +144,12 @@ struct Made {
     pipelines: Vec<Pipeline>,
     rendered: Rendered,
     differences: Vec<Difference>,
+    /// The pictures, for which figures are missing.
+    set: Set,
 }
+
+/// Files of pictures.
+const SET: &str = "render";
 
 /// The pipelines asked for, with their parameters.
 fn pipelines_of(args: &RenderArgs, scene: &Scene) -> Result<Vec<Pipeline>> {
@@ -182,12 +188,13 @@ fn pipelines_of(args: &RenderArgs, scene: &Scene) -> Result<Vec<Pipeline>> {
 /// Renders, and writes pictures and figures.
 fn render_and_write(args: &RenderArgs, scene: Scene) -> Result<Made> {
     let pipelines = pipelines_of(args, &scene)?;
+    let set = Set::open(&args.out, SET)?;
     let bar = progress_bar(u64::from(scene.image.height), "rows");
     let (rendered, differences) =
         rendered(&scene, &pipelines, args, &|done| bar.set_position(done))?;
     bar.finish_and_clear();
-    write_pictures(&args.out, &rendered)?;
-    Ok(Made { scene, pipelines, rendered, differences })
+    write_pictures(&set.path(), &rendered)?;
+    Ok(Made { scene, pipelines, rendered, differences, set })
 }
 
 /// A picture by each pipeline, and how far each is from the golden.
@@ -219,8 +226,10 @@ fn run_frames(args: &RenderArgs, scene: &Scene) -> Result<(String, bool)> {
     let pipelines = pipelines_of(args, scene)?;
     let names: Vec<&str> =
         ["golden"].into_iter().chain(pipelines.iter().map(|p| p.name.as_str())).collect();
+    let set = Set::open(&args.out, SET)?;
+    let out = set.path();
     for name in &names {
-        output::make_folder(&args.out.join(name))?;
+        output::make_folder(&out.join(name))?;
     }
     let height = u64::from(scene.image.height);
     let bar = progress_bar(u64::from(scene.frames()) * height, "rows");
@@ -234,13 +243,13 @@ fn run_frames(args: &RenderArgs, scene: &Scene) -> Result<(String, bool)> {
         })?;
         let file = format!("frame_{number:03}.png");
         let golden = rendered.golden.to_srgb8();
-        golden.save_png(&args.out.join("golden").join(&file))?;
+        golden.save_png(&out.join("golden").join(&file))?;
         rows[0].push(golden);
         for (i, shot) in rendered.shots.iter().enumerate() {
             let picture = shot.picture.to_srgb8();
-            picture.save_png(&args.out.join(&shot.pipeline.name).join(&file))?;
+            picture.save_png(&out.join(&shot.pipeline.name).join(&file))?;
             if let Some(golden) = &shot.golden {
-                let folder = args.out.join(format!("{}_golden", shot.pipeline.name));
+                let folder = out.join(format!("{}_golden", shot.pipeline.name));
                 output::make_folder(&folder)?;
                 golden.to_srgb8().save_png(&folder.join(&file))?;
             }
@@ -274,7 +283,7 @@ fn run_frames(args: &RenderArgs, scene: &Scene) -> Result<(String, bool)> {
         panels.extend(row.iter().step_by(step).map(|picture| Panel { caption, picture }));
     }
     let columns = rows[0].len().div_ceil(step);
-    sheet(&panels, columns)?.save_png(&args.out.join("sheet.png"))?;
+    sheet(&panels, columns)?.save_png(&out.join("sheet.png"))?;
     let value = json!({
         "tool": "fixpath",
         "version": env!("CARGO_PKG_VERSION"),
@@ -285,9 +294,15 @@ fn run_frames(args: &RenderArgs, scene: &Scene) -> Result<(String, bool)> {
     if !held {
         told.push_str(BROKEN);
     }
-    output::write_text(&args.out.join("figures.json"), &pretty(&value))?;
-    output::write_text(&args.out.join("figures.txt"), &told)?;
+    write_figures(set, &value, &told)?;
     Ok((if args.json { pretty(&value) } else { told }, held))
+}
+
+/// Writes the figures of pictures that are complete, and puts all into their places.
+fn write_figures(set: Set, value: &Value, told: &str) -> Result<()> {
+    output::write_text(&set.path().join("figures.json"), &pretty(value))?;
+    output::write_text(&set.path().join("figures.txt"), told)?;
+    set.commit()
 }
 
 /// What its largest difference can't be above, in linear light.
@@ -354,7 +369,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<(String, bool)> {
     if scene.orbit.is_some() {
         return run_frames(args, &scene);
     }
-    let Made { scene, pipelines, rendered, differences } = render_and_write(args, scene)?;
+    let Made { scene, pipelines, rendered, differences, set } = render_and_write(args, scene)?;
     let parts = parts(&rendered, args)?;
     let mut value = figures(&rendered, &differences, &parts);
     let mut told = table(&rendered, &differences);
@@ -376,8 +391,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<(String, bool)> {
         told.push('\n');
         told.push_str(&savings(&reduced));
     }
-    output::write_text(&args.out.join("figures.json"), &pretty(&value))?;
-    output::write_text(&args.out.join("figures.txt"), &told)?;
+    write_figures(set, &value, &told)?;
     Ok((if args.json { pretty(&value) } else { told }, same))
 }
 
@@ -446,7 +460,6 @@ fn savings(reduced: &[(&str, Vec<SpecialisedStage>)]) -> String {
 }
 
 fn write_pictures(out: &Path, rendered: &Rendered) -> Result<()> {
-    output::make_folder(out)?;
     let golden = rendered.golden.to_srgb8();
     golden.save_png(&out.join("golden.png"))?;
     let mut pictures = Vec::new();

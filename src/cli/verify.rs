@@ -79,7 +79,7 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(String, Result<bool>)> {
     let bar = ProgressBar::new_spinner();
     let names: Vec<&str> = request.simulators.iter().map(|simulator| simulator.name()).collect();
     bar.set_message(format!("{} at work", names.join(", ")));
-    bar.enable_steady_tick(Duration::from_millis(200));
+    super::tick(&bar);
     let rows = verify::verify(&design, &request, &|row| {
         bar.println(format!("{}: {:.1} s", row.tool, row.seconds));
     })?;

@@ -7,7 +7,7 @@ use crate::error::{Error, Result};
 use crate::hdl::testbench::{companions, vectors_file};
 use crate::hdl::{File, LANGUAGES, Language, Module, Options, Tables};
 use crate::measure::{self, Basis, BoundCheck, Inputs};
-use crate::output;
+use crate::output::{self, Set};
 use crate::rtl::Rtl;
 use crate::schedule::Rom;
 use crate::units::{Design, Sampler};
@@ -87,14 +87,15 @@ impl Package {
         Ok(Self { rtl, module, hardware, companions, vectors })
     }
 
-    /// Writes all files: those of the hardware into one folder, and what goes with them into
-    /// another or the same.
+    /// Writes all files into a folder, where they take the place of an earlier package of that name.
     ///
     /// # Errors
-    /// If a file can't be written.
-    pub fn write(&mut self, hardware: &Path, companions: &Path) -> Result<()> {
-        self.write_texts(hardware, companions)?;
-        self.write_vectors(companions)
+    /// If a file can't be written, or another run is writing them.
+    pub fn write(&mut self, folder: &Path) -> Result<()> {
+        let set = Set::open(folder, &format!("hdl-{}", self.module.name))?;
+        self.write_texts(&set.path(), &set.path())?;
+        self.write_vectors(&set.path())?;
+        set.commit()
     }
 
     /// Writes all but the vectors.

@@ -4,11 +4,11 @@ use super::jpeg;
 use super::procedural::Samples;
 use crate::cast;
 use crate::error::{Error, Result};
+use crate::input;
 use crate::srgb::from_srgb;
 use glam::DVec3;
 use image::{DynamicImage, ImageBuffer, ImageDecoder, ImageFormat, ImageReader, Rgb};
-use std::fs::File;
-use std::io::{Cursor, Read};
+use std::io::Cursor;
 use std::path::Path;
 
 /// Largest side of a map, in texels.
@@ -216,19 +216,12 @@ impl Bumps {
 
 /// The whole of a file that a scene names.
 pub(super) fn read_file(path: &Path) -> Result<Vec<u8>> {
-    read_up_to(path, MAX_BYTES)?.ok_or_else(|| {
-        let problem = format!("has more than {MAX_BYTES} bytes, the most that is read");
-        Error::file(path, problem)
-    })
+    input::read(input::open_regular(path)?, path, MAX_BYTES)
 }
 
 /// The whole of a file; `None` if it has more bytes than these.
 pub(super) fn read_up_to(path: &Path, max_bytes: u64) -> Result<Option<Vec<u8>>> {
-    let fail = |why| Error::io(path, "can't read", why);
-    let mut bytes = Vec::new();
-    let file = File::open(path).map_err(fail)?;
-    file.take(max_bytes + 1).read_to_end(&mut bytes).map_err(fail)?;
-    Ok((cast::count_of(bytes.len()) <= max_bytes).then_some(bytes))
+    input::read_up_to(input::open_regular(path)?, path, max_bytes)
 }
 
 /// The part of 1 that a channel's code stands for.

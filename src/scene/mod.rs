@@ -121,6 +121,7 @@ pub use tessellation::{Assembly, Seen, Tessellation, Vertex};
 pub use trace::{CURVED, Fragments};
 
 use crate::error::{Error, Result};
+use crate::input;
 use glam::{DQuat, DVec3};
 use normals::Normals;
 use serde::Deserialize;
@@ -382,7 +383,7 @@ impl Scene {
     /// If it or a file that it names can't be read, isn't TOML, has a key that scenes don't
     /// have or a value that isn't legal (which names the line), or a mesh can't be lit.
     pub fn open(path: &Path) -> Result<Self> {
-        let bytes = map::read_file(path)?;
+        let bytes = input::read(input::open(path)?, path, map::MAX_BYTES)?;
         let text = String::from_utf8(bytes)
             .map_err(|_| Error::file(path, "the text is not UTF-8".to_owned()))?;
         text::read(&text, path)

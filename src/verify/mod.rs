@@ -8,7 +8,7 @@ use crate::emit::{Package, Settings};
 use crate::error::{Error, Result};
 use crate::hdl::Tables;
 use crate::netlist::Netlist;
-use crate::output::{Scratch, copy_folder, make_folder};
+use crate::output::{Scratch, Set, copy_folder};
 use crate::outside::{self, Tool};
 use crate::units::Design;
 use serde::Serialize;
@@ -215,8 +215,8 @@ impl Row {
 /// # Panics
 /// If a simulator's thread did.
 pub fn verify(design: &Design, request: &Request, progress: &dyn Fn(&Row)) -> Result<Vec<Row>> {
-    // Before long work: the folder of files that are kept can be made.
-    request.keep.as_deref().map_or(Ok(()), make_folder)?;
+    // Before long work: files that are kept can be written.
+    let kept = request.keep.as_deref().map(|keep| Set::open(keep, "verify")).transpose()?;
     let scratch = Scratch::new()?;
     let folder = scratch.path();
     let settings = Settings {
@@ -253,8 +253,9 @@ pub fn verify(design: &Design, request: &Request, progress: &dyn Fn(&Row)) -> Re
             rows.push((at, row));
         }
     });
-    if let Some(keep) = &request.keep {
-        copy_folder(folder, keep)?;
+    if let Some(kept) = kept {
+        copy_folder(folder, &kept.path())?;
+        kept.commit()?;
     }
     assert_eq!(rows.len(), request.simulators.len(), "bug: one row a simulator");
     rows.sort_by_key(|(at, _)| *at);

@@ -1,0 +1,53 @@
+//! Signals that end a run: it leaves no half-written file behind, and says by its exit code which it was.
+
+use crate::error::Result;
+
+/// Watches for signals from now on.
+///
+/// # Errors
+/// If there is no thread to watch.
+#[cfg(unix)]
+pub(super) fn watch() -> Result<()> {
+    use crate::error::Error;
+    use crate::{output, outside};
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
+    use std::io::{self, Write};
+    use std::sync::Arc;
+
+    let fail = |why: io::Error| Error::usage(format!("can't watch for signals: {why}"));
+    // Writing past a limit on file sizes is an error of writing then, not an end.
+    signal_hook::flag::register(SIGXFSZ, Arc::default()).map_err(fail)?;
+    // Who starts a run under nohup, or in the background of a script, wants it to live on.
+    let ignored = ignored();
+    let heeded = [SIGINT, SIGTERM, SIGHUP].into_iter().filter(|signal| !ignored(*signal));
+    let mut signals = signal_hook::iterator::Signals::new(heeded).map_err(fail)?;
+    let watch = move || {
+        if let Some(signal) = signals.forever().next() {
+            outside::abandon();
+            output::abandon();
+            let _ = writeln!(
+                io::stderr(),
+                "interrupted: what was finished is saved, nothing half-written is left"
+            );
+            // As shells tell it.
+            std::process::exit(128 + signal);
+        }
+    };
+    std::thread::Builder::new().name("signals".to_owned()).spawn(watch).map_err(fail)?;
+    Ok(())
+}
+
+/// Which signals this process was started to ignore, where the system tells it in `/proc`.
+#[cfg(unix)]
+fn ignored() -> impl Fn(i32) -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let mask = mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or(0);
+    move |signal| mask >> (signal - 1) & 1 == 1
+}
+
+/// The system ends the run; the next one removes what it left.
+#[cfg(not(unix))]
+pub(super) fn watch() -> Result<()> {
+    Ok(())
+}
