@@ -352,11 +352,11 @@ impl clap::ValueEnum for BasisArg {
 impl InputArgs {
     fn inputs(&self, hard: bool) -> Inputs {
         let sampler = match self.sampler {
-            _ if hard => Sampler::Hard,
             SamplerArg::Lit => Sampler::Lit,
             SamplerArg::Sphere => Sampler::Sphere,
             SamplerArg::Exhaustive => Sampler::Exhaustive,
         };
+        let sampler = if hard { Sampler::Hard } else { sampler };
         if !sampler.is_random() {
             let why = format!("sampler {} draws nothing", sampler.name());
             note_unused(&[("--samples", self.samples), ("--seed", self.seed)], &why);
@@ -395,6 +395,13 @@ impl TableArgs {
 fn note(text: &str) {
     // A lost stderr changes nothing.
     let _ = writeln!(io::stderr(), "note: {text}");
+}
+
+/// Tells of values of a table that were clipped.
+fn note_clipped<R: io::Read>(samples: &SampleFile<'_, R>) {
+    if let Some(text) = samples.clipped_note() {
+        note(&text);
+    }
 }
 
 /// Tells which of some options were given for nothing.
@@ -644,7 +651,7 @@ fn eval_command(design: &Design, input: &Path, out: &Path, table: &TableArgs) ->
     } else {
         output::write_file(out, |to| eval::eval(design, &mut samples, to, out).map(|_| ()))?;
     }
-    samples.clipped_note().as_deref().map(note);
+    note_clipped(&samples);
     Ok(())
 }
 
@@ -733,7 +740,7 @@ fn read_stimulus<R: io::Read>(mut samples: SampleFile<'_, R>, end: u64) -> Resul
         let count = samples.read(&mut block)?;
         rows.extend((0..count).map(|row| block.words.iter().map(|column| column[row]).collect()));
         if count == 0 || cast::count_of(rows.len()) >= end {
-            samples.clipped_note().as_deref().map(note);
+            note_clipped(&samples);
             return Ok(rows);
         }
         if cast::count_of(rows.len()) > MAX_SAMPLES {

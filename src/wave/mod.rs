@@ -146,10 +146,10 @@ impl Trace {
     /// Name of a twin, and its unit behind it.
     fn twin_name(&self, twin: Twin) -> (String, &'static str) {
         let unit = match self.quantity {
-            _ if twin.is_in_ulp() => "_ulp",
             Quantity::Turns => DEGREES,
             Quantity::Number | Quantity::Float20 => "",
         };
+        let unit = if twin.is_in_ulp() { "_ulp" } else { unit };
         (format!("{}_{}", self.name, twin.name()), unit)
     }
 
