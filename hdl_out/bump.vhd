@@ -9,21 +9,21 @@
 -- latency 24 cycles, interval 1 cycle; tables read on the clock
 -- absolute errors against the golden of the quantised inputs, over 65536 random inputs
 -- (sampler sphere, seed 1), and the input words of the worst:
---   intensity: mean 4.50e-4, at most 8.09e-3 (529.9 ulp) at phi_l=54099 theta_l=21061 phi_h=60333 theta_h=25870 phi_n=4085 theta_n=24243 psi=15789 phi_p=37530 theta_p=7850
---   diffuse: mean 3.83e-4, at most 4.02e-3 (263.2 ulp) at phi_l=44654 theta_l=8576 phi_h=60159 theta_h=5510 phi_n=58665 theta_n=10045 psi=11801 phi_p=60790 theta_p=4186
---   specular: mean 1.09e-4, at most 7.98e-3 (522.8 ulp) at phi_l=40708 theta_l=14134 phi_h=34659 theta_h=13276 phi_n=35527 theta_n=15280 psi=31916 phi_p=11259 theta_p=2671
---   dot_l: mean 1.24e-3, at most 6.37e-3 (417.4 ulp) at phi_l=61704 theta_l=22170 phi_h=4275 theta_h=14080 phi_n=20110 theta_n=22175 psi=22018 phi_p=55143 theta_p=8416
---   dot_h: mean 1.25e-3, at most 6.38e-3 (417.8 ulp) at phi_l=40990 theta_l=19166 phi_h=52190 theta_h=15291 phi_n=57641 theta_n=20094 psi=62778 phi_p=9870 theta_p=8515
---   lt_angle: mean 1.43e-3 rad, at most 4.45e-3 rad at phi_l=43319 theta_l=16515 phi_h=51482 theta_h=13337 phi_n=3571 theta_n=9794 psi=27030 phi_p=28221 theta_p=6758
---   lt_dot: mean 1.43e-3, at most 4.45e-3 at phi_l=43319 theta_l=16515 phi_h=51482 theta_h=13337 phi_n=3571 theta_n=9794 psi=27030 phi_p=28221 theta_p=6758
---   lt_x: mean 7.74e-4, at most 4.05e-3 at phi_l=6884 theta_l=16156 phi_h=11810 theta_h=14024 phi_n=5223 theta_n=13921 psi=46897 phi_p=28640 theta_p=7461
---   lt_y: mean 6.21e-4, at most 3.10e-3 at phi_l=40221 theta_l=13057 phi_h=11896 theta_h=1741 phi_n=6618 theta_n=8346 psi=32754 phi_p=13032 theta_p=5385
---   lt_z: mean 7.41e-4, at most 4.08e-3 at phi_l=55938 theta_l=23167 phi_h=56369 theta_h=21833 phi_n=7227 theta_n=16515 psi=2242 phi_p=14438 theta_p=4655
---   ht_angle: mean 1.43e-3 rad, at most 5.28e-3 rad at phi_l=53874 theta_l=21815 phi_h=50989 theta_h=16126 phi_n=18283 theta_n=2943 psi=27084 phi_p=38880 theta_p=9075
---   ht_dot: mean 1.43e-3, at most 5.28e-3 at phi_l=53874 theta_l=21815 phi_h=50989 theta_h=16126 phi_n=18283 theta_n=2943 psi=27084 phi_p=38880 theta_p=9075
---   ht_x: mean 7.83e-4, at most 4.09e-3 at phi_l=31111 theta_l=19790 phi_h=29735 theta_h=16324 phi_n=29676 theta_n=17022 psi=22911 phi_p=3532 theta_p=8126
---   ht_y: mean 6.21e-4, at most 3.21e-3 at phi_l=15384 theta_l=20283 phi_h=16010 theta_h=30916 phi_n=33483 theta_n=20732 psi=60970 phi_p=20741 theta_p=7238
---   ht_z: mean 7.39e-4, at most 4.45e-3 at phi_l=53874 theta_l=21815 phi_h=50989 theta_h=16126 phi_n=18283 theta_n=2943 psi=27084 phi_p=38880 theta_p=9075
+--   intensity: mean 4.50e-4, largest seen 8.09e-3 (529.9 ulp) at phi_l=54099 theta_l=21061 phi_h=60333 theta_h=25870 phi_n=4085 theta_n=24243 psi=15789 phi_p=37530 theta_p=7850
+--   diffuse: mean 3.83e-4, largest seen 4.02e-3 (263.2 ulp) at phi_l=44654 theta_l=8576 phi_h=60159 theta_h=5510 phi_n=58665 theta_n=10045 psi=11801 phi_p=60790 theta_p=4186
+--   specular: mean 1.09e-4, largest seen 7.98e-3 (522.8 ulp) at phi_l=40708 theta_l=14134 phi_h=34659 theta_h=13276 phi_n=35527 theta_n=15280 psi=31916 phi_p=11259 theta_p=2671
+--   dot_l: mean 1.24e-3, largest seen 6.37e-3 (417.4 ulp) at phi_l=61704 theta_l=22170 phi_h=4275 theta_h=14080 phi_n=20110 theta_n=22175 psi=22018 phi_p=55143 theta_p=8416
+--   dot_h: mean 1.25e-3, largest seen 6.38e-3 (417.8 ulp) at phi_l=40990 theta_l=19166 phi_h=52190 theta_h=15291 phi_n=57641 theta_n=20094 psi=62778 phi_p=9870 theta_p=8515
+--   lt_angle: mean 1.43e-3 rad, largest seen 4.45e-3 rad at phi_l=43319 theta_l=16515 phi_h=51482 theta_h=13337 phi_n=3571 theta_n=9794 psi=27030 phi_p=28221 theta_p=6758
+--   lt_dot: mean 1.43e-3, largest seen 4.45e-3 at phi_l=43319 theta_l=16515 phi_h=51482 theta_h=13337 phi_n=3571 theta_n=9794 psi=27030 phi_p=28221 theta_p=6758
+--   lt_x: mean 7.74e-4, largest seen 4.05e-3 at phi_l=6884 theta_l=16156 phi_h=11810 theta_h=14024 phi_n=5223 theta_n=13921 psi=46897 phi_p=28640 theta_p=7461
+--   lt_y: mean 6.21e-4, largest seen 3.10e-3 at phi_l=40221 theta_l=13057 phi_h=11896 theta_h=1741 phi_n=6618 theta_n=8346 psi=32754 phi_p=13032 theta_p=5385
+--   lt_z: mean 7.41e-4, largest seen 4.08e-3 at phi_l=55938 theta_l=23167 phi_h=56369 theta_h=21833 phi_n=7227 theta_n=16515 psi=2242 phi_p=14438 theta_p=4655
+--   ht_angle: mean 1.43e-3 rad, largest seen 5.28e-3 rad at phi_l=53874 theta_l=21815 phi_h=50989 theta_h=16126 phi_n=18283 theta_n=2943 psi=27084 phi_p=38880 theta_p=9075
+--   ht_dot: mean 1.43e-3, largest seen 5.28e-3 at phi_l=53874 theta_l=21815 phi_h=50989 theta_h=16126 phi_n=18283 theta_n=2943 psi=27084 phi_p=38880 theta_p=9075
+--   ht_x: mean 7.83e-4, largest seen 4.09e-3 at phi_l=31111 theta_l=19790 phi_h=29735 theta_h=16324 phi_n=29676 theta_n=17022 psi=22911 phi_p=3532 theta_p=8126
+--   ht_y: mean 6.21e-4, largest seen 3.21e-3 at phi_l=15384 theta_l=20283 phi_h=16010 theta_h=30916 phi_n=33483 theta_n=20732 psi=60970 phi_p=20741 theta_p=7238
+--   ht_z: mean 7.39e-4, largest seen 4.45e-3 at phi_l=53874 theta_l=21815 phi_h=50989 theta_h=16126 phi_n=18283 theta_n=2943 psi=27084 phi_p=38880 theta_p=9075
 -- stated bound on each dot: 2.73e-2
 -- stated bound on each diffuse: 1.67e-2
 -- stated bound on each specular: 1.81e-1
@@ -154,6 +154,50 @@ architecture rtl of bump is
     end function;
     constant specular_rom : specular_rom_rows := specular_rom_file;
     attribute rom_style of specular_rom : constant is "block";
+
+    -- a copy of table sincos: sin s20f18, cos s20f18
+    constant sincos_rom_2 : sincos_rom_rows := sincos_rom;
+    attribute rom_style of sincos_rom_2 : constant is "block";
+
+    -- a copy of table sincos: sin s20f18, cos s20f18
+    constant sincos_rom_3 : sincos_rom_rows := sincos_rom;
+    attribute rom_style of sincos_rom_3 : constant is "block";
+
+    -- a copy of table sincos: sin s20f18, cos s20f18
+    constant sincos_rom_4 : sincos_rom_rows := sincos_rom;
+    attribute rom_style of sincos_rom_4 : constant is "block";
+
+    -- a copy of table sincos: sin s20f18, cos s20f18
+    constant sincos_rom_5 : sincos_rom_rows := sincos_rom;
+    attribute rom_style of sincos_rom_5 : constant is "block";
+
+    -- a copy of table sincos: sin s20f18, cos s20f18
+    constant sincos_rom_6 : sincos_rom_rows := sincos_rom;
+    attribute rom_style of sincos_rom_6 : constant is "block";
+
+    -- a copy of table sincos: sin s20f18, cos s20f18
+    constant sincos_rom_7 : sincos_rom_rows := sincos_rom;
+    attribute rom_style of sincos_rom_7 : constant is "block";
+
+    -- a copy of table sincos: sin s20f18, cos s20f18
+    constant sincos_rom_8 : sincos_rom_rows := sincos_rom;
+    attribute rom_style of sincos_rom_8 : constant is "block";
+
+    -- a copy of table recip: recip u20f18
+    constant recip_rom_2 : recip_rom_rows := recip_rom;
+    attribute rom_style of recip_rom_2 : constant is "block";
+
+    -- a copy of table atan: atan u19f18, secant u19f18
+    constant atan_rom_2 : atan_rom_rows := atan_rom;
+    attribute rom_style of atan_rom_2 : constant is "block";
+
+    -- a copy of table cos: cos s20f18
+    constant cos_rom_2 : cos_rom_rows := cos_rom;
+    attribute rom_style of cos_rom_2 : constant is "block";
+
+    -- a copy of table cos: cos s20f18
+    constant cos_rom_3 : cos_rom_rows := cos_rom;
+    attribute rom_style of cos_rom_3 : constant is "block";
 
     -- Words start at zero: numeric_std would warn of what it compares or looks up before.
     -- Valid bits don't, so that one that a reset misses shows as unknown.
@@ -984,20 +1028,20 @@ begin
                 theta_p_s1 <= theta_p;
                 sincos_row <= sincos_rom(to_integer(light_sincos_n27));
                 sincos_row_2 <= sincos_rom(to_integer(light_sincos_n29));
-                sincos_row_3 <= sincos_rom(to_integer(light_sincos_n31));
-                sincos_row_4 <= sincos_rom(to_integer(light_sincos_n34));
-                sincos_row_5 <= sincos_rom(to_integer(light_sincos_n37));
-                sincos_row_6 <= sincos_rom(to_integer(light_sincos_n40));
-                sincos_row_7 <= sincos_rom(to_integer(light_sincos_n43));
-                sincos_row_8 <= sincos_rom(to_integer(light_sincos_n46));
-                sincos_row_9 <= sincos_rom(to_integer(half_sincos_n152));
-                sincos_row_10 <= sincos_rom(to_integer(half_sincos_n154));
-                sincos_row_11 <= sincos_rom(to_integer(half_sincos_n156));
-                sincos_row_12 <= sincos_rom(to_integer(half_sincos_n159));
-                sincos_row_13 <= sincos_rom(to_integer(half_sincos_n162));
-                sincos_row_14 <= sincos_rom(to_integer(half_sincos_n165));
-                sincos_row_15 <= sincos_rom(to_integer(half_sincos_n168));
-                sincos_row_16 <= sincos_rom(to_integer(half_sincos_n171));
+                sincos_row_3 <= sincos_rom_2(to_integer(light_sincos_n31));
+                sincos_row_4 <= sincos_rom_2(to_integer(light_sincos_n34));
+                sincos_row_5 <= sincos_rom_3(to_integer(light_sincos_n37));
+                sincos_row_6 <= sincos_rom_3(to_integer(light_sincos_n40));
+                sincos_row_7 <= sincos_rom_4(to_integer(light_sincos_n43));
+                sincos_row_8 <= sincos_rom_4(to_integer(light_sincos_n46));
+                sincos_row_9 <= sincos_rom_5(to_integer(half_sincos_n152));
+                sincos_row_10 <= sincos_rom_5(to_integer(half_sincos_n154));
+                sincos_row_11 <= sincos_rom_6(to_integer(half_sincos_n156));
+                sincos_row_12 <= sincos_rom_6(to_integer(half_sincos_n159));
+                sincos_row_13 <= sincos_rom_7(to_integer(half_sincos_n162));
+                sincos_row_14 <= sincos_rom_7(to_integer(half_sincos_n165));
+                sincos_row_15 <= sincos_rom_8(to_integer(half_sincos_n168));
+                sincos_row_16 <= sincos_rom_8(to_integer(half_sincos_n171));
                 bump_phi_s1 <= bump_phi;
             end if;
             if rst = '1' then
@@ -1681,12 +1725,12 @@ begin
             if ce = '1' then
                 theta_p_s13 <= theta_p_s12;
                 light_polar_angle_n104_s13 <= light_polar_angle_n104_s12;
-                recip_row_3 <= recip_rom(to_integer(light_polar_angle_recip_n114));
+                recip_row_3 <= recip_rom_2(to_integer(light_polar_angle_recip_n114));
                 light_polar_angle_n116_s13 <= light_polar_angle_n116;
                 light_polar_angle_n123_s13 <= light_polar_angle_n123_s12;
                 light_polar_angle_n126_s13 <= light_polar_angle_n126_s12;
                 half_polar_angle_n227_s13 <= half_polar_angle_n227_s12;
-                recip_row_4 <= recip_rom(to_integer(half_polar_angle_recip_n237));
+                recip_row_4 <= recip_rom_2(to_integer(half_polar_angle_recip_n237));
                 half_polar_angle_n239_s13 <= half_polar_angle_n239;
                 half_polar_angle_n246_s13 <= half_polar_angle_n246_s12;
                 half_polar_angle_n249_s13 <= half_polar_angle_n249_s12;
@@ -1785,11 +1829,11 @@ begin
             if ce = '1' then
                 theta_p_s16 <= theta_p_s15;
                 light_polar_angle_n104_s16 <= light_polar_angle_n104_s15;
-                atan_row_3 <= atan_rom(to_integer(light_polar_angle_atan_n119));
+                atan_row_3 <= atan_rom_2(to_integer(light_polar_angle_atan_n119));
                 light_polar_angle_n123_s16 <= light_polar_angle_n123_s15;
                 light_polar_angle_n126_s16 <= light_polar_angle_n126_s15;
                 half_polar_angle_n227_s16 <= half_polar_angle_n227_s15;
-                atan_row_4 <= atan_rom(to_integer(half_polar_angle_atan_n242));
+                atan_row_4 <= atan_rom_2(to_integer(half_polar_angle_atan_n242));
                 half_polar_angle_n246_s16 <= half_polar_angle_n246_s15;
                 half_polar_angle_n249_s16 <= half_polar_angle_n249_s15;
                 dot_l_cos_cos_delta_s16 <= dot_l_cos_cos_delta_s15;
@@ -1901,11 +1945,11 @@ begin
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                cos_row_3 <= cos_rom(to_integer(dot_l_cos_n265));
-                cos_row_4 <= cos_rom(to_integer(dot_l_cos_n267));
+                cos_row_3 <= cos_rom_2(to_integer(dot_l_cos_n265));
+                cos_row_4 <= cos_rom_2(to_integer(dot_l_cos_n267));
                 dot_l_cos_cos_delta_s19 <= dot_l_cos_cos_delta_s18;
-                cos_row_5 <= cos_rom(to_integer(dot_h_cos_n284));
-                cos_row_6 <= cos_rom(to_integer(dot_h_cos_n286));
+                cos_row_5 <= cos_rom_3(to_integer(dot_h_cos_n284));
+                cos_row_6 <= cos_rom_3(to_integer(dot_h_cos_n286));
                 dot_h_cos_cos_delta_s19 <= dot_h_cos_cos_delta_s18;
             end if;
             if rst = '1' then

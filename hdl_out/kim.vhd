@@ -8,21 +8,21 @@
 -- latency 30 cycles, interval 1 cycle; tables read on the clock
 -- absolute errors against the golden of the quantised inputs, over 65536 random inputs
 -- (sampler sphere, seed 1), and the input words of the worst:
---   intensity: mean 6.91e-4, at most 1.28e-2 (836.5 ulp) at phi_l=12249 theta_l=10042 phi_h=25129 theta_h=12990 phi_n=27856 theta_n=18250 psi=18706 phi_p=19124 theta_p=3769
---   diffuse: mean 5.92e-4, at most 7.09e-3 (464.8 ulp) at phi_l=5887 theta_l=21190 phi_h=20694 theta_h=21693 phi_n=7057 theta_n=377 psi=41054 phi_p=32253 theta_p=7036
---   specular: mean 1.54e-4, at most 1.15e-2 (756.4 ulp) at phi_l=46792 theta_l=23943 phi_h=48621 theta_h=15295 phi_n=56540 theta_n=7516 psi=771 phi_p=53306 theta_p=8323
---   dot_l: mean 1.94e-3, at most 1.17e-2 (766.0 ulp) at phi_l=5887 theta_l=21190 phi_h=20694 theta_h=21693 phi_n=7057 theta_n=377 psi=41054 phi_p=32253 theta_p=7036
---   dot_h: mean 1.93e-3, at most 1.09e-2 (713.0 ulp) at phi_l=60553 theta_l=18372 phi_h=64636 theta_h=22235 phi_n=8005 theta_n=19253 psi=1559 phi_p=20130 theta_p=8069
---   lt_angle: mean 2.77e-3 rad, at most 7.77e-3 rad at phi_l=6915 theta_l=10368 phi_h=4641 theta_h=3798 phi_n=44602 theta_n=12480 psi=59670 phi_p=22351 theta_p=3078
---   lt_dot: mean 2.77e-3, at most 7.77e-3 at phi_l=6915 theta_l=10368 phi_h=4641 theta_h=3798 phi_n=44602 theta_n=12480 psi=59670 phi_p=22351 theta_p=3078
---   lt_x: mean 1.43e-3, at most 7.31e-3 at phi_l=3004 theta_l=11455 phi_h=6745 theta_h=15411 phi_n=16385 theta_n=5769 psi=61008 phi_p=44796 theta_p=5705
---   lt_y: mean 1.26e-3, at most 6.21e-3 at phi_l=58622 theta_l=14345 phi_h=63015 theta_h=26871 phi_n=27904 theta_n=24597 psi=39862 phi_p=34182 theta_p=8142
---   lt_z: mean 1.47e-3, at most 6.89e-3 at phi_l=46077 theta_l=10290 phi_h=47299 theta_h=13859 phi_n=55937 theta_n=20227 psi=54458 phi_p=65410 theta_p=4451
---   ht_angle: mean 2.77e-3 rad, at most 7.83e-3 rad at phi_l=27736 theta_l=15792 phi_h=15742 theta_h=17078 phi_n=13120 theta_n=9730 psi=31698 phi_p=62952 theta_p=6764
---   ht_dot: mean 2.77e-3, at most 7.83e-3 at phi_l=27736 theta_l=15792 phi_h=15742 theta_h=17078 phi_n=13120 theta_n=9730 psi=31698 phi_p=62952 theta_p=6764
---   ht_x: mean 1.43e-3, at most 6.94e-3 at phi_l=60765 theta_l=22077 phi_h=12545 theta_h=23229 phi_n=26302 theta_n=28297 psi=58283 phi_p=51185 theta_p=7747
---   ht_y: mean 1.26e-3, at most 5.92e-3 at phi_l=17506 theta_l=13432 phi_h=12930 theta_h=16780 phi_n=13695 theta_n=13345 psi=2824 phi_p=40130 theta_p=3617
---   ht_z: mean 1.46e-3, at most 6.74e-3 at phi_l=15954 theta_l=3967 phi_h=34558 theta_h=10628 phi_n=23439 theta_n=21371 psi=29040 phi_p=61493 theta_p=6921
+--   intensity: mean 6.91e-4, largest seen 1.28e-2 (836.5 ulp) at phi_l=12249 theta_l=10042 phi_h=25129 theta_h=12990 phi_n=27856 theta_n=18250 psi=18706 phi_p=19124 theta_p=3769
+--   diffuse: mean 5.92e-4, largest seen 7.09e-3 (464.8 ulp) at phi_l=5887 theta_l=21190 phi_h=20694 theta_h=21693 phi_n=7057 theta_n=377 psi=41054 phi_p=32253 theta_p=7036
+--   specular: mean 1.54e-4, largest seen 1.15e-2 (756.4 ulp) at phi_l=46792 theta_l=23943 phi_h=48621 theta_h=15295 phi_n=56540 theta_n=7516 psi=771 phi_p=53306 theta_p=8323
+--   dot_l: mean 1.94e-3, largest seen 1.17e-2 (766.0 ulp) at phi_l=5887 theta_l=21190 phi_h=20694 theta_h=21693 phi_n=7057 theta_n=377 psi=41054 phi_p=32253 theta_p=7036
+--   dot_h: mean 1.93e-3, largest seen 1.09e-2 (713.0 ulp) at phi_l=60553 theta_l=18372 phi_h=64636 theta_h=22235 phi_n=8005 theta_n=19253 psi=1559 phi_p=20130 theta_p=8069
+--   lt_angle: mean 2.77e-3 rad, largest seen 7.77e-3 rad at phi_l=6915 theta_l=10368 phi_h=4641 theta_h=3798 phi_n=44602 theta_n=12480 psi=59670 phi_p=22351 theta_p=3078
+--   lt_dot: mean 2.77e-3, largest seen 7.77e-3 at phi_l=6915 theta_l=10368 phi_h=4641 theta_h=3798 phi_n=44602 theta_n=12480 psi=59670 phi_p=22351 theta_p=3078
+--   lt_x: mean 1.43e-3, largest seen 7.31e-3 at phi_l=3004 theta_l=11455 phi_h=6745 theta_h=15411 phi_n=16385 theta_n=5769 psi=61008 phi_p=44796 theta_p=5705
+--   lt_y: mean 1.26e-3, largest seen 6.21e-3 at phi_l=58622 theta_l=14345 phi_h=63015 theta_h=26871 phi_n=27904 theta_n=24597 psi=39862 phi_p=34182 theta_p=8142
+--   lt_z: mean 1.47e-3, largest seen 6.89e-3 at phi_l=46077 theta_l=10290 phi_h=47299 theta_h=13859 phi_n=55937 theta_n=20227 psi=54458 phi_p=65410 theta_p=4451
+--   ht_angle: mean 2.77e-3 rad, largest seen 7.83e-3 rad at phi_l=27736 theta_l=15792 phi_h=15742 theta_h=17078 phi_n=13120 theta_n=9730 psi=31698 phi_p=62952 theta_p=6764
+--   ht_dot: mean 2.77e-3, largest seen 7.83e-3 at phi_l=27736 theta_l=15792 phi_h=15742 theta_h=17078 phi_n=13120 theta_n=9730 psi=31698 phi_p=62952 theta_p=6764
+--   ht_x: mean 1.43e-3, largest seen 6.94e-3 at phi_l=60765 theta_l=22077 phi_h=12545 theta_h=23229 phi_n=26302 theta_n=28297 psi=58283 phi_p=51185 theta_p=7747
+--   ht_y: mean 1.26e-3, largest seen 5.92e-3 at phi_l=17506 theta_l=13432 phi_h=12930 theta_h=16780 phi_n=13695 theta_n=13345 psi=2824 phi_p=40130 theta_p=3617
+--   ht_z: mean 1.46e-3, largest seen 6.74e-3 at phi_l=15954 theta_l=3967 phi_h=34558 theta_h=10628 phi_n=23439 theta_n=21371 psi=29040 phi_p=61493 theta_p=6921
 -- stated bound on each dot: 8.61e-2
 -- stated bound on each diffuse: 5.20e-2
 -- stated bound on each specular: 2.88e-1
@@ -137,6 +137,34 @@ architecture rtl of kim is
     end function;
     constant specular_rom : specular_rom_rows := specular_rom_file;
     attribute rom_style of specular_rom : constant is "block";
+
+    -- a copy of table sincos: sin s20f18, cos s20f18
+    constant sincos_rom_2 : sincos_rom_rows := sincos_rom;
+    attribute rom_style of sincos_rom_2 : constant is "block";
+
+    -- a copy of table sincos: sin s20f18, cos s20f18
+    constant sincos_rom_3 : sincos_rom_rows := sincos_rom;
+    attribute rom_style of sincos_rom_3 : constant is "block";
+
+    -- a copy of table sincos: sin s20f18, cos s20f18
+    constant sincos_rom_4 : sincos_rom_rows := sincos_rom;
+    attribute rom_style of sincos_rom_4 : constant is "block";
+
+    -- a copy of table sincos: sin s20f18, cos s20f18
+    constant sincos_rom_5 : sincos_rom_rows := sincos_rom;
+    attribute rom_style of sincos_rom_5 : constant is "block";
+
+    -- a copy of table recip: recip u20f18
+    constant recip_rom_2 : recip_rom_rows := recip_rom;
+    attribute rom_style of recip_rom_2 : constant is "block";
+
+    -- a copy of table atan: atan u19f18, secant u19f18
+    constant atan_rom_2 : atan_rom_rows := atan_rom;
+    attribute rom_style of atan_rom_2 : constant is "block";
+
+    -- a copy of table sincos: sin s20f18, cos s20f18
+    constant sincos_rom_6 : sincos_rom_rows := sincos_rom;
+    attribute rom_style of sincos_rom_6 : constant is "block";
 
     -- Words start at zero: numeric_std would warn of what it compares or looks up before.
     -- Valid bits don't, so that one that a reset misses shows as unknown.
@@ -1003,12 +1031,12 @@ begin
             if ce = '1' then
                 sincos_row <= sincos_rom(to_integer(setup_frame_sincos_n9));
                 sincos_row_2 <= sincos_rom(to_integer(setup_frame_sincos_n12));
-                sincos_row_3 <= sincos_rom(to_integer(setup_light_sincos_n23));
-                sincos_row_4 <= sincos_rom(to_integer(setup_light_sincos_n26));
-                sincos_row_5 <= sincos_rom(to_integer(setup_half_sincos_n115));
-                sincos_row_6 <= sincos_rom(to_integer(setup_half_sincos_n118));
+                sincos_row_3 <= sincos_rom_2(to_integer(setup_light_sincos_n23));
+                sincos_row_4 <= sincos_rom_2(to_integer(setup_light_sincos_n26));
+                sincos_row_5 <= sincos_rom_3(to_integer(setup_half_sincos_n115));
+                sincos_row_6 <= sincos_rom_3(to_integer(setup_half_sincos_n118));
                 setup_phi_p_s1 <= setup_phi_p;
-                sincos_row_7 <= sincos_rom(to_integer(dot_l_sincos_n214));
+                sincos_row_7 <= sincos_rom_4(to_integer(dot_l_sincos_n214));
             end if;
             if rst = '1' then
                 valid_s1 <= '0';
@@ -1752,10 +1780,10 @@ begin
                 setup_half_polar_angle_n174_s15 <= setup_half_polar_angle_n174;
                 setup_half_polar_angle_n194_s15 <= setup_half_polar_angle_n194_s14;
                 setup_half_polar_angle_n197_s15 <= setup_half_polar_angle_n197;
-                sincos_row_8 <= sincos_rom(to_integer(dot_l_sincos_n209));
+                sincos_row_8 <= sincos_rom_4(to_integer(dot_l_sincos_n209));
                 dot_l_sincos_n215_s15 <= dot_l_sincos_n215_s14;
                 dot_l_sincos_n216_s15 <= dot_l_sincos_n216_s14;
-                sincos_row_9 <= sincos_rom(to_integer(dot_h_sincos_n225));
+                sincos_row_9 <= sincos_rom_5(to_integer(dot_h_sincos_n225));
             end if;
             if rst = '1' then
                 valid_s15 <= '0';
@@ -1867,12 +1895,12 @@ begin
         if rising_edge(clk) then
             if ce = '1' then
                 setup_light_polar_angle_n85_s17 <= setup_light_polar_angle_n85_s16;
-                recip_row_3 <= recip_rom(to_integer(setup_light_polar_angle_recip_n95));
+                recip_row_3 <= recip_rom_2(to_integer(setup_light_polar_angle_recip_n95));
                 setup_light_polar_angle_n97_s17 <= setup_light_polar_angle_n97;
                 setup_light_polar_angle_n104_s17 <= setup_light_polar_angle_n104_s16;
                 setup_light_polar_angle_n107_s17 <= setup_light_polar_angle_n107_s16;
                 setup_half_polar_angle_n175_s17 <= setup_half_polar_angle_n175_s16;
-                recip_row_4 <= recip_rom(to_integer(setup_half_polar_angle_recip_n185));
+                recip_row_4 <= recip_rom_2(to_integer(setup_half_polar_angle_recip_n185));
                 setup_half_polar_angle_n187_s17 <= setup_half_polar_angle_n187;
                 setup_half_polar_angle_n194_s17 <= setup_half_polar_angle_n194_s16;
                 setup_half_polar_angle_n197_s17 <= setup_half_polar_angle_n197_s16;
@@ -1974,11 +2002,11 @@ begin
         if rising_edge(clk) then
             if ce = '1' then
                 setup_light_polar_angle_n85_s20 <= setup_light_polar_angle_n85_s19;
-                atan_row_3 <= atan_rom(to_integer(setup_light_polar_angle_atan_n100));
+                atan_row_3 <= atan_rom_2(to_integer(setup_light_polar_angle_atan_n100));
                 setup_light_polar_angle_n104_s20 <= setup_light_polar_angle_n104_s19;
                 setup_light_polar_angle_n107_s20 <= setup_light_polar_angle_n107_s19;
                 setup_half_polar_angle_n175_s20 <= setup_half_polar_angle_n175_s19;
-                atan_row_4 <= atan_rom(to_integer(setup_half_polar_angle_atan_n190));
+                atan_row_4 <= atan_rom_2(to_integer(setup_half_polar_angle_atan_n190));
                 setup_half_polar_angle_n194_s20 <= setup_half_polar_angle_n194_s19;
                 setup_half_polar_angle_n197_s20 <= setup_half_polar_angle_n197_s19;
                 dot_l_sincos_n210_s20 <= dot_l_sincos_n210_s19;
@@ -2083,11 +2111,11 @@ begin
         if rising_edge(clk) then
             if ce = '1' then
                 dot_l_sincos_n210_s23 <= dot_l_sincos_n210_s22;
-                sincos_row_10 <= sincos_rom(to_integer(dot_l_sincos_n211_s22));
+                sincos_row_10 <= sincos_rom_5(to_integer(dot_l_sincos_n211_s22));
                 dot_l_sincos_n215_s23 <= dot_l_sincos_n215_s22;
                 dot_l_sincos_n216_s23 <= dot_l_sincos_n216_s22;
                 dot_h_sincos_n226_s23 <= dot_h_sincos_n226_s22;
-                sincos_row_11 <= sincos_rom(to_integer(dot_h_sincos_n227_s22));
+                sincos_row_11 <= sincos_rom_6(to_integer(dot_h_sincos_n227_s22));
             end if;
             if rst = '1' then
                 valid_s23 <= '0';

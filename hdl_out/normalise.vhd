@@ -4,11 +4,11 @@
 -- latency 2 cycles, interval 1 cycle; no tables
 -- absolute errors against the golden of the quantised inputs, over 65536 random inputs
 -- (sampler sphere, seed 1), and the input words of the worst:
---   x: mean 0.00e0, at most 0.00e0 (0.0 ulp) at v_x=-7127 v_y=-10 v_z=-68
---   y: mean 0.00e0, at most 0.00e0 (0.0 ulp) at v_x=-7127 v_y=-10 v_z=-68
---   z: mean 0.00e0, at most 0.00e0 (0.0 ulp) at v_x=-7127 v_y=-10 v_z=-68
---   places: mean 0.00e0, at most 0.00e0 (0.0 ulp) at v_x=-7127 v_y=-10 v_z=-68
---   degenerate: mean 0.00e0, at most 0.00e0 (0.0 ulp) at v_x=-7127 v_y=-10 v_z=-68
+--   x: mean 0.00e0, largest seen 0.00e0 (0.0 ulp) at v_x=-7127 v_y=-10 v_z=-68
+--   y: mean 0.00e0, largest seen 0.00e0 (0.0 ulp) at v_x=-7127 v_y=-10 v_z=-68
+--   z: mean 0.00e0, largest seen 0.00e0 (0.0 ulp) at v_x=-7127 v_y=-10 v_z=-68
+--   places: mean 0.00e0, largest seen 0.00e0 (0.0 ulp) at v_x=-7127 v_y=-10 v_z=-68
+--   degenerate: mean 0.00e0, largest seen 0.00e0 (0.0 ulp) at v_x=-7127 v_y=-10 v_z=-68
 -- stated bound on each component: 7.63e-6
 -- stated bound on each count and flag: 0.00e0
 library ieee;

@@ -2,10 +2,11 @@
 
 use crate::committed::COMMITTED;
 use fixpath::cost::{
-    Clock, Cost, DEVIATIONS, DEVIATIONS_YOSYS, Target, cells_of, estimate, route, synthesize,
+    Clock, Cost, DEVIATIONS, DEVIATIONS_SETTINGS, DEVIATIONS_YOSYS, Target, cells_of, estimate,
+    of_module, route, synthesize,
 };
 use fixpath::format::{Format, Overflow, Round};
-use fixpath::hdl::{Module, Options};
+use fixpath::hdl::{Module, Options, Tables};
 use fixpath::netlist::{Builder, Quantity};
 use fixpath::outside::{self, Limits};
 use fixpath::rtl::Rtl;
@@ -178,11 +179,13 @@ fn show_tells_the_estimate_and_how_far_it_is() {
         String::from_utf8(output.stdout).unwrap()
     };
     let text = run(&["show", "rotation"]);
-    let stated =
-        format!("within N % of Yosys {DEVIATIONS_YOSYS} over the committed settings of this unit");
-    assert!(text.contains(&stated), "{text}");
+    let stated = format!(
+        "from Yosys {DEVIATIONS_YOSYS} over the {DEVIATIONS_SETTINGS} committed settings of this unit"
+    );
+    assert!(text.contains(&stated) && text.contains("other settings can be further off"), "{text}");
+    assert_eq!(fitted().count(), DEVIATIONS_SETTINGS);
     let other = run(&["show", "illumination"]);
-    assert!(other.contains("measured for the rotation unit alone") && !other.contains("within"));
+    assert!(other.contains("measured for the rotation unit alone") && !other.contains("(N %)"));
     let json: serde_json::Value =
         serde_json::from_str(&run(&["show", "rotation", "--json"])).unwrap();
     for (target, deviations) in DEVIATIONS {
@@ -191,8 +194,19 @@ fn show_tells_the_estimate_and_how_far_it_is() {
         assert_eq!(entry["luts"], cost.luts);
         assert_eq!(entry["within_percent_of_yosys"], serde_json::json!(deviations));
         let row = text.lines().find(|line| line.trim_start().starts_with(target.name())).unwrap();
-        assert!(row.contains(&format!(" {} within {} %", cost.luts, deviations[0])), "{row}");
+        assert!(row.contains(&format!(" {} ({} %)", cost.luts, deviations[0])), "{row}");
     }
+    // The two counts of flip-flops are told apart.
+    let registers = rtl_of(&[]).register_bits();
+    assert!(text.contains(&format!("{registers} bits of registers")), "{text}");
+    assert!(text.contains("flip-flops are the pipeline's bits of registers without"), "{text}");
+}
+
+/// Settings that the deviations are over: time-shared hardware isn't estimated.
+fn fitted() -> impl Iterator<Item = &'static [&'static str]> + Clone {
+    let flat = |set: &[&str]| !set.contains(&"schedule=shared");
+    let rotations = COMMITTED.iter().filter(move |(_, unit, set)| *unit == "rotation" && flat(set));
+    rotations.map(|(_, _, set)| *set)
 }
 
 #[test]
@@ -215,13 +229,8 @@ fn the_stated_deviations_are_true() {
     let version = outside::YOSYS.version();
     let again = "the stated deviations are of another Yosys: measure them again";
     assert_eq!(version.as_deref(), Some(DEVIATIONS_YOSYS), "{again}");
-    // Time-shared hardware isn't estimated.
-    let flat = |set: &[&str]| !set.contains(&"schedule=shared");
-    let rotations = COMMITTED.iter().filter(|(_, unit, set)| *unit == "rotation" && flat(set));
-    let cases: Vec<(Target, &[&str])> = DEVIATIONS
-        .iter()
-        .flat_map(|(target, _)| rotations.clone().map(|(_, _, set)| (*target, *set)))
-        .collect();
+    let cases: Vec<(Target, &[&str])> =
+        DEVIATIONS.iter().flat_map(|(target, _)| fitted().map(|set| (*target, set))).collect();
     let far = |(target, set): &(Target, &[&str])| -> [u32; 4] {
         let is = synthesize(&module_of(set), *target, limits()).unwrap().cost.columns();
         let guess = estimate(&rtl_of(set), *target).unwrap().columns();
@@ -255,6 +264,32 @@ fn tables_go_where_they_are_asked_and_nothing_latches() {
             assert!(!made.cells.keys().any(latch), "{name} {rom}: {made:?}");
         }
     }
+}
+
+/// Yosys took all memory of a machine for memories of many ports.
+#[test]
+#[ignore = "needs yosys and nextpnr-ice40: testbenches/run installs them"]
+fn tables_of_many_ports_are_synthesised() {
+    let module = module_of(&["scheme=linear", "table_addr_bits=7", "quarter_wave=on"]);
+    for target in [Target::Ecp5, Target::Xilinx] {
+        let made = synthesize(&module, target, LIMIT).unwrap().cost;
+        assert_eq!(made.block_rams, of_module(&module, target).unwrap().block_rams, "{target:?}");
+    }
+}
+
+/// Functions with a case for each address share no block RAM, and the estimate knows it.
+#[test]
+#[ignore = "needs yosys and nextpnr-ice40: testbenches/run installs them"]
+fn tables_as_cases_take_a_block_ram_for_each_read() {
+    let rtl = rtl_of(&[SMALL, &["table_addr_bits=9", "rom=block"]].concat());
+    let of = |tables| {
+        let module = Module::new(&rtl, &Options { tables: Some(tables), ..Options::default() });
+        let module = module.unwrap();
+        let made = synthesize(&module, Target::Ecp5, LIMIT).unwrap().cost.block_rams;
+        assert_eq!(made, of_module(&module, Target::Ecp5).unwrap().block_rams, "{tables:?}");
+        made
+    };
+    assert!(of(Tables::Inline) < of(Tables::Case));
 }
 
 #[test]

@@ -107,6 +107,51 @@ fn ghdl_synthesises_every_operation_and_unit() {
     }
 }
 
+/// A table that is read without a clock becomes no block RAM, wherever it stands and by way of
+/// whichever language: not even where a register is next to it, on either side.
+#[test]
+#[ignore = "needs ghdl and yosys: testbenches/run installs them"]
+fn tables_without_a_clock_take_no_block_ram_from_either_language() {
+    let format = Format::integer(9).unwrap();
+    let words: Arc<[i64]> = (0..512).map(|x: i64| (x * x * 7 + x) % 512).collect();
+    let mut b = Builder::new("squares");
+    let column = Column { name: "square".to_owned(), format, words };
+    let id = b.table(Table { name: "squares".to_owned(), addr_bits: 9, columns: vec![column] });
+    for port in ["x", "z"] {
+        let address = b.input(port, format, Quantity::Number);
+        let other = b.input(&format!("{port}_mask"), format, Quantity::Number);
+        // The address is ready a stage before it is needed.
+        let address = b.xor(address, other);
+        let row = b.read(id, 0, address);
+        b.output(&format!("{port}_square"), row);
+    }
+    let netlist = Arc::new(b.build().unwrap());
+    let schedule = Schedule::pipeline(&netlist, Rom::Distributed, Depth::Stages(3)).unwrap();
+    let rtl = Arc::new(Rtl::new(netlist, schedule));
+    for tables in [Tables::Inline, Tables::Files, Tables::Case] {
+        let folder = tempfile::tempdir().unwrap();
+        let module = emit(&rtl, Some(tables), 1, folder.path());
+        let (verilog, vhdl) = (format!("{}.v", module.name), format!("{}.vhd", module.name));
+        let arguments = ["--synth", "--std=08", "--out=verilog", &vhdl, "-e", &module.name];
+        let ghdl = Command::new("ghdl").args(arguments).current_dir(folder.path()).output();
+        fs::write(folder.path().join("from_vhdl.v"), ghdl.unwrap().stdout).unwrap();
+        for source in [verilog.as_str(), "from_vhdl.v"] {
+            for (target, ram) in
+                [("ice40", "SB_RAM40_4K"), ("ecp5", "DP16KD"), ("xilinx", "RAMB18E1")]
+            {
+                // Up to where memories are mapped.
+                let script = format!(
+                    "read_verilog {source}; synth_{target} -top {} -run :map_ffram; \
+                     select -assert-none t:{ram} t:*RAMB36* t:*TDP*; select -assert-min 1 t:$dff*",
+                    module.name
+                );
+                let ended = tool(folder.path(), "yosys", &["-q", "-p", &script]);
+                assert!(ended.well, "{tables:?} {source} {target}: {}", ended.stderr);
+            }
+        }
+    }
+}
+
 /// Ports and nodes with the names of everything that modules, tables and testbenches declare.
 #[test]
 #[ignore = "needs ghdl: testbenches/run installs it"]
@@ -121,6 +166,9 @@ fn any_name_is_a_word_in_ghdl() {
         "valid_s1",
         "read_mode",
         "rom_style",
+        "rom_block",
+        "romstyle",
+        "syn_romstyle",
         "done",
         "test",
         "number",

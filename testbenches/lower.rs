@@ -7,8 +7,8 @@ use crate::shared::{emboss_netlist, figure_8, random_plan, with_dots};
 use expect_test::expect_file;
 use fixpath::format::{Format, Overflow, Round, narrow};
 use fixpath::hdl::{
-    Bit, Bitwise, Driver, Expr, Item, Module, Next, Operand, Options, Register, RomTable, Tables,
-    Verilog, Vhdl, View, WordId,
+    Bit, Bitwise, Driver, Expr, Item, LANGUAGES, Module, Next, Operand, Options, Register,
+    RomTable, Tables, Verilog, Vhdl, View, WordId,
 };
 use fixpath::netlist::{Builder, Column, Netlist, NodeId, Quantity, Table};
 use fixpath::rtl::{Rtl, Signal};
@@ -1091,8 +1091,10 @@ fn check_promises(rtl: &Arc<Rtl>, module: &Module) {
         assert!(name.starts_with(|c: char| c.is_ascii_lowercase()), "{name}");
         assert!(name.chars().all(legal) && !name.contains("__") && !name.ends_with('_'), "{name}");
     }
-    let files: BTreeSet<String> = module.tables.iter().map(|t| module.table_file(t)).collect();
-    assert_eq!(files.len(), module.tables.len(), "tables share a file: {files:?}");
+    let originals = || module.tables.iter().filter(|table| table.copy_of.is_none());
+    let files: BTreeSet<String> = originals().map(|t| module.table_file(t)).collect();
+    assert_eq!(files.len(), originals().count(), "tables share a file: {files:?}");
+    check_copies(module);
     assert_eq!(module.inputs.len(), netlist.inputs().len());
     assert_eq!(module.outputs.len(), netlist.outputs().len());
     // Each word is driven once, and before it is used.
@@ -1170,6 +1172,27 @@ fn check_promises(rtl: &Arc<Rtl>, module: &Module) {
                 "{}",
                 word.name
             );
+        }
+    }
+}
+
+/// A table has no more ports on the clock than a block RAM, and a copy has the rows of its
+/// original and a port at least.
+fn check_copies(module: &Module) {
+    let mut ports = vec![0; module.tables.len()];
+    let registers = module.stages.iter().flat_map(|stage| &stage.registers);
+    for register in registers {
+        if let Next::Read(table, _) = register.next {
+            ports[table] += 1;
+        }
+    }
+    for (table, ports) in module.tables.iter().zip(ports) {
+        assert!(module.tables_in == Tables::Case || ports <= 2, "{}: {ports} ports", table.name);
+        if let Some(of) = table.copy_of {
+            let of = &module.tables[of];
+            assert!(ports > 0 && of.copy_of.is_none(), "{}", table.name);
+            assert_eq!(module.table_file(table), module.table_file(of));
+            assert_eq!((&table.columns, table.addr_bits), (&of.columns, of.addr_bits));
         }
     }
 }
@@ -1312,6 +1335,58 @@ fn no_name_is_a_keyword_or_there_twice() {
             check_ports(&rtl, &module);
             stream(&rtl, &module, 5);
         }
+    }
+}
+
+/// Whatever a name became is told: in the module and in the head of each file.
+#[test]
+fn a_name_that_changes_is_told() {
+    let format = Format::signed(8, 0).unwrap();
+    let mut b = Builder::new("renamed");
+    let x = b.input("reg", format, Quantity::Number);
+    let z = b.input("z", format, Quantity::Number);
+    let y = b.add(x, z);
+    b.name(y, "buf");
+    b.output("signal", y);
+    let (_, module) = combinational(b.build().unwrap());
+    let pair = |was: &str, is: &str| (was.to_owned(), is.to_owned());
+    let renamed = [pair("reg", "reg_w"), pair("signal", "signal_w"), pair("buf", "buf_w")];
+    assert_eq!(module.renamed, renamed);
+    for language in LANGUAGES {
+        let text = module.file(*language).text;
+        assert!(text.contains("renamed, since") && text.contains("  reg is reg_w\n"), "{text}");
+    }
+    let (_, module) = combinational(random_netlist(3));
+    assert!(module.renamed.is_empty() && module.header.is_empty(), "{:?}", module.renamed);
+}
+
+/// Copies are as many as the netlist's figure has, and are written once where tables are files.
+#[test]
+fn tables_with_many_ports_are_copied() {
+    for set in [&[][..], &["scheme=linear", "table_addr_bits=7", "quarter_wave=on"]] {
+        let unit = fixpath::units::Unit::find("rotation").unwrap();
+        let design = unit.values(set).unwrap().build().unwrap();
+        let rtl = Arc::new(design.rtl().unwrap());
+        for (tables, copied) in [(Tables::Inline, true), (Tables::Case, false)] {
+            let options = Options { tables: Some(tables), ..Options::default() };
+            let module = Module::new(&rtl, &options).unwrap();
+            let counts = design.netlist.counts();
+            let stored: u64 = module
+                .tables
+                .iter()
+                .map(|table| u64::from(table.row_bits) << table.addr_bits)
+                .sum();
+            let bits = if copied { counts.rom_bits_dual_port } else { counts.rom_bits };
+            assert_eq!(stored, bits, "{set:?} {tables:?}");
+            assert!(counts.rom_bits_dual_port > counts.rom_bits);
+            check_copies(&module);
+        }
+        let options = Options { tables: Some(Tables::Files), ..Options::default() };
+        let module = Module::new(&rtl, &options).unwrap();
+        let files = module.table_files();
+        assert_eq!(files.len() as u64, design.netlist.counts().tables);
+        let names: Vec<String> = files.into_iter().map(|file| file.name).collect();
+        assert_eq!(module.table_file_names(), names);
     }
 }
 

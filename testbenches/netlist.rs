@@ -400,3 +400,15 @@ fn text_is_reproducible() {
         assert_eq!(text(scheme), text(scheme));
     }
 }
+
+/// Hardware has one name for a port.
+#[test]
+fn an_input_and_an_output_of_one_name_are_refused() {
+    let format = Format::signed(8, 4).unwrap();
+    let mut b = Builder::new("echo");
+    let x = b.input("x", format, Quantity::Number);
+    let y = b.neg(x);
+    b.output("x", y);
+    let why = b.build().unwrap_err().to_string();
+    assert_eq!(why, "`x` is an input and an output of `echo`: give one of them another name");
+}

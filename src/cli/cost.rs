@@ -2,7 +2,8 @@
 
 use super::{UnitArgs, number, text};
 use crate::cost::{
-    self, Clock, Cost, DEVIATIONS, DEVIATIONS_YOSYS, Synthesis, Target, estimate, route, synthesize,
+    self, Clock, Cost, DEVIATIONS, DEVIATIONS_SETTINGS, DEVIATIONS_YOSYS, Synthesis, Target,
+    estimate, route, synthesize,
 };
 use crate::error::{Error, Result};
 use crate::hdl::{Module, Options};
@@ -172,9 +173,8 @@ pub(super) fn estimates(rtl: &Arc<Rtl>) -> String {
         };
         let mut cells = vec![target.name().to_owned()];
         for (count, percent) in cost.columns().iter().zip(deviations) {
-            let within =
-                if is_measured(rtl) { format!("within {percent} %") } else { String::new() };
-            cells.extend([count.to_string(), within]);
+            let fitted = if is_measured(rtl) { format!("({percent} %)") } else { String::new() };
+            cells.extend([count.to_string(), fitted]);
         }
         rows.push(cells);
     }
@@ -182,8 +182,15 @@ pub(super) fn estimates(rtl: &Arc<Rtl>) -> String {
         &["target", ">LUTs", "", ">flip-flops", "", ">block RAMs", "", ">DSPs", ""],
         &rows,
     ));
+    text.push_str(
+        "  flip-flops are the pipeline's bits of registers without those that block RAMs, DSPs and LUTs as delays\n  \
+         take in, with equal ones once, and without those that nothing needs\n",
+    );
     let how_far = if is_measured(rtl) {
-        format!("within N % of Yosys {DEVIATIONS_YOSYS} over the committed settings of this unit")
+        format!(
+            "(N %): the furthest from Yosys {DEVIATIONS_YOSYS} over the {DEVIATIONS_SETTINGS} committed settings of this unit, which it\n  \
+             was fitted to; other settings can be further off"
+        )
     } else {
         "how far it is from Yosys was measured for the rotation unit alone".to_owned()
     };
@@ -200,6 +207,7 @@ pub(super) fn estimates_json(rtl: &Arc<Rtl>) -> Value {
         let mut entry = json!(cost);
         if is_measured(rtl) {
             entry["within_percent_of_yosys"] = json!(deviations);
+            entry["within_percent_over_settings"] = json!(DEVIATIONS_SETTINGS);
         }
         targets.insert(target.name().to_owned(), entry);
     }

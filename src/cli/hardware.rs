@@ -62,8 +62,9 @@ pub(super) enum TablesArg {
     Inline,
     /// Hexadecimal files, read at the start.
     Files,
-    /// A function with a case for each address; slow in simulators, and a synthesiser may make
-    /// block RAM of it even where it is read without a clock.
+    /// A function with a case for each address: slow in simulators, and each read is a table of
+    /// its own. From Verilog it takes up to twice the block RAM of an array, which two reads
+    /// share; from VHDL by way of GHDL it is logic.
     Case,
 }
 
@@ -110,6 +111,10 @@ fn told(package: &Package, vectors: u64, out: &Path) -> String {
         let _ = writeln!(text, "  {}", file.name);
     }
     let _ = writeln!(text, "  {}: {vectors} vectors", vectors_file(module));
+    for (was, is) in &module.renamed {
+        let _ =
+            writeln!(text, "renamed, since a language or another word has the name: {was} is {is}");
+    }
     let makefile = package.companions.iter().find(|file| file.name.ends_with(".mk"));
     if let Some(makefile) = makefile {
         let out = shell::word(out);

@@ -272,7 +272,7 @@ pub(super) fn show(design: &Design) -> Result<String> {
     let schedule = rtl.schedule();
     let _ = writeln!(
         text,
-        "\npipeline: latency {} cycles, {} flip-flops, tables read {}, {} ps by the delay model (target {} ps)",
+        "\npipeline: latency {} cycles, {} bits of registers, tables read {}, {} ps by the delay model (target {} ps)",
         schedule.latency(),
         rtl.register_bits(),
         if schedule.rom() == crate::schedule::Rom::Block {
@@ -390,8 +390,8 @@ pub(super) fn sim(sim: &Sim) -> String {
         let verdict = if bound.holds(report) { "holds" } else { "IS BROKEN" };
         let _ = writeln!(
             text,
-            "stated bound on each {}: {}; seen {}: {verdict}",
-            bound.quantity,
+            "stated bound on {}: {}; seen {}: {verdict}",
+            bound.subject(),
             number(bound.bound),
             number(bound.seen(report))
         );

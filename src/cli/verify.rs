@@ -88,7 +88,10 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(String, Result<bool>)> {
         let missing: Vec<String> = rows.iter().map(|row| verdict(&row.verdict)).collect();
         return Err(Error::usage(missing.join("; ")));
     }
-    let ended = if !rows.iter().all(|row| row.agrees() || row.is_missing() || row.is_unfinished()) {
+    // What was asked for by name has to be proved, too.
+    let is_well =
+        |row: &Row| row.agrees() || row.is_missing() || row.is_unproved() && args.with.is_empty();
+    let ended = if !rows.iter().all(|row| is_well(row) || row.is_unfinished()) {
         Ok(false)
     } else if let Some(row) = rows.iter().find(|row| row.is_unfinished()) {
         let text = format!("{} did not finish, so nothing is known of it", row.tool);
@@ -105,6 +108,7 @@ fn verdict(verdict: &Verdict) -> String {
     match verdict {
         Verdict::Agrees(how) if how.is_empty() => "agrees".to_owned(),
         Verdict::Agrees(how) => how.clone(),
+        Verdict::Unproved(why) => format!("NOT PROVED: {why}"),
         Verdict::Disagrees(_) => "DISAGREES".to_owned(),
         Verdict::Failed(why) => format!("FAILED: {why}"),
         Verdict::TimedOut(why) => format!("TIMED OUT: {why}"),

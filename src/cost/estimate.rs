@@ -22,7 +22,7 @@ use super::{Cost, Target};
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::hdl::{
-    Bit, Expr, Item, Module, Next, Operand, Options, Register, RomTable, View, WordId,
+    Bit, Expr, Item, Module, Next, Operand, Options, Register, RomTable, Tables, View, WordId,
 };
 use crate::rtl::Rtl;
 use std::collections::{BTreeMap, BTreeSet};
@@ -752,9 +752,12 @@ impl<'a> Count<'a> {
                 ports.entry(table).or_default().push(used);
             }
         }
+        // Functions with a case for each address don't share.
+        let shares = self.module.tables_in != Tables::Case;
+        let ram_ports = if shares { self.rules.ram_ports } else { 1 };
         let mut total = 0;
         for (table, ports) in ports {
-            for shared in ports.chunks(self.rules.ram_ports) {
+            for shared in ports.chunks(ram_ports) {
                 let columns: BTreeSet<usize> = shared.iter().flatten().copied().collect();
                 let columns = cast::id_of(columns.len());
                 total += block_rams(self.rules.ram, self.module.tables[table].addr_bits, columns);

@@ -194,7 +194,7 @@ fn error_figures(design: &Design) -> Result<Vec<String>> {
             .map(|(port, word)| format!("{}={word}", design.netlist.input_name(port)))
             .collect();
         lines.push(format!(
-            "  {}: mean {:.2e}{unit}, at most {:.2e}{unit}{ulp} at {}",
+            "  {}: mean {:.2e}{unit}, largest seen {:.2e}{unit}{ulp} at {}",
             f.quantity,
             f.mean,
             f.max,
@@ -205,7 +205,7 @@ fn error_figures(design: &Design) -> Result<Vec<String>> {
     lines.extend(bounds.why_none.map(|why| format!("no bound is stated: {why}")));
     lines.extend(bounds.stated.iter().map(|bound| match bound.quantity {
         "angle" => format!("stated bound on the angle: {:.2e} rad", bound.bound),
-        quantity => format!("stated bound on each {quantity}: {:.2e}", bound.bound),
+        _ => format!("stated bound on {}: {:.2e}", bound.subject(), bound.bound),
     }));
     Ok(lines)
 }

@@ -12,14 +12,14 @@
 
 use super::{
     Bit, Bitwise, Driver, Expr, Item, Module, Next, Operand, Options, READY, Register, RomTable,
-    Stage, Valid, View, WORDS, Word, WordId, check_name, new_word_id, place_tables, refuse_size,
-    valid_bit,
+    Stage, Tables, Valid, View, WORDS, Word, WordId, check_name, new_word_id, place_tables,
+    refuse_size, valid_bit,
 };
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::format::{Format, Narrowing, Overflow, Round, bit_len, narrow};
 use crate::hdl::names::Names;
-use crate::netlist::{NodeId, Table, TableId};
+use crate::netlist::{NodeId, RAM_PORTS, Table, TableId};
 use crate::op::Op;
 use crate::rtl::{Port, Rtl, Signal, Source};
 use std::collections::{BTreeMap, BTreeSet};
@@ -59,6 +59,7 @@ pub(super) fn lower(rtl: &Arc<Rtl>, options: &Options) -> Result<Module> {
         scope: String::new(),
         columns: BTreeMap::new(),
         flags: BTreeMap::new(),
+        ports: BTreeMap::new(),
         module: Module {
             name,
             header: options.header.clone(),
@@ -73,6 +74,7 @@ pub(super) fn lower(rtl: &Arc<Rtl>, options: &Options) -> Result<Module> {
             stages: Vec::new(),
             ready: None,
             valid: ("valid_in".to_owned(), None),
+            renamed: Vec::new(),
             signals: BTreeMap::new(),
         },
     };
@@ -113,6 +115,8 @@ struct Lowering {
     columns: BTreeMap<(usize, u32), u32>,
     /// Flags that are set in some phases.
     flags: BTreeMap<Vec<u32>, Bit>,
+    /// Ports so far on the clock by table, and the copy that the latest is at.
+    ports: BTreeMap<usize, (u64, usize)>,
 }
 
 impl Lowering {
@@ -140,7 +144,7 @@ impl Lowering {
                 self.module.outputs.push((name, word));
             } else {
                 // Known only later: a placeholder until then.
-                let name = self.names.take(&output.name);
+                let name = self.take(&output.name);
                 self.module.outputs.push((name, new_word_id(0)));
             }
         }
@@ -383,6 +387,12 @@ impl Lowering {
             self.module.stages.retain(|stage| !stage.is_empty());
         }
         self.module.signals = std::mem::take(&mut self.at.signals);
+        if !self.module.renamed.is_empty() {
+            let why = "renamed, since a language or another word has the name:";
+            self.module.header.push(why.to_owned());
+            let names = self.module.renamed.iter();
+            self.module.header.extend(names.map(|(was, is)| format!("  {was} is {is}")));
+        }
     }
 
     /// Tables with the columns that are read; for the whole and for each unit, the position of
@@ -424,15 +434,34 @@ impl Lowering {
                 self.columns.insert((at, *column), lo);
             }
             let title = titles.take(&table.name);
+            let name = self.names.take(&format!("{title}_rom"));
+            let wanted = format!("{}_rom", table.name);
+            if name != wanted {
+                self.module.renamed.push((wanted, name.clone()));
+            }
             self.module.tables.push(RomTable {
-                name: self.names.take(&format!("{title}_rom")),
+                name,
                 title,
                 addr_bits: table.addr_bits,
                 row_bits,
                 columns: columns.iter().map(|c| table.columns[index(*c)].clone()).collect(),
+                copy_of: None,
             });
         }
         all
+    }
+
+    /// The table or its copy that one more port on the clock reads.
+    fn port_of(&mut self, rom: usize) -> usize {
+        let (ports, latest) = self.ports.entry(rom).or_insert((0, rom));
+        if *ports > 0 && *ports % RAM_PORTS == 0 && self.module.tables_in != Tables::Case {
+            let name = self.names.take(&self.module.tables[rom].name);
+            let copy = RomTable { name, copy_of: Some(rom), ..self.module.tables[rom].clone() };
+            *latest = self.module.tables.len();
+            self.module.tables.push(copy);
+        }
+        *ports += 1;
+        *latest
     }
 
     fn stage(&mut self, stage: u32) {
@@ -505,15 +534,29 @@ impl Lowering {
     }
 
     fn node_word(&mut self, wanted: &str, format: Format, driver: Driver) -> WordId {
-        let id = self.word(wanted, format.bits(), format.is_signed(), format.frac_bits(), driver);
-        self.module.words[id.index()].format = Some(format);
-        id
+        let name = self.take(wanted);
+        let (bits, signed, frac) = (format.bits(), format.is_signed(), format.frac_bits());
+        self.push(Word { name, bits, signed, frac, format: Some(format), driver, used: Vec::new() })
+    }
+
+    /// A name that the netlist gives; another one than that is told.
+    fn take(&mut self, wanted: &str) -> String {
+        let name = self.names.take(wanted);
+        if name != wanted {
+            self.module.renamed.push((wanted.to_owned(), name.clone()));
+        }
+        name
     }
 
     fn word(&mut self, wanted: &str, bits: u32, signed: bool, frac: i32, driver: Driver) -> WordId {
         let name = self.names.take(wanted);
-        let used = vec![false; usize::try_from(bits).expect("bug: 32 bits fit")];
-        self.module.words.push(Word { name, bits, signed, frac, format: None, driver, used });
+        self.push(Word { name, bits, signed, frac, format: None, driver, used: Vec::new() })
+    }
+
+    /// Adds a word, of which no bit is used so far.
+    fn push(&mut self, word: Word) -> WordId {
+        let used = vec![false; usize::try_from(word.bits).expect("bug: 32 bits fit")];
+        self.module.words.push(Word { used, ..word });
         new_word_id(self.module.words.len() - 1)
     }
 
@@ -617,8 +660,8 @@ impl Lowering {
         let from = self.at.signals[&address];
         let row = self.row_word(rom, Driver::Register);
         self.use_bits(from, 0, u32::MAX);
-        let register =
-            Register { word: row, next: Next::Read(rom, from), load: None, reset: false };
+        let next = Next::Read(self.port_of(rom), from);
+        let register = Register { word: row, next, load: None, reset: false };
         self.module.stages[self.stage].registers.push(register);
         self.at.rows.insert(key, row);
     }

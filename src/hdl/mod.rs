@@ -53,7 +53,8 @@ pub enum Tables {
     Inline,
     /// In files of hexadecimal rows beside it, read at the start.
     Files,
-    /// In the module: a function with one case for each address. Simulators are slower with it.
+    /// In the module: a function with one case for each address. Simulators are slower with it,
+    /// and each read is a table of its own: no two of them share a block RAM.
     Case,
 }
 
@@ -320,6 +321,10 @@ pub struct RomTable {
     pub row_bits: u32,
     /// Columns from the top bits down: name, format and words.
     pub columns: Vec<crate::netlist::Column>,
+    /// Position of the table that this is a copy of: a block RAM has
+    /// [`RAM_PORTS`](crate::netlist::RAM_PORTS), and synthesisers take long and much memory to find
+    /// how many they need.
+    pub copy_of: Option<usize>,
 }
 
 impl RomTable {
@@ -388,6 +393,9 @@ pub struct Module {
     pub ready: Option<Bit>,
     /// Name of the valid bit of the outputs, and the flag of the cycles in which it is theirs.
     pub valid: (String, Option<Bit>),
+    /// Ports, words and tables that are named otherwise than in the netlist, since a language or
+    /// another word has the name: both names.
+    pub renamed: Vec<(String, String)>,
     /// Word of each signal of the hardware.
     signals: BTreeMap<Signal, WordId>,
 }
@@ -418,6 +426,24 @@ const READY: &str = "ready";
 
 /// The most table rows on a line.
 const ROWS_A_LINE: usize = 4;
+
+/// Attributes that put a table into block RAM or into logic. Vivado reads `rom_style`, Quartus
+/// `romstyle`, Synplify `syn_romstyle`. Yosys reads them all and takes the first, and knows no
+/// distributed ROM: `rom_block`, which it alone has and reads before the others, says `logic`.
+/// In block RAM, Quartus and Synplify put by themselves what is read on the clock, and they call
+/// it otherwise for each family.
+fn rom_attributes(block: bool) -> &'static [(&'static str, &'static str)] {
+    if block {
+        &[("rom_style", "block")]
+    } else {
+        &[
+            ("rom_block", "logic"),
+            ("rom_style", "distributed"),
+            ("romstyle", "logic"),
+            ("syn_romstyle", "logic"),
+        ]
+    }
+}
 
 /// Name of the valid bit beside the words of a stage.
 fn valid_bit(stage: usize) -> String {
@@ -505,7 +531,7 @@ impl Module {
     #[must_use]
     pub fn table_file_names(&self) -> Vec<String> {
         match self.tables_in {
-            Tables::Files => self.tables.iter().map(|table| self.table_file(table)).collect(),
+            Tables::Files => self.originals().map(|table| self.table_file(table)).collect(),
             Tables::Inline | Tables::Case => Vec::new(),
         }
     }
@@ -525,7 +551,12 @@ impl Module {
             }
             File { name: self.table_file(table), text }
         };
-        self.tables.iter().map(file).collect()
+        self.originals().map(file).collect()
+    }
+
+    /// Tables without their copies.
+    fn originals(&self) -> impl Iterator<Item = &RomTable> {
+        self.tables.iter().filter(|table| table.copy_of.is_none())
     }
 
     /// The module in a language.

@@ -10,7 +10,7 @@ const RESERVED: &[&str] = &[
      std_logic_1164 textio std_logic std_logic_vector std_ulogic resize shift_left \
      shift_right to_integer to_unsigned to_signed boolean bit bit_vector character string \
      natural positive line text width side input output now true false rising_edge \
-     falling_edge hread hwrite read read_mode rom_style write readline writeline \
+     falling_edge hread hwrite read read_mode rom_block rom_style romstyle syn_romstyle write readline writeline \
      to_string to_hstring minimum maximum error note failure",
     // Verilog-2005 and SystemVerilog-2017.
     "accept_on alias always always_comb always_ff always_latch and assert assign assume \

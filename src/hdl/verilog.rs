@@ -5,7 +5,7 @@
 
 use super::{
     Bit, Bitwise, Driver, Expr, File, Item, Language, Module, Next, Operand, READY, ROWS_A_LINE,
-    Register, RomTable, Stage, Tables, Valid, View, Word, WordId, testbench,
+    Register, RomTable, Stage, Tables, Valid, View, Word, WordId, rom_attributes, testbench,
 };
 use crate::cast;
 use std::collections::BTreeSet;
@@ -132,16 +132,22 @@ fn ports(module: &Module, text: &mut String) {
 }
 
 fn rom(module: &Module, table: &RomTable, text: &mut String) {
-    let RomTable { name, title, addr_bits, row_bits, columns } = table;
+    let RomTable { name, title, addr_bits, row_bits, columns, copy_of } = table;
     let columns: Vec<String> =
         columns.iter().map(|column| format!("{} {}", column.name, column.format)).collect();
-    let _ = writeln!(text, "\n    // table {title}: {}", columns.join(", "));
+    let copy = if copy_of.is_some() { "a copy of " } else { "" };
+    let _ = writeln!(text, "\n    // {copy}table {title}: {}", columns.join(", "));
+    let attributes: Vec<String> = rom_attributes(module.block_rom)
+        .iter()
+        .map(|(attribute, value)| format!("{attribute} = \"{value}\""))
+        .collect();
+    let attributes = attributes.join(", ");
     let range = if *row_bits == 1 { String::new() } else { format!("[{}:0] ", row_bits - 1) };
     let last = table.len() - 1;
     if module.tables_in == Tables::Case {
         let _ = writeln!(text, "    function {range}{name};");
         let _ = writeln!(text, "        input [{}:0] address;", addr_bits - 1);
-        text.push_str("        case (address)\n");
+        let _ = writeln!(text, "        (* {attributes} *)\n        case (address)");
         for (address, row) in table.rows().enumerate() {
             let label = if cast::count_of(address) == last {
                 "default".to_owned()
@@ -154,8 +160,7 @@ fn rom(module: &Module, table: &RomTable, text: &mut String) {
         return;
     }
     // A read without a clock could still become block RAM, with the register behind it.
-    let style = if module.block_rom { "block" } else { "logic" };
-    let _ = writeln!(text, "    (* rom_style = \"{style}\" *)");
+    let _ = writeln!(text, "    (* {attributes} *)");
     let _ = writeln!(text, "    reg {range}{name} [0:{last}];");
     if module.tables_in == Tables::Files {
         let _ = writeln!(text, "    initial $readmemh(\"{}\", {name});", module.table_file(table));

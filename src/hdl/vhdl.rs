@@ -6,7 +6,7 @@
 
 use super::{
     Bit, Bitwise, Driver, Expr, File, Item, Language, Module, Next, Operand, READY, ROWS_A_LINE,
-    Register, RomTable, Stage, Tables, Valid, View, Word, WordId, testbench,
+    Register, RomTable, Stage, Tables, Valid, View, Word, WordId, rom_attributes, testbench,
 };
 use crate::cast;
 use std::collections::BTreeSet;
@@ -122,8 +122,10 @@ fn ports(module: &Module, text: &mut String) {
 }
 
 fn declarations(module: &Module, text: &mut String) {
-    if module.block_rom && module.tables_in != Tables::Case {
-        text.push_str("    attribute rom_style : string;\n");
+    if !module.tables.is_empty() && module.tables_in != Tables::Case {
+        for (attribute, _) in rom_attributes(module.block_rom) {
+            let _ = writeln!(text, "    attribute {attribute} : string;");
+        }
     }
     for table in &module.tables {
         rom(module, table, text);
@@ -186,10 +188,11 @@ fn own_name(module: &Module, wanted: &str) -> String {
 }
 
 fn rom(module: &Module, table: &RomTable, text: &mut String) {
-    let RomTable { name, title, addr_bits, row_bits, columns } = table;
+    let RomTable { name, title, addr_bits, row_bits, columns, copy_of } = table;
     let columns: Vec<String> =
         columns.iter().map(|column| format!("{} {}", column.name, column.format)).collect();
-    let _ = writeln!(text, "\n    -- table {title}: {}", columns.join(", "));
+    let copy = if copy_of.is_some() { "a copy of " } else { "" };
+    let _ = writeln!(text, "\n    -- {copy}table {title}: {}", columns.join(", "));
     let row_of = |digits: &str| {
         if *row_bits == 1 { format!("\"{digits}\"") } else { format!("{row_bits}x\"{digits}\"") }
     };
@@ -217,9 +220,13 @@ fn rom(module: &Module, table: &RomTable, text: &mut String) {
         text.push_str("        end case;\n    end function;\n");
         return;
     }
-    let rows = own(&format!("{name}_rows"));
-    let _ = writeln!(text, "    type {rows} is array (0 to {last}) of unsigned({top} downto 0);");
-    if module.tables_in == Tables::Files {
+    let original = copy_of.map_or(name, |of| &module.tables[of].name);
+    let rows = own(&format!("{original}_rows"));
+    let array = format!("array (0 to {last}) of unsigned({top} downto 0)");
+    if copy_of.is_some() {
+        let _ = writeln!(text, "    constant {name} : {rows} := {original};");
+    } else if module.tables_in == Tables::Files {
+        let _ = writeln!(text, "    type {rows} is {array};");
         let read = own(&format!("{name}_file"));
         let (source, row, all_rows) = (own("source"), own("row"), own("all_rows"));
         let file = module.table_file(table);
@@ -240,13 +247,13 @@ fn rom(module: &Module, table: &RomTable, text: &mut String) {
 "
         );
     } else {
-        let _ = writeln!(text, "    constant {name} : {rows} := (");
+        let _ = writeln!(text, "    type {rows} is {array};\n    constant {name} : {rows} := (");
         let all: Vec<String> = table.rows().map(|row| row_of(&row)).collect();
         let lines: Vec<String> = all.chunks(ROWS_A_LINE).map(|rows| rows.join(", ")).collect();
         let _ = writeln!(text, "        {}\n    );", lines.join(",\n        "));
     }
-    if module.block_rom {
-        let _ = writeln!(text, "    attribute rom_style of {name} : constant is \"block\";");
+    for (attribute, value) in rom_attributes(module.block_rom) {
+        let _ = writeln!(text, "    attribute {attribute} of {name} : constant is \"{value}\";");
     }
 }
 
@@ -263,7 +270,7 @@ fn registers(module: &Module, stage: &Stage, text: &mut String) {
     };
     let taken = |next: &Next| match next {
         Next::Word(from) => module.word(*from).name.clone(),
-        Next::Read(table, address) => printer.read(*table, *address),
+        Next::Read(table, address) => printer.read_on_clock(*table, *address),
     };
     for (load, group) in stage.groups() {
         let _ = writeln!(text, "            if {} then", enable(&load));
@@ -314,7 +321,8 @@ struct Printer<'a> {
 }
 
 impl Printer<'_> {
-    fn read(&self, table: usize, address: WordId) -> String {
+    /// A row for a register: what a block RAM's own register takes.
+    fn read_on_clock(&self, table: usize, address: WordId) -> String {
         let RomTable { name, addr_bits, .. } = &self.module.tables[table];
         let address = self.operand(whole(address, *addr_bits), false);
         if self.module.tables_in == Tables::Case {
@@ -322,6 +330,21 @@ impl Printer<'_> {
         } else {
             format!("{name}(to_integer({address}))")
         }
+    }
+
+    /// A row for logic. It is chosen from one of each half of the table, so that no row by itself
+    /// goes into a register: that would be a block RAM to a tool that has lost the attributes of
+    /// constants on its way from GHDL.
+    fn read(&self, table: usize, address: WordId) -> String {
+        let RomTable { name, addr_bits, .. } = &self.module.tables[table];
+        let top = addr_bits - 1;
+        if self.module.tables_in == Tables::Case || top == 0 {
+            return self.read_on_clock(table, address);
+        }
+        let chosen = self.bit(Bit { word: address, bit: top });
+        let low = self.operand(whole(address, top), false);
+        let half = |bit: u32| format!("{name}(to_integer('{bit}' & {low}))");
+        format!("{} when {chosen} = '1' else {}", half(1), half(0))
     }
 
     fn bit(&self, bit: Bit) -> String {

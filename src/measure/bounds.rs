@@ -20,6 +20,13 @@ pub struct StatedBound {
 }
 
 impl StatedBound {
+    /// What it is a bound on: each of its quantity, also where that says so itself.
+    #[must_use]
+    pub fn subject(&self) -> String {
+        let each = if self.quantity.starts_with("each ") { "" } else { "each " };
+        format!("{each}{}", self.quantity)
+    }
+
     /// The largest total error of the bounded quantities in a report.
     #[must_use]
     pub fn seen(&self, report: &Report) -> f64 {
@@ -238,4 +245,17 @@ pub fn hard_verdicts(design: &Design, bounds: &BoundCheck) -> Vec<HardVerdict> {
         Some(HardVerdict { name: group.name, cases, worst, float32_worst, holds })
     };
     design.hard.iter().filter_map(verdict).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_is_said_once() {
+        let of = |quantity| StatedBound { quantity, of: &[], bound: 0.0 }.subject();
+        assert_eq!(of("part"), "each part");
+        assert_eq!(of("each part"), "each part");
+        assert_eq!(of("eachother"), "each eachother");
+    }
 }

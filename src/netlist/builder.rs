@@ -376,6 +376,15 @@ impl Builder {
         }
         let old = self.netlist;
         assert!(!old.outputs.is_empty(), "bug: `{}` has no output", old.name);
+        let input_named = |name: &str| {
+            old.inputs.iter().any(|id| old.nodes[id.index()].name.as_deref() == Some(name))
+        };
+        if let Some(Output { name, .. }) = old.outputs.iter().find(|o| input_named(&o.name)) {
+            return Err(Error::usage(format!(
+                "`{name}` is an input and an output of `{}`: give one of them another name",
+                old.name
+            )));
+        }
 
         let live = live(&old);
         let mut new_ids = vec![NodeId(u32::MAX); old.nodes.len()];

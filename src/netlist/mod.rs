@@ -202,6 +202,9 @@ pub struct Operators {
     pub rounders: u64,
 }
 
+/// Ports of a block RAM: a table that is read through more is copied.
+pub const RAM_PORTS: u64 = 2;
+
 /// Counts over a whole netlist.
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
 pub struct Counts {
@@ -485,7 +488,7 @@ impl Netlist {
             counts.tables += 1;
             counts.rom_bits += table.rom_bits();
             counts.ports += ports;
-            counts.rom_bits_dual_port += table.rom_bits() * ports.div_ceil(2);
+            counts.rom_bits_dual_port += table.rom_bits() * ports.div_ceil(RAM_PORTS);
         }
         counts
     }

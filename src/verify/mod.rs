@@ -151,6 +151,8 @@ pub struct Decoded {
 pub enum Verdict {
     /// All agrees; what was done, where that isn't plain.
     Agrees(String),
+    /// No fault was found, and what was to be proved is not: why.
+    Unproved(String),
     /// Words differ; the first of them, if one was named.
     Disagrees(Option<Box<Mismatch>>),
     /// It refused the hardware, or warned: what it said.
@@ -197,6 +199,12 @@ impl Row {
             self.verdict,
             Verdict::TimedOut(_) | Verdict::OutOfMemory(_) | Verdict::Unusable(_)
         )
+    }
+
+    /// True if the tool found no fault, and not the proof that it looked for.
+    #[must_use]
+    pub fn is_unproved(&self) -> bool {
+        matches!(self.verdict, Verdict::Unproved(_))
     }
 
     /// True if the tool isn't there.

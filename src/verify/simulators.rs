@@ -234,8 +234,8 @@ fn yosys(job: &Job<'_>) -> Ended {
         let text = format!("no latch; proved equal to its combinational reference {at}");
         return Ok(Verdict::Agrees(text));
     }
-    Ok(Verdict::Agrees(format!(
-        "no latch; NOT proved equal to its combinational reference: with the other parameters no small widths are legal, or {} s are too short",
+    Ok(Verdict::Unproved(format!(
+        "no latch; not proved equal to its combinational reference: with the other parameters no small widths are legal, or {} s are too short",
         time.as_secs()
     )))
 }

@@ -5,9 +5,9 @@
 -- latency 2 cycles, interval 1 cycle; no tables
 -- absolute errors against the golden of the quantised inputs, over 65536 random inputs
 -- (sampler sphere, seed 1), and the input words of the worst:
---   x: mean 9.48e-7, at most 1.91e-6 (0.5 ulp) at v_x=20649 v_y=-26028 v_z=2820 w_x=-23798 w_y=-24668 w_z=-11884
---   y: mean 9.45e-7, at most 1.91e-6 (0.5 ulp) at v_x=-21854 v_y=9541 v_z=17626 w_x=-14940 w_y=-27950 w_z=-11372
---   z: mean 9.46e-7, at most 1.91e-6 (0.5 ulp) at v_x=-23936 v_y=12028 v_z=-25780 w_x=-29216 w_y=23561 w_z=-20909
+--   x: mean 9.48e-7, largest seen 1.91e-6 (0.5 ulp) at v_x=20649 v_y=-26028 v_z=2820 w_x=-23798 w_y=-24668 w_z=-11884
+--   y: mean 9.45e-7, largest seen 1.91e-6 (0.5 ulp) at v_x=-21854 v_y=9541 v_z=17626 w_x=-14940 w_y=-27950 w_z=-11372
+--   z: mean 9.46e-7, largest seen 1.91e-6 (0.5 ulp) at v_x=-23936 v_y=12028 v_z=-25780 w_x=-29216 w_y=23561 w_z=-20909
 -- stated bound on each result: 1.91e-6
 --
 -- Self-checking testbench of cross_product. It reads cross_product_vectors.txt: per line the words of the

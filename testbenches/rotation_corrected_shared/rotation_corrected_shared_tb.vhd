@@ -9,11 +9,11 @@
 -- latency 13 cycles, interval 3 cycles; tables read on the clock
 -- absolute errors against the golden of the quantised inputs, over 65536 random inputs
 -- (sampler sphere, seed 1), and the input words of the worst:
---   angle: mean 2.96e-1 rad, at most 1.03e0 rad at phi_a=63191 theta_a=16419 phi_n=6223 theta_n=16703
---   dot: mean 2.93e-1, at most 9.83e-1 at phi_a=63191 theta_a=16419 phi_n=6223 theta_n=16703
---   x: mean 1.90e-1, at most 7.70e-1 at phi_a=34757 theta_a=16352 phi_n=57388 theta_n=19960
---   y: mean 6.21e-2, at most 2.97e-1 at phi_a=12448 theta_a=16689 phi_n=28272 theta_n=16284
---   z: mean 1.80e-1, at most 7.54e-1 at phi_a=46723 theta_a=16419 phi_n=40254 theta_n=12730
+--   angle: mean 2.96e-1 rad, largest seen 1.03e0 rad at phi_a=63191 theta_a=16419 phi_n=6223 theta_n=16703
+--   dot: mean 2.93e-1, largest seen 9.83e-1 at phi_a=63191 theta_a=16419 phi_n=6223 theta_n=16703
+--   x: mean 1.90e-1, largest seen 7.70e-1 at phi_a=34757 theta_a=16352 phi_n=57388 theta_n=19960
+--   y: mean 6.21e-2, largest seen 2.97e-1 at phi_a=12448 theta_a=16689 phi_n=28272 theta_n=16284
+--   z: mean 1.80e-1, largest seen 7.54e-1 at phi_a=46723 theta_a=16419 phi_n=40254 theta_n=12730
 -- no bound is stated: asin, 1/sin and 1/cos have infinite slopes, which no word length bounds; each table's own error is stated
 --
 -- Self-checking testbench of rotation_corrected_shared. It reads rotation_corrected_shared_vectors.txt: per line the words of the

@@ -8,11 +8,11 @@
 // latency 3 cycles, interval 1 cycle; tables read on the clock
 // absolute errors against the golden of the quantised inputs, over 65536 random inputs
 // (sampler sphere, seed 1), and the input words of the worst:
-//   angle: mean 1.41e-3 rad, at most 4.85e-3 rad at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058
-//   dot: mean 1.65e-3, at most 4.85e-3 at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058
-//   x: mean 9.18e-4, at most 4.10e-3 (268.8 ulp) at phi_a=29150 theta_a=16832 phi_n=13217 theta_n=8896
-//   y: mean 7.11e-4, at most 2.97e-3 (194.4 ulp) at phi_a=63595 theta_a=15808 phi_n=31274 theta_n=12249
-//   z: mean 8.46e-4, at most 3.82e-3 (250.3 ulp) at phi_a=1717 theta_a=16513 phi_n=13490 theta_n=25983
+//   angle: mean 1.41e-3 rad, largest seen 4.85e-3 rad at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058
+//   dot: mean 1.65e-3, largest seen 4.85e-3 at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058
+//   x: mean 9.18e-4, largest seen 4.10e-3 (268.8 ulp) at phi_a=29150 theta_a=16832 phi_n=13217 theta_n=8896
+//   y: mean 7.11e-4, largest seen 2.97e-3 (194.4 ulp) at phi_a=63595 theta_a=15808 phi_n=31274 theta_n=12249
+//   z: mean 8.46e-4, largest seen 3.82e-3 (250.3 ulp) at phi_a=1717 theta_a=16513 phi_n=13490 theta_n=25983
 // stated bound on each component: 6.05e-3
 //
 // Verilator's harness of rotation_exact: feeds vectors from a file, or from the standard input if

@@ -8,11 +8,11 @@
 // latency 27 cycles, interval 1 cycle; tables read on the clock
 // absolute errors against the golden of the quantised inputs, over 65536 random inputs
 // (sampler sphere, seed 1), and the input words of the worst:
-//   angle: mean 1.41e-3 rad, at most 4.89e-3 rad at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058
-//   dot: mean 1.41e-3, at most 4.89e-3 at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058
-//   x: mean 7.66e-4, at most 4.11e-3 at phi_a=29150 theta_a=16832 phi_n=13217 theta_n=8896
-//   y: mean 6.08e-4, at most 3.10e-3 at phi_a=30741 theta_a=4418 phi_n=47062 theta_n=20098
-//   z: mean 7.28e-4, at most 3.81e-3 at phi_a=1717 theta_a=16513 phi_n=13490 theta_n=25983
+//   angle: mean 1.41e-3 rad, largest seen 4.89e-3 rad at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058
+//   dot: mean 1.41e-3, largest seen 4.89e-3 at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058
+//   x: mean 7.66e-4, largest seen 4.11e-3 at phi_a=29150 theta_a=16832 phi_n=13217 theta_n=8896
+//   y: mean 6.08e-4, largest seen 3.10e-3 at phi_a=30741 theta_a=4418 phi_n=47062 theta_n=20098
+//   z: mean 7.28e-4, largest seen 3.81e-3 at phi_a=1717 theta_a=16513 phi_n=13490 theta_n=25983
 // stated bound on the angle: 1.07e-2 rad
 //
 // Verilator's harness of rotation_exact_polar_cordic: feeds vectors from a file, or from the standard input if

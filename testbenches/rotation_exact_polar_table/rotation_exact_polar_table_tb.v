@@ -8,11 +8,11 @@
 // latency 18 cycles, interval 1 cycle; tables read on the clock
 // absolute errors against the golden of the quantised inputs, over 65536 random inputs
 // (sampler sphere, seed 1), and the input words of the worst:
-//   angle: mean 1.43e-3 rad, at most 5.07e-3 rad at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058
-//   dot: mean 1.43e-3, at most 5.07e-3 at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058
-//   x: mean 7.76e-4, at most 4.02e-3 at phi_a=49436 theta_a=17053 phi_n=14175 theta_n=17886
-//   y: mean 6.22e-4, at most 3.23e-3 at phi_a=58542 theta_a=14878 phi_n=27212 theta_n=6389
-//   z: mean 7.43e-4, at most 4.00e-3 at phi_a=1717 theta_a=16513 phi_n=13490 theta_n=25983
+//   angle: mean 1.43e-3 rad, largest seen 5.07e-3 rad at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058
+//   dot: mean 1.43e-3, largest seen 5.07e-3 at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058
+//   x: mean 7.76e-4, largest seen 4.02e-3 at phi_a=49436 theta_a=17053 phi_n=14175 theta_n=17886
+//   y: mean 6.22e-4, largest seen 3.23e-3 at phi_a=58542 theta_a=14878 phi_n=27212 theta_n=6389
+//   z: mean 7.43e-4, largest seen 4.00e-3 at phi_a=1717 theta_a=16513 phi_n=13490 theta_n=25983
 // stated bound on the angle: 1.82e-2 rad
 //
 // Self-checking testbench of rotation_exact_polar_table. It reads rotation_exact_polar_table_vectors.txt: per line the words of the

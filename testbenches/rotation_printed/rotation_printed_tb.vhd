@@ -8,11 +8,11 @@
 -- latency 10 cycles, interval 1 cycle; tables read on the clock
 -- absolute errors against the golden of the quantised inputs, over 65536 random inputs
 -- (sampler sphere, seed 1), and the input words of the worst:
---   angle: mean 1.49e0 rad, at most 3.14e0 rad at phi_a=15344 theta_a=12973 phi_n=15490 theta_n=26226
---   dot: mean 1.28e0, at most 2.00e0 at phi_a=15344 theta_a=12973 phi_n=15490 theta_n=26226
---   x: mean 7.73e-1, at most 2.00e0 at phi_a=37985 theta_a=3793 phi_n=38551 theta_n=19699
---   y: mean 5.55e-1, at most 1.99e0 at phi_a=65309 theta_a=16773 phi_n=16202 theta_n=27589
---   z: mean 5.94e-1, at most 1.99e0 at phi_a=29194 theta_a=9772 phi_n=60747 theta_n=22698
+--   angle: mean 1.49e0 rad, largest seen 3.14e0 rad at phi_a=15344 theta_a=12973 phi_n=15490 theta_n=26226
+--   dot: mean 1.28e0, largest seen 2.00e0 at phi_a=15344 theta_a=12973 phi_n=15490 theta_n=26226
+--   x: mean 7.73e-1, largest seen 2.00e0 at phi_a=37985 theta_a=3793 phi_n=38551 theta_n=19699
+--   y: mean 5.55e-1, largest seen 1.99e0 at phi_a=65309 theta_a=16773 phi_n=16202 theta_n=27589
+--   z: mean 5.94e-1, largest seen 1.99e0 at phi_a=29194 theta_a=9772 phi_n=60747 theta_n=22698
 -- no bound is stated: asin, 1/sin and 1/cos have infinite slopes, which no word length bounds; each table's own error is stated
 --
 -- Self-checking testbench of rotation_printed. It reads rotation_printed_vectors.txt: per line the words of the

@@ -5,12 +5,12 @@
 -- latency 1 cycle, interval 1 cycle; no tables
 -- absolute errors against the golden of the quantised inputs, over 65536 random inputs
 -- (sampler sphere, seed 1), and the input words of the worst:
---   i0: mean 0.00e0, at most 0.00e0 (0.0 ulp) at s=11969441 t=-12161653
---   i1: mean 0.00e0, at most 0.00e0 (0.0 ulp) at s=11969441 t=-12161653
---   a: mean 1.71e-3, at most 3.42e-3 (0.9 ulp) at s=-3629073 t=8031806
---   j0: mean 0.00e0, at most 0.00e0 (0.0 ulp) at s=11969441 t=-12161653
---   j1: mean 0.00e0, at most 0.00e0 (0.0 ulp) at s=11969441 t=-12161653
---   b: mean 1.71e-3, at most 3.42e-3 (0.9 ulp) at s=4664360 t=-2354817
+--   i0: mean 0.00e0, largest seen 0.00e0 (0.0 ulp) at s=11969441 t=-12161653
+--   i1: mean 0.00e0, largest seen 0.00e0 (0.0 ulp) at s=11969441 t=-12161653
+--   a: mean 1.71e-3, largest seen 3.42e-3 (0.9 ulp) at s=-3629073 t=8031806
+--   j0: mean 0.00e0, largest seen 0.00e0 (0.0 ulp) at s=11969441 t=-12161653
+--   j1: mean 0.00e0, largest seen 0.00e0 (0.0 ulp) at s=11969441 t=-12161653
+--   b: mean 1.71e-3, largest seen 3.42e-3 (0.9 ulp) at s=4664360 t=-2354817
 -- stated bound on each texel: 0.00e0
 -- stated bound on each fraction: 3.42e-3
 --
