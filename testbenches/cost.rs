@@ -272,7 +272,8 @@ fn tables_go_where_they_are_asked_and_nothing_latches() {
 fn tables_of_many_ports_are_synthesised() {
     let module = module_of(&["scheme=linear", "table_addr_bits=7", "quarter_wave=on"]);
     for target in [Target::Ecp5, Target::Xilinx] {
-        let made = synthesize(&module, target, LIMIT).unwrap().cost;
+        let limits = Limits { memory_bytes: 1 << 30, ..limits() };
+        let made = synthesize(&module, target, limits).unwrap().cost;
         assert_eq!(made.block_rams, of_module(&module, target).unwrap().block_rams, "{target:?}");
     }
 }
@@ -285,7 +286,7 @@ fn tables_as_cases_take_a_block_ram_for_each_read() {
     let of = |tables| {
         let module = Module::new(&rtl, &Options { tables: Some(tables), ..Options::default() });
         let module = module.unwrap();
-        let made = synthesize(&module, Target::Ecp5, LIMIT).unwrap().cost.block_rams;
+        let made = synthesize(&module, Target::Ecp5, limits()).unwrap().cost.block_rams;
         assert_eq!(made, of_module(&module, Target::Ecp5).unwrap().block_rams, "{tables:?}");
         made
     };
