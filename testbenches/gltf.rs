@@ -4,6 +4,7 @@
 use crate::scene::{base64, glb};
 use fixpath::scene::{Fragments, Scene};
 use serde_json::{Value, json};
+use std::f64::consts::FRAC_PI_2;
 use std::fmt::Write as _;
 use std::fs;
 
@@ -287,7 +288,7 @@ fn one_square_in_many_ways() {
         text(transformed(other_set, "normalTexture", "TEXCOORD_1", &halves)),
     ));
     // The extension's own example: it shows the lower left quadrant of the image, turned.
-    let example = json!({ "offset": [0, 1], "rotation": 1.570_796_326_79, "scale": [0.5, 0.5] });
+    let example = json!({ "offset": [0, 1], "rotation": FRAC_PI_2, "scale": [0.5, 0.5] });
     let turned: Vec<f64> =
         UVS.chunks(2).flat_map(|uv| [2.0 * (1.0 - uv[1]), 2.0 * uv[0]]).collect();
     cases.push((

@@ -477,7 +477,7 @@ mod tests {
 
     fn pictures() -> Vec<Vec<u8>> {
         let picture = RgbImage::from_fn(40, 24, |x, y| {
-            image::Rgb([(x * y) as u8, (7 * x) as u8, (5 * y * y) as u8])
+            image::Rgb([x * y, 7 * x, 5 * y * y].map(|value| value.to_le_bytes()[0]))
         });
         let grey = image::DynamicImage::ImageRgb8(picture.clone()).into_luma8();
         let encoded = |bytes: &[u8], color| {
