@@ -367,7 +367,13 @@ fn one_cube_in_every_format_is_the_cube() {
         Scene::parse(&text, &folder.path().join("scene.toml")).unwrap()
     };
     let expected = traced(&scene("shape = \"cube\""));
-    for name in ["cube.obj", "cube.gltf", "cube.glb", "data.gltf"] {
+    // Without normals, and with normals of no length: its edges are sharp enough for those of its faces.
+    let bare = cube_gltf("").0.replace("\"NORMAL\": 1, ", "");
+    write("bare.glb", &glb(&bare, &binary));
+    let mut zeros = binary.clone();
+    zeros[432..864].fill(0);
+    write("zeros.glb", &glb(&cube_gltf("").0, &zeros));
+    for name in ["cube.obj", "cube.gltf", "cube.glb", "data.gltf", "bare.glb", "zeros.glb"] {
         let scene = scene(&format!("shape = \"mesh\"\nfile = \"{name}\""));
         assert!(scene.facts().right_handed);
         let f = traced(&scene);
@@ -1222,6 +1228,24 @@ fn texture_coordinates_only_where_something_needs_them() {
         let t = |i| tangent(&without, i).dot(normal(&without, i));
         assert!((0..without.len()).all(|i| t(i) == 0.0));
     }
+}
+
+/// What isn't as a file has it is told where the program runs, and beside the pictures.
+#[test]
+fn notes_go_to_standard_error_and_into_the_report() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("m.obj"), ROOF.to_owned() + "l 1 2\n").unwrap();
+    let text = "[image]\nwidth = 8\nheight = 8\n[[object]]\nshape = \"mesh\"\nfile = \"m.obj\"\n";
+    fs::write(folder.path().join("s.toml"), text).unwrap();
+    let mut program = assert_cmd::Command::cargo_bin("fixpath").unwrap();
+    program.current_dir(folder.path()).args(["render", "s.toml", "--out", "o"]);
+    let outcome = program.args(["--pipelines", "exact-cartesian"]).output().unwrap();
+    assert!(outcome.status.success());
+    let told = String::from_utf8(outcome.stderr).unwrap();
+    let passed = "note: m.obj: lines (`l`) passed over: 1, the first in line 13\n";
+    assert!(told.contains(passed) && told.contains("note: m.obj: 15 of 15 corners"), "{told}");
+    let report = fs::read_to_string(folder.path().join("o/figures.txt")).unwrap();
+    assert!(report.ends_with(&told[told.find("note").unwrap()..]), "{report}");
 }
 
 /// Normals that a mesh lacks, by an eye that looks at it from above.

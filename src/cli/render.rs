@@ -112,11 +112,14 @@ const SHEET_FRAMES: usize = 12;
 /// The scene of a name or a file; what isn't as its files have it goes to standard error.
 pub(super) fn scene_of(path: &Path) -> Result<Scene> {
     let scene = named_scene(path)?;
-    for note in scene.notes() {
-        // A lost note changes nothing.
-        let _ = writeln!(io::stderr(), "note: {note}");
-    }
+    // A lost note changes nothing.
+    let _ = write!(io::stderr(), "{}", notes(&scene));
     Ok(scene)
+}
+
+/// A line for each of a scene's notes.
+fn notes(scene: &Scene) -> String {
+    scene.notes().iter().map(|note| format!("note: {note}\n")).collect()
 }
 
 fn named_scene(path: &Path) -> Result<Scene> {
@@ -294,7 +297,7 @@ fn run_frames(args: &RenderArgs, scene: &Scene) -> Result<(String, bool)> {
     if !held {
         told.push_str(BROKEN);
     }
-    write_figures(set, &value, &told)?;
+    write_figures(set, &value, &(told.clone() + &notes(scene)))?;
     Ok((if args.json { pretty(&value) } else { told }, held))
 }
 
@@ -391,7 +394,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<(String, bool)> {
         told.push('\n');
         told.push_str(&savings(&reduced));
     }
-    write_figures(set, &value, &told)?;
+    write_figures(set, &value, &(told.clone() + &notes(&scene)))?;
     Ok((if args.json { pretty(&value) } else { told }, same))
 }
 
