@@ -429,7 +429,7 @@ fn what_is_wrong_is_said() {
         sparse: m.gltf: mesh 0, primitive 0: accessor 4: sparse element 3 is named, and there are 3
         joint: m.gltf: mesh 0, primitive 0: vertex 0 joint 1 is named, and there are 1
         skin: m.gltf: skin 0: joint 1 isn't in the scene
-        set: m.gltf: mesh 0, primitive 0: has no uv (TEXCOORD_3): export with texture coordinates and normals
+        set: m.gltf: triangle 0 (they count from 0) has no texture coordinates, by which [texture] lies on it: unwrap it, or leave [texture] out
         matrix: m.gltf: no glTF 2.0: trailing characters at line 1 column 156
         cut: m.glb: its .glb container has 839 bytes of 840: the file is cut off, export or copy it again
         chunk: m.glb: the chunk at byte 572 of its .glb container has 2066513208 bytes and reaches beyond the container's 840: the file is damaged
