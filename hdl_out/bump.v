@@ -27,7 +27,7 @@
 // stated bound on each dot: 2.73e-2
 // stated bound on each diffuse: 1.67e-2
 // stated bound on each specular: 1.81e-1
-// stated bound on each intensity: 1.98e-1
+// stated bound on each intensity: 1.97e-1
 // stated bound on the angle: 1.82e-2 rad
 module bump (
     input  wire clk,
@@ -199,8 +199,10 @@ module bump (
     wire [-1:-16] bump_phi = bump_n257[-1:-16]; // u16f16
     // (unit)
     wire n297 = 1'b0; // u1f0
-    wire [-1:-16] n303 = 16'h199a; // u16f16
-    wire [-1:-16] n310 = 16'h0; // u16f16
+    wire [-1:-16] n306 = 16'hb333; // u16f16
+    wire [-1:-16] n307 = 16'h199a; // u16f16
+    wire [-1:-16] n318 = 16'h4ccd; // u16f16
+    wire [-1:-16] n319 = 16'h0; // u16f16
 
     reg [-1:-16] theta_p_s1; // u16f16
     reg [39:0] sincos_row;
@@ -1375,30 +1377,38 @@ module bump (
     wire signed [1:-16] dot_h = dot_h_over ? 18'h1ffff : dot_h_under ? 18'h20000 : dot_h_cut[1:-16]; // s18f16
     wire n298 = dot_l[1]; // u1f0
     wire signed [1:-16] n299 = n298 ? {1'b0, n297, 16'h0} : dot_l; // s18f16
-    wire diffuse_index_over = ~n299[1] & (|n299[0]);
     wire diffuse_index_under = n299[1];
-    wire [-1:-16] diffuse_index = diffuse_index_over ? 16'hffff : diffuse_index_under ? 16'h0 : n299[-1:-16]; // u16f16
+    wire [0:-16] diffuse_index = diffuse_index_under ? 17'h0 : n299[0:-16]; // u17f16
+    wire n301 = diffuse_index[0]; // u1f0
+    wire [15:0] n302 = diffuse_index[-1:-16]; // u16f0
+    wire [-1:-16] n303 = n302; // u16f16
     // diffuse
-    wire [9:0] diffuse_n301 = diffuse_index[-1:-10]; // u10f0
+    wire [9:0] diffuse_n304 = n303[-1:-10]; // u10f0
     // (unit)
-    wire n305 = dot_h[1]; // u1f0
-    wire signed [1:-16] n306 = n305 ? {1'b0, n297, 16'h0} : dot_h; // s18f16
-    wire specular_index_over = ~n306[1] & (|n306[0]);
-    wire specular_index_under = n306[1];
-    wire [-1:-16] specular_index = specular_index_over ? 16'hffff : specular_index_under ? 16'h0 : n306[-1:-16]; // u16f16
+    wire n310 = dot_h[1]; // u1f0
+    wire signed [1:-16] n311 = n310 ? {1'b0, n297, 16'h0} : dot_h; // s18f16
+    wire specular_index_under = n311[1];
+    wire [0:-16] specular_index = specular_index_under ? 17'h0 : n311[0:-16]; // u17f16
+    wire n313 = specular_index[0]; // u1f0
+    wire [15:0] n314 = specular_index[-1:-16]; // u16f0
+    wire [-1:-16] n315 = n314; // u16f16
     // specular
-    wire [9:0] specular_n308 = specular_index[-1:-10]; // u10f0
+    wire [9:0] specular_n316 = n315[-1:-10]; // u10f0
 
     reg n298_s22; // u1f0
-    reg [9:0] diffuse_n301_s22; // u10f0
-    reg n305_s22; // u1f0
-    reg [9:0] specular_n308_s22; // u10f0
+    reg n301_s22; // u1f0
+    reg [9:0] diffuse_n304_s22; // u10f0
+    reg n310_s22; // u1f0
+    reg n313_s22; // u1f0
+    reg [9:0] specular_n316_s22; // u10f0
     always @(posedge clk)
         if (ce) begin
             n298_s22 <= n298;
-            diffuse_n301_s22 <= diffuse_n301;
-            n305_s22 <= n305;
-            specular_n308_s22 <= specular_n308;
+            n301_s22 <= n301;
+            diffuse_n304_s22 <= diffuse_n304;
+            n310_s22 <= n310;
+            n313_s22 <= n313;
+            specular_n316_s22 <= specular_n316;
         end
     reg valid_s22;
     always @(posedge clk)
@@ -1408,15 +1418,19 @@ module bump (
     // ---- stage 22 ----
 
     reg n298_s23; // u1f0
+    reg n301_s23; // u1f0
     reg [15:0] diffuse_row;
-    reg n305_s23; // u1f0
+    reg n310_s23; // u1f0
+    reg n313_s23; // u1f0
     reg [15:0] specular_row;
     always @(posedge clk)
         if (ce) begin
             n298_s23 <= n298_s22;
-            diffuse_row <= diffuse_rom[diffuse_n301_s22];
-            n305_s23 <= n305_s22;
-            specular_row <= specular_rom[specular_n308_s22];
+            n301_s23 <= n301_s22;
+            diffuse_row <= diffuse_rom[diffuse_n304_s22];
+            n310_s23 <= n310_s22;
+            n313_s23 <= n313_s22;
+            specular_row <= specular_rom[specular_n316_s22];
         end
     reg valid_s23;
     always @(posedge clk)
@@ -1425,16 +1439,18 @@ module bump (
 
     // ---- stage 23 ----
     // diffuse
-    wire [-1:-16] diffuse_n302 = diffuse_row; // u16f16
+    wire [-1:-16] diffuse_n305 = diffuse_row; // u16f16
     // (unit)
-    wire [-1:-16] diffuse_next = n298_s23 ? n303 : diffuse_n302; // u16f16
+    wire [-1:-16] n308 = n301_s23 ? n306 : diffuse_n305; // u16f16
+    wire [-1:-16] diffuse_next = n298_s23 ? n307 : n308; // u16f16
     // specular
-    wire [-1:-16] specular_n309 = specular_row; // u16f16
+    wire [-1:-16] specular_n317 = specular_row; // u16f16
     // (unit)
-    wire [-1:-16] specular_next = n305_s23 ? n310 : specular_n309; // u16f16
-    wire [0:-16] n312 = {1'b0, diffuse_next} + {1'b0, specular_next}; // u17f16
-    wire intensity_next_over = |n312[0];
-    wire [-1:-16] intensity_next = intensity_next_over ? 16'hffff : n312[-1:-16]; // u16f16
+    wire [-1:-16] n320 = n313_s23 ? n318 : specular_n317; // u16f16
+    wire [-1:-16] specular_next = n310_s23 ? n319 : n320; // u16f16
+    wire [0:-16] n322 = {1'b0, diffuse_next} + {1'b0, specular_next}; // u17f16
+    wire intensity_next_over = |n322[0];
+    wire [-1:-16] intensity_next = intensity_next_over ? 16'hffff : n322[-1:-16]; // u16f16
 
     always @(posedge clk)
         if (ce) begin
@@ -1552,6 +1568,6 @@ module bump (
         dot_h_difference[-11:-16],
         dot_l_sum_2[-17:-37],
         dot_h_sum_2[-17:-37],
-        diffuse_index[-11:-16],
-        specular_index[-11:-16]};
+        n303[-11:-16],
+        n315[-11:-16]};
 endmodule

@@ -27,7 +27,7 @@
 -- stated bound on each dot: 2.73e-2
 -- stated bound on each diffuse: 1.67e-2
 -- stated bound on each specular: 1.81e-1
--- stated bound on each intensity: 1.98e-1
+-- stated bound on each intensity: 1.97e-1
 -- stated bound on the angle: 1.82e-2 rad
 library ieee;
 use ieee.std_logic_1164.all;
@@ -259,8 +259,10 @@ architecture rtl of bump is
     signal bump_n257 : unsigned(16 downto 0) := (others => '0'); -- u17f16
     signal bump_phi : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal n297 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal n303 : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal n310 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal n306 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal n307 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal n318 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal n319 : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal theta_p_s1 : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal sincos_row : unsigned(39 downto 0) := (others => '0');
     signal sincos_row_2 : unsigned(39 downto 0) := (others => '0');
@@ -921,33 +923,43 @@ architecture rtl of bump is
     signal dot_h : signed(17 downto 0) := (others => '0'); -- s18f16
     signal n298 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal n299 : signed(17 downto 0) := (others => '0'); -- s18f16
-    signal diffuse_index_over : unsigned(0 downto 0) := (others => '0');
     signal diffuse_index_under : unsigned(0 downto 0) := (others => '0');
-    signal diffuse_index : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal diffuse_n301 : unsigned(9 downto 0) := (others => '0'); -- u10f0
-    signal n305 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal n306 : signed(17 downto 0) := (others => '0'); -- s18f16
-    signal specular_index_over : unsigned(0 downto 0) := (others => '0');
+    signal diffuse_index : unsigned(16 downto 0) := (others => '0'); -- u17f16
+    signal n301 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n302 : unsigned(15 downto 0) := (others => '0'); -- u16f0
+    signal n303 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal diffuse_n304 : unsigned(9 downto 0) := (others => '0'); -- u10f0
+    signal n310 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n311 : signed(17 downto 0) := (others => '0'); -- s18f16
     signal specular_index_under : unsigned(0 downto 0) := (others => '0');
-    signal specular_index : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal specular_n308 : unsigned(9 downto 0) := (others => '0'); -- u10f0
+    signal specular_index : unsigned(16 downto 0) := (others => '0'); -- u17f16
+    signal n313 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n314 : unsigned(15 downto 0) := (others => '0'); -- u16f0
+    signal n315 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal specular_n316 : unsigned(9 downto 0) := (others => '0'); -- u10f0
     signal n298_s22 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal diffuse_n301_s22 : unsigned(9 downto 0) := (others => '0'); -- u10f0
-    signal n305_s22 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal specular_n308_s22 : unsigned(9 downto 0) := (others => '0'); -- u10f0
+    signal n301_s22 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal diffuse_n304_s22 : unsigned(9 downto 0) := (others => '0'); -- u10f0
+    signal n310_s22 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n313_s22 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal specular_n316_s22 : unsigned(9 downto 0) := (others => '0'); -- u10f0
     signal valid_s22 : std_logic;
     -- stage 22
     signal n298_s23 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n301_s23 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal diffuse_row : unsigned(15 downto 0) := (others => '0');
-    signal n305_s23 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n310_s23 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n313_s23 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal specular_row : unsigned(15 downto 0) := (others => '0');
     signal valid_s23 : std_logic;
     -- stage 23
-    signal diffuse_n302 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal diffuse_n305 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal n308 : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal diffuse_next : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal specular_n309 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal specular_n317 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal n320 : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal specular_next : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal n312 : unsigned(16 downto 0) := (others => '0'); -- u17f16
+    signal n322 : unsigned(16 downto 0) := (others => '0'); -- u17f16
     signal intensity_next_over : unsigned(0 downto 0) := (others => '0');
     signal intensity_next : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal valid_s24 : std_logic;
@@ -1018,8 +1030,10 @@ begin
     bump_phi <= bump_n257(15 downto 0);
     -- (unit)
     n297 <= "0";
-    n303 <= 16x"199a";
-    n310 <= 16x"0000";
+    n306 <= 16x"b333";
+    n307 <= 16x"199a";
+    n318 <= 16x"4ccd";
+    n319 <= 16x"0000";
 
     process (clk)
     begin
@@ -2039,28 +2053,34 @@ begin
     dot_h <= 18x"1ffff" when dot_h_over(0) = '1' else 18x"20000" when dot_h_under(0) = '1' else dot_h_cut(17 downto 0);
     n298 <= unsigned(dot_l(17 downto 17));
     n299 <= signed(shift_left(resize(n297, 18), 16)) when n298(0) = '1' else dot_l;
-    diffuse_index_over <= "1" when n299(17) = '0' and (or n299(16 downto 16)) = '1' else "0";
     diffuse_index_under <= unsigned(n299(17 downto 17));
-    diffuse_index <= 16x"ffff" when diffuse_index_over(0) = '1' else 16x"0000" when diffuse_index_under(0) = '1' else unsigned(n299(15 downto 0));
+    diffuse_index <= 17x"00000" when diffuse_index_under(0) = '1' else unsigned(n299(16 downto 0));
+    n301 <= diffuse_index(16 downto 16);
+    n302 <= diffuse_index(15 downto 0);
+    n303 <= n302;
     -- diffuse
-    diffuse_n301 <= diffuse_index(15 downto 6);
+    diffuse_n304 <= n303(15 downto 6);
     -- (unit)
-    n305 <= unsigned(dot_h(17 downto 17));
-    n306 <= signed(shift_left(resize(n297, 18), 16)) when n305(0) = '1' else dot_h;
-    specular_index_over <= "1" when n306(17) = '0' and (or n306(16 downto 16)) = '1' else "0";
-    specular_index_under <= unsigned(n306(17 downto 17));
-    specular_index <= 16x"ffff" when specular_index_over(0) = '1' else 16x"0000" when specular_index_under(0) = '1' else unsigned(n306(15 downto 0));
+    n310 <= unsigned(dot_h(17 downto 17));
+    n311 <= signed(shift_left(resize(n297, 18), 16)) when n310(0) = '1' else dot_h;
+    specular_index_under <= unsigned(n311(17 downto 17));
+    specular_index <= 17x"00000" when specular_index_under(0) = '1' else unsigned(n311(16 downto 0));
+    n313 <= specular_index(16 downto 16);
+    n314 <= specular_index(15 downto 0);
+    n315 <= n314;
     -- specular
-    specular_n308 <= specular_index(15 downto 6);
+    specular_n316 <= n315(15 downto 6);
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 n298_s22 <= n298;
-                diffuse_n301_s22 <= diffuse_n301;
-                n305_s22 <= n305;
-                specular_n308_s22 <= specular_n308;
+                n301_s22 <= n301;
+                diffuse_n304_s22 <= diffuse_n304;
+                n310_s22 <= n310;
+                n313_s22 <= n313;
+                specular_n316_s22 <= specular_n316;
             end if;
             if rst = '1' then
                 valid_s22 <= '0';
@@ -2077,9 +2097,11 @@ begin
         if rising_edge(clk) then
             if ce = '1' then
                 n298_s23 <= n298_s22;
-                diffuse_row <= diffuse_rom(to_integer(diffuse_n301_s22));
-                n305_s23 <= n305_s22;
-                specular_row <= specular_rom(to_integer(specular_n308_s22));
+                n301_s23 <= n301_s22;
+                diffuse_row <= diffuse_rom(to_integer(diffuse_n304_s22));
+                n310_s23 <= n310_s22;
+                n313_s23 <= n313_s22;
+                specular_row <= specular_rom(to_integer(specular_n316_s22));
             end if;
             if rst = '1' then
                 valid_s23 <= '0';
@@ -2091,16 +2113,18 @@ begin
 
     -- ---- stage 23 ----
     -- diffuse
-    diffuse_n302 <= diffuse_row;
+    diffuse_n305 <= diffuse_row;
     -- (unit)
-    diffuse_next <= n303 when n298_s23(0) = '1' else diffuse_n302;
+    n308 <= n306 when n301_s23(0) = '1' else diffuse_n305;
+    diffuse_next <= n307 when n298_s23(0) = '1' else n308;
     -- specular
-    specular_n309 <= specular_row;
+    specular_n317 <= specular_row;
     -- (unit)
-    specular_next <= n310 when n305_s23(0) = '1' else specular_n309;
-    n312 <= resize(diffuse_next, 17) + resize(specular_next, 17);
-    intensity_next_over <= "1" when (or n312(16 downto 16)) = '1' else "0";
-    intensity_next <= 16x"ffff" when intensity_next_over(0) = '1' else n312(15 downto 0);
+    n320 <= n318 when n313_s23(0) = '1' else specular_n317;
+    specular_next <= n319 when n310_s23(0) = '1' else n320;
+    n322 <= resize(diffuse_next, 17) + resize(specular_next, 17);
+    intensity_next_over <= "1" when (or n322(16 downto 16)) = '1' else "0";
+    intensity_next <= 16x"ffff" when intensity_next_over(0) = '1' else n322(15 downto 0);
 
     process (clk)
     begin

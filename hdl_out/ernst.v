@@ -23,10 +23,11 @@
 //   ht_y: mean 3.92e-6, largest seen 1.08e-5 (0.7 ulp) at l_x=32246 l_y=-33688 l_z=-46046 h_x=26934 h_y=-37639 h_z=-46399 n_x=15761 n_y=17121 n_z=-61265 t_x=59086 t_y=-27325 t_z=7564 b_x=-23568 b_y=-57054 b_z=-22007 p_x=-27119 p_y=36491 p_z=47201
 //   ht_z: mean 3.92e-6, largest seen 1.08e-5 (0.7 ulp) at l_x=-37898 l_y=-11533 l_z=52209 h_x=-54011 h_y=-33479 h_z=-16030 n_x=-19265 n_y=-61659 n_z=-11046 t_x=-4008 t_y=12746 t_z=-64159 b_x=62512 b_y=-18185 b_z=-7518 p_x=10839 p_y=-28061 p_z=58224
 // stated bound on each dot: 7.02e-5
-// stated bound on each diffuse: 8.94e-5
-// stated bound on each specular: 5.38e-3
-// stated bound on each intensity: 5.49e-3
+// stated bound on each diffuse: 8.02e-5
+// stated bound on each specular: 5.24e-3
+// stated bound on each intensity: 5.33e-3
 // stated bound on each component: 1.81e-5
+// bounds hold for L and H in the texture frame, and N', from 1/2 to 2 long
 module ernst (
     input  wire clk,
     input  wire rst, // clears the valid bits
@@ -494,7 +495,8 @@ module ernst (
     wire [0:-16] diffuse_n2853 = 17'h999a; // u17f16
     wire [0:-16] diffuse_n2854 = 17'h199a; // u17f16
     // (unit)
-    wire [-1:-16] n2863 = 16'h0; // u16f16
+    wire [-1:-16] n2866 = 16'h4ccd; // u16f16
+    wire [-1:-16] n2867 = 16'h0; // u16f16
 
     reg signed [3:-32] setup_light_n18_s1; // s36f32
     reg signed [3:-32] setup_light_n19_s1; // s36f32
@@ -6983,20 +6985,25 @@ module ernst (
     // (unit)
     wire n2858 = dot_h[4]; // u1f0
     wire signed [4:-16] n2859 = n2858 ? {4'h0, setup_light_length_n43, 16'h0} : dot_h; // s21f16
-    wire specular_index_over = ~n2859[4] & (|n2859[3:0]);
+    wire specular_index_over = ~n2859[4] & (|n2859[3:1]);
     wire specular_index_under = n2859[4];
-    wire [-1:-16] specular_index = specular_index_over ? 16'hffff : specular_index_under ? 16'h0 : n2859[-1:-16]; // u16f16
+    wire [0:-16] specular_index = specular_index_over ? 17'h1ffff : specular_index_under ? 17'h0 : n2859[0:-16]; // u17f16
+    wire n2861 = specular_index[0]; // u1f0
+    wire [15:0] n2862 = specular_index[-1:-16]; // u16f0
+    wire [-1:-16] n2863 = n2862; // u16f16
     // specular
-    wire [9:0] specular_n2861 = specular_index[-1:-10]; // u10f0
+    wire [9:0] specular_n2864 = n2863[-1:-10]; // u10f0
 
     reg [0:-16] diffuse_n2852_s30; // u17f16
     reg n2858_s30; // u1f0
+    reg n2861_s30; // u1f0
     reg [15:0] specular_row;
     always @(posedge clk)
         if (ce) begin
             diffuse_n2852_s30 <= diffuse_n2852;
             n2858_s30 <= n2858;
-            specular_row <= specular_rom[specular_n2861];
+            n2861_s30 <= n2861;
+            specular_row <= specular_rom[specular_n2864];
         end
     reg valid_s30;
     always @(posedge clk)
@@ -7007,9 +7014,10 @@ module ernst (
     // diffuse
     wire [1:-32] diffuse_n2855 = diffuse_n2852_s30 * diffuse_n2853; // u34f32
     // specular
-    wire [-1:-16] specular_n2862 = specular_row; // u16f16
+    wire [-1:-16] specular_n2865 = specular_row; // u16f16
     // (unit)
-    wire [-1:-16] specular_next = n2858_s30 ? n2863 : specular_n2862; // u16f16
+    wire [-1:-16] n2868 = n2861_s30 ? n2866 : specular_n2865; // u16f16
+    wire [-1:-16] specular_next = n2858_s30 ? n2867 : n2868; // u16f16
 
     reg [1:-32] diffuse_n2855_s31; // u34f32
     reg [-1:-16] specular_next_s31; // u16f16
@@ -7031,16 +7039,16 @@ module ernst (
     wire diffuse_diffuse_over = |diffuse_diffuse_cut[3:0];
     wire [-1:-16] diffuse_diffuse = diffuse_diffuse_over ? 16'hffff : diffuse_diffuse_cut[-1:-16]; // u16f16
     // (unit)
-    wire [0:-16] n2865 = {1'b0, diffuse_diffuse} + {1'b0, specular_next_s31}; // u17f16
+    wire [0:-16] n2870 = {1'b0, diffuse_diffuse} + {1'b0, specular_next_s31}; // u17f16
 
     reg [-1:-16] diffuse_diffuse_s32; // u16f16
     reg [-1:-16] specular_next_s32; // u16f16
-    reg [0:-16] n2865_s32; // u17f16
+    reg [0:-16] n2870_s32; // u17f16
     always @(posedge clk)
         if (ce) begin
             diffuse_diffuse_s32 <= diffuse_diffuse;
             specular_next_s32 <= specular_next_s31;
-            n2865_s32 <= n2865;
+            n2870_s32 <= n2870;
         end
     reg valid_s32;
     always @(posedge clk)
@@ -7048,8 +7056,8 @@ module ernst (
         else if (ce) valid_s32 <= valid_s31;
 
     // ---- stage 32 ----
-    wire intensity_next_over = |n2865_s32[0];
-    wire [-1:-16] intensity_next = intensity_next_over ? 16'hffff : n2865_s32[-1:-16]; // u16f16
+    wire intensity_next_over = |n2870_s32[0];
+    wire [-1:-16] intensity_next = intensity_next_over ? 16'hffff : n2870_s32[-1:-16]; // u16f16
 
     always @(posedge clk)
         if (ce) begin
@@ -7340,6 +7348,6 @@ module ernst (
         setup_half_unit_z_z_sum[-17:-18],
         dot_l_sum[-17:-32],
         dot_h_sum[-17:-32],
-        specular_index[-11:-16],
+        n2863[-11:-16],
         diffuse_diffuse_sum[-17:-32]};
 endmodule

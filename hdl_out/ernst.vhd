@@ -23,10 +23,11 @@
 --   ht_y: mean 3.92e-6, largest seen 1.08e-5 (0.7 ulp) at l_x=32246 l_y=-33688 l_z=-46046 h_x=26934 h_y=-37639 h_z=-46399 n_x=15761 n_y=17121 n_z=-61265 t_x=59086 t_y=-27325 t_z=7564 b_x=-23568 b_y=-57054 b_z=-22007 p_x=-27119 p_y=36491 p_z=47201
 --   ht_z: mean 3.92e-6, largest seen 1.08e-5 (0.7 ulp) at l_x=-37898 l_y=-11533 l_z=52209 h_x=-54011 h_y=-33479 h_z=-16030 n_x=-19265 n_y=-61659 n_z=-11046 t_x=-4008 t_y=12746 t_z=-64159 b_x=62512 b_y=-18185 b_z=-7518 p_x=10839 p_y=-28061 p_z=58224
 -- stated bound on each dot: 7.02e-5
--- stated bound on each diffuse: 8.94e-5
--- stated bound on each specular: 5.38e-3
--- stated bound on each intensity: 5.49e-3
+-- stated bound on each diffuse: 8.02e-5
+-- stated bound on each specular: 5.24e-3
+-- stated bound on each intensity: 5.33e-3
 -- stated bound on each component: 1.81e-5
+-- bounds hold for L and H in the texture frame, and N', from 1/2 to 2 long
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -495,7 +496,8 @@ architecture rtl of ernst is
     signal diffuse_n2850 : unsigned(16 downto 0) := (others => '0'); -- u17f16
     signal diffuse_n2853 : unsigned(16 downto 0) := (others => '0'); -- u17f16
     signal diffuse_n2854 : unsigned(16 downto 0) := (others => '0'); -- u17f16
-    signal n2863 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal n2866 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal n2867 : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal setup_light_n18_s1 : signed(35 downto 0) := (others => '0'); -- s36f32
     signal setup_light_n19_s1 : signed(35 downto 0) := (others => '0'); -- s36f32
     signal setup_light_n20_s1 : signed(35 downto 0) := (others => '0'); -- s36f32
@@ -5041,15 +5043,20 @@ architecture rtl of ernst is
     signal n2859 : signed(20 downto 0) := (others => '0'); -- s21f16
     signal specular_index_over : unsigned(0 downto 0) := (others => '0');
     signal specular_index_under : unsigned(0 downto 0) := (others => '0');
-    signal specular_index : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal specular_n2861 : unsigned(9 downto 0) := (others => '0'); -- u10f0
+    signal specular_index : unsigned(16 downto 0) := (others => '0'); -- u17f16
+    signal n2861 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n2862 : unsigned(15 downto 0) := (others => '0'); -- u16f0
+    signal n2863 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal specular_n2864 : unsigned(9 downto 0) := (others => '0'); -- u10f0
     signal diffuse_n2852_s30 : unsigned(16 downto 0) := (others => '0'); -- u17f16
     signal n2858_s30 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n2861_s30 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal specular_row : unsigned(15 downto 0) := (others => '0');
     signal valid_s30 : std_logic;
     -- stage 30
     signal diffuse_n2855 : unsigned(33 downto 0) := (others => '0'); -- u34f32
-    signal specular_n2862 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal specular_n2865 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal n2868 : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal specular_next : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal diffuse_n2855_s31 : unsigned(33 downto 0) := (others => '0'); -- u34f32
     signal specular_next_s31 : unsigned(15 downto 0) := (others => '0'); -- u16f16
@@ -5060,10 +5067,10 @@ architecture rtl of ernst is
     signal diffuse_diffuse_cut : unsigned(19 downto 0) := (others => '0');
     signal diffuse_diffuse_over : unsigned(0 downto 0) := (others => '0');
     signal diffuse_diffuse : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal n2865 : unsigned(16 downto 0) := (others => '0'); -- u17f16
+    signal n2870 : unsigned(16 downto 0) := (others => '0'); -- u17f16
     signal diffuse_diffuse_s32 : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal specular_next_s32 : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal n2865_s32 : unsigned(16 downto 0) := (others => '0'); -- u17f16
+    signal n2870_s32 : unsigned(16 downto 0) := (others => '0'); -- u17f16
     signal valid_s32 : std_logic;
     -- stage 32
     signal intensity_next_over : unsigned(0 downto 0) := (others => '0');
@@ -5247,7 +5254,8 @@ begin
     diffuse_n2853 <= 17x"0999a";
     diffuse_n2854 <= 17x"0199a";
     -- (unit)
-    n2863 <= 16x"0000";
+    n2866 <= 16x"4ccd";
+    n2867 <= 16x"0000";
 
     process (clk)
     begin
@@ -10331,11 +10339,14 @@ begin
     -- (unit)
     n2858 <= unsigned(dot_h(20 downto 20));
     n2859 <= signed(shift_left(resize(setup_light_length_n43, 21), 16)) when n2858(0) = '1' else dot_h;
-    specular_index_over <= "1" when n2859(20) = '0' and (or n2859(19 downto 16)) = '1' else "0";
+    specular_index_over <= "1" when n2859(20) = '0' and (or n2859(19 downto 17)) = '1' else "0";
     specular_index_under <= unsigned(n2859(20 downto 20));
-    specular_index <= 16x"ffff" when specular_index_over(0) = '1' else 16x"0000" when specular_index_under(0) = '1' else unsigned(n2859(15 downto 0));
+    specular_index <= 17x"1ffff" when specular_index_over(0) = '1' else 17x"00000" when specular_index_under(0) = '1' else unsigned(n2859(16 downto 0));
+    n2861 <= specular_index(16 downto 16);
+    n2862 <= specular_index(15 downto 0);
+    n2863 <= n2862;
     -- specular
-    specular_n2861 <= specular_index(15 downto 6);
+    specular_n2864 <= n2863(15 downto 6);
 
     process (clk)
     begin
@@ -10343,7 +10354,8 @@ begin
             if ce = '1' then
                 diffuse_n2852_s30 <= diffuse_n2852;
                 n2858_s30 <= n2858;
-                specular_row <= specular_rom(to_integer(specular_n2861));
+                n2861_s30 <= n2861;
+                specular_row <= specular_rom(to_integer(specular_n2864));
             end if;
             if rst = '1' then
                 valid_s30 <= '0';
@@ -10357,9 +10369,10 @@ begin
     -- diffuse
     diffuse_n2855 <= diffuse_n2852_s30 * diffuse_n2853;
     -- specular
-    specular_n2862 <= specular_row;
+    specular_n2865 <= specular_row;
     -- (unit)
-    specular_next <= n2863 when n2858_s30(0) = '1' else specular_n2862;
+    n2868 <= n2866 when n2861_s30(0) = '1' else specular_n2865;
+    specular_next <= n2867 when n2858_s30(0) = '1' else n2868;
 
     process (clk)
     begin
@@ -10384,7 +10397,7 @@ begin
     diffuse_diffuse_over <= "1" when (or diffuse_diffuse_cut(19 downto 16)) = '1' else "0";
     diffuse_diffuse <= 16x"ffff" when diffuse_diffuse_over(0) = '1' else diffuse_diffuse_cut(15 downto 0);
     -- (unit)
-    n2865 <= resize(diffuse_diffuse, 17) + resize(specular_next_s31, 17);
+    n2870 <= resize(diffuse_diffuse, 17) + resize(specular_next_s31, 17);
 
     process (clk)
     begin
@@ -10392,7 +10405,7 @@ begin
             if ce = '1' then
                 diffuse_diffuse_s32 <= diffuse_diffuse;
                 specular_next_s32 <= specular_next_s31;
-                n2865_s32 <= n2865;
+                n2870_s32 <= n2870;
             end if;
             if rst = '1' then
                 valid_s32 <= '0';
@@ -10403,8 +10416,8 @@ begin
     end process;
 
     -- ---- stage 32 ----
-    intensity_next_over <= "1" when (or n2865_s32(16 downto 16)) = '1' else "0";
-    intensity_next <= 16x"ffff" when intensity_next_over(0) = '1' else n2865_s32(15 downto 0);
+    intensity_next_over <= "1" when (or n2870_s32(16 downto 16)) = '1' else "0";
+    intensity_next <= 16x"ffff" when intensity_next_over(0) = '1' else n2870_s32(15 downto 0);
 
     process (clk)
     begin

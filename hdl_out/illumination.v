@@ -13,9 +13,9 @@
 //   dot_l: mean 1.03e-3, largest seen 4.01e-3 (262.7 ulp) at phi_lt=9033 theta_lt=16932 phi_ht=2260 theta_ht=13923 phi_p=24522 theta_p=8033
 //   dot_h: mean 1.03e-3, largest seen 3.98e-3 (260.8 ulp) at phi_lt=8635 theta_lt=24817 phi_ht=7806 theta_ht=14338 phi_p=58302 theta_p=9088
 // stated bound on each dot: 9.08e-3
-// stated bound on each diffuse: 5.77e-3
-// stated bound on each specular: 8.06e-2
-// stated bound on each intensity: 8.64e-2
+// stated bound on each diffuse: 5.76e-3
+// stated bound on each specular: 8.05e-2
+// stated bound on each intensity: 8.63e-2
 module illumination (
     input  wire clk,
     input  wire rst, // clears the valid bits
@@ -1368,8 +1368,10 @@ module illumination (
     wire [9:0] dot_h_cos_n35 = dot_h_delta[-1:-10]; // u10f0
     // (unit)
     wire n44 = 1'b0; // u1f0
-    wire [-1:-16] n50 = 16'h199a; // u16f16
-    wire [-1:-16] n57 = 16'h0; // u16f16
+    wire [-1:-16] n53 = 16'hb333; // u16f16
+    wire [-1:-16] n54 = 16'h199a; // u16f16
+    wire [-1:-16] n65 = 16'h4ccd; // u16f16
+    wire [-1:-16] n66 = 16'h0; // u16f16
 
     reg [19:0] cos_row;
     reg [19:0] cos_row_2;
@@ -1472,30 +1474,38 @@ module illumination (
     wire signed [1:-16] dot_h = dot_h_over ? 18'h1ffff : dot_h_under ? 18'h20000 : dot_h_cut[1:-16]; // s18f16
     wire n45 = dot_l[1]; // u1f0
     wire signed [1:-16] n46 = n45 ? {1'b0, n44, 16'h0} : dot_l; // s18f16
-    wire diffuse_index_over = ~n46[1] & (|n46[0]);
     wire diffuse_index_under = n46[1];
-    wire [-1:-16] diffuse_index = diffuse_index_over ? 16'hffff : diffuse_index_under ? 16'h0 : n46[-1:-16]; // u16f16
+    wire [0:-16] diffuse_index = diffuse_index_under ? 17'h0 : n46[0:-16]; // u17f16
+    wire n48 = diffuse_index[0]; // u1f0
+    wire [15:0] n49 = diffuse_index[-1:-16]; // u16f0
+    wire [-1:-16] n50 = n49; // u16f16
     // diffuse
-    wire [9:0] diffuse_n48 = diffuse_index[-1:-10]; // u10f0
+    wire [9:0] diffuse_n51 = n50[-1:-10]; // u10f0
     // (unit)
-    wire n52 = dot_h[1]; // u1f0
-    wire signed [1:-16] n53 = n52 ? {1'b0, n44, 16'h0} : dot_h; // s18f16
-    wire specular_index_over = ~n53[1] & (|n53[0]);
-    wire specular_index_under = n53[1];
-    wire [-1:-16] specular_index = specular_index_over ? 16'hffff : specular_index_under ? 16'h0 : n53[-1:-16]; // u16f16
+    wire n57 = dot_h[1]; // u1f0
+    wire signed [1:-16] n58 = n57 ? {1'b0, n44, 16'h0} : dot_h; // s18f16
+    wire specular_index_under = n58[1];
+    wire [0:-16] specular_index = specular_index_under ? 17'h0 : n58[0:-16]; // u17f16
+    wire n60 = specular_index[0]; // u1f0
+    wire [15:0] n61 = specular_index[-1:-16]; // u16f0
+    wire [-1:-16] n62 = n61; // u16f16
     // specular
-    wire [9:0] specular_n55 = specular_index[-1:-10]; // u10f0
+    wire [9:0] specular_n63 = n62[-1:-10]; // u10f0
 
     reg n45_s4; // u1f0
-    reg [9:0] diffuse_n48_s4; // u10f0
-    reg n52_s4; // u1f0
-    reg [9:0] specular_n55_s4; // u10f0
+    reg n48_s4; // u1f0
+    reg [9:0] diffuse_n51_s4; // u10f0
+    reg n57_s4; // u1f0
+    reg n60_s4; // u1f0
+    reg [9:0] specular_n63_s4; // u10f0
     always @(posedge clk)
         if (ce) begin
             n45_s4 <= n45;
-            diffuse_n48_s4 <= diffuse_n48;
-            n52_s4 <= n52;
-            specular_n55_s4 <= specular_n55;
+            n48_s4 <= n48;
+            diffuse_n51_s4 <= diffuse_n51;
+            n57_s4 <= n57;
+            n60_s4 <= n60;
+            specular_n63_s4 <= specular_n63;
         end
     reg valid_s4;
     always @(posedge clk)
@@ -1505,15 +1515,19 @@ module illumination (
     // ---- stage 4 ----
 
     reg n45_s5; // u1f0
+    reg n48_s5; // u1f0
     reg [15:0] diffuse_row;
-    reg n52_s5; // u1f0
+    reg n57_s5; // u1f0
+    reg n60_s5; // u1f0
     reg [15:0] specular_row;
     always @(posedge clk)
         if (ce) begin
             n45_s5 <= n45_s4;
-            diffuse_row <= diffuse_rom[diffuse_n48_s4];
-            n52_s5 <= n52_s4;
-            specular_row <= specular_rom[specular_n55_s4];
+            n48_s5 <= n48_s4;
+            diffuse_row <= diffuse_rom[diffuse_n51_s4];
+            n57_s5 <= n57_s4;
+            n60_s5 <= n60_s4;
+            specular_row <= specular_rom[specular_n63_s4];
         end
     reg valid_s5;
     always @(posedge clk)
@@ -1522,16 +1536,18 @@ module illumination (
 
     // ---- stage 5 ----
     // diffuse
-    wire [-1:-16] diffuse_n49 = diffuse_row; // u16f16
+    wire [-1:-16] diffuse_n52 = diffuse_row; // u16f16
     // (unit)
-    wire [-1:-16] diffuse_next = n45_s5 ? n50 : diffuse_n49; // u16f16
+    wire [-1:-16] n55 = n48_s5 ? n53 : diffuse_n52; // u16f16
+    wire [-1:-16] diffuse_next = n45_s5 ? n54 : n55; // u16f16
     // specular
-    wire [-1:-16] specular_n56 = specular_row; // u16f16
+    wire [-1:-16] specular_n64 = specular_row; // u16f16
     // (unit)
-    wire [-1:-16] specular_next = n52_s5 ? n57 : specular_n56; // u16f16
-    wire [0:-16] n59 = {1'b0, diffuse_next} + {1'b0, specular_next}; // u17f16
-    wire intensity_next_over = |n59[0];
-    wire [-1:-16] intensity_next = intensity_next_over ? 16'hffff : n59[-1:-16]; // u16f16
+    wire [-1:-16] n67 = n60_s5 ? n65 : specular_n64; // u16f16
+    wire [-1:-16] specular_next = n57_s5 ? n66 : n67; // u16f16
+    wire [0:-16] n69 = {1'b0, diffuse_next} + {1'b0, specular_next}; // u17f16
+    wire intensity_next_over = |n69[0];
+    wire [-1:-16] intensity_next = intensity_next_over ? 16'hffff : n69[-1:-16]; // u16f16
 
     always @(posedge clk)
         if (ce) begin
@@ -1564,6 +1580,6 @@ module illumination (
         dot_h_difference[-11:-16],
         dot_l_sum_2[-17:-37],
         dot_h_sum_2[-17:-37],
-        diffuse_index[-11:-16],
-        specular_index[-11:-16]};
+        n50[-11:-16],
+        n62[-11:-16]};
 endmodule

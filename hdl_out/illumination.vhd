@@ -13,9 +13,9 @@
 --   dot_l: mean 1.03e-3, largest seen 4.01e-3 (262.7 ulp) at phi_lt=9033 theta_lt=16932 phi_ht=2260 theta_ht=13923 phi_p=24522 theta_p=8033
 --   dot_h: mean 1.03e-3, largest seen 3.98e-3 (260.8 ulp) at phi_lt=8635 theta_lt=24817 phi_ht=7806 theta_ht=14338 phi_p=58302 theta_p=9088
 -- stated bound on each dot: 9.08e-3
--- stated bound on each diffuse: 5.77e-3
--- stated bound on each specular: 8.06e-2
--- stated bound on each intensity: 8.64e-2
+-- stated bound on each diffuse: 5.76e-3
+-- stated bound on each specular: 8.05e-2
+-- stated bound on each intensity: 8.63e-2
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -858,8 +858,10 @@ architecture rtl of illumination is
     signal dot_h_cos_n33 : unsigned(9 downto 0) := (others => '0'); -- u10f0
     signal dot_h_cos_n35 : unsigned(9 downto 0) := (others => '0'); -- u10f0
     signal n44 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal n50 : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal n57 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal n53 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal n54 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal n65 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal n66 : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal cos_row : unsigned(19 downto 0) := (others => '0');
     signal cos_row_2 : unsigned(19 downto 0) := (others => '0');
     signal cos_row_3 : unsigned(19 downto 0) := (others => '0');
@@ -912,33 +914,43 @@ architecture rtl of illumination is
     signal dot_h : signed(17 downto 0) := (others => '0'); -- s18f16
     signal n45 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal n46 : signed(17 downto 0) := (others => '0'); -- s18f16
-    signal diffuse_index_over : unsigned(0 downto 0) := (others => '0');
     signal diffuse_index_under : unsigned(0 downto 0) := (others => '0');
-    signal diffuse_index : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal diffuse_n48 : unsigned(9 downto 0) := (others => '0'); -- u10f0
-    signal n52 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal n53 : signed(17 downto 0) := (others => '0'); -- s18f16
-    signal specular_index_over : unsigned(0 downto 0) := (others => '0');
+    signal diffuse_index : unsigned(16 downto 0) := (others => '0'); -- u17f16
+    signal n48 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n49 : unsigned(15 downto 0) := (others => '0'); -- u16f0
+    signal n50 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal diffuse_n51 : unsigned(9 downto 0) := (others => '0'); -- u10f0
+    signal n57 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n58 : signed(17 downto 0) := (others => '0'); -- s18f16
     signal specular_index_under : unsigned(0 downto 0) := (others => '0');
-    signal specular_index : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal specular_n55 : unsigned(9 downto 0) := (others => '0'); -- u10f0
+    signal specular_index : unsigned(16 downto 0) := (others => '0'); -- u17f16
+    signal n60 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n61 : unsigned(15 downto 0) := (others => '0'); -- u16f0
+    signal n62 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal specular_n63 : unsigned(9 downto 0) := (others => '0'); -- u10f0
     signal n45_s4 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal diffuse_n48_s4 : unsigned(9 downto 0) := (others => '0'); -- u10f0
-    signal n52_s4 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal specular_n55_s4 : unsigned(9 downto 0) := (others => '0'); -- u10f0
+    signal n48_s4 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal diffuse_n51_s4 : unsigned(9 downto 0) := (others => '0'); -- u10f0
+    signal n57_s4 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n60_s4 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal specular_n63_s4 : unsigned(9 downto 0) := (others => '0'); -- u10f0
     signal valid_s4 : std_logic;
     -- stage 4
     signal n45_s5 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n48_s5 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal diffuse_row : unsigned(15 downto 0) := (others => '0');
-    signal n52_s5 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n57_s5 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n60_s5 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal specular_row : unsigned(15 downto 0) := (others => '0');
     signal valid_s5 : std_logic;
     -- stage 5
-    signal diffuse_n49 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal diffuse_n52 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal n55 : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal diffuse_next : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal specular_n56 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal specular_n64 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal n67 : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal specular_next : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal n59 : unsigned(16 downto 0) := (others => '0'); -- u17f16
+    signal n69 : unsigned(16 downto 0) := (others => '0'); -- u17f16
     signal intensity_next_over : unsigned(0 downto 0) := (others => '0');
     signal intensity_next : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal valid_s6 : std_logic;
@@ -969,8 +981,10 @@ begin
     dot_h_cos_n35 <= dot_h_delta(15 downto 6);
     -- (unit)
     n44 <= "0";
-    n50 <= 16x"199a";
-    n57 <= 16x"0000";
+    n53 <= 16x"b333";
+    n54 <= 16x"199a";
+    n65 <= 16x"4ccd";
+    n66 <= 16x"0000";
 
     process (clk)
     begin
@@ -1072,28 +1086,34 @@ begin
     dot_h <= 18x"1ffff" when dot_h_over(0) = '1' else 18x"20000" when dot_h_under(0) = '1' else dot_h_cut(17 downto 0);
     n45 <= unsigned(dot_l(17 downto 17));
     n46 <= signed(shift_left(resize(n44, 18), 16)) when n45(0) = '1' else dot_l;
-    diffuse_index_over <= "1" when n46(17) = '0' and (or n46(16 downto 16)) = '1' else "0";
     diffuse_index_under <= unsigned(n46(17 downto 17));
-    diffuse_index <= 16x"ffff" when diffuse_index_over(0) = '1' else 16x"0000" when diffuse_index_under(0) = '1' else unsigned(n46(15 downto 0));
+    diffuse_index <= 17x"00000" when diffuse_index_under(0) = '1' else unsigned(n46(16 downto 0));
+    n48 <= diffuse_index(16 downto 16);
+    n49 <= diffuse_index(15 downto 0);
+    n50 <= n49;
     -- diffuse
-    diffuse_n48 <= diffuse_index(15 downto 6);
+    diffuse_n51 <= n50(15 downto 6);
     -- (unit)
-    n52 <= unsigned(dot_h(17 downto 17));
-    n53 <= signed(shift_left(resize(n44, 18), 16)) when n52(0) = '1' else dot_h;
-    specular_index_over <= "1" when n53(17) = '0' and (or n53(16 downto 16)) = '1' else "0";
-    specular_index_under <= unsigned(n53(17 downto 17));
-    specular_index <= 16x"ffff" when specular_index_over(0) = '1' else 16x"0000" when specular_index_under(0) = '1' else unsigned(n53(15 downto 0));
+    n57 <= unsigned(dot_h(17 downto 17));
+    n58 <= signed(shift_left(resize(n44, 18), 16)) when n57(0) = '1' else dot_h;
+    specular_index_under <= unsigned(n58(17 downto 17));
+    specular_index <= 17x"00000" when specular_index_under(0) = '1' else unsigned(n58(16 downto 0));
+    n60 <= specular_index(16 downto 16);
+    n61 <= specular_index(15 downto 0);
+    n62 <= n61;
     -- specular
-    specular_n55 <= specular_index(15 downto 6);
+    specular_n63 <= n62(15 downto 6);
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 n45_s4 <= n45;
-                diffuse_n48_s4 <= diffuse_n48;
-                n52_s4 <= n52;
-                specular_n55_s4 <= specular_n55;
+                n48_s4 <= n48;
+                diffuse_n51_s4 <= diffuse_n51;
+                n57_s4 <= n57;
+                n60_s4 <= n60;
+                specular_n63_s4 <= specular_n63;
             end if;
             if rst = '1' then
                 valid_s4 <= '0';
@@ -1110,9 +1130,11 @@ begin
         if rising_edge(clk) then
             if ce = '1' then
                 n45_s5 <= n45_s4;
-                diffuse_row <= diffuse_rom(to_integer(diffuse_n48_s4));
-                n52_s5 <= n52_s4;
-                specular_row <= specular_rom(to_integer(specular_n55_s4));
+                n48_s5 <= n48_s4;
+                diffuse_row <= diffuse_rom(to_integer(diffuse_n51_s4));
+                n57_s5 <= n57_s4;
+                n60_s5 <= n60_s4;
+                specular_row <= specular_rom(to_integer(specular_n63_s4));
             end if;
             if rst = '1' then
                 valid_s5 <= '0';
@@ -1124,16 +1146,18 @@ begin
 
     -- ---- stage 5 ----
     -- diffuse
-    diffuse_n49 <= diffuse_row;
+    diffuse_n52 <= diffuse_row;
     -- (unit)
-    diffuse_next <= n50 when n45_s5(0) = '1' else diffuse_n49;
+    n55 <= n53 when n48_s5(0) = '1' else diffuse_n52;
+    diffuse_next <= n54 when n45_s5(0) = '1' else n55;
     -- specular
-    specular_n56 <= specular_row;
+    specular_n64 <= specular_row;
     -- (unit)
-    specular_next <= n57 when n52_s5(0) = '1' else specular_n56;
-    n59 <= resize(diffuse_next, 17) + resize(specular_next, 17);
-    intensity_next_over <= "1" when (or n59(16 downto 16)) = '1' else "0";
-    intensity_next <= 16x"ffff" when intensity_next_over(0) = '1' else n59(15 downto 0);
+    n67 <= n65 when n60_s5(0) = '1' else specular_n64;
+    specular_next <= n66 when n57_s5(0) = '1' else n67;
+    n69 <= resize(diffuse_next, 17) + resize(specular_next, 17);
+    intensity_next_over <= "1" when (or n69(16 downto 16)) = '1' else "0";
+    intensity_next <= 16x"ffff" when intensity_next_over(0) = '1' else n69(15 downto 0);
 
     process (clk)
     begin

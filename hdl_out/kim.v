@@ -128,8 +128,10 @@ module kim (
     wire [9:0] dot_l_sincos_n214 = theta_p[-1:-10]; // u10f0
     // (unit)
     wire n236 = 1'b0; // u1f0
-    wire [-1:-16] n242 = 16'h199a; // u16f16
-    wire [-1:-16] n249 = 16'h0; // u16f16
+    wire [-1:-16] n245 = 16'hb333; // u16f16
+    wire [-1:-16] n246 = 16'h199a; // u16f16
+    wire [-1:-16] n257 = 16'h4ccd; // u16f16
+    wire [-1:-16] n258 = 16'h0; // u16f16
 
     reg [39:0] sincos_row;
     reg [39:0] sincos_row_2;
@@ -1576,30 +1578,38 @@ module kim (
     wire signed [1:-16] dot_h = dot_h_over ? 18'h1ffff : dot_h_under ? 18'h20000 : dot_h_cut[1:-16]; // s18f16
     wire n237 = dot_l[1]; // u1f0
     wire signed [1:-16] n238 = n237 ? {1'b0, n236, 16'h0} : dot_l; // s18f16
-    wire diffuse_index_over = ~n238[1] & (|n238[0]);
     wire diffuse_index_under = n238[1];
-    wire [-1:-16] diffuse_index = diffuse_index_over ? 16'hffff : diffuse_index_under ? 16'h0 : n238[-1:-16]; // u16f16
+    wire [0:-16] diffuse_index = diffuse_index_under ? 17'h0 : n238[0:-16]; // u17f16
+    wire n240 = diffuse_index[0]; // u1f0
+    wire [15:0] n241 = diffuse_index[-1:-16]; // u16f0
+    wire [-1:-16] n242 = n241; // u16f16
     // diffuse
-    wire [9:0] diffuse_n240 = diffuse_index[-1:-10]; // u10f0
+    wire [9:0] diffuse_n243 = n242[-1:-10]; // u10f0
     // (unit)
-    wire n244 = dot_h[1]; // u1f0
-    wire signed [1:-16] n245 = n244 ? {1'b0, n236, 16'h0} : dot_h; // s18f16
-    wire specular_index_over = ~n245[1] & (|n245[0]);
-    wire specular_index_under = n245[1];
-    wire [-1:-16] specular_index = specular_index_over ? 16'hffff : specular_index_under ? 16'h0 : n245[-1:-16]; // u16f16
+    wire n249 = dot_h[1]; // u1f0
+    wire signed [1:-16] n250 = n249 ? {1'b0, n236, 16'h0} : dot_h; // s18f16
+    wire specular_index_under = n250[1];
+    wire [0:-16] specular_index = specular_index_under ? 17'h0 : n250[0:-16]; // u17f16
+    wire n252 = specular_index[0]; // u1f0
+    wire [15:0] n253 = specular_index[-1:-16]; // u16f0
+    wire [-1:-16] n254 = n253; // u16f16
     // specular
-    wire [9:0] specular_n247 = specular_index[-1:-10]; // u10f0
+    wire [9:0] specular_n255 = n254[-1:-10]; // u10f0
 
     reg n237_s28; // u1f0
-    reg [9:0] diffuse_n240_s28; // u10f0
-    reg n244_s28; // u1f0
-    reg [9:0] specular_n247_s28; // u10f0
+    reg n240_s28; // u1f0
+    reg [9:0] diffuse_n243_s28; // u10f0
+    reg n249_s28; // u1f0
+    reg n252_s28; // u1f0
+    reg [9:0] specular_n255_s28; // u10f0
     always @(posedge clk)
         if (ce) begin
             n237_s28 <= n237;
-            diffuse_n240_s28 <= diffuse_n240;
-            n244_s28 <= n244;
-            specular_n247_s28 <= specular_n247;
+            n240_s28 <= n240;
+            diffuse_n243_s28 <= diffuse_n243;
+            n249_s28 <= n249;
+            n252_s28 <= n252;
+            specular_n255_s28 <= specular_n255;
         end
     reg valid_s28;
     always @(posedge clk)
@@ -1609,15 +1619,19 @@ module kim (
     // ---- stage 28 ----
 
     reg n237_s29; // u1f0
+    reg n240_s29; // u1f0
     reg [15:0] diffuse_row;
-    reg n244_s29; // u1f0
+    reg n249_s29; // u1f0
+    reg n252_s29; // u1f0
     reg [15:0] specular_row;
     always @(posedge clk)
         if (ce) begin
             n237_s29 <= n237_s28;
-            diffuse_row <= diffuse_rom[diffuse_n240_s28];
-            n244_s29 <= n244_s28;
-            specular_row <= specular_rom[specular_n247_s28];
+            n240_s29 <= n240_s28;
+            diffuse_row <= diffuse_rom[diffuse_n243_s28];
+            n249_s29 <= n249_s28;
+            n252_s29 <= n252_s28;
+            specular_row <= specular_rom[specular_n255_s28];
         end
     reg valid_s29;
     always @(posedge clk)
@@ -1626,16 +1640,18 @@ module kim (
 
     // ---- stage 29 ----
     // diffuse
-    wire [-1:-16] diffuse_n241 = diffuse_row; // u16f16
+    wire [-1:-16] diffuse_n244 = diffuse_row; // u16f16
     // (unit)
-    wire [-1:-16] diffuse_next = n237_s29 ? n242 : diffuse_n241; // u16f16
+    wire [-1:-16] n247 = n240_s29 ? n245 : diffuse_n244; // u16f16
+    wire [-1:-16] diffuse_next = n237_s29 ? n246 : n247; // u16f16
     // specular
-    wire [-1:-16] specular_n248 = specular_row; // u16f16
+    wire [-1:-16] specular_n256 = specular_row; // u16f16
     // (unit)
-    wire [-1:-16] specular_next = n244_s29 ? n249 : specular_n248; // u16f16
-    wire [0:-16] n251 = {1'b0, diffuse_next} + {1'b0, specular_next}; // u17f16
-    wire intensity_next_over = |n251[0];
-    wire [-1:-16] intensity_next = intensity_next_over ? 16'hffff : n251[-1:-16]; // u16f16
+    wire [-1:-16] n259 = n252_s29 ? n257 : specular_n256; // u16f16
+    wire [-1:-16] specular_next = n249_s29 ? n258 : n259; // u16f16
+    wire [0:-16] n261 = {1'b0, diffuse_next} + {1'b0, specular_next}; // u17f16
+    wire intensity_next_over = |n261[0];
+    wire [-1:-16] intensity_next = intensity_next_over ? 16'hffff : n261[-1:-16]; // u16f16
 
     always @(posedge clk)
         if (ce) begin
@@ -1732,6 +1748,6 @@ module kim (
         dot_h_n232_sum[-19:-36],
         dot_l_sum[-17:-36],
         dot_h_sum[-17:-36],
-        diffuse_index[-11:-16],
-        specular_index[-11:-16]};
+        n242[-11:-16],
+        n254[-11:-16]};
 endmodule

@@ -181,8 +181,10 @@ architecture rtl of kim is
     signal setup_phi_p : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal dot_l_sincos_n214 : unsigned(9 downto 0) := (others => '0'); -- u10f0
     signal n236 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal n242 : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal n249 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal n245 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal n246 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal n257 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal n258 : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal sincos_row : unsigned(39 downto 0) := (others => '0');
     signal sincos_row_2 : unsigned(39 downto 0) := (others => '0');
     signal sincos_row_3 : unsigned(39 downto 0) := (others => '0');
@@ -970,33 +972,43 @@ architecture rtl of kim is
     signal dot_h : signed(17 downto 0) := (others => '0'); -- s18f16
     signal n237 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal n238 : signed(17 downto 0) := (others => '0'); -- s18f16
-    signal diffuse_index_over : unsigned(0 downto 0) := (others => '0');
     signal diffuse_index_under : unsigned(0 downto 0) := (others => '0');
-    signal diffuse_index : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal diffuse_n240 : unsigned(9 downto 0) := (others => '0'); -- u10f0
-    signal n244 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal n245 : signed(17 downto 0) := (others => '0'); -- s18f16
-    signal specular_index_over : unsigned(0 downto 0) := (others => '0');
+    signal diffuse_index : unsigned(16 downto 0) := (others => '0'); -- u17f16
+    signal n240 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n241 : unsigned(15 downto 0) := (others => '0'); -- u16f0
+    signal n242 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal diffuse_n243 : unsigned(9 downto 0) := (others => '0'); -- u10f0
+    signal n249 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n250 : signed(17 downto 0) := (others => '0'); -- s18f16
     signal specular_index_under : unsigned(0 downto 0) := (others => '0');
-    signal specular_index : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal specular_n247 : unsigned(9 downto 0) := (others => '0'); -- u10f0
+    signal specular_index : unsigned(16 downto 0) := (others => '0'); -- u17f16
+    signal n252 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n253 : unsigned(15 downto 0) := (others => '0'); -- u16f0
+    signal n254 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal specular_n255 : unsigned(9 downto 0) := (others => '0'); -- u10f0
     signal n237_s28 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal diffuse_n240_s28 : unsigned(9 downto 0) := (others => '0'); -- u10f0
-    signal n244_s28 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal specular_n247_s28 : unsigned(9 downto 0) := (others => '0'); -- u10f0
+    signal n240_s28 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal diffuse_n243_s28 : unsigned(9 downto 0) := (others => '0'); -- u10f0
+    signal n249_s28 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n252_s28 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal specular_n255_s28 : unsigned(9 downto 0) := (others => '0'); -- u10f0
     signal valid_s28 : std_logic;
     -- stage 28
     signal n237_s29 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n240_s29 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal diffuse_row : unsigned(15 downto 0) := (others => '0');
-    signal n244_s29 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n249_s29 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal n252_s29 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal specular_row : unsigned(15 downto 0) := (others => '0');
     signal valid_s29 : std_logic;
     -- stage 29
-    signal diffuse_n241 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal diffuse_n244 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal n247 : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal diffuse_next : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal specular_n248 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal specular_n256 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal n259 : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal specular_next : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal n251 : unsigned(16 downto 0) := (others => '0'); -- u17f16
+    signal n261 : unsigned(16 downto 0) := (others => '0'); -- u17f16
     signal intensity_next_over : unsigned(0 downto 0) := (others => '0');
     signal intensity_next : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal valid_s30 : std_logic;
@@ -1022,8 +1034,10 @@ begin
     dot_l_sincos_n214 <= theta_p(15 downto 6);
     -- (unit)
     n236 <= "0";
-    n242 <= 16x"199a";
-    n249 <= 16x"0000";
+    n245 <= 16x"b333";
+    n246 <= 16x"199a";
+    n257 <= 16x"4ccd";
+    n258 <= 16x"0000";
 
     process (clk)
     begin
@@ -2256,28 +2270,34 @@ begin
     dot_h <= 18x"1ffff" when dot_h_over(0) = '1' else 18x"20000" when dot_h_under(0) = '1' else dot_h_cut(17 downto 0);
     n237 <= unsigned(dot_l(17 downto 17));
     n238 <= signed(shift_left(resize(n236, 18), 16)) when n237(0) = '1' else dot_l;
-    diffuse_index_over <= "1" when n238(17) = '0' and (or n238(16 downto 16)) = '1' else "0";
     diffuse_index_under <= unsigned(n238(17 downto 17));
-    diffuse_index <= 16x"ffff" when diffuse_index_over(0) = '1' else 16x"0000" when diffuse_index_under(0) = '1' else unsigned(n238(15 downto 0));
+    diffuse_index <= 17x"00000" when diffuse_index_under(0) = '1' else unsigned(n238(16 downto 0));
+    n240 <= diffuse_index(16 downto 16);
+    n241 <= diffuse_index(15 downto 0);
+    n242 <= n241;
     -- diffuse
-    diffuse_n240 <= diffuse_index(15 downto 6);
+    diffuse_n243 <= n242(15 downto 6);
     -- (unit)
-    n244 <= unsigned(dot_h(17 downto 17));
-    n245 <= signed(shift_left(resize(n236, 18), 16)) when n244(0) = '1' else dot_h;
-    specular_index_over <= "1" when n245(17) = '0' and (or n245(16 downto 16)) = '1' else "0";
-    specular_index_under <= unsigned(n245(17 downto 17));
-    specular_index <= 16x"ffff" when specular_index_over(0) = '1' else 16x"0000" when specular_index_under(0) = '1' else unsigned(n245(15 downto 0));
+    n249 <= unsigned(dot_h(17 downto 17));
+    n250 <= signed(shift_left(resize(n236, 18), 16)) when n249(0) = '1' else dot_h;
+    specular_index_under <= unsigned(n250(17 downto 17));
+    specular_index <= 17x"00000" when specular_index_under(0) = '1' else unsigned(n250(16 downto 0));
+    n252 <= specular_index(16 downto 16);
+    n253 <= specular_index(15 downto 0);
+    n254 <= n253;
     -- specular
-    specular_n247 <= specular_index(15 downto 6);
+    specular_n255 <= n254(15 downto 6);
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 n237_s28 <= n237;
-                diffuse_n240_s28 <= diffuse_n240;
-                n244_s28 <= n244;
-                specular_n247_s28 <= specular_n247;
+                n240_s28 <= n240;
+                diffuse_n243_s28 <= diffuse_n243;
+                n249_s28 <= n249;
+                n252_s28 <= n252;
+                specular_n255_s28 <= specular_n255;
             end if;
             if rst = '1' then
                 valid_s28 <= '0';
@@ -2294,9 +2314,11 @@ begin
         if rising_edge(clk) then
             if ce = '1' then
                 n237_s29 <= n237_s28;
-                diffuse_row <= diffuse_rom(to_integer(diffuse_n240_s28));
-                n244_s29 <= n244_s28;
-                specular_row <= specular_rom(to_integer(specular_n247_s28));
+                n240_s29 <= n240_s28;
+                diffuse_row <= diffuse_rom(to_integer(diffuse_n243_s28));
+                n249_s29 <= n249_s28;
+                n252_s29 <= n252_s28;
+                specular_row <= specular_rom(to_integer(specular_n255_s28));
             end if;
             if rst = '1' then
                 valid_s29 <= '0';
@@ -2308,16 +2330,18 @@ begin
 
     -- ---- stage 29 ----
     -- diffuse
-    diffuse_n241 <= diffuse_row;
+    diffuse_n244 <= diffuse_row;
     -- (unit)
-    diffuse_next <= n242 when n237_s29(0) = '1' else diffuse_n241;
+    n247 <= n245 when n240_s29(0) = '1' else diffuse_n244;
+    diffuse_next <= n246 when n237_s29(0) = '1' else n247;
     -- specular
-    specular_n248 <= specular_row;
+    specular_n256 <= specular_row;
     -- (unit)
-    specular_next <= n249 when n244_s29(0) = '1' else specular_n248;
-    n251 <= resize(diffuse_next, 17) + resize(specular_next, 17);
-    intensity_next_over <= "1" when (or n251(16 downto 16)) = '1' else "0";
-    intensity_next <= 16x"ffff" when intensity_next_over(0) = '1' else n251(15 downto 0);
+    n259 <= n257 when n252_s29(0) = '1' else specular_n256;
+    specular_next <= n258 when n249_s29(0) = '1' else n259;
+    n261 <= resize(diffuse_next, 17) + resize(specular_next, 17);
+    intensity_next_over <= "1" when (or n261(16 downto 16)) = '1' else "0";
+    intensity_next <= 16x"ffff" when intensity_next_over(0) = '1' else n261(15 downto 0);
 
     process (clk)
     begin

@@ -1106,27 +1106,29 @@ module rotation_exact_polar_cordic (
     wire [9:0] sincos_n38 = angles_a_plus_n[-1:-10]; // u10f0
     wire [9:0] sincos_n41 = angles_a_minus_n[-1:-10]; // u10f0
     // azimuth
-    wire azimuth_n72 = 1'b1; // u1f0
-    wire signed [-1:-24] azimuth_n73 = 24'h0; // s24f24
-    wire signed [-1:-24] azimuth_n78 = 24'h200000; // s24f24
-    wire signed [-1:-24] azimuth_n89 = 24'h12e405; // s24f24
-    wire signed [-1:-24] azimuth_n100 = 24'h9fb38; // s24f24
-    wire signed [-1:-24] azimuth_n111 = 24'h51112; // s24f24
-    wire signed [-1:-24] azimuth_n122 = 24'h28b0d; // s24f24
-    wire signed [-1:-24] azimuth_n133 = 24'h145d8; // s24f24
-    wire signed [-1:-24] azimuth_n144 = 24'ha2f6; // s24f24
-    wire signed [-1:-24] azimuth_n155 = 24'h517c; // s24f24
-    wire signed [-1:-24] azimuth_n166 = 24'h28be; // s24f24
-    wire signed [-1:-24] azimuth_n177 = 24'h145f; // s24f24
-    wire signed [-1:-24] azimuth_n188 = 24'ha30; // s24f24
-    wire signed [-1:-24] azimuth_n199 = 24'h518; // s24f24
-    wire signed [-1:-24] azimuth_n210 = 24'h28c; // s24f24
-    wire signed [-1:-24] azimuth_n221 = 24'h146; // s24f24
-    wire signed [-1:-24] azimuth_n232 = 24'ha3; // s24f24
-    wire signed [-1:-24] azimuth_n243 = 24'h51; // s24f24
-    wire signed [-1:-24] azimuth_n254 = 24'h29; // s24f24
-    wire signed [-1:-24] azimuth_n262 = 24'h14; // s24f24
-    wire [-1:-24] azimuth_n267 = 24'h800000; // u24f24
+    wire azimuth_n65 = 1'b0; // u1f0
+    wire azimuth_n76 = 1'b1; // u1f0
+    wire signed [-1:-24] azimuth_n77 = 24'hb8f8f2; // s24f24
+    wire signed [-1:-24] azimuth_n78 = 24'h0; // s24f24
+    wire signed [-1:-24] azimuth_n84 = 24'h200000; // s24f24
+    wire signed [-1:-24] azimuth_n95 = 24'h12e405; // s24f24
+    wire signed [-1:-24] azimuth_n106 = 24'h9fb38; // s24f24
+    wire signed [-1:-24] azimuth_n117 = 24'h51112; // s24f24
+    wire signed [-1:-24] azimuth_n128 = 24'h28b0d; // s24f24
+    wire signed [-1:-24] azimuth_n139 = 24'h145d8; // s24f24
+    wire signed [-1:-24] azimuth_n150 = 24'ha2f6; // s24f24
+    wire signed [-1:-24] azimuth_n161 = 24'h517c; // s24f24
+    wire signed [-1:-24] azimuth_n172 = 24'h28be; // s24f24
+    wire signed [-1:-24] azimuth_n183 = 24'h145f; // s24f24
+    wire signed [-1:-24] azimuth_n194 = 24'ha30; // s24f24
+    wire signed [-1:-24] azimuth_n205 = 24'h518; // s24f24
+    wire signed [-1:-24] azimuth_n216 = 24'h28c; // s24f24
+    wire signed [-1:-24] azimuth_n227 = 24'h146; // s24f24
+    wire signed [-1:-24] azimuth_n238 = 24'ha3; // s24f24
+    wire signed [-1:-24] azimuth_n249 = 24'h51; // s24f24
+    wire signed [-1:-24] azimuth_n260 = 24'h29; // s24f24
+    wire signed [-1:-24] azimuth_n268 = 24'h14; // s24f24
+    wire [-1:-24] azimuth_n273 = 24'h800000; // u24f24
 
     reg [39:0] sincos_row;
     reg [39:0] sincos_row_2;
@@ -1226,60 +1228,66 @@ module rotation_exact_polar_cordic (
     wire signed [2:-24] azimuth_n63 = {azimuth_n63_wide[1], azimuth_n63_wide}; // s27f24
     wire signed [1:-24] azimuth_n64_wide = {y, 6'h0};
     wire signed [2:-24] azimuth_n64 = {azimuth_n64_wide[1], azimuth_n64_wide}; // s27f24
-    wire azimuth_n65 = azimuth_n63[2]; // u1f0
-    wire signed [3:-24] azimuth_n66 = -{azimuth_n63[2], azimuth_n63}; // s28f24
-    wire signed [3:-24] azimuth_n67 = -{azimuth_n64[2], azimuth_n64}; // s28f24
-    wire signed [3:-24] azimuth_n69 = azimuth_n65 ? azimuth_n67 : {azimuth_n64[2], azimuth_n64}; // s28f24
-    wire azimuth_n71_over = ~azimuth_n69[3] & (|azimuth_n69[2]);
-    wire azimuth_n71_under = azimuth_n69[3] & ~(&azimuth_n69[2]);
-    wire signed [2:-24] azimuth_n71 = azimuth_n71_over ? 27'h3ffffff : azimuth_n71_under ? 27'h4000000 : azimuth_n69[2:-24]; // s27f24
-    wire azimuth_n74 = azimuth_n71[2]; // u1f0
+    wire azimuth_n66 = azimuth_n63 == {2'h0, azimuth_n65, 24'h0}; // u1f0
+    wire azimuth_n67 = azimuth_n64 == {2'h0, azimuth_n65, 24'h0}; // u1f0
+    wire azimuth_n69 = azimuth_n63[2]; // u1f0
+    wire signed [3:-24] azimuth_n70 = -{azimuth_n63[2], azimuth_n63}; // s28f24
+    wire signed [3:-24] azimuth_n71 = -{azimuth_n64[2], azimuth_n64}; // s28f24
+    wire signed [3:-24] azimuth_n73 = azimuth_n69 ? azimuth_n71 : {azimuth_n64[2], azimuth_n64}; // s28f24
+    wire azimuth_n75_over = ~azimuth_n73[3] & (|azimuth_n73[2]);
+    wire azimuth_n75_under = azimuth_n73[3] & ~(&azimuth_n73[2]);
+    wire signed [2:-24] azimuth_n75 = azimuth_n75_over ? 27'h3ffffff : azimuth_n75_under ? 27'h4000000 : azimuth_n73[2:-24]; // s27f24
+    wire azimuth_n80 = azimuth_n75[2]; // u1f0
     // polar_angle
-    wire signed [-23:-42] polar_angle_n270 = z; // s20f42
-    wire signed [-21:-40] polar_angle_n271 = z; // s20f40
-    wire signed [-20:-42] polar_angle_n272 = {{3{polar_angle_n270[-23]}}, polar_angle_n270} + {polar_angle_n271[-21], polar_angle_n271, 2'h0}; // s23f42
-    wire signed [-19:-38] polar_angle_n273 = z; // s20f38
-    wire signed [-14:-33] polar_angle_n275 = z; // s20f33
-    wire signed [-11:-30] polar_angle_n277 = z; // s20f30
-    wire signed [-8:-27] polar_angle_n279 = z; // s20f27
-    wire signed [-6:-25] polar_angle_n281 = z; // s20f25
-    wire signed [-4:-23] polar_angle_n283 = z; // s20f23
-    wire signed [-2:-21] polar_angle_n285 = z; // s20f21
-    wire signed [0:-19] polar_angle_n287 = z; // s20f19
-    wire signed [2:-17] polar_angle_n289 = z; // s20f17
+    wire signed [-23:-42] polar_angle_n276 = z; // s20f42
+    wire signed [-21:-40] polar_angle_n277 = z; // s20f40
+    wire signed [-20:-42] polar_angle_n278 = {{3{polar_angle_n276[-23]}}, polar_angle_n276} + {polar_angle_n277[-21], polar_angle_n277, 2'h0}; // s23f42
+    wire signed [-19:-38] polar_angle_n279 = z; // s20f38
+    wire signed [-14:-33] polar_angle_n281 = z; // s20f33
+    wire signed [-11:-30] polar_angle_n283 = z; // s20f30
+    wire signed [-8:-27] polar_angle_n285 = z; // s20f27
+    wire signed [-6:-25] polar_angle_n287 = z; // s20f25
+    wire signed [-4:-23] polar_angle_n289 = z; // s20f23
+    wire signed [-2:-21] polar_angle_n291 = z; // s20f21
+    wire signed [0:-19] polar_angle_n293 = z; // s20f19
+    wire signed [2:-17] polar_angle_n295 = z; // s20f17
 
     reg signed [2:-24] azimuth_n63_s3; // s27f24
-    reg azimuth_n65_s3; // u1f0
-    reg signed [3:-24] azimuth_n66_s3; // s28f24
-    reg signed [2:-24] azimuth_n71_s3; // s27f24
-    reg azimuth_n74_s3; // u1f0
-    reg signed [-20:-42] polar_angle_n272_s3; // s23f42
-    reg signed [-19:-38] polar_angle_n273_s3; // s20f38
-    reg signed [-14:-33] polar_angle_n275_s3; // s20f33
-    reg signed [-11:-30] polar_angle_n277_s3; // s20f30
-    reg signed [-8:-27] polar_angle_n279_s3; // s20f27
-    reg signed [-6:-25] polar_angle_n281_s3; // s20f25
-    reg signed [-4:-23] polar_angle_n283_s3; // s20f23
-    reg signed [-2:-21] polar_angle_n285_s3; // s20f21
-    reg signed [0:-19] polar_angle_n287_s3; // s20f19
-    reg signed [2:-17] polar_angle_n289_s3; // s20f17
+    reg azimuth_n66_s3; // u1f0
+    reg azimuth_n67_s3; // u1f0
+    reg azimuth_n69_s3; // u1f0
+    reg signed [3:-24] azimuth_n70_s3; // s28f24
+    reg signed [2:-24] azimuth_n75_s3; // s27f24
+    reg azimuth_n80_s3; // u1f0
+    reg signed [-20:-42] polar_angle_n278_s3; // s23f42
+    reg signed [-19:-38] polar_angle_n279_s3; // s20f38
+    reg signed [-14:-33] polar_angle_n281_s3; // s20f33
+    reg signed [-11:-30] polar_angle_n283_s3; // s20f30
+    reg signed [-8:-27] polar_angle_n285_s3; // s20f27
+    reg signed [-6:-25] polar_angle_n287_s3; // s20f25
+    reg signed [-4:-23] polar_angle_n289_s3; // s20f23
+    reg signed [-2:-21] polar_angle_n291_s3; // s20f21
+    reg signed [0:-19] polar_angle_n293_s3; // s20f19
+    reg signed [2:-17] polar_angle_n295_s3; // s20f17
     always @(posedge clk)
         if (ce) begin
             azimuth_n63_s3 <= azimuth_n63;
-            azimuth_n65_s3 <= azimuth_n65;
             azimuth_n66_s3 <= azimuth_n66;
-            azimuth_n71_s3 <= azimuth_n71;
-            azimuth_n74_s3 <= azimuth_n74;
-            polar_angle_n272_s3 <= polar_angle_n272;
-            polar_angle_n273_s3 <= polar_angle_n273;
-            polar_angle_n275_s3 <= polar_angle_n275;
-            polar_angle_n277_s3 <= polar_angle_n277;
+            azimuth_n67_s3 <= azimuth_n67;
+            azimuth_n69_s3 <= azimuth_n69;
+            azimuth_n70_s3 <= azimuth_n70;
+            azimuth_n75_s3 <= azimuth_n75;
+            azimuth_n80_s3 <= azimuth_n80;
+            polar_angle_n278_s3 <= polar_angle_n278;
             polar_angle_n279_s3 <= polar_angle_n279;
             polar_angle_n281_s3 <= polar_angle_n281;
             polar_angle_n283_s3 <= polar_angle_n283;
             polar_angle_n285_s3 <= polar_angle_n285;
             polar_angle_n287_s3 <= polar_angle_n287;
             polar_angle_n289_s3 <= polar_angle_n289;
+            polar_angle_n291_s3 <= polar_angle_n291;
+            polar_angle_n293_s3 <= polar_angle_n293;
+            polar_angle_n295_s3 <= polar_angle_n295;
         end
     reg valid_s3;
     always @(posedge clk)
@@ -1288,67 +1296,69 @@ module rotation_exact_polar_cordic (
 
     // ---- stage 3 ----
     // azimuth
-    wire signed [3:-24] azimuth_n68 = azimuth_n65_s3 ? azimuth_n66_s3 : {azimuth_n63_s3[2], azimuth_n63_s3}; // s28f24
-    wire azimuth_n70_over = ~azimuth_n68[3] & (|azimuth_n68[2]);
-    wire azimuth_n70_under = azimuth_n68[3] & ~(&azimuth_n68[2]);
-    wire signed [2:-24] azimuth_n70 = azimuth_n70_over ? 27'h3ffffff : azimuth_n70_under ? 27'h4000000 : azimuth_n68[2:-24]; // s27f24
-    wire azimuth_n75 = azimuth_n74_s3 ^ azimuth_n72; // u1f0
-    wire [3:-24] azimuth_n76_term = {azimuth_n71_s3[2], azimuth_n71_s3} ^ {28{azimuth_n74_s3}};
-    wire signed [3:-24] azimuth_n76 = {azimuth_n70[2], azimuth_n70} + azimuth_n76_term + {27'h0, azimuth_n74_s3}; // s28f24
-    wire [3:-24] azimuth_n77_term = {azimuth_n70[2], azimuth_n70} ^ {28{azimuth_n75}};
-    wire signed [3:-24] azimuth_n77 = {azimuth_n71_s3[2], azimuth_n71_s3} + azimuth_n77_term + {27'h0, azimuth_n75}; // s28f24
-    wire [0:-24] azimuth_n79_term = {azimuth_n78[-1], azimuth_n78} ^ {25{azimuth_n74_s3}};
-    wire signed [0:-24] azimuth_n79 = {azimuth_n73[-1], azimuth_n73} + azimuth_n79_term + {24'h0, azimuth_n74_s3}; // s25f24
-    wire azimuth_n80_over = ~azimuth_n79[0] & (|azimuth_n79[-1]);
-    wire azimuth_n80_under = azimuth_n79[0] & ~(&azimuth_n79[-1]);
-    wire signed [-1:-24] azimuth_n80 = azimuth_n80_over ? 24'h7fffff : azimuth_n80_under ? 24'h800000 : azimuth_n79[-1:-24]; // s24f24
-    wire azimuth_n81_over = ~azimuth_n76[3] & (|azimuth_n76[2]);
-    wire azimuth_n81_under = azimuth_n76[3] & ~(&azimuth_n76[2]);
-    wire signed [2:-24] azimuth_n81 = azimuth_n81_over ? 27'h3ffffff : azimuth_n81_under ? 27'h4000000 : azimuth_n76[2:-24]; // s27f24
-    wire azimuth_n82_over = ~azimuth_n77[3] & (|azimuth_n77[2]);
-    wire azimuth_n82_under = azimuth_n77[3] & ~(&azimuth_n77[2]);
-    wire signed [2:-24] azimuth_n82 = azimuth_n82_over ? 27'h3ffffff : azimuth_n82_under ? 27'h4000000 : azimuth_n77[2:-24]; // s27f24
-    wire azimuth_n83 = azimuth_n82[2]; // u1f0
-    wire azimuth_n84 = azimuth_n83 ^ azimuth_n72; // u1f0
-    wire signed [1:-25] azimuth_n85 = azimuth_n82; // s27f25
-    wire signed [1:-25] azimuth_n86 = azimuth_n81; // s27f25
-    wire [3:-25] azimuth_n87_term = {{2{azimuth_n85[1]}}, azimuth_n85} ^ {29{azimuth_n83}};
-    wire signed [3:-25] azimuth_n87 = {azimuth_n81[2], azimuth_n81, 1'b0} + azimuth_n87_term + {28'h0, azimuth_n83}; // s29f25
-    wire [0:-24] azimuth_n90_term = {azimuth_n89[-1], azimuth_n89} ^ {25{azimuth_n83}};
-    wire signed [0:-24] azimuth_n90 = {azimuth_n80[-1], azimuth_n80} + azimuth_n90_term + {24'h0, azimuth_n83}; // s25f24
+    wire azimuth_n68 = azimuth_n66_s3 & azimuth_n67_s3; // u1f0
+    wire signed [3:-24] azimuth_n72 = azimuth_n69_s3 ? azimuth_n70_s3 : {azimuth_n63_s3[2], azimuth_n63_s3}; // s28f24
+    wire azimuth_n74_over = ~azimuth_n72[3] & (|azimuth_n72[2]);
+    wire azimuth_n74_under = azimuth_n72[3] & ~(&azimuth_n72[2]);
+    wire signed [2:-24] azimuth_n74 = azimuth_n74_over ? 27'h3ffffff : azimuth_n74_under ? 27'h4000000 : azimuth_n72[2:-24]; // s27f24
+    wire signed [-1:-24] azimuth_n79 = azimuth_n68 ? azimuth_n77 : azimuth_n78; // s24f24
+    wire azimuth_n81 = azimuth_n80_s3 ^ azimuth_n76; // u1f0
+    wire [3:-24] azimuth_n82_term = {azimuth_n75_s3[2], azimuth_n75_s3} ^ {28{azimuth_n80_s3}};
+    wire signed [3:-24] azimuth_n82 = {azimuth_n74[2], azimuth_n74} + azimuth_n82_term + {27'h0, azimuth_n80_s3}; // s28f24
+    wire [3:-24] azimuth_n83_term = {azimuth_n74[2], azimuth_n74} ^ {28{azimuth_n81}};
+    wire signed [3:-24] azimuth_n83 = {azimuth_n75_s3[2], azimuth_n75_s3} + azimuth_n83_term + {27'h0, azimuth_n81}; // s28f24
+    wire [0:-24] azimuth_n85_term = {azimuth_n84[-1], azimuth_n84} ^ {25{azimuth_n80_s3}};
+    wire signed [0:-24] azimuth_n85 = {azimuth_n79[-1], azimuth_n79} + azimuth_n85_term + {24'h0, azimuth_n80_s3}; // s25f24
+    wire azimuth_n86_over = ~azimuth_n85[0] & (|azimuth_n85[-1]);
+    wire azimuth_n86_under = azimuth_n85[0] & ~(&azimuth_n85[-1]);
+    wire signed [-1:-24] azimuth_n86 = azimuth_n86_over ? 24'h7fffff : azimuth_n86_under ? 24'h800000 : azimuth_n85[-1:-24]; // s24f24
+    wire azimuth_n87_over = ~azimuth_n82[3] & (|azimuth_n82[2]);
+    wire azimuth_n87_under = azimuth_n82[3] & ~(&azimuth_n82[2]);
+    wire signed [2:-24] azimuth_n87 = azimuth_n87_over ? 27'h3ffffff : azimuth_n87_under ? 27'h4000000 : azimuth_n82[2:-24]; // s27f24
+    wire azimuth_n88_over = ~azimuth_n83[3] & (|azimuth_n83[2]);
+    wire azimuth_n88_under = azimuth_n83[3] & ~(&azimuth_n83[2]);
+    wire signed [2:-24] azimuth_n88 = azimuth_n88_over ? 27'h3ffffff : azimuth_n88_under ? 27'h4000000 : azimuth_n83[2:-24]; // s27f24
+    wire azimuth_n89 = azimuth_n88[2]; // u1f0
+    wire azimuth_n90 = azimuth_n89 ^ azimuth_n76; // u1f0
+    wire signed [1:-25] azimuth_n91 = azimuth_n88; // s27f25
+    wire signed [1:-25] azimuth_n92 = azimuth_n87; // s27f25
+    wire [3:-25] azimuth_n93_term = {{2{azimuth_n91[1]}}, azimuth_n91} ^ {29{azimuth_n89}};
+    wire signed [3:-25] azimuth_n93 = {azimuth_n87[2], azimuth_n87, 1'b0} + azimuth_n93_term + {28'h0, azimuth_n89}; // s29f25
+    wire [0:-24] azimuth_n96_term = {azimuth_n95[-1], azimuth_n95} ^ {25{azimuth_n89}};
+    wire signed [0:-24] azimuth_n96 = {azimuth_n86[-1], azimuth_n86} + azimuth_n96_term + {24'h0, azimuth_n89}; // s25f24
     // polar_angle
-    wire signed [-18:-42] polar_angle_n274 = {{2{polar_angle_n272_s3[-20]}}, polar_angle_n272_s3} + {polar_angle_n273_s3[-19], polar_angle_n273_s3, 4'h0}; // s25f42
-    wire signed [-13:-42] polar_angle_n276 = {{5{polar_angle_n274[-18]}}, polar_angle_n274} + {polar_angle_n275_s3[-14], polar_angle_n275_s3, 9'h0}; // s30f42
-    wire signed [-10:-42] polar_angle_n278 = {{3{polar_angle_n276[-13]}}, polar_angle_n276} + {polar_angle_n277_s3[-11], polar_angle_n277_s3, 12'h0}; // s33f42
+    wire signed [-18:-42] polar_angle_n280 = {{2{polar_angle_n278_s3[-20]}}, polar_angle_n278_s3} + {polar_angle_n279_s3[-19], polar_angle_n279_s3, 4'h0}; // s25f42
+    wire signed [-13:-42] polar_angle_n282 = {{5{polar_angle_n280[-18]}}, polar_angle_n280} + {polar_angle_n281_s3[-14], polar_angle_n281_s3, 9'h0}; // s30f42
+    wire signed [-10:-42] polar_angle_n284 = {{3{polar_angle_n282[-13]}}, polar_angle_n282} + {polar_angle_n283_s3[-11], polar_angle_n283_s3, 12'h0}; // s33f42
 
-    reg azimuth_n65_s4; // u1f0
-    reg signed [2:-24] azimuth_n82_s4; // s27f24
-    reg azimuth_n84_s4; // u1f0
-    reg signed [1:-25] azimuth_n86_s4; // s27f25
-    reg signed [3:-25] azimuth_n87_s4; // s29f25
-    reg signed [0:-24] azimuth_n90_s4; // s25f24
-    reg signed [-10:-42] polar_angle_n278_s4; // s33f42
-    reg signed [-8:-27] polar_angle_n279_s4; // s20f27
-    reg signed [-6:-25] polar_angle_n281_s4; // s20f25
-    reg signed [-4:-23] polar_angle_n283_s4; // s20f23
-    reg signed [-2:-21] polar_angle_n285_s4; // s20f21
-    reg signed [0:-19] polar_angle_n287_s4; // s20f19
-    reg signed [2:-17] polar_angle_n289_s4; // s20f17
+    reg azimuth_n69_s4; // u1f0
+    reg signed [2:-24] azimuth_n88_s4; // s27f24
+    reg azimuth_n90_s4; // u1f0
+    reg signed [1:-25] azimuth_n92_s4; // s27f25
+    reg signed [3:-25] azimuth_n93_s4; // s29f25
+    reg signed [0:-24] azimuth_n96_s4; // s25f24
+    reg signed [-10:-42] polar_angle_n284_s4; // s33f42
+    reg signed [-8:-27] polar_angle_n285_s4; // s20f27
+    reg signed [-6:-25] polar_angle_n287_s4; // s20f25
+    reg signed [-4:-23] polar_angle_n289_s4; // s20f23
+    reg signed [-2:-21] polar_angle_n291_s4; // s20f21
+    reg signed [0:-19] polar_angle_n293_s4; // s20f19
+    reg signed [2:-17] polar_angle_n295_s4; // s20f17
     always @(posedge clk)
         if (ce) begin
-            azimuth_n65_s4 <= azimuth_n65_s3;
-            azimuth_n82_s4 <= azimuth_n82;
-            azimuth_n84_s4 <= azimuth_n84;
-            azimuth_n86_s4 <= azimuth_n86;
-            azimuth_n87_s4 <= azimuth_n87;
+            azimuth_n69_s4 <= azimuth_n69_s3;
+            azimuth_n88_s4 <= azimuth_n88;
             azimuth_n90_s4 <= azimuth_n90;
-            polar_angle_n278_s4 <= polar_angle_n278;
-            polar_angle_n279_s4 <= polar_angle_n279_s3;
-            polar_angle_n281_s4 <= polar_angle_n281_s3;
-            polar_angle_n283_s4 <= polar_angle_n283_s3;
+            azimuth_n92_s4 <= azimuth_n92;
+            azimuth_n93_s4 <= azimuth_n93;
+            azimuth_n96_s4 <= azimuth_n96;
+            polar_angle_n284_s4 <= polar_angle_n284;
             polar_angle_n285_s4 <= polar_angle_n285_s3;
             polar_angle_n287_s4 <= polar_angle_n287_s3;
             polar_angle_n289_s4 <= polar_angle_n289_s3;
+            polar_angle_n291_s4 <= polar_angle_n291_s3;
+            polar_angle_n293_s4 <= polar_angle_n293_s3;
+            polar_angle_n295_s4 <= polar_angle_n295_s3;
         end
     reg valid_s4;
     always @(posedge clk)
@@ -1357,73 +1367,73 @@ module rotation_exact_polar_cordic (
 
     // ---- stage 4 ----
     // azimuth
-    wire [3:-25] azimuth_n88_term = {{2{azimuth_n86_s4[1]}}, azimuth_n86_s4} ^ {29{azimuth_n84_s4}};
-    wire signed [3:-25] azimuth_n88 = {azimuth_n82_s4[2], azimuth_n82_s4, 1'b0} + azimuth_n88_term + {28'h0, azimuth_n84_s4}; // s29f25
-    wire azimuth_n91_over = ~azimuth_n90_s4[0] & (|azimuth_n90_s4[-1]);
-    wire azimuth_n91_under = azimuth_n90_s4[0] & ~(&azimuth_n90_s4[-1]);
-    wire signed [-1:-24] azimuth_n91 = azimuth_n91_over ? 24'h7fffff : azimuth_n91_under ? 24'h800000 : azimuth_n90_s4[-1:-24]; // s24f24
-    wire signed [3:-24] azimuth_n92_cut = azimuth_n87_s4[3:-24];
-    wire azimuth_n92_over = ~azimuth_n92_cut[3] & (|azimuth_n92_cut[2]);
-    wire azimuth_n92_under = azimuth_n92_cut[3] & ~(&azimuth_n92_cut[2]);
-    wire signed [2:-24] azimuth_n92 = azimuth_n92_over ? 27'h3ffffff : azimuth_n92_under ? 27'h4000000 : azimuth_n92_cut[2:-24]; // s27f24
-    wire signed [3:-24] azimuth_n93_cut = azimuth_n88[3:-24];
-    wire azimuth_n93_over = ~azimuth_n93_cut[3] & (|azimuth_n93_cut[2]);
-    wire azimuth_n93_under = azimuth_n93_cut[3] & ~(&azimuth_n93_cut[2]);
-    wire signed [2:-24] azimuth_n93 = azimuth_n93_over ? 27'h3ffffff : azimuth_n93_under ? 27'h4000000 : azimuth_n93_cut[2:-24]; // s27f24
-    wire azimuth_n94 = azimuth_n93[2]; // u1f0
-    wire azimuth_n95 = azimuth_n94 ^ azimuth_n72; // u1f0
-    wire signed [0:-26] azimuth_n96 = azimuth_n93; // s27f26
-    wire signed [0:-26] azimuth_n97 = azimuth_n92; // s27f26
-    wire [3:-26] azimuth_n98_term = {{3{azimuth_n96[0]}}, azimuth_n96} ^ {30{azimuth_n94}};
-    wire signed [3:-26] azimuth_n98 = {azimuth_n92[2], azimuth_n92, 2'h0} + azimuth_n98_term + {29'h0, azimuth_n94}; // s30f26
-    wire [3:-26] azimuth_n99_term = {{3{azimuth_n97[0]}}, azimuth_n97} ^ {30{azimuth_n95}};
-    wire signed [3:-26] azimuth_n99 = {azimuth_n93[2], azimuth_n93, 2'h0} + azimuth_n99_term + {29'h0, azimuth_n95}; // s30f26
-    wire [0:-24] azimuth_n101_term = {azimuth_n100[-1], azimuth_n100} ^ {25{azimuth_n94}};
-    wire signed [0:-24] azimuth_n101 = {azimuth_n91[-1], azimuth_n91} + azimuth_n101_term + {24'h0, azimuth_n94}; // s25f24
-    wire azimuth_n102_over = ~azimuth_n101[0] & (|azimuth_n101[-1]);
-    wire azimuth_n102_under = azimuth_n101[0] & ~(&azimuth_n101[-1]);
-    wire signed [-1:-24] azimuth_n102 = azimuth_n102_over ? 24'h7fffff : azimuth_n102_under ? 24'h800000 : azimuth_n101[-1:-24]; // s24f24
-    wire signed [3:-24] azimuth_n103_cut = azimuth_n98[3:-24];
-    wire azimuth_n103_over = ~azimuth_n103_cut[3] & (|azimuth_n103_cut[2]);
-    wire azimuth_n103_under = azimuth_n103_cut[3] & ~(&azimuth_n103_cut[2]);
-    wire signed [2:-24] azimuth_n103 = azimuth_n103_over ? 27'h3ffffff : azimuth_n103_under ? 27'h4000000 : azimuth_n103_cut[2:-24]; // s27f24
-    wire signed [3:-24] azimuth_n104_cut = azimuth_n99[3:-24];
-    wire azimuth_n104_over = ~azimuth_n104_cut[3] & (|azimuth_n104_cut[2]);
-    wire azimuth_n104_under = azimuth_n104_cut[3] & ~(&azimuth_n104_cut[2]);
-    wire signed [2:-24] azimuth_n104 = azimuth_n104_over ? 27'h3ffffff : azimuth_n104_under ? 27'h4000000 : azimuth_n104_cut[2:-24]; // s27f24
-    wire azimuth_n105 = azimuth_n104[2]; // u1f0
-    wire signed [-1:-27] azimuth_n107 = azimuth_n104; // s27f27
-    wire signed [-1:-27] azimuth_n108 = azimuth_n103; // s27f27
+    wire [3:-25] azimuth_n94_term = {{2{azimuth_n92_s4[1]}}, azimuth_n92_s4} ^ {29{azimuth_n90_s4}};
+    wire signed [3:-25] azimuth_n94 = {azimuth_n88_s4[2], azimuth_n88_s4, 1'b0} + azimuth_n94_term + {28'h0, azimuth_n90_s4}; // s29f25
+    wire azimuth_n97_over = ~azimuth_n96_s4[0] & (|azimuth_n96_s4[-1]);
+    wire azimuth_n97_under = azimuth_n96_s4[0] & ~(&azimuth_n96_s4[-1]);
+    wire signed [-1:-24] azimuth_n97 = azimuth_n97_over ? 24'h7fffff : azimuth_n97_under ? 24'h800000 : azimuth_n96_s4[-1:-24]; // s24f24
+    wire signed [3:-24] azimuth_n98_cut = azimuth_n93_s4[3:-24];
+    wire azimuth_n98_over = ~azimuth_n98_cut[3] & (|azimuth_n98_cut[2]);
+    wire azimuth_n98_under = azimuth_n98_cut[3] & ~(&azimuth_n98_cut[2]);
+    wire signed [2:-24] azimuth_n98 = azimuth_n98_over ? 27'h3ffffff : azimuth_n98_under ? 27'h4000000 : azimuth_n98_cut[2:-24]; // s27f24
+    wire signed [3:-24] azimuth_n99_cut = azimuth_n94[3:-24];
+    wire azimuth_n99_over = ~azimuth_n99_cut[3] & (|azimuth_n99_cut[2]);
+    wire azimuth_n99_under = azimuth_n99_cut[3] & ~(&azimuth_n99_cut[2]);
+    wire signed [2:-24] azimuth_n99 = azimuth_n99_over ? 27'h3ffffff : azimuth_n99_under ? 27'h4000000 : azimuth_n99_cut[2:-24]; // s27f24
+    wire azimuth_n100 = azimuth_n99[2]; // u1f0
+    wire azimuth_n101 = azimuth_n100 ^ azimuth_n76; // u1f0
+    wire signed [0:-26] azimuth_n102 = azimuth_n99; // s27f26
+    wire signed [0:-26] azimuth_n103 = azimuth_n98; // s27f26
+    wire [3:-26] azimuth_n104_term = {{3{azimuth_n102[0]}}, azimuth_n102} ^ {30{azimuth_n100}};
+    wire signed [3:-26] azimuth_n104 = {azimuth_n98[2], azimuth_n98, 2'h0} + azimuth_n104_term + {29'h0, azimuth_n100}; // s30f26
+    wire [3:-26] azimuth_n105_term = {{3{azimuth_n103[0]}}, azimuth_n103} ^ {30{azimuth_n101}};
+    wire signed [3:-26] azimuth_n105 = {azimuth_n99[2], azimuth_n99, 2'h0} + azimuth_n105_term + {29'h0, azimuth_n101}; // s30f26
+    wire [0:-24] azimuth_n107_term = {azimuth_n106[-1], azimuth_n106} ^ {25{azimuth_n100}};
+    wire signed [0:-24] azimuth_n107 = {azimuth_n97[-1], azimuth_n97} + azimuth_n107_term + {24'h0, azimuth_n100}; // s25f24
+    wire azimuth_n108_over = ~azimuth_n107[0] & (|azimuth_n107[-1]);
+    wire azimuth_n108_under = azimuth_n107[0] & ~(&azimuth_n107[-1]);
+    wire signed [-1:-24] azimuth_n108 = azimuth_n108_over ? 24'h7fffff : azimuth_n108_under ? 24'h800000 : azimuth_n107[-1:-24]; // s24f24
+    wire signed [3:-24] azimuth_n109_cut = azimuth_n104[3:-24];
+    wire azimuth_n109_over = ~azimuth_n109_cut[3] & (|azimuth_n109_cut[2]);
+    wire azimuth_n109_under = azimuth_n109_cut[3] & ~(&azimuth_n109_cut[2]);
+    wire signed [2:-24] azimuth_n109 = azimuth_n109_over ? 27'h3ffffff : azimuth_n109_under ? 27'h4000000 : azimuth_n109_cut[2:-24]; // s27f24
+    wire signed [3:-24] azimuth_n110_cut = azimuth_n105[3:-24];
+    wire azimuth_n110_over = ~azimuth_n110_cut[3] & (|azimuth_n110_cut[2]);
+    wire azimuth_n110_under = azimuth_n110_cut[3] & ~(&azimuth_n110_cut[2]);
+    wire signed [2:-24] azimuth_n110 = azimuth_n110_over ? 27'h3ffffff : azimuth_n110_under ? 27'h4000000 : azimuth_n110_cut[2:-24]; // s27f24
+    wire azimuth_n111 = azimuth_n110[2]; // u1f0
+    wire signed [-1:-27] azimuth_n113 = azimuth_n110; // s27f27
+    wire signed [-1:-27] azimuth_n114 = azimuth_n109; // s27f27
     // polar_angle
-    wire signed [-7:-42] polar_angle_n280 = {{3{polar_angle_n278_s4[-10]}}, polar_angle_n278_s4} - {polar_angle_n279_s4[-8], polar_angle_n279_s4, 15'h0}; // s36f42
-    wire signed [-5:-42] polar_angle_n282 = {{2{polar_angle_n280[-7]}}, polar_angle_n280} - {polar_angle_n281_s4[-6], polar_angle_n281_s4, 17'h0}; // s38f42
+    wire signed [-7:-42] polar_angle_n286 = {{3{polar_angle_n284_s4[-10]}}, polar_angle_n284_s4} - {polar_angle_n285_s4[-8], polar_angle_n285_s4, 15'h0}; // s36f42
+    wire signed [-5:-42] polar_angle_n288 = {{2{polar_angle_n286[-7]}}, polar_angle_n286} - {polar_angle_n287_s4[-6], polar_angle_n287_s4, 17'h0}; // s38f42
 
-    reg azimuth_n65_s5; // u1f0
-    reg signed [-1:-24] azimuth_n102_s5; // s24f24
-    reg signed [2:-24] azimuth_n103_s5; // s27f24
-    reg signed [2:-24] azimuth_n104_s5; // s27f24
-    reg azimuth_n105_s5; // u1f0
-    reg signed [-1:-27] azimuth_n107_s5; // s27f27
-    reg signed [-1:-27] azimuth_n108_s5; // s27f27
-    reg signed [-5:-42] polar_angle_n282_s5; // s38f42
-    reg signed [-4:-23] polar_angle_n283_s5; // s20f23
-    reg signed [-2:-21] polar_angle_n285_s5; // s20f21
-    reg signed [0:-19] polar_angle_n287_s5; // s20f19
-    reg signed [2:-17] polar_angle_n289_s5; // s20f17
+    reg azimuth_n69_s5; // u1f0
+    reg signed [-1:-24] azimuth_n108_s5; // s24f24
+    reg signed [2:-24] azimuth_n109_s5; // s27f24
+    reg signed [2:-24] azimuth_n110_s5; // s27f24
+    reg azimuth_n111_s5; // u1f0
+    reg signed [-1:-27] azimuth_n113_s5; // s27f27
+    reg signed [-1:-27] azimuth_n114_s5; // s27f27
+    reg signed [-5:-42] polar_angle_n288_s5; // s38f42
+    reg signed [-4:-23] polar_angle_n289_s5; // s20f23
+    reg signed [-2:-21] polar_angle_n291_s5; // s20f21
+    reg signed [0:-19] polar_angle_n293_s5; // s20f19
+    reg signed [2:-17] polar_angle_n295_s5; // s20f17
     always @(posedge clk)
         if (ce) begin
-            azimuth_n65_s5 <= azimuth_n65_s4;
-            azimuth_n102_s5 <= azimuth_n102;
-            azimuth_n103_s5 <= azimuth_n103;
-            azimuth_n104_s5 <= azimuth_n104;
-            azimuth_n105_s5 <= azimuth_n105;
-            azimuth_n107_s5 <= azimuth_n107;
+            azimuth_n69_s5 <= azimuth_n69_s4;
             azimuth_n108_s5 <= azimuth_n108;
-            polar_angle_n282_s5 <= polar_angle_n282;
-            polar_angle_n283_s5 <= polar_angle_n283_s4;
-            polar_angle_n285_s5 <= polar_angle_n285_s4;
-            polar_angle_n287_s5 <= polar_angle_n287_s4;
+            azimuth_n109_s5 <= azimuth_n109;
+            azimuth_n110_s5 <= azimuth_n110;
+            azimuth_n111_s5 <= azimuth_n111;
+            azimuth_n113_s5 <= azimuth_n113;
+            azimuth_n114_s5 <= azimuth_n114;
+            polar_angle_n288_s5 <= polar_angle_n288;
             polar_angle_n289_s5 <= polar_angle_n289_s4;
+            polar_angle_n291_s5 <= polar_angle_n291_s4;
+            polar_angle_n293_s5 <= polar_angle_n293_s4;
+            polar_angle_n295_s5 <= polar_angle_n295_s4;
         end
     reg valid_s5;
     always @(posedge clk)
@@ -1432,64 +1442,64 @@ module rotation_exact_polar_cordic (
 
     // ---- stage 5 ----
     // azimuth
-    wire azimuth_n106 = azimuth_n105_s5 ^ azimuth_n72; // u1f0
-    wire [3:-27] azimuth_n109_term = {{4{azimuth_n107_s5[-1]}}, azimuth_n107_s5} ^ {31{azimuth_n105_s5}};
-    wire signed [3:-27] azimuth_n109 = {azimuth_n103_s5[2], azimuth_n103_s5, 3'h0} + azimuth_n109_term + {30'h0, azimuth_n105_s5}; // s31f27
-    wire [3:-27] azimuth_n110_term = {{4{azimuth_n108_s5[-1]}}, azimuth_n108_s5} ^ {31{azimuth_n106}};
-    wire signed [3:-27] azimuth_n110 = {azimuth_n104_s5[2], azimuth_n104_s5, 3'h0} + azimuth_n110_term + {30'h0, azimuth_n106}; // s31f27
-    wire [0:-24] azimuth_n112_term = {azimuth_n111[-1], azimuth_n111} ^ {25{azimuth_n105_s5}};
-    wire signed [0:-24] azimuth_n112 = {azimuth_n102_s5[-1], azimuth_n102_s5} + azimuth_n112_term + {24'h0, azimuth_n105_s5}; // s25f24
-    wire azimuth_n113_over = ~azimuth_n112[0] & (|azimuth_n112[-1]);
-    wire azimuth_n113_under = azimuth_n112[0] & ~(&azimuth_n112[-1]);
-    wire signed [-1:-24] azimuth_n113 = azimuth_n113_over ? 24'h7fffff : azimuth_n113_under ? 24'h800000 : azimuth_n112[-1:-24]; // s24f24
-    wire signed [3:-24] azimuth_n114_cut = azimuth_n109[3:-24];
-    wire azimuth_n114_over = ~azimuth_n114_cut[3] & (|azimuth_n114_cut[2]);
-    wire azimuth_n114_under = azimuth_n114_cut[3] & ~(&azimuth_n114_cut[2]);
-    wire signed [2:-24] azimuth_n114 = azimuth_n114_over ? 27'h3ffffff : azimuth_n114_under ? 27'h4000000 : azimuth_n114_cut[2:-24]; // s27f24
-    wire signed [3:-24] azimuth_n115_cut = azimuth_n110[3:-24];
-    wire azimuth_n115_over = ~azimuth_n115_cut[3] & (|azimuth_n115_cut[2]);
-    wire azimuth_n115_under = azimuth_n115_cut[3] & ~(&azimuth_n115_cut[2]);
-    wire signed [2:-24] azimuth_n115 = azimuth_n115_over ? 27'h3ffffff : azimuth_n115_under ? 27'h4000000 : azimuth_n115_cut[2:-24]; // s27f24
-    wire azimuth_n116 = azimuth_n115[2]; // u1f0
-    wire azimuth_n117 = azimuth_n116 ^ azimuth_n72; // u1f0
-    wire signed [-2:-28] azimuth_n118 = azimuth_n115; // s27f28
-    wire signed [-2:-28] azimuth_n119 = azimuth_n114; // s27f28
-    wire [3:-28] azimuth_n120_term = {{5{azimuth_n118[-2]}}, azimuth_n118} ^ {32{azimuth_n116}};
-    wire signed [3:-28] azimuth_n120 = {azimuth_n114[2], azimuth_n114, 4'h0} + azimuth_n120_term + {31'h0, azimuth_n116}; // s32f28
-    wire [3:-28] azimuth_n121_term = {{5{azimuth_n119[-2]}}, azimuth_n119} ^ {32{azimuth_n117}};
-    wire signed [3:-28] azimuth_n121 = {azimuth_n115[2], azimuth_n115, 4'h0} + azimuth_n121_term + {31'h0, azimuth_n117}; // s32f28
-    wire [0:-24] azimuth_n123_term = {azimuth_n122[-1], azimuth_n122} ^ {25{azimuth_n116}};
-    wire signed [0:-24] azimuth_n123 = {azimuth_n113[-1], azimuth_n113} + azimuth_n123_term + {24'h0, azimuth_n116}; // s25f24
-    wire azimuth_n124_over = ~azimuth_n123[0] & (|azimuth_n123[-1]);
-    wire azimuth_n124_under = azimuth_n123[0] & ~(&azimuth_n123[-1]);
-    wire signed [-1:-24] azimuth_n124 = azimuth_n124_over ? 24'h7fffff : azimuth_n124_under ? 24'h800000 : azimuth_n123[-1:-24]; // s24f24
-    wire signed [3:-24] azimuth_n125_cut = azimuth_n120[3:-24];
-    wire azimuth_n125_over = ~azimuth_n125_cut[3] & (|azimuth_n125_cut[2]);
-    wire azimuth_n125_under = azimuth_n125_cut[3] & ~(&azimuth_n125_cut[2]);
-    wire signed [2:-24] azimuth_n125 = azimuth_n125_over ? 27'h3ffffff : azimuth_n125_under ? 27'h4000000 : azimuth_n125_cut[2:-24]; // s27f24
-    wire signed [-3:-29] azimuth_n130 = azimuth_n125; // s27f29
+    wire azimuth_n112 = azimuth_n111_s5 ^ azimuth_n76; // u1f0
+    wire [3:-27] azimuth_n115_term = {{4{azimuth_n113_s5[-1]}}, azimuth_n113_s5} ^ {31{azimuth_n111_s5}};
+    wire signed [3:-27] azimuth_n115 = {azimuth_n109_s5[2], azimuth_n109_s5, 3'h0} + azimuth_n115_term + {30'h0, azimuth_n111_s5}; // s31f27
+    wire [3:-27] azimuth_n116_term = {{4{azimuth_n114_s5[-1]}}, azimuth_n114_s5} ^ {31{azimuth_n112}};
+    wire signed [3:-27] azimuth_n116 = {azimuth_n110_s5[2], azimuth_n110_s5, 3'h0} + azimuth_n116_term + {30'h0, azimuth_n112}; // s31f27
+    wire [0:-24] azimuth_n118_term = {azimuth_n117[-1], azimuth_n117} ^ {25{azimuth_n111_s5}};
+    wire signed [0:-24] azimuth_n118 = {azimuth_n108_s5[-1], azimuth_n108_s5} + azimuth_n118_term + {24'h0, azimuth_n111_s5}; // s25f24
+    wire azimuth_n119_over = ~azimuth_n118[0] & (|azimuth_n118[-1]);
+    wire azimuth_n119_under = azimuth_n118[0] & ~(&azimuth_n118[-1]);
+    wire signed [-1:-24] azimuth_n119 = azimuth_n119_over ? 24'h7fffff : azimuth_n119_under ? 24'h800000 : azimuth_n118[-1:-24]; // s24f24
+    wire signed [3:-24] azimuth_n120_cut = azimuth_n115[3:-24];
+    wire azimuth_n120_over = ~azimuth_n120_cut[3] & (|azimuth_n120_cut[2]);
+    wire azimuth_n120_under = azimuth_n120_cut[3] & ~(&azimuth_n120_cut[2]);
+    wire signed [2:-24] azimuth_n120 = azimuth_n120_over ? 27'h3ffffff : azimuth_n120_under ? 27'h4000000 : azimuth_n120_cut[2:-24]; // s27f24
+    wire signed [3:-24] azimuth_n121_cut = azimuth_n116[3:-24];
+    wire azimuth_n121_over = ~azimuth_n121_cut[3] & (|azimuth_n121_cut[2]);
+    wire azimuth_n121_under = azimuth_n121_cut[3] & ~(&azimuth_n121_cut[2]);
+    wire signed [2:-24] azimuth_n121 = azimuth_n121_over ? 27'h3ffffff : azimuth_n121_under ? 27'h4000000 : azimuth_n121_cut[2:-24]; // s27f24
+    wire azimuth_n122 = azimuth_n121[2]; // u1f0
+    wire azimuth_n123 = azimuth_n122 ^ azimuth_n76; // u1f0
+    wire signed [-2:-28] azimuth_n124 = azimuth_n121; // s27f28
+    wire signed [-2:-28] azimuth_n125 = azimuth_n120; // s27f28
+    wire [3:-28] azimuth_n126_term = {{5{azimuth_n124[-2]}}, azimuth_n124} ^ {32{azimuth_n122}};
+    wire signed [3:-28] azimuth_n126 = {azimuth_n120[2], azimuth_n120, 4'h0} + azimuth_n126_term + {31'h0, azimuth_n122}; // s32f28
+    wire [3:-28] azimuth_n127_term = {{5{azimuth_n125[-2]}}, azimuth_n125} ^ {32{azimuth_n123}};
+    wire signed [3:-28] azimuth_n127 = {azimuth_n121[2], azimuth_n121, 4'h0} + azimuth_n127_term + {31'h0, azimuth_n123}; // s32f28
+    wire [0:-24] azimuth_n129_term = {azimuth_n128[-1], azimuth_n128} ^ {25{azimuth_n122}};
+    wire signed [0:-24] azimuth_n129 = {azimuth_n119[-1], azimuth_n119} + azimuth_n129_term + {24'h0, azimuth_n122}; // s25f24
+    wire azimuth_n130_over = ~azimuth_n129[0] & (|azimuth_n129[-1]);
+    wire azimuth_n130_under = azimuth_n129[0] & ~(&azimuth_n129[-1]);
+    wire signed [-1:-24] azimuth_n130 = azimuth_n130_over ? 24'h7fffff : azimuth_n130_under ? 24'h800000 : azimuth_n129[-1:-24]; // s24f24
+    wire signed [3:-24] azimuth_n131_cut = azimuth_n126[3:-24];
+    wire azimuth_n131_over = ~azimuth_n131_cut[3] & (|azimuth_n131_cut[2]);
+    wire azimuth_n131_under = azimuth_n131_cut[3] & ~(&azimuth_n131_cut[2]);
+    wire signed [2:-24] azimuth_n131 = azimuth_n131_over ? 27'h3ffffff : azimuth_n131_under ? 27'h4000000 : azimuth_n131_cut[2:-24]; // s27f24
+    wire signed [-3:-29] azimuth_n136 = azimuth_n131; // s27f29
     // polar_angle
-    wire signed [-3:-42] polar_angle_n284 = {{2{polar_angle_n282_s5[-5]}}, polar_angle_n282_s5} + {polar_angle_n283_s5[-4], polar_angle_n283_s5, 19'h0}; // s40f42
-    wire signed [-1:-42] polar_angle_n286 = {{2{polar_angle_n284[-3]}}, polar_angle_n284} + {polar_angle_n285_s5[-2], polar_angle_n285_s5, 21'h0}; // s42f42
+    wire signed [-3:-42] polar_angle_n290 = {{2{polar_angle_n288_s5[-5]}}, polar_angle_n288_s5} + {polar_angle_n289_s5[-4], polar_angle_n289_s5, 19'h0}; // s40f42
+    wire signed [-1:-42] polar_angle_n292 = {{2{polar_angle_n290[-3]}}, polar_angle_n290} + {polar_angle_n291_s5[-2], polar_angle_n291_s5, 21'h0}; // s42f42
 
-    reg azimuth_n65_s6; // u1f0
-    reg signed [3:-28] azimuth_n121_s6; // s32f28
-    reg signed [-1:-24] azimuth_n124_s6; // s24f24
-    reg signed [2:-24] azimuth_n125_s6; // s27f24
-    reg signed [-3:-29] azimuth_n130_s6; // s27f29
-    reg signed [-1:-42] polar_angle_n286_s6; // s42f42
-    reg signed [0:-19] polar_angle_n287_s6; // s20f19
-    reg signed [2:-17] polar_angle_n289_s6; // s20f17
+    reg azimuth_n69_s6; // u1f0
+    reg signed [3:-28] azimuth_n127_s6; // s32f28
+    reg signed [-1:-24] azimuth_n130_s6; // s24f24
+    reg signed [2:-24] azimuth_n131_s6; // s27f24
+    reg signed [-3:-29] azimuth_n136_s6; // s27f29
+    reg signed [-1:-42] polar_angle_n292_s6; // s42f42
+    reg signed [0:-19] polar_angle_n293_s6; // s20f19
+    reg signed [2:-17] polar_angle_n295_s6; // s20f17
     always @(posedge clk)
         if (ce) begin
-            azimuth_n65_s6 <= azimuth_n65_s5;
-            azimuth_n121_s6 <= azimuth_n121;
-            azimuth_n124_s6 <= azimuth_n124;
-            azimuth_n125_s6 <= azimuth_n125;
+            azimuth_n69_s6 <= azimuth_n69_s5;
+            azimuth_n127_s6 <= azimuth_n127;
             azimuth_n130_s6 <= azimuth_n130;
-            polar_angle_n286_s6 <= polar_angle_n286;
-            polar_angle_n287_s6 <= polar_angle_n287_s5;
-            polar_angle_n289_s6 <= polar_angle_n289_s5;
+            azimuth_n131_s6 <= azimuth_n131;
+            azimuth_n136_s6 <= azimuth_n136;
+            polar_angle_n292_s6 <= polar_angle_n292;
+            polar_angle_n293_s6 <= polar_angle_n293_s5;
+            polar_angle_n295_s6 <= polar_angle_n295_s5;
         end
     reg valid_s6;
     always @(posedge clk)
@@ -1498,67 +1508,67 @@ module rotation_exact_polar_cordic (
 
     // ---- stage 6 ----
     // azimuth
-    wire signed [3:-24] azimuth_n126_cut = azimuth_n121_s6[3:-24];
-    wire azimuth_n126_over = ~azimuth_n126_cut[3] & (|azimuth_n126_cut[2]);
-    wire azimuth_n126_under = azimuth_n126_cut[3] & ~(&azimuth_n126_cut[2]);
-    wire signed [2:-24] azimuth_n126 = azimuth_n126_over ? 27'h3ffffff : azimuth_n126_under ? 27'h4000000 : azimuth_n126_cut[2:-24]; // s27f24
-    wire azimuth_n127 = azimuth_n126[2]; // u1f0
-    wire azimuth_n128 = azimuth_n127 ^ azimuth_n72; // u1f0
-    wire signed [-3:-29] azimuth_n129 = azimuth_n126; // s27f29
-    wire [3:-29] azimuth_n131_term = {{6{azimuth_n129[-3]}}, azimuth_n129} ^ {33{azimuth_n127}};
-    wire signed [3:-29] azimuth_n131 = {azimuth_n125_s6[2], azimuth_n125_s6, 5'h0} + azimuth_n131_term + {32'h0, azimuth_n127}; // s33f29
-    wire [3:-29] azimuth_n132_term = {{6{azimuth_n130_s6[-3]}}, azimuth_n130_s6} ^ {33{azimuth_n128}};
-    wire signed [3:-29] azimuth_n132 = {azimuth_n126[2], azimuth_n126, 5'h0} + azimuth_n132_term + {32'h0, azimuth_n128}; // s33f29
-    wire [0:-24] azimuth_n134_term = {azimuth_n133[-1], azimuth_n133} ^ {25{azimuth_n127}};
-    wire signed [0:-24] azimuth_n134 = {azimuth_n124_s6[-1], azimuth_n124_s6} + azimuth_n134_term + {24'h0, azimuth_n127}; // s25f24
-    wire azimuth_n135_over = ~azimuth_n134[0] & (|azimuth_n134[-1]);
-    wire azimuth_n135_under = azimuth_n134[0] & ~(&azimuth_n134[-1]);
-    wire signed [-1:-24] azimuth_n135 = azimuth_n135_over ? 24'h7fffff : azimuth_n135_under ? 24'h800000 : azimuth_n134[-1:-24]; // s24f24
-    wire signed [3:-24] azimuth_n136_cut = azimuth_n131[3:-24];
-    wire azimuth_n136_over = ~azimuth_n136_cut[3] & (|azimuth_n136_cut[2]);
-    wire azimuth_n136_under = azimuth_n136_cut[3] & ~(&azimuth_n136_cut[2]);
-    wire signed [2:-24] azimuth_n136 = azimuth_n136_over ? 27'h3ffffff : azimuth_n136_under ? 27'h4000000 : azimuth_n136_cut[2:-24]; // s27f24
-    wire signed [3:-24] azimuth_n137_cut = azimuth_n132[3:-24];
-    wire azimuth_n137_over = ~azimuth_n137_cut[3] & (|azimuth_n137_cut[2]);
-    wire azimuth_n137_under = azimuth_n137_cut[3] & ~(&azimuth_n137_cut[2]);
-    wire signed [2:-24] azimuth_n137 = azimuth_n137_over ? 27'h3ffffff : azimuth_n137_under ? 27'h4000000 : azimuth_n137_cut[2:-24]; // s27f24
-    wire azimuth_n138 = azimuth_n137[2]; // u1f0
-    wire azimuth_n139 = azimuth_n138 ^ azimuth_n72; // u1f0
-    wire signed [-4:-30] azimuth_n140 = azimuth_n137; // s27f30
-    wire signed [-4:-30] azimuth_n141 = azimuth_n136; // s27f30
-    wire [0:-24] azimuth_n145_term = {azimuth_n144[-1], azimuth_n144} ^ {25{azimuth_n138}};
-    wire signed [0:-24] azimuth_n145 = {azimuth_n135[-1], azimuth_n135} + azimuth_n145_term + {24'h0, azimuth_n138}; // s25f24
+    wire signed [3:-24] azimuth_n132_cut = azimuth_n127_s6[3:-24];
+    wire azimuth_n132_over = ~azimuth_n132_cut[3] & (|azimuth_n132_cut[2]);
+    wire azimuth_n132_under = azimuth_n132_cut[3] & ~(&azimuth_n132_cut[2]);
+    wire signed [2:-24] azimuth_n132 = azimuth_n132_over ? 27'h3ffffff : azimuth_n132_under ? 27'h4000000 : azimuth_n132_cut[2:-24]; // s27f24
+    wire azimuth_n133 = azimuth_n132[2]; // u1f0
+    wire azimuth_n134 = azimuth_n133 ^ azimuth_n76; // u1f0
+    wire signed [-3:-29] azimuth_n135 = azimuth_n132; // s27f29
+    wire [3:-29] azimuth_n137_term = {{6{azimuth_n135[-3]}}, azimuth_n135} ^ {33{azimuth_n133}};
+    wire signed [3:-29] azimuth_n137 = {azimuth_n131_s6[2], azimuth_n131_s6, 5'h0} + azimuth_n137_term + {32'h0, azimuth_n133}; // s33f29
+    wire [3:-29] azimuth_n138_term = {{6{azimuth_n136_s6[-3]}}, azimuth_n136_s6} ^ {33{azimuth_n134}};
+    wire signed [3:-29] azimuth_n138 = {azimuth_n132[2], azimuth_n132, 5'h0} + azimuth_n138_term + {32'h0, azimuth_n134}; // s33f29
+    wire [0:-24] azimuth_n140_term = {azimuth_n139[-1], azimuth_n139} ^ {25{azimuth_n133}};
+    wire signed [0:-24] azimuth_n140 = {azimuth_n130_s6[-1], azimuth_n130_s6} + azimuth_n140_term + {24'h0, azimuth_n133}; // s25f24
+    wire azimuth_n141_over = ~azimuth_n140[0] & (|azimuth_n140[-1]);
+    wire azimuth_n141_under = azimuth_n140[0] & ~(&azimuth_n140[-1]);
+    wire signed [-1:-24] azimuth_n141 = azimuth_n141_over ? 24'h7fffff : azimuth_n141_under ? 24'h800000 : azimuth_n140[-1:-24]; // s24f24
+    wire signed [3:-24] azimuth_n142_cut = azimuth_n137[3:-24];
+    wire azimuth_n142_over = ~azimuth_n142_cut[3] & (|azimuth_n142_cut[2]);
+    wire azimuth_n142_under = azimuth_n142_cut[3] & ~(&azimuth_n142_cut[2]);
+    wire signed [2:-24] azimuth_n142 = azimuth_n142_over ? 27'h3ffffff : azimuth_n142_under ? 27'h4000000 : azimuth_n142_cut[2:-24]; // s27f24
+    wire signed [3:-24] azimuth_n143_cut = azimuth_n138[3:-24];
+    wire azimuth_n143_over = ~azimuth_n143_cut[3] & (|azimuth_n143_cut[2]);
+    wire azimuth_n143_under = azimuth_n143_cut[3] & ~(&azimuth_n143_cut[2]);
+    wire signed [2:-24] azimuth_n143 = azimuth_n143_over ? 27'h3ffffff : azimuth_n143_under ? 27'h4000000 : azimuth_n143_cut[2:-24]; // s27f24
+    wire azimuth_n144 = azimuth_n143[2]; // u1f0
+    wire azimuth_n145 = azimuth_n144 ^ azimuth_n76; // u1f0
+    wire signed [-4:-30] azimuth_n146 = azimuth_n143; // s27f30
+    wire signed [-4:-30] azimuth_n147 = azimuth_n142; // s27f30
+    wire [0:-24] azimuth_n151_term = {azimuth_n150[-1], azimuth_n150} ^ {25{azimuth_n144}};
+    wire signed [0:-24] azimuth_n151 = {azimuth_n141[-1], azimuth_n141} + azimuth_n151_term + {24'h0, azimuth_n144}; // s25f24
     // polar_angle
-    wire signed [1:-42] polar_angle_n288 = {{2{polar_angle_n286_s6[-1]}}, polar_angle_n286_s6} - {polar_angle_n287_s6[0], polar_angle_n287_s6, 23'h0}; // s44f42
-    wire signed [3:-42] polar_angle_n290 = {{2{polar_angle_n288[1]}}, polar_angle_n288} + {polar_angle_n289_s6[2], polar_angle_n289_s6, 25'h0}; // s46f42
-    wire signed [3:-24] polar_angle_n291_cut = polar_angle_n290[3:-24];
-    wire polar_angle_n291_over = ~polar_angle_n291_cut[3] & (|polar_angle_n291_cut[2]);
-    wire polar_angle_n291_under = polar_angle_n291_cut[3] & ~(&polar_angle_n291_cut[2]);
-    wire signed [2:-24] polar_angle_n291 = polar_angle_n291_over ? 27'h3ffffff : polar_angle_n291_under ? 27'h4000000 : polar_angle_n291_cut[2:-24]; // s27f24
-    wire polar_angle_n292 = polar_angle_n291[2]; // u1f0
+    wire signed [1:-42] polar_angle_n294 = {{2{polar_angle_n292_s6[-1]}}, polar_angle_n292_s6} - {polar_angle_n293_s6[0], polar_angle_n293_s6, 23'h0}; // s44f42
+    wire signed [3:-42] polar_angle_n296 = {{2{polar_angle_n294[1]}}, polar_angle_n294} + {polar_angle_n295_s6[2], polar_angle_n295_s6, 25'h0}; // s46f42
+    wire signed [3:-24] polar_angle_n297_cut = polar_angle_n296[3:-24];
+    wire polar_angle_n297_over = ~polar_angle_n297_cut[3] & (|polar_angle_n297_cut[2]);
+    wire polar_angle_n297_under = polar_angle_n297_cut[3] & ~(&polar_angle_n297_cut[2]);
+    wire signed [2:-24] polar_angle_n297 = polar_angle_n297_over ? 27'h3ffffff : polar_angle_n297_under ? 27'h4000000 : polar_angle_n297_cut[2:-24]; // s27f24
+    wire polar_angle_n301 = polar_angle_n297[2]; // u1f0
 
-    reg azimuth_n65_s7; // u1f0
-    reg signed [2:-24] azimuth_n136_s7; // s27f24
-    reg signed [2:-24] azimuth_n137_s7; // s27f24
-    reg azimuth_n138_s7; // u1f0
-    reg azimuth_n139_s7; // u1f0
-    reg signed [-4:-30] azimuth_n140_s7; // s27f30
-    reg signed [-4:-30] azimuth_n141_s7; // s27f30
-    reg signed [0:-24] azimuth_n145_s7; // s25f24
-    reg signed [2:-24] polar_angle_n291_s7; // s27f24
-    reg polar_angle_n292_s7; // u1f0
+    reg azimuth_n69_s7; // u1f0
+    reg signed [2:-24] azimuth_n142_s7; // s27f24
+    reg signed [2:-24] azimuth_n143_s7; // s27f24
+    reg azimuth_n144_s7; // u1f0
+    reg azimuth_n145_s7; // u1f0
+    reg signed [-4:-30] azimuth_n146_s7; // s27f30
+    reg signed [-4:-30] azimuth_n147_s7; // s27f30
+    reg signed [0:-24] azimuth_n151_s7; // s25f24
+    reg signed [2:-24] polar_angle_n297_s7; // s27f24
+    reg polar_angle_n301_s7; // u1f0
     always @(posedge clk)
         if (ce) begin
-            azimuth_n65_s7 <= azimuth_n65_s6;
-            azimuth_n136_s7 <= azimuth_n136;
-            azimuth_n137_s7 <= azimuth_n137;
-            azimuth_n138_s7 <= azimuth_n138;
-            azimuth_n139_s7 <= azimuth_n139;
-            azimuth_n140_s7 <= azimuth_n140;
-            azimuth_n141_s7 <= azimuth_n141;
+            azimuth_n69_s7 <= azimuth_n69_s6;
+            azimuth_n142_s7 <= azimuth_n142;
+            azimuth_n143_s7 <= azimuth_n143;
+            azimuth_n144_s7 <= azimuth_n144;
             azimuth_n145_s7 <= azimuth_n145;
-            polar_angle_n291_s7 <= polar_angle_n291;
-            polar_angle_n292_s7 <= polar_angle_n292;
+            azimuth_n146_s7 <= azimuth_n146;
+            azimuth_n147_s7 <= azimuth_n147;
+            azimuth_n151_s7 <= azimuth_n151;
+            polar_angle_n297_s7 <= polar_angle_n297;
+            polar_angle_n301_s7 <= polar_angle_n301;
         end
     reg valid_s7;
     always @(posedge clk)
@@ -1567,62 +1577,65 @@ module rotation_exact_polar_cordic (
 
     // ---- stage 7 ----
     // azimuth
-    wire [3:-30] azimuth_n142_term = {{7{azimuth_n140_s7[-4]}}, azimuth_n140_s7} ^ {34{azimuth_n138_s7}};
-    wire signed [3:-30] azimuth_n142 = {azimuth_n136_s7[2], azimuth_n136_s7, 6'h0} + azimuth_n142_term + {33'h0, azimuth_n138_s7}; // s34f30
-    wire [3:-30] azimuth_n143_term = {{7{azimuth_n141_s7[-4]}}, azimuth_n141_s7} ^ {34{azimuth_n139_s7}};
-    wire signed [3:-30] azimuth_n143 = {azimuth_n137_s7[2], azimuth_n137_s7, 6'h0} + azimuth_n143_term + {33'h0, azimuth_n139_s7}; // s34f30
-    wire azimuth_n146_over = ~azimuth_n145_s7[0] & (|azimuth_n145_s7[-1]);
-    wire azimuth_n146_under = azimuth_n145_s7[0] & ~(&azimuth_n145_s7[-1]);
-    wire signed [-1:-24] azimuth_n146 = azimuth_n146_over ? 24'h7fffff : azimuth_n146_under ? 24'h800000 : azimuth_n145_s7[-1:-24]; // s24f24
-    wire signed [3:-24] azimuth_n147_cut = azimuth_n142[3:-24];
-    wire azimuth_n147_over = ~azimuth_n147_cut[3] & (|azimuth_n147_cut[2]);
-    wire azimuth_n147_under = azimuth_n147_cut[3] & ~(&azimuth_n147_cut[2]);
-    wire signed [2:-24] azimuth_n147 = azimuth_n147_over ? 27'h3ffffff : azimuth_n147_under ? 27'h4000000 : azimuth_n147_cut[2:-24]; // s27f24
-    wire signed [3:-24] azimuth_n148_cut = azimuth_n143[3:-24];
-    wire azimuth_n148_over = ~azimuth_n148_cut[3] & (|azimuth_n148_cut[2]);
-    wire azimuth_n148_under = azimuth_n148_cut[3] & ~(&azimuth_n148_cut[2]);
-    wire signed [2:-24] azimuth_n148 = azimuth_n148_over ? 27'h3ffffff : azimuth_n148_under ? 27'h4000000 : azimuth_n148_cut[2:-24]; // s27f24
-    wire azimuth_n149 = azimuth_n148[2]; // u1f0
-    wire azimuth_n150 = azimuth_n149 ^ azimuth_n72; // u1f0
-    wire signed [-5:-31] azimuth_n151 = azimuth_n148; // s27f31
-    wire signed [-5:-31] azimuth_n152 = azimuth_n147; // s27f31
-    wire [3:-31] azimuth_n153_term = {{8{azimuth_n151[-5]}}, azimuth_n151} ^ {35{azimuth_n149}};
-    wire signed [3:-31] azimuth_n153 = {azimuth_n147[2], azimuth_n147, 7'h0} + azimuth_n153_term + {34'h0, azimuth_n149}; // s35f31
-    wire [3:-31] azimuth_n154_term = {{8{azimuth_n152[-5]}}, azimuth_n152} ^ {35{azimuth_n150}};
-    wire signed [3:-31] azimuth_n154 = {azimuth_n148[2], azimuth_n148, 7'h0} + azimuth_n154_term + {34'h0, azimuth_n150}; // s35f31
-    wire [0:-24] azimuth_n156_term = {azimuth_n155[-1], azimuth_n155} ^ {25{azimuth_n149}};
-    wire signed [0:-24] azimuth_n156 = {azimuth_n146[-1], azimuth_n146} + azimuth_n156_term + {24'h0, azimuth_n149}; // s25f24
-    wire azimuth_n157_over = ~azimuth_n156[0] & (|azimuth_n156[-1]);
-    wire azimuth_n157_under = azimuth_n156[0] & ~(&azimuth_n156[-1]);
-    wire signed [-1:-24] azimuth_n157 = azimuth_n157_over ? 24'h7fffff : azimuth_n157_under ? 24'h800000 : azimuth_n156[-1:-24]; // s24f24
-    wire signed [3:-24] azimuth_n158_cut = azimuth_n153[3:-24];
-    wire azimuth_n158_over = ~azimuth_n158_cut[3] & (|azimuth_n158_cut[2]);
-    wire azimuth_n158_under = azimuth_n158_cut[3] & ~(&azimuth_n158_cut[2]);
-    wire signed [2:-24] azimuth_n158 = azimuth_n158_over ? 27'h3ffffff : azimuth_n158_under ? 27'h4000000 : azimuth_n158_cut[2:-24]; // s27f24
-    wire signed [-6:-32] azimuth_n163 = azimuth_n158; // s27f32
+    wire [3:-30] azimuth_n148_term = {{7{azimuth_n146_s7[-4]}}, azimuth_n146_s7} ^ {34{azimuth_n144_s7}};
+    wire signed [3:-30] azimuth_n148 = {azimuth_n142_s7[2], azimuth_n142_s7, 6'h0} + azimuth_n148_term + {33'h0, azimuth_n144_s7}; // s34f30
+    wire [3:-30] azimuth_n149_term = {{7{azimuth_n147_s7[-4]}}, azimuth_n147_s7} ^ {34{azimuth_n145_s7}};
+    wire signed [3:-30] azimuth_n149 = {azimuth_n143_s7[2], azimuth_n143_s7, 6'h0} + azimuth_n149_term + {33'h0, azimuth_n145_s7}; // s34f30
+    wire azimuth_n152_over = ~azimuth_n151_s7[0] & (|azimuth_n151_s7[-1]);
+    wire azimuth_n152_under = azimuth_n151_s7[0] & ~(&azimuth_n151_s7[-1]);
+    wire signed [-1:-24] azimuth_n152 = azimuth_n152_over ? 24'h7fffff : azimuth_n152_under ? 24'h800000 : azimuth_n151_s7[-1:-24]; // s24f24
+    wire signed [3:-24] azimuth_n153_cut = azimuth_n148[3:-24];
+    wire azimuth_n153_over = ~azimuth_n153_cut[3] & (|azimuth_n153_cut[2]);
+    wire azimuth_n153_under = azimuth_n153_cut[3] & ~(&azimuth_n153_cut[2]);
+    wire signed [2:-24] azimuth_n153 = azimuth_n153_over ? 27'h3ffffff : azimuth_n153_under ? 27'h4000000 : azimuth_n153_cut[2:-24]; // s27f24
+    wire signed [3:-24] azimuth_n154_cut = azimuth_n149[3:-24];
+    wire azimuth_n154_over = ~azimuth_n154_cut[3] & (|azimuth_n154_cut[2]);
+    wire azimuth_n154_under = azimuth_n154_cut[3] & ~(&azimuth_n154_cut[2]);
+    wire signed [2:-24] azimuth_n154 = azimuth_n154_over ? 27'h3ffffff : azimuth_n154_under ? 27'h4000000 : azimuth_n154_cut[2:-24]; // s27f24
+    wire azimuth_n155 = azimuth_n154[2]; // u1f0
+    wire azimuth_n156 = azimuth_n155 ^ azimuth_n76; // u1f0
+    wire signed [-5:-31] azimuth_n157 = azimuth_n154; // s27f31
+    wire signed [-5:-31] azimuth_n158 = azimuth_n153; // s27f31
+    wire [3:-31] azimuth_n159_term = {{8{azimuth_n157[-5]}}, azimuth_n157} ^ {35{azimuth_n155}};
+    wire signed [3:-31] azimuth_n159 = {azimuth_n153[2], azimuth_n153, 7'h0} + azimuth_n159_term + {34'h0, azimuth_n155}; // s35f31
+    wire [3:-31] azimuth_n160_term = {{8{azimuth_n158[-5]}}, azimuth_n158} ^ {35{azimuth_n156}};
+    wire signed [3:-31] azimuth_n160 = {azimuth_n154[2], azimuth_n154, 7'h0} + azimuth_n160_term + {34'h0, azimuth_n156}; // s35f31
+    wire [0:-24] azimuth_n162_term = {azimuth_n161[-1], azimuth_n161} ^ {25{azimuth_n155}};
+    wire signed [0:-24] azimuth_n162 = {azimuth_n152[-1], azimuth_n152} + azimuth_n162_term + {24'h0, azimuth_n155}; // s25f24
+    wire azimuth_n163_over = ~azimuth_n162[0] & (|azimuth_n162[-1]);
+    wire azimuth_n163_under = azimuth_n162[0] & ~(&azimuth_n162[-1]);
+    wire signed [-1:-24] azimuth_n163 = azimuth_n163_over ? 24'h7fffff : azimuth_n163_under ? 24'h800000 : azimuth_n162[-1:-24]; // s24f24
+    wire signed [3:-24] azimuth_n164_cut = azimuth_n159[3:-24];
+    wire azimuth_n164_over = ~azimuth_n164_cut[3] & (|azimuth_n164_cut[2]);
+    wire azimuth_n164_under = azimuth_n164_cut[3] & ~(&azimuth_n164_cut[2]);
+    wire signed [2:-24] azimuth_n164 = azimuth_n164_over ? 27'h3ffffff : azimuth_n164_under ? 27'h4000000 : azimuth_n164_cut[2:-24]; // s27f24
+    wire signed [-6:-32] azimuth_n169 = azimuth_n164; // s27f32
     // polar_angle
-    wire signed [3:-24] polar_angle_n293 = -{polar_angle_n291_s7[2], polar_angle_n291_s7}; // s28f24
-    wire signed [3:-24] polar_angle_n295 = polar_angle_n292_s7 ? polar_angle_n293 : {polar_angle_n291_s7[2], polar_angle_n291_s7}; // s28f24
-    wire polar_angle_n297_over = ~polar_angle_n295[3] & (|polar_angle_n295[2]);
-    wire polar_angle_n297_under = polar_angle_n295[3] & ~(&polar_angle_n295[2]);
-    wire signed [2:-24] polar_angle_n297 = polar_angle_n297_over ? 27'h3ffffff : polar_angle_n297_under ? 27'h4000000 : polar_angle_n295[2:-24]; // s27f24
+    wire polar_angle_n298 = polar_angle_n297_s7 == {2'h0, azimuth_n65, 24'h0}; // u1f0
+    wire signed [3:-24] polar_angle_n302 = -{polar_angle_n297_s7[2], polar_angle_n297_s7}; // s28f24
+    wire signed [3:-24] polar_angle_n304 = polar_angle_n301_s7 ? polar_angle_n302 : {polar_angle_n297_s7[2], polar_angle_n297_s7}; // s28f24
+    wire polar_angle_n306_over = ~polar_angle_n304[3] & (|polar_angle_n304[2]);
+    wire polar_angle_n306_under = polar_angle_n304[3] & ~(&polar_angle_n304[2]);
+    wire signed [2:-24] polar_angle_n306 = polar_angle_n306_over ? 27'h3ffffff : polar_angle_n306_under ? 27'h4000000 : polar_angle_n304[2:-24]; // s27f24
 
-    reg azimuth_n65_s8; // u1f0
-    reg signed [3:-31] azimuth_n154_s8; // s35f31
-    reg signed [-1:-24] azimuth_n157_s8; // s24f24
-    reg signed [2:-24] azimuth_n158_s8; // s27f24
-    reg signed [-6:-32] azimuth_n163_s8; // s27f32
-    reg polar_angle_n292_s8; // u1f0
-    reg signed [2:-24] polar_angle_n297_s8; // s27f24
+    reg azimuth_n69_s8; // u1f0
+    reg signed [3:-31] azimuth_n160_s8; // s35f31
+    reg signed [-1:-24] azimuth_n163_s8; // s24f24
+    reg signed [2:-24] azimuth_n164_s8; // s27f24
+    reg signed [-6:-32] azimuth_n169_s8; // s27f32
+    reg polar_angle_n298_s8; // u1f0
+    reg polar_angle_n301_s8; // u1f0
+    reg signed [2:-24] polar_angle_n306_s8; // s27f24
     always @(posedge clk)
         if (ce) begin
-            azimuth_n65_s8 <= azimuth_n65_s7;
-            azimuth_n154_s8 <= azimuth_n154;
-            azimuth_n157_s8 <= azimuth_n157;
-            azimuth_n158_s8 <= azimuth_n158;
+            azimuth_n69_s8 <= azimuth_n69_s7;
+            azimuth_n160_s8 <= azimuth_n160;
             azimuth_n163_s8 <= azimuth_n163;
-            polar_angle_n292_s8 <= polar_angle_n292_s7;
-            polar_angle_n297_s8 <= polar_angle_n297;
+            azimuth_n164_s8 <= azimuth_n164;
+            azimuth_n169_s8 <= azimuth_n169;
+            polar_angle_n298_s8 <= polar_angle_n298;
+            polar_angle_n301_s8 <= polar_angle_n301_s7;
+            polar_angle_n306_s8 <= polar_angle_n306;
         end
     reg valid_s8;
     always @(posedge clk)
@@ -1631,59 +1644,61 @@ module rotation_exact_polar_cordic (
 
     // ---- stage 8 ----
     // azimuth
-    wire signed [3:-24] azimuth_n159_cut = azimuth_n154_s8[3:-24];
-    wire azimuth_n159_over = ~azimuth_n159_cut[3] & (|azimuth_n159_cut[2]);
-    wire azimuth_n159_under = azimuth_n159_cut[3] & ~(&azimuth_n159_cut[2]);
-    wire signed [2:-24] azimuth_n159 = azimuth_n159_over ? 27'h3ffffff : azimuth_n159_under ? 27'h4000000 : azimuth_n159_cut[2:-24]; // s27f24
-    wire azimuth_n160 = azimuth_n159[2]; // u1f0
-    wire azimuth_n161 = azimuth_n160 ^ azimuth_n72; // u1f0
-    wire signed [-6:-32] azimuth_n162 = azimuth_n159; // s27f32
-    wire [3:-32] azimuth_n164_term = {{9{azimuth_n162[-6]}}, azimuth_n162} ^ {36{azimuth_n160}};
-    wire signed [3:-32] azimuth_n164 = {azimuth_n158_s8[2], azimuth_n158_s8, 8'h0} + azimuth_n164_term + {35'h0, azimuth_n160}; // s36f32
-    wire [3:-32] azimuth_n165_term = {{9{azimuth_n163_s8[-6]}}, azimuth_n163_s8} ^ {36{azimuth_n161}};
-    wire signed [3:-32] azimuth_n165 = {azimuth_n159[2], azimuth_n159, 8'h0} + azimuth_n165_term + {35'h0, azimuth_n161}; // s36f32
-    wire [0:-24] azimuth_n167_term = {azimuth_n166[-1], azimuth_n166} ^ {25{azimuth_n160}};
-    wire signed [0:-24] azimuth_n167 = {azimuth_n157_s8[-1], azimuth_n157_s8} + azimuth_n167_term + {24'h0, azimuth_n160}; // s25f24
-    wire azimuth_n168_over = ~azimuth_n167[0] & (|azimuth_n167[-1]);
-    wire azimuth_n168_under = azimuth_n167[0] & ~(&azimuth_n167[-1]);
-    wire signed [-1:-24] azimuth_n168 = azimuth_n168_over ? 24'h7fffff : azimuth_n168_under ? 24'h800000 : azimuth_n167[-1:-24]; // s24f24
-    wire signed [3:-24] azimuth_n169_cut = azimuth_n164[3:-24];
-    wire azimuth_n169_over = ~azimuth_n169_cut[3] & (|azimuth_n169_cut[2]);
-    wire azimuth_n169_under = azimuth_n169_cut[3] & ~(&azimuth_n169_cut[2]);
-    wire signed [2:-24] azimuth_n169 = azimuth_n169_over ? 27'h3ffffff : azimuth_n169_under ? 27'h4000000 : azimuth_n169_cut[2:-24]; // s27f24
-    wire signed [3:-24] azimuth_n170_cut = azimuth_n165[3:-24];
-    wire azimuth_n170_over = ~azimuth_n170_cut[3] & (|azimuth_n170_cut[2]);
-    wire azimuth_n170_under = azimuth_n170_cut[3] & ~(&azimuth_n170_cut[2]);
-    wire signed [2:-24] azimuth_n170 = azimuth_n170_over ? 27'h3ffffff : azimuth_n170_under ? 27'h4000000 : azimuth_n170_cut[2:-24]; // s27f24
-    wire azimuth_n171 = azimuth_n170[2]; // u1f0
-    wire azimuth_n172 = azimuth_n171 ^ azimuth_n72; // u1f0
-    wire signed [-7:-33] azimuth_n173 = azimuth_n170; // s27f33
-    wire signed [-7:-33] azimuth_n174 = azimuth_n169; // s27f33
-    wire [0:-24] azimuth_n178_term = {azimuth_n177[-1], azimuth_n177} ^ {25{azimuth_n171}};
-    wire signed [0:-24] azimuth_n178 = {azimuth_n168[-1], azimuth_n168} + azimuth_n178_term + {24'h0, azimuth_n171}; // s25f24
+    wire signed [3:-24] azimuth_n165_cut = azimuth_n160_s8[3:-24];
+    wire azimuth_n165_over = ~azimuth_n165_cut[3] & (|azimuth_n165_cut[2]);
+    wire azimuth_n165_under = azimuth_n165_cut[3] & ~(&azimuth_n165_cut[2]);
+    wire signed [2:-24] azimuth_n165 = azimuth_n165_over ? 27'h3ffffff : azimuth_n165_under ? 27'h4000000 : azimuth_n165_cut[2:-24]; // s27f24
+    wire azimuth_n166 = azimuth_n165[2]; // u1f0
+    wire azimuth_n167 = azimuth_n166 ^ azimuth_n76; // u1f0
+    wire signed [-6:-32] azimuth_n168 = azimuth_n165; // s27f32
+    wire [3:-32] azimuth_n170_term = {{9{azimuth_n168[-6]}}, azimuth_n168} ^ {36{azimuth_n166}};
+    wire signed [3:-32] azimuth_n170 = {azimuth_n164_s8[2], azimuth_n164_s8, 8'h0} + azimuth_n170_term + {35'h0, azimuth_n166}; // s36f32
+    wire [3:-32] azimuth_n171_term = {{9{azimuth_n169_s8[-6]}}, azimuth_n169_s8} ^ {36{azimuth_n167}};
+    wire signed [3:-32] azimuth_n171 = {azimuth_n165[2], azimuth_n165, 8'h0} + azimuth_n171_term + {35'h0, azimuth_n167}; // s36f32
+    wire [0:-24] azimuth_n173_term = {azimuth_n172[-1], azimuth_n172} ^ {25{azimuth_n166}};
+    wire signed [0:-24] azimuth_n173 = {azimuth_n163_s8[-1], azimuth_n163_s8} + azimuth_n173_term + {24'h0, azimuth_n166}; // s25f24
+    wire azimuth_n174_over = ~azimuth_n173[0] & (|azimuth_n173[-1]);
+    wire azimuth_n174_under = azimuth_n173[0] & ~(&azimuth_n173[-1]);
+    wire signed [-1:-24] azimuth_n174 = azimuth_n174_over ? 24'h7fffff : azimuth_n174_under ? 24'h800000 : azimuth_n173[-1:-24]; // s24f24
+    wire signed [3:-24] azimuth_n175_cut = azimuth_n170[3:-24];
+    wire azimuth_n175_over = ~azimuth_n175_cut[3] & (|azimuth_n175_cut[2]);
+    wire azimuth_n175_under = azimuth_n175_cut[3] & ~(&azimuth_n175_cut[2]);
+    wire signed [2:-24] azimuth_n175 = azimuth_n175_over ? 27'h3ffffff : azimuth_n175_under ? 27'h4000000 : azimuth_n175_cut[2:-24]; // s27f24
+    wire signed [3:-24] azimuth_n176_cut = azimuth_n171[3:-24];
+    wire azimuth_n176_over = ~azimuth_n176_cut[3] & (|azimuth_n176_cut[2]);
+    wire azimuth_n176_under = azimuth_n176_cut[3] & ~(&azimuth_n176_cut[2]);
+    wire signed [2:-24] azimuth_n176 = azimuth_n176_over ? 27'h3ffffff : azimuth_n176_under ? 27'h4000000 : azimuth_n176_cut[2:-24]; // s27f24
+    wire azimuth_n177 = azimuth_n176[2]; // u1f0
+    wire azimuth_n178 = azimuth_n177 ^ azimuth_n76; // u1f0
+    wire signed [-7:-33] azimuth_n179 = azimuth_n176; // s27f33
+    wire signed [-7:-33] azimuth_n180 = azimuth_n175; // s27f33
+    wire [0:-24] azimuth_n184_term = {azimuth_n183[-1], azimuth_n183} ^ {25{azimuth_n177}};
+    wire signed [0:-24] azimuth_n184 = {azimuth_n174[-1], azimuth_n174} + azimuth_n184_term + {24'h0, azimuth_n177}; // s25f24
 
-    reg azimuth_n65_s9; // u1f0
-    reg signed [2:-24] azimuth_n169_s9; // s27f24
-    reg signed [2:-24] azimuth_n170_s9; // s27f24
-    reg azimuth_n171_s9; // u1f0
-    reg azimuth_n172_s9; // u1f0
-    reg signed [-7:-33] azimuth_n173_s9; // s27f33
-    reg signed [-7:-33] azimuth_n174_s9; // s27f33
-    reg signed [0:-24] azimuth_n178_s9; // s25f24
-    reg polar_angle_n292_s9; // u1f0
-    reg signed [2:-24] polar_angle_n297_s9; // s27f24
+    reg azimuth_n69_s9; // u1f0
+    reg signed [2:-24] azimuth_n175_s9; // s27f24
+    reg signed [2:-24] azimuth_n176_s9; // s27f24
+    reg azimuth_n177_s9; // u1f0
+    reg azimuth_n178_s9; // u1f0
+    reg signed [-7:-33] azimuth_n179_s9; // s27f33
+    reg signed [-7:-33] azimuth_n180_s9; // s27f33
+    reg signed [0:-24] azimuth_n184_s9; // s25f24
+    reg polar_angle_n298_s9; // u1f0
+    reg polar_angle_n301_s9; // u1f0
+    reg signed [2:-24] polar_angle_n306_s9; // s27f24
     always @(posedge clk)
         if (ce) begin
-            azimuth_n65_s9 <= azimuth_n65_s8;
-            azimuth_n169_s9 <= azimuth_n169;
-            azimuth_n170_s9 <= azimuth_n170;
-            azimuth_n171_s9 <= azimuth_n171;
-            azimuth_n172_s9 <= azimuth_n172;
-            azimuth_n173_s9 <= azimuth_n173;
-            azimuth_n174_s9 <= azimuth_n174;
+            azimuth_n69_s9 <= azimuth_n69_s8;
+            azimuth_n175_s9 <= azimuth_n175;
+            azimuth_n176_s9 <= azimuth_n176;
+            azimuth_n177_s9 <= azimuth_n177;
             azimuth_n178_s9 <= azimuth_n178;
-            polar_angle_n292_s9 <= polar_angle_n292_s8;
-            polar_angle_n297_s9 <= polar_angle_n297_s8;
+            azimuth_n179_s9 <= azimuth_n179;
+            azimuth_n180_s9 <= azimuth_n180;
+            azimuth_n184_s9 <= azimuth_n184;
+            polar_angle_n298_s9 <= polar_angle_n298_s8;
+            polar_angle_n301_s9 <= polar_angle_n301_s8;
+            polar_angle_n306_s9 <= polar_angle_n306_s8;
         end
     reg valid_s9;
     always @(posedge clk)
@@ -1692,56 +1707,58 @@ module rotation_exact_polar_cordic (
 
     // ---- stage 9 ----
     // azimuth
-    wire [3:-33] azimuth_n175_term = {{10{azimuth_n173_s9[-7]}}, azimuth_n173_s9} ^ {37{azimuth_n171_s9}};
-    wire signed [3:-33] azimuth_n175 = {azimuth_n169_s9[2], azimuth_n169_s9, 9'h0} + azimuth_n175_term + {36'h0, azimuth_n171_s9}; // s37f33
-    wire [3:-33] azimuth_n176_term = {{10{azimuth_n174_s9[-7]}}, azimuth_n174_s9} ^ {37{azimuth_n172_s9}};
-    wire signed [3:-33] azimuth_n176 = {azimuth_n170_s9[2], azimuth_n170_s9, 9'h0} + azimuth_n176_term + {36'h0, azimuth_n172_s9}; // s37f33
-    wire azimuth_n179_over = ~azimuth_n178_s9[0] & (|azimuth_n178_s9[-1]);
-    wire azimuth_n179_under = azimuth_n178_s9[0] & ~(&azimuth_n178_s9[-1]);
-    wire signed [-1:-24] azimuth_n179 = azimuth_n179_over ? 24'h7fffff : azimuth_n179_under ? 24'h800000 : azimuth_n178_s9[-1:-24]; // s24f24
-    wire signed [3:-24] azimuth_n180_cut = azimuth_n175[3:-24];
-    wire azimuth_n180_over = ~azimuth_n180_cut[3] & (|azimuth_n180_cut[2]);
-    wire azimuth_n180_under = azimuth_n180_cut[3] & ~(&azimuth_n180_cut[2]);
-    wire signed [2:-24] azimuth_n180 = azimuth_n180_over ? 27'h3ffffff : azimuth_n180_under ? 27'h4000000 : azimuth_n180_cut[2:-24]; // s27f24
-    wire signed [3:-24] azimuth_n181_cut = azimuth_n176[3:-24];
-    wire azimuth_n181_over = ~azimuth_n181_cut[3] & (|azimuth_n181_cut[2]);
-    wire azimuth_n181_under = azimuth_n181_cut[3] & ~(&azimuth_n181_cut[2]);
-    wire signed [2:-24] azimuth_n181 = azimuth_n181_over ? 27'h3ffffff : azimuth_n181_under ? 27'h4000000 : azimuth_n181_cut[2:-24]; // s27f24
-    wire azimuth_n182 = azimuth_n181[2]; // u1f0
-    wire azimuth_n183 = azimuth_n182 ^ azimuth_n72; // u1f0
-    wire signed [-8:-34] azimuth_n184 = azimuth_n181; // s27f34
-    wire signed [-8:-34] azimuth_n185 = azimuth_n180; // s27f34
-    wire [3:-34] azimuth_n186_term = {{11{azimuth_n184[-8]}}, azimuth_n184} ^ {38{azimuth_n182}};
-    wire signed [3:-34] azimuth_n186 = {azimuth_n180[2], azimuth_n180, 10'h0} + azimuth_n186_term + {37'h0, azimuth_n182}; // s38f34
-    wire [3:-34] azimuth_n187_term = {{11{azimuth_n185[-8]}}, azimuth_n185} ^ {38{azimuth_n183}};
-    wire signed [3:-34] azimuth_n187 = {azimuth_n181[2], azimuth_n181, 10'h0} + azimuth_n187_term + {37'h0, azimuth_n183}; // s38f34
-    wire [0:-24] azimuth_n189_term = {azimuth_n188[-1], azimuth_n188} ^ {25{azimuth_n182}};
-    wire signed [0:-24] azimuth_n189 = {azimuth_n179[-1], azimuth_n179} + azimuth_n189_term + {24'h0, azimuth_n182}; // s25f24
-    wire azimuth_n190_over = ~azimuth_n189[0] & (|azimuth_n189[-1]);
-    wire azimuth_n190_under = azimuth_n189[0] & ~(&azimuth_n189[-1]);
-    wire signed [-1:-24] azimuth_n190 = azimuth_n190_over ? 24'h7fffff : azimuth_n190_under ? 24'h800000 : azimuth_n189[-1:-24]; // s24f24
-    wire signed [3:-24] azimuth_n191_cut = azimuth_n186[3:-24];
-    wire azimuth_n191_over = ~azimuth_n191_cut[3] & (|azimuth_n191_cut[2]);
-    wire azimuth_n191_under = azimuth_n191_cut[3] & ~(&azimuth_n191_cut[2]);
-    wire signed [2:-24] azimuth_n191 = azimuth_n191_over ? 27'h3ffffff : azimuth_n191_under ? 27'h4000000 : azimuth_n191_cut[2:-24]; // s27f24
-    wire signed [-9:-35] azimuth_n196 = azimuth_n191; // s27f35
+    wire [3:-33] azimuth_n181_term = {{10{azimuth_n179_s9[-7]}}, azimuth_n179_s9} ^ {37{azimuth_n177_s9}};
+    wire signed [3:-33] azimuth_n181 = {azimuth_n175_s9[2], azimuth_n175_s9, 9'h0} + azimuth_n181_term + {36'h0, azimuth_n177_s9}; // s37f33
+    wire [3:-33] azimuth_n182_term = {{10{azimuth_n180_s9[-7]}}, azimuth_n180_s9} ^ {37{azimuth_n178_s9}};
+    wire signed [3:-33] azimuth_n182 = {azimuth_n176_s9[2], azimuth_n176_s9, 9'h0} + azimuth_n182_term + {36'h0, azimuth_n178_s9}; // s37f33
+    wire azimuth_n185_over = ~azimuth_n184_s9[0] & (|azimuth_n184_s9[-1]);
+    wire azimuth_n185_under = azimuth_n184_s9[0] & ~(&azimuth_n184_s9[-1]);
+    wire signed [-1:-24] azimuth_n185 = azimuth_n185_over ? 24'h7fffff : azimuth_n185_under ? 24'h800000 : azimuth_n184_s9[-1:-24]; // s24f24
+    wire signed [3:-24] azimuth_n186_cut = azimuth_n181[3:-24];
+    wire azimuth_n186_over = ~azimuth_n186_cut[3] & (|azimuth_n186_cut[2]);
+    wire azimuth_n186_under = azimuth_n186_cut[3] & ~(&azimuth_n186_cut[2]);
+    wire signed [2:-24] azimuth_n186 = azimuth_n186_over ? 27'h3ffffff : azimuth_n186_under ? 27'h4000000 : azimuth_n186_cut[2:-24]; // s27f24
+    wire signed [3:-24] azimuth_n187_cut = azimuth_n182[3:-24];
+    wire azimuth_n187_over = ~azimuth_n187_cut[3] & (|azimuth_n187_cut[2]);
+    wire azimuth_n187_under = azimuth_n187_cut[3] & ~(&azimuth_n187_cut[2]);
+    wire signed [2:-24] azimuth_n187 = azimuth_n187_over ? 27'h3ffffff : azimuth_n187_under ? 27'h4000000 : azimuth_n187_cut[2:-24]; // s27f24
+    wire azimuth_n188 = azimuth_n187[2]; // u1f0
+    wire azimuth_n189 = azimuth_n188 ^ azimuth_n76; // u1f0
+    wire signed [-8:-34] azimuth_n190 = azimuth_n187; // s27f34
+    wire signed [-8:-34] azimuth_n191 = azimuth_n186; // s27f34
+    wire [3:-34] azimuth_n192_term = {{11{azimuth_n190[-8]}}, azimuth_n190} ^ {38{azimuth_n188}};
+    wire signed [3:-34] azimuth_n192 = {azimuth_n186[2], azimuth_n186, 10'h0} + azimuth_n192_term + {37'h0, azimuth_n188}; // s38f34
+    wire [3:-34] azimuth_n193_term = {{11{azimuth_n191[-8]}}, azimuth_n191} ^ {38{azimuth_n189}};
+    wire signed [3:-34] azimuth_n193 = {azimuth_n187[2], azimuth_n187, 10'h0} + azimuth_n193_term + {37'h0, azimuth_n189}; // s38f34
+    wire [0:-24] azimuth_n195_term = {azimuth_n194[-1], azimuth_n194} ^ {25{azimuth_n188}};
+    wire signed [0:-24] azimuth_n195 = {azimuth_n185[-1], azimuth_n185} + azimuth_n195_term + {24'h0, azimuth_n188}; // s25f24
+    wire azimuth_n196_over = ~azimuth_n195[0] & (|azimuth_n195[-1]);
+    wire azimuth_n196_under = azimuth_n195[0] & ~(&azimuth_n195[-1]);
+    wire signed [-1:-24] azimuth_n196 = azimuth_n196_over ? 24'h7fffff : azimuth_n196_under ? 24'h800000 : azimuth_n195[-1:-24]; // s24f24
+    wire signed [3:-24] azimuth_n197_cut = azimuth_n192[3:-24];
+    wire azimuth_n197_over = ~azimuth_n197_cut[3] & (|azimuth_n197_cut[2]);
+    wire azimuth_n197_under = azimuth_n197_cut[3] & ~(&azimuth_n197_cut[2]);
+    wire signed [2:-24] azimuth_n197 = azimuth_n197_over ? 27'h3ffffff : azimuth_n197_under ? 27'h4000000 : azimuth_n197_cut[2:-24]; // s27f24
+    wire signed [-9:-35] azimuth_n202 = azimuth_n197; // s27f35
 
-    reg azimuth_n65_s10; // u1f0
-    reg signed [3:-34] azimuth_n187_s10; // s38f34
-    reg signed [-1:-24] azimuth_n190_s10; // s24f24
-    reg signed [2:-24] azimuth_n191_s10; // s27f24
-    reg signed [-9:-35] azimuth_n196_s10; // s27f35
-    reg polar_angle_n292_s10; // u1f0
-    reg signed [2:-24] polar_angle_n297_s10; // s27f24
+    reg azimuth_n69_s10; // u1f0
+    reg signed [3:-34] azimuth_n193_s10; // s38f34
+    reg signed [-1:-24] azimuth_n196_s10; // s24f24
+    reg signed [2:-24] azimuth_n197_s10; // s27f24
+    reg signed [-9:-35] azimuth_n202_s10; // s27f35
+    reg polar_angle_n298_s10; // u1f0
+    reg polar_angle_n301_s10; // u1f0
+    reg signed [2:-24] polar_angle_n306_s10; // s27f24
     always @(posedge clk)
         if (ce) begin
-            azimuth_n65_s10 <= azimuth_n65_s9;
-            azimuth_n187_s10 <= azimuth_n187;
-            azimuth_n190_s10 <= azimuth_n190;
-            azimuth_n191_s10 <= azimuth_n191;
+            azimuth_n69_s10 <= azimuth_n69_s9;
+            azimuth_n193_s10 <= azimuth_n193;
             azimuth_n196_s10 <= azimuth_n196;
-            polar_angle_n292_s10 <= polar_angle_n292_s9;
-            polar_angle_n297_s10 <= polar_angle_n297_s9;
+            azimuth_n197_s10 <= azimuth_n197;
+            azimuth_n202_s10 <= azimuth_n202;
+            polar_angle_n298_s10 <= polar_angle_n298_s9;
+            polar_angle_n301_s10 <= polar_angle_n301_s9;
+            polar_angle_n306_s10 <= polar_angle_n306_s9;
         end
     reg valid_s10;
     always @(posedge clk)
@@ -1750,59 +1767,61 @@ module rotation_exact_polar_cordic (
 
     // ---- stage 10 ----
     // azimuth
-    wire signed [3:-24] azimuth_n192_cut = azimuth_n187_s10[3:-24];
-    wire azimuth_n192_over = ~azimuth_n192_cut[3] & (|azimuth_n192_cut[2]);
-    wire azimuth_n192_under = azimuth_n192_cut[3] & ~(&azimuth_n192_cut[2]);
-    wire signed [2:-24] azimuth_n192 = azimuth_n192_over ? 27'h3ffffff : azimuth_n192_under ? 27'h4000000 : azimuth_n192_cut[2:-24]; // s27f24
-    wire azimuth_n193 = azimuth_n192[2]; // u1f0
-    wire azimuth_n194 = azimuth_n193 ^ azimuth_n72; // u1f0
-    wire signed [-9:-35] azimuth_n195 = azimuth_n192; // s27f35
-    wire [3:-35] azimuth_n197_term = {{12{azimuth_n195[-9]}}, azimuth_n195} ^ {39{azimuth_n193}};
-    wire signed [3:-35] azimuth_n197 = {azimuth_n191_s10[2], azimuth_n191_s10, 11'h0} + azimuth_n197_term + {38'h0, azimuth_n193}; // s39f35
-    wire [3:-35] azimuth_n198_term = {{12{azimuth_n196_s10[-9]}}, azimuth_n196_s10} ^ {39{azimuth_n194}};
-    wire signed [3:-35] azimuth_n198 = {azimuth_n192[2], azimuth_n192, 11'h0} + azimuth_n198_term + {38'h0, azimuth_n194}; // s39f35
-    wire [0:-24] azimuth_n200_term = {azimuth_n199[-1], azimuth_n199} ^ {25{azimuth_n193}};
-    wire signed [0:-24] azimuth_n200 = {azimuth_n190_s10[-1], azimuth_n190_s10} + azimuth_n200_term + {24'h0, azimuth_n193}; // s25f24
-    wire azimuth_n201_over = ~azimuth_n200[0] & (|azimuth_n200[-1]);
-    wire azimuth_n201_under = azimuth_n200[0] & ~(&azimuth_n200[-1]);
-    wire signed [-1:-24] azimuth_n201 = azimuth_n201_over ? 24'h7fffff : azimuth_n201_under ? 24'h800000 : azimuth_n200[-1:-24]; // s24f24
-    wire signed [3:-24] azimuth_n202_cut = azimuth_n197[3:-24];
-    wire azimuth_n202_over = ~azimuth_n202_cut[3] & (|azimuth_n202_cut[2]);
-    wire azimuth_n202_under = azimuth_n202_cut[3] & ~(&azimuth_n202_cut[2]);
-    wire signed [2:-24] azimuth_n202 = azimuth_n202_over ? 27'h3ffffff : azimuth_n202_under ? 27'h4000000 : azimuth_n202_cut[2:-24]; // s27f24
-    wire signed [3:-24] azimuth_n203_cut = azimuth_n198[3:-24];
-    wire azimuth_n203_over = ~azimuth_n203_cut[3] & (|azimuth_n203_cut[2]);
-    wire azimuth_n203_under = azimuth_n203_cut[3] & ~(&azimuth_n203_cut[2]);
-    wire signed [2:-24] azimuth_n203 = azimuth_n203_over ? 27'h3ffffff : azimuth_n203_under ? 27'h4000000 : azimuth_n203_cut[2:-24]; // s27f24
-    wire azimuth_n204 = azimuth_n203[2]; // u1f0
-    wire azimuth_n205 = azimuth_n204 ^ azimuth_n72; // u1f0
-    wire signed [-10:-36] azimuth_n206 = azimuth_n203; // s27f36
-    wire signed [-10:-36] azimuth_n207 = azimuth_n202; // s27f36
-    wire [0:-24] azimuth_n211_term = {azimuth_n210[-1], azimuth_n210} ^ {25{azimuth_n204}};
-    wire signed [0:-24] azimuth_n211 = {azimuth_n201[-1], azimuth_n201} + azimuth_n211_term + {24'h0, azimuth_n204}; // s25f24
+    wire signed [3:-24] azimuth_n198_cut = azimuth_n193_s10[3:-24];
+    wire azimuth_n198_over = ~azimuth_n198_cut[3] & (|azimuth_n198_cut[2]);
+    wire azimuth_n198_under = azimuth_n198_cut[3] & ~(&azimuth_n198_cut[2]);
+    wire signed [2:-24] azimuth_n198 = azimuth_n198_over ? 27'h3ffffff : azimuth_n198_under ? 27'h4000000 : azimuth_n198_cut[2:-24]; // s27f24
+    wire azimuth_n199 = azimuth_n198[2]; // u1f0
+    wire azimuth_n200 = azimuth_n199 ^ azimuth_n76; // u1f0
+    wire signed [-9:-35] azimuth_n201 = azimuth_n198; // s27f35
+    wire [3:-35] azimuth_n203_term = {{12{azimuth_n201[-9]}}, azimuth_n201} ^ {39{azimuth_n199}};
+    wire signed [3:-35] azimuth_n203 = {azimuth_n197_s10[2], azimuth_n197_s10, 11'h0} + azimuth_n203_term + {38'h0, azimuth_n199}; // s39f35
+    wire [3:-35] azimuth_n204_term = {{12{azimuth_n202_s10[-9]}}, azimuth_n202_s10} ^ {39{azimuth_n200}};
+    wire signed [3:-35] azimuth_n204 = {azimuth_n198[2], azimuth_n198, 11'h0} + azimuth_n204_term + {38'h0, azimuth_n200}; // s39f35
+    wire [0:-24] azimuth_n206_term = {azimuth_n205[-1], azimuth_n205} ^ {25{azimuth_n199}};
+    wire signed [0:-24] azimuth_n206 = {azimuth_n196_s10[-1], azimuth_n196_s10} + azimuth_n206_term + {24'h0, azimuth_n199}; // s25f24
+    wire azimuth_n207_over = ~azimuth_n206[0] & (|azimuth_n206[-1]);
+    wire azimuth_n207_under = azimuth_n206[0] & ~(&azimuth_n206[-1]);
+    wire signed [-1:-24] azimuth_n207 = azimuth_n207_over ? 24'h7fffff : azimuth_n207_under ? 24'h800000 : azimuth_n206[-1:-24]; // s24f24
+    wire signed [3:-24] azimuth_n208_cut = azimuth_n203[3:-24];
+    wire azimuth_n208_over = ~azimuth_n208_cut[3] & (|azimuth_n208_cut[2]);
+    wire azimuth_n208_under = azimuth_n208_cut[3] & ~(&azimuth_n208_cut[2]);
+    wire signed [2:-24] azimuth_n208 = azimuth_n208_over ? 27'h3ffffff : azimuth_n208_under ? 27'h4000000 : azimuth_n208_cut[2:-24]; // s27f24
+    wire signed [3:-24] azimuth_n209_cut = azimuth_n204[3:-24];
+    wire azimuth_n209_over = ~azimuth_n209_cut[3] & (|azimuth_n209_cut[2]);
+    wire azimuth_n209_under = azimuth_n209_cut[3] & ~(&azimuth_n209_cut[2]);
+    wire signed [2:-24] azimuth_n209 = azimuth_n209_over ? 27'h3ffffff : azimuth_n209_under ? 27'h4000000 : azimuth_n209_cut[2:-24]; // s27f24
+    wire azimuth_n210 = azimuth_n209[2]; // u1f0
+    wire azimuth_n211 = azimuth_n210 ^ azimuth_n76; // u1f0
+    wire signed [-10:-36] azimuth_n212 = azimuth_n209; // s27f36
+    wire signed [-10:-36] azimuth_n213 = azimuth_n208; // s27f36
+    wire [0:-24] azimuth_n217_term = {azimuth_n216[-1], azimuth_n216} ^ {25{azimuth_n210}};
+    wire signed [0:-24] azimuth_n217 = {azimuth_n207[-1], azimuth_n207} + azimuth_n217_term + {24'h0, azimuth_n210}; // s25f24
 
-    reg azimuth_n65_s11; // u1f0
-    reg signed [2:-24] azimuth_n202_s11; // s27f24
-    reg signed [2:-24] azimuth_n203_s11; // s27f24
-    reg azimuth_n204_s11; // u1f0
-    reg azimuth_n205_s11; // u1f0
-    reg signed [-10:-36] azimuth_n206_s11; // s27f36
-    reg signed [-10:-36] azimuth_n207_s11; // s27f36
-    reg signed [0:-24] azimuth_n211_s11; // s25f24
-    reg polar_angle_n292_s11; // u1f0
-    reg signed [2:-24] polar_angle_n297_s11; // s27f24
+    reg azimuth_n69_s11; // u1f0
+    reg signed [2:-24] azimuth_n208_s11; // s27f24
+    reg signed [2:-24] azimuth_n209_s11; // s27f24
+    reg azimuth_n210_s11; // u1f0
+    reg azimuth_n211_s11; // u1f0
+    reg signed [-10:-36] azimuth_n212_s11; // s27f36
+    reg signed [-10:-36] azimuth_n213_s11; // s27f36
+    reg signed [0:-24] azimuth_n217_s11; // s25f24
+    reg polar_angle_n298_s11; // u1f0
+    reg polar_angle_n301_s11; // u1f0
+    reg signed [2:-24] polar_angle_n306_s11; // s27f24
     always @(posedge clk)
         if (ce) begin
-            azimuth_n65_s11 <= azimuth_n65_s10;
-            azimuth_n202_s11 <= azimuth_n202;
-            azimuth_n203_s11 <= azimuth_n203;
-            azimuth_n204_s11 <= azimuth_n204;
-            azimuth_n205_s11 <= azimuth_n205;
-            azimuth_n206_s11 <= azimuth_n206;
-            azimuth_n207_s11 <= azimuth_n207;
+            azimuth_n69_s11 <= azimuth_n69_s10;
+            azimuth_n208_s11 <= azimuth_n208;
+            azimuth_n209_s11 <= azimuth_n209;
+            azimuth_n210_s11 <= azimuth_n210;
             azimuth_n211_s11 <= azimuth_n211;
-            polar_angle_n292_s11 <= polar_angle_n292_s10;
-            polar_angle_n297_s11 <= polar_angle_n297_s10;
+            azimuth_n212_s11 <= azimuth_n212;
+            azimuth_n213_s11 <= azimuth_n213;
+            azimuth_n217_s11 <= azimuth_n217;
+            polar_angle_n298_s11 <= polar_angle_n298_s10;
+            polar_angle_n301_s11 <= polar_angle_n301_s10;
+            polar_angle_n306_s11 <= polar_angle_n306_s10;
         end
     reg valid_s11;
     always @(posedge clk)
@@ -1811,56 +1830,58 @@ module rotation_exact_polar_cordic (
 
     // ---- stage 11 ----
     // azimuth
-    wire [3:-36] azimuth_n208_term = {{13{azimuth_n206_s11[-10]}}, azimuth_n206_s11} ^ {40{azimuth_n204_s11}};
-    wire signed [3:-36] azimuth_n208 = {azimuth_n202_s11[2], azimuth_n202_s11, 12'h0} + azimuth_n208_term + {39'h0, azimuth_n204_s11}; // s40f36
-    wire [3:-36] azimuth_n209_term = {{13{azimuth_n207_s11[-10]}}, azimuth_n207_s11} ^ {40{azimuth_n205_s11}};
-    wire signed [3:-36] azimuth_n209 = {azimuth_n203_s11[2], azimuth_n203_s11, 12'h0} + azimuth_n209_term + {39'h0, azimuth_n205_s11}; // s40f36
-    wire azimuth_n212_over = ~azimuth_n211_s11[0] & (|azimuth_n211_s11[-1]);
-    wire azimuth_n212_under = azimuth_n211_s11[0] & ~(&azimuth_n211_s11[-1]);
-    wire signed [-1:-24] azimuth_n212 = azimuth_n212_over ? 24'h7fffff : azimuth_n212_under ? 24'h800000 : azimuth_n211_s11[-1:-24]; // s24f24
-    wire signed [3:-24] azimuth_n213_cut = azimuth_n208[3:-24];
-    wire azimuth_n213_over = ~azimuth_n213_cut[3] & (|azimuth_n213_cut[2]);
-    wire azimuth_n213_under = azimuth_n213_cut[3] & ~(&azimuth_n213_cut[2]);
-    wire signed [2:-24] azimuth_n213 = azimuth_n213_over ? 27'h3ffffff : azimuth_n213_under ? 27'h4000000 : azimuth_n213_cut[2:-24]; // s27f24
-    wire signed [3:-24] azimuth_n214_cut = azimuth_n209[3:-24];
-    wire azimuth_n214_over = ~azimuth_n214_cut[3] & (|azimuth_n214_cut[2]);
-    wire azimuth_n214_under = azimuth_n214_cut[3] & ~(&azimuth_n214_cut[2]);
-    wire signed [2:-24] azimuth_n214 = azimuth_n214_over ? 27'h3ffffff : azimuth_n214_under ? 27'h4000000 : azimuth_n214_cut[2:-24]; // s27f24
-    wire azimuth_n215 = azimuth_n214[2]; // u1f0
-    wire azimuth_n216 = azimuth_n215 ^ azimuth_n72; // u1f0
-    wire signed [-11:-37] azimuth_n217 = azimuth_n214; // s27f37
-    wire signed [-11:-37] azimuth_n218 = azimuth_n213; // s27f37
-    wire [3:-37] azimuth_n219_term = {{14{azimuth_n217[-11]}}, azimuth_n217} ^ {41{azimuth_n215}};
-    wire signed [3:-37] azimuth_n219 = {azimuth_n213[2], azimuth_n213, 13'h0} + azimuth_n219_term + {40'h0, azimuth_n215}; // s41f37
-    wire [3:-37] azimuth_n220_term = {{14{azimuth_n218[-11]}}, azimuth_n218} ^ {41{azimuth_n216}};
-    wire signed [3:-37] azimuth_n220 = {azimuth_n214[2], azimuth_n214, 13'h0} + azimuth_n220_term + {40'h0, azimuth_n216}; // s41f37
-    wire [0:-24] azimuth_n222_term = {azimuth_n221[-1], azimuth_n221} ^ {25{azimuth_n215}};
-    wire signed [0:-24] azimuth_n222 = {azimuth_n212[-1], azimuth_n212} + azimuth_n222_term + {24'h0, azimuth_n215}; // s25f24
-    wire azimuth_n223_over = ~azimuth_n222[0] & (|azimuth_n222[-1]);
-    wire azimuth_n223_under = azimuth_n222[0] & ~(&azimuth_n222[-1]);
-    wire signed [-1:-24] azimuth_n223 = azimuth_n223_over ? 24'h7fffff : azimuth_n223_under ? 24'h800000 : azimuth_n222[-1:-24]; // s24f24
-    wire signed [3:-24] azimuth_n224_cut = azimuth_n219[3:-24];
-    wire azimuth_n224_over = ~azimuth_n224_cut[3] & (|azimuth_n224_cut[2]);
-    wire azimuth_n224_under = azimuth_n224_cut[3] & ~(&azimuth_n224_cut[2]);
-    wire signed [2:-24] azimuth_n224 = azimuth_n224_over ? 27'h3ffffff : azimuth_n224_under ? 27'h4000000 : azimuth_n224_cut[2:-24]; // s27f24
-    wire signed [-12:-38] azimuth_n229 = azimuth_n224; // s27f38
+    wire [3:-36] azimuth_n214_term = {{13{azimuth_n212_s11[-10]}}, azimuth_n212_s11} ^ {40{azimuth_n210_s11}};
+    wire signed [3:-36] azimuth_n214 = {azimuth_n208_s11[2], azimuth_n208_s11, 12'h0} + azimuth_n214_term + {39'h0, azimuth_n210_s11}; // s40f36
+    wire [3:-36] azimuth_n215_term = {{13{azimuth_n213_s11[-10]}}, azimuth_n213_s11} ^ {40{azimuth_n211_s11}};
+    wire signed [3:-36] azimuth_n215 = {azimuth_n209_s11[2], azimuth_n209_s11, 12'h0} + azimuth_n215_term + {39'h0, azimuth_n211_s11}; // s40f36
+    wire azimuth_n218_over = ~azimuth_n217_s11[0] & (|azimuth_n217_s11[-1]);
+    wire azimuth_n218_under = azimuth_n217_s11[0] & ~(&azimuth_n217_s11[-1]);
+    wire signed [-1:-24] azimuth_n218 = azimuth_n218_over ? 24'h7fffff : azimuth_n218_under ? 24'h800000 : azimuth_n217_s11[-1:-24]; // s24f24
+    wire signed [3:-24] azimuth_n219_cut = azimuth_n214[3:-24];
+    wire azimuth_n219_over = ~azimuth_n219_cut[3] & (|azimuth_n219_cut[2]);
+    wire azimuth_n219_under = azimuth_n219_cut[3] & ~(&azimuth_n219_cut[2]);
+    wire signed [2:-24] azimuth_n219 = azimuth_n219_over ? 27'h3ffffff : azimuth_n219_under ? 27'h4000000 : azimuth_n219_cut[2:-24]; // s27f24
+    wire signed [3:-24] azimuth_n220_cut = azimuth_n215[3:-24];
+    wire azimuth_n220_over = ~azimuth_n220_cut[3] & (|azimuth_n220_cut[2]);
+    wire azimuth_n220_under = azimuth_n220_cut[3] & ~(&azimuth_n220_cut[2]);
+    wire signed [2:-24] azimuth_n220 = azimuth_n220_over ? 27'h3ffffff : azimuth_n220_under ? 27'h4000000 : azimuth_n220_cut[2:-24]; // s27f24
+    wire azimuth_n221 = azimuth_n220[2]; // u1f0
+    wire azimuth_n222 = azimuth_n221 ^ azimuth_n76; // u1f0
+    wire signed [-11:-37] azimuth_n223 = azimuth_n220; // s27f37
+    wire signed [-11:-37] azimuth_n224 = azimuth_n219; // s27f37
+    wire [3:-37] azimuth_n225_term = {{14{azimuth_n223[-11]}}, azimuth_n223} ^ {41{azimuth_n221}};
+    wire signed [3:-37] azimuth_n225 = {azimuth_n219[2], azimuth_n219, 13'h0} + azimuth_n225_term + {40'h0, azimuth_n221}; // s41f37
+    wire [3:-37] azimuth_n226_term = {{14{azimuth_n224[-11]}}, azimuth_n224} ^ {41{azimuth_n222}};
+    wire signed [3:-37] azimuth_n226 = {azimuth_n220[2], azimuth_n220, 13'h0} + azimuth_n226_term + {40'h0, azimuth_n222}; // s41f37
+    wire [0:-24] azimuth_n228_term = {azimuth_n227[-1], azimuth_n227} ^ {25{azimuth_n221}};
+    wire signed [0:-24] azimuth_n228 = {azimuth_n218[-1], azimuth_n218} + azimuth_n228_term + {24'h0, azimuth_n221}; // s25f24
+    wire azimuth_n229_over = ~azimuth_n228[0] & (|azimuth_n228[-1]);
+    wire azimuth_n229_under = azimuth_n228[0] & ~(&azimuth_n228[-1]);
+    wire signed [-1:-24] azimuth_n229 = azimuth_n229_over ? 24'h7fffff : azimuth_n229_under ? 24'h800000 : azimuth_n228[-1:-24]; // s24f24
+    wire signed [3:-24] azimuth_n230_cut = azimuth_n225[3:-24];
+    wire azimuth_n230_over = ~azimuth_n230_cut[3] & (|azimuth_n230_cut[2]);
+    wire azimuth_n230_under = azimuth_n230_cut[3] & ~(&azimuth_n230_cut[2]);
+    wire signed [2:-24] azimuth_n230 = azimuth_n230_over ? 27'h3ffffff : azimuth_n230_under ? 27'h4000000 : azimuth_n230_cut[2:-24]; // s27f24
+    wire signed [-12:-38] azimuth_n235 = azimuth_n230; // s27f38
 
-    reg azimuth_n65_s12; // u1f0
-    reg signed [3:-37] azimuth_n220_s12; // s41f37
-    reg signed [-1:-24] azimuth_n223_s12; // s24f24
-    reg signed [2:-24] azimuth_n224_s12; // s27f24
-    reg signed [-12:-38] azimuth_n229_s12; // s27f38
-    reg polar_angle_n292_s12; // u1f0
-    reg signed [2:-24] polar_angle_n297_s12; // s27f24
+    reg azimuth_n69_s12; // u1f0
+    reg signed [3:-37] azimuth_n226_s12; // s41f37
+    reg signed [-1:-24] azimuth_n229_s12; // s24f24
+    reg signed [2:-24] azimuth_n230_s12; // s27f24
+    reg signed [-12:-38] azimuth_n235_s12; // s27f38
+    reg polar_angle_n298_s12; // u1f0
+    reg polar_angle_n301_s12; // u1f0
+    reg signed [2:-24] polar_angle_n306_s12; // s27f24
     always @(posedge clk)
         if (ce) begin
-            azimuth_n65_s12 <= azimuth_n65_s11;
-            azimuth_n220_s12 <= azimuth_n220;
-            azimuth_n223_s12 <= azimuth_n223;
-            azimuth_n224_s12 <= azimuth_n224;
+            azimuth_n69_s12 <= azimuth_n69_s11;
+            azimuth_n226_s12 <= azimuth_n226;
             azimuth_n229_s12 <= azimuth_n229;
-            polar_angle_n292_s12 <= polar_angle_n292_s11;
-            polar_angle_n297_s12 <= polar_angle_n297_s11;
+            azimuth_n230_s12 <= azimuth_n230;
+            azimuth_n235_s12 <= azimuth_n235;
+            polar_angle_n298_s12 <= polar_angle_n298_s11;
+            polar_angle_n301_s12 <= polar_angle_n301_s11;
+            polar_angle_n306_s12 <= polar_angle_n306_s11;
         end
     reg valid_s12;
     always @(posedge clk)
@@ -1869,57 +1890,59 @@ module rotation_exact_polar_cordic (
 
     // ---- stage 12 ----
     // azimuth
-    wire signed [3:-24] azimuth_n225_cut = azimuth_n220_s12[3:-24];
-    wire azimuth_n225_over = ~azimuth_n225_cut[3] & (|azimuth_n225_cut[2]);
-    wire azimuth_n225_under = azimuth_n225_cut[3] & ~(&azimuth_n225_cut[2]);
-    wire signed [2:-24] azimuth_n225 = azimuth_n225_over ? 27'h3ffffff : azimuth_n225_under ? 27'h4000000 : azimuth_n225_cut[2:-24]; // s27f24
-    wire azimuth_n226 = azimuth_n225[2]; // u1f0
-    wire azimuth_n227 = azimuth_n226 ^ azimuth_n72; // u1f0
-    wire signed [-12:-38] azimuth_n228 = azimuth_n225; // s27f38
-    wire [3:-38] azimuth_n230_term = {{15{azimuth_n228[-12]}}, azimuth_n228} ^ {42{azimuth_n226}};
-    wire signed [3:-38] azimuth_n230 = {azimuth_n224_s12[2], azimuth_n224_s12, 14'h0} + azimuth_n230_term + {41'h0, azimuth_n226}; // s42f38
-    wire [3:-38] azimuth_n231_term = {{15{azimuth_n229_s12[-12]}}, azimuth_n229_s12} ^ {42{azimuth_n227}};
-    wire signed [3:-38] azimuth_n231 = {azimuth_n225[2], azimuth_n225, 14'h0} + azimuth_n231_term + {41'h0, azimuth_n227}; // s42f38
-    wire [0:-24] azimuth_n233_term = {azimuth_n232[-1], azimuth_n232} ^ {25{azimuth_n226}};
-    wire signed [0:-24] azimuth_n233 = {azimuth_n223_s12[-1], azimuth_n223_s12} + azimuth_n233_term + {24'h0, azimuth_n226}; // s25f24
-    wire azimuth_n234_over = ~azimuth_n233[0] & (|azimuth_n233[-1]);
-    wire azimuth_n234_under = azimuth_n233[0] & ~(&azimuth_n233[-1]);
-    wire signed [-1:-24] azimuth_n234 = azimuth_n234_over ? 24'h7fffff : azimuth_n234_under ? 24'h800000 : azimuth_n233[-1:-24]; // s24f24
-    wire signed [3:-24] azimuth_n235_cut = azimuth_n230[3:-24];
-    wire azimuth_n235_over = ~azimuth_n235_cut[3] & (|azimuth_n235_cut[2]);
-    wire azimuth_n235_under = azimuth_n235_cut[3] & ~(&azimuth_n235_cut[2]);
-    wire signed [2:-24] azimuth_n235 = azimuth_n235_over ? 27'h3ffffff : azimuth_n235_under ? 27'h4000000 : azimuth_n235_cut[2:-24]; // s27f24
-    wire signed [3:-24] azimuth_n236_cut = azimuth_n231[3:-24];
-    wire azimuth_n236_over = ~azimuth_n236_cut[3] & (|azimuth_n236_cut[2]);
-    wire azimuth_n236_under = azimuth_n236_cut[3] & ~(&azimuth_n236_cut[2]);
-    wire signed [2:-24] azimuth_n236 = azimuth_n236_over ? 27'h3ffffff : azimuth_n236_under ? 27'h4000000 : azimuth_n236_cut[2:-24]; // s27f24
-    wire azimuth_n237 = azimuth_n236[2]; // u1f0
-    wire azimuth_n238 = azimuth_n237 ^ azimuth_n72; // u1f0
-    wire signed [-13:-39] azimuth_n239 = azimuth_n236; // s27f39
-    wire signed [-13:-39] azimuth_n240 = azimuth_n235; // s27f39
+    wire signed [3:-24] azimuth_n231_cut = azimuth_n226_s12[3:-24];
+    wire azimuth_n231_over = ~azimuth_n231_cut[3] & (|azimuth_n231_cut[2]);
+    wire azimuth_n231_under = azimuth_n231_cut[3] & ~(&azimuth_n231_cut[2]);
+    wire signed [2:-24] azimuth_n231 = azimuth_n231_over ? 27'h3ffffff : azimuth_n231_under ? 27'h4000000 : azimuth_n231_cut[2:-24]; // s27f24
+    wire azimuth_n232 = azimuth_n231[2]; // u1f0
+    wire azimuth_n233 = azimuth_n232 ^ azimuth_n76; // u1f0
+    wire signed [-12:-38] azimuth_n234 = azimuth_n231; // s27f38
+    wire [3:-38] azimuth_n236_term = {{15{azimuth_n234[-12]}}, azimuth_n234} ^ {42{azimuth_n232}};
+    wire signed [3:-38] azimuth_n236 = {azimuth_n230_s12[2], azimuth_n230_s12, 14'h0} + azimuth_n236_term + {41'h0, azimuth_n232}; // s42f38
+    wire [3:-38] azimuth_n237_term = {{15{azimuth_n235_s12[-12]}}, azimuth_n235_s12} ^ {42{azimuth_n233}};
+    wire signed [3:-38] azimuth_n237 = {azimuth_n231[2], azimuth_n231, 14'h0} + azimuth_n237_term + {41'h0, azimuth_n233}; // s42f38
+    wire [0:-24] azimuth_n239_term = {azimuth_n238[-1], azimuth_n238} ^ {25{azimuth_n232}};
+    wire signed [0:-24] azimuth_n239 = {azimuth_n229_s12[-1], azimuth_n229_s12} + azimuth_n239_term + {24'h0, azimuth_n232}; // s25f24
+    wire azimuth_n240_over = ~azimuth_n239[0] & (|azimuth_n239[-1]);
+    wire azimuth_n240_under = azimuth_n239[0] & ~(&azimuth_n239[-1]);
+    wire signed [-1:-24] azimuth_n240 = azimuth_n240_over ? 24'h7fffff : azimuth_n240_under ? 24'h800000 : azimuth_n239[-1:-24]; // s24f24
+    wire signed [3:-24] azimuth_n241_cut = azimuth_n236[3:-24];
+    wire azimuth_n241_over = ~azimuth_n241_cut[3] & (|azimuth_n241_cut[2]);
+    wire azimuth_n241_under = azimuth_n241_cut[3] & ~(&azimuth_n241_cut[2]);
+    wire signed [2:-24] azimuth_n241 = azimuth_n241_over ? 27'h3ffffff : azimuth_n241_under ? 27'h4000000 : azimuth_n241_cut[2:-24]; // s27f24
+    wire signed [3:-24] azimuth_n242_cut = azimuth_n237[3:-24];
+    wire azimuth_n242_over = ~azimuth_n242_cut[3] & (|azimuth_n242_cut[2]);
+    wire azimuth_n242_under = azimuth_n242_cut[3] & ~(&azimuth_n242_cut[2]);
+    wire signed [2:-24] azimuth_n242 = azimuth_n242_over ? 27'h3ffffff : azimuth_n242_under ? 27'h4000000 : azimuth_n242_cut[2:-24]; // s27f24
+    wire azimuth_n243 = azimuth_n242[2]; // u1f0
+    wire azimuth_n244 = azimuth_n243 ^ azimuth_n76; // u1f0
+    wire signed [-13:-39] azimuth_n245 = azimuth_n242; // s27f39
+    wire signed [-13:-39] azimuth_n246 = azimuth_n241; // s27f39
 
-    reg azimuth_n65_s13; // u1f0
-    reg signed [-1:-24] azimuth_n234_s13; // s24f24
-    reg signed [2:-24] azimuth_n235_s13; // s27f24
-    reg signed [2:-24] azimuth_n236_s13; // s27f24
-    reg azimuth_n237_s13; // u1f0
-    reg azimuth_n238_s13; // u1f0
-    reg signed [-13:-39] azimuth_n239_s13; // s27f39
-    reg signed [-13:-39] azimuth_n240_s13; // s27f39
-    reg polar_angle_n292_s13; // u1f0
-    reg signed [2:-24] polar_angle_n297_s13; // s27f24
+    reg azimuth_n69_s13; // u1f0
+    reg signed [-1:-24] azimuth_n240_s13; // s24f24
+    reg signed [2:-24] azimuth_n241_s13; // s27f24
+    reg signed [2:-24] azimuth_n242_s13; // s27f24
+    reg azimuth_n243_s13; // u1f0
+    reg azimuth_n244_s13; // u1f0
+    reg signed [-13:-39] azimuth_n245_s13; // s27f39
+    reg signed [-13:-39] azimuth_n246_s13; // s27f39
+    reg polar_angle_n298_s13; // u1f0
+    reg polar_angle_n301_s13; // u1f0
+    reg signed [2:-24] polar_angle_n306_s13; // s27f24
     always @(posedge clk)
         if (ce) begin
-            azimuth_n65_s13 <= azimuth_n65_s12;
-            azimuth_n234_s13 <= azimuth_n234;
-            azimuth_n235_s13 <= azimuth_n235;
-            azimuth_n236_s13 <= azimuth_n236;
-            azimuth_n237_s13 <= azimuth_n237;
-            azimuth_n238_s13 <= azimuth_n238;
-            azimuth_n239_s13 <= azimuth_n239;
+            azimuth_n69_s13 <= azimuth_n69_s12;
             azimuth_n240_s13 <= azimuth_n240;
-            polar_angle_n292_s13 <= polar_angle_n292_s12;
-            polar_angle_n297_s13 <= polar_angle_n297_s12;
+            azimuth_n241_s13 <= azimuth_n241;
+            azimuth_n242_s13 <= azimuth_n242;
+            azimuth_n243_s13 <= azimuth_n243;
+            azimuth_n244_s13 <= azimuth_n244;
+            azimuth_n245_s13 <= azimuth_n245;
+            azimuth_n246_s13 <= azimuth_n246;
+            polar_angle_n298_s13 <= polar_angle_n298_s12;
+            polar_angle_n301_s13 <= polar_angle_n301_s12;
+            polar_angle_n306_s13 <= polar_angle_n306_s12;
         end
     reg valid_s13;
     always @(posedge clk)
@@ -1928,51 +1951,53 @@ module rotation_exact_polar_cordic (
 
     // ---- stage 13 ----
     // azimuth
-    wire [3:-39] azimuth_n241_term = {{16{azimuth_n239_s13[-13]}}, azimuth_n239_s13} ^ {43{azimuth_n237_s13}};
-    wire signed [3:-39] azimuth_n241 = {azimuth_n235_s13[2], azimuth_n235_s13, 15'h0} + azimuth_n241_term + {42'h0, azimuth_n237_s13}; // s43f39
-    wire [3:-39] azimuth_n242_term = {{16{azimuth_n240_s13[-13]}}, azimuth_n240_s13} ^ {43{azimuth_n238_s13}};
-    wire signed [3:-39] azimuth_n242 = {azimuth_n236_s13[2], azimuth_n236_s13, 15'h0} + azimuth_n242_term + {42'h0, azimuth_n238_s13}; // s43f39
-    wire [0:-24] azimuth_n244_term = {azimuth_n243[-1], azimuth_n243} ^ {25{azimuth_n237_s13}};
-    wire signed [0:-24] azimuth_n244 = {azimuth_n234_s13[-1], azimuth_n234_s13} + azimuth_n244_term + {24'h0, azimuth_n237_s13}; // s25f24
-    wire azimuth_n245_over = ~azimuth_n244[0] & (|azimuth_n244[-1]);
-    wire azimuth_n245_under = azimuth_n244[0] & ~(&azimuth_n244[-1]);
-    wire signed [-1:-24] azimuth_n245 = azimuth_n245_over ? 24'h7fffff : azimuth_n245_under ? 24'h800000 : azimuth_n244[-1:-24]; // s24f24
-    wire signed [3:-24] azimuth_n246_cut = azimuth_n241[3:-24];
-    wire azimuth_n246_over = ~azimuth_n246_cut[3] & (|azimuth_n246_cut[2]);
-    wire azimuth_n246_under = azimuth_n246_cut[3] & ~(&azimuth_n246_cut[2]);
-    wire signed [2:-24] azimuth_n246 = azimuth_n246_over ? 27'h3ffffff : azimuth_n246_under ? 27'h4000000 : azimuth_n246_cut[2:-24]; // s27f24
-    wire signed [3:-24] azimuth_n247_cut = azimuth_n242[3:-24];
-    wire azimuth_n247_over = ~azimuth_n247_cut[3] & (|azimuth_n247_cut[2]);
-    wire azimuth_n247_under = azimuth_n247_cut[3] & ~(&azimuth_n247_cut[2]);
-    wire signed [2:-24] azimuth_n247 = azimuth_n247_over ? 27'h3ffffff : azimuth_n247_under ? 27'h4000000 : azimuth_n247_cut[2:-24]; // s27f24
-    wire azimuth_n248 = azimuth_n247[2]; // u1f0
-    wire azimuth_n249 = azimuth_n248 ^ azimuth_n72; // u1f0
-    wire signed [-14:-40] azimuth_n250 = azimuth_n247; // s27f40
-    wire signed [-14:-40] azimuth_n251 = azimuth_n246; // s27f40
-    wire [3:-40] azimuth_n252_term = {{17{azimuth_n250[-14]}}, azimuth_n250} ^ {44{azimuth_n248}};
-    wire signed [3:-40] azimuth_n252 = {azimuth_n246[2], azimuth_n246, 16'h0} + azimuth_n252_term + {43'h0, azimuth_n248}; // s44f40
-    wire [3:-40] azimuth_n253_term = {{17{azimuth_n251[-14]}}, azimuth_n251} ^ {44{azimuth_n249}};
-    wire signed [3:-40] azimuth_n253 = {azimuth_n247[2], azimuth_n247, 16'h0} + azimuth_n253_term + {43'h0, azimuth_n249}; // s44f40
-    wire [0:-24] azimuth_n255_term = {azimuth_n254[-1], azimuth_n254} ^ {25{azimuth_n248}};
-    wire signed [0:-24] azimuth_n255 = {azimuth_n245[-1], azimuth_n245} + azimuth_n255_term + {24'h0, azimuth_n248}; // s25f24
-    wire azimuth_n256_over = ~azimuth_n255[0] & (|azimuth_n255[-1]);
-    wire azimuth_n256_under = azimuth_n255[0] & ~(&azimuth_n255[-1]);
-    wire signed [-1:-24] azimuth_n256 = azimuth_n256_over ? 24'h7fffff : azimuth_n256_under ? 24'h800000 : azimuth_n255[-1:-24]; // s24f24
+    wire [3:-39] azimuth_n247_term = {{16{azimuth_n245_s13[-13]}}, azimuth_n245_s13} ^ {43{azimuth_n243_s13}};
+    wire signed [3:-39] azimuth_n247 = {azimuth_n241_s13[2], azimuth_n241_s13, 15'h0} + azimuth_n247_term + {42'h0, azimuth_n243_s13}; // s43f39
+    wire [3:-39] azimuth_n248_term = {{16{azimuth_n246_s13[-13]}}, azimuth_n246_s13} ^ {43{azimuth_n244_s13}};
+    wire signed [3:-39] azimuth_n248 = {azimuth_n242_s13[2], azimuth_n242_s13, 15'h0} + azimuth_n248_term + {42'h0, azimuth_n244_s13}; // s43f39
+    wire [0:-24] azimuth_n250_term = {azimuth_n249[-1], azimuth_n249} ^ {25{azimuth_n243_s13}};
+    wire signed [0:-24] azimuth_n250 = {azimuth_n240_s13[-1], azimuth_n240_s13} + azimuth_n250_term + {24'h0, azimuth_n243_s13}; // s25f24
+    wire azimuth_n251_over = ~azimuth_n250[0] & (|azimuth_n250[-1]);
+    wire azimuth_n251_under = azimuth_n250[0] & ~(&azimuth_n250[-1]);
+    wire signed [-1:-24] azimuth_n251 = azimuth_n251_over ? 24'h7fffff : azimuth_n251_under ? 24'h800000 : azimuth_n250[-1:-24]; // s24f24
+    wire signed [3:-24] azimuth_n252_cut = azimuth_n247[3:-24];
+    wire azimuth_n252_over = ~azimuth_n252_cut[3] & (|azimuth_n252_cut[2]);
+    wire azimuth_n252_under = azimuth_n252_cut[3] & ~(&azimuth_n252_cut[2]);
+    wire signed [2:-24] azimuth_n252 = azimuth_n252_over ? 27'h3ffffff : azimuth_n252_under ? 27'h4000000 : azimuth_n252_cut[2:-24]; // s27f24
+    wire signed [3:-24] azimuth_n253_cut = azimuth_n248[3:-24];
+    wire azimuth_n253_over = ~azimuth_n253_cut[3] & (|azimuth_n253_cut[2]);
+    wire azimuth_n253_under = azimuth_n253_cut[3] & ~(&azimuth_n253_cut[2]);
+    wire signed [2:-24] azimuth_n253 = azimuth_n253_over ? 27'h3ffffff : azimuth_n253_under ? 27'h4000000 : azimuth_n253_cut[2:-24]; // s27f24
+    wire azimuth_n254 = azimuth_n253[2]; // u1f0
+    wire azimuth_n255 = azimuth_n254 ^ azimuth_n76; // u1f0
+    wire signed [-14:-40] azimuth_n256 = azimuth_n253; // s27f40
+    wire signed [-14:-40] azimuth_n257 = azimuth_n252; // s27f40
+    wire [3:-40] azimuth_n258_term = {{17{azimuth_n256[-14]}}, azimuth_n256} ^ {44{azimuth_n254}};
+    wire signed [3:-40] azimuth_n258 = {azimuth_n252[2], azimuth_n252, 16'h0} + azimuth_n258_term + {43'h0, azimuth_n254}; // s44f40
+    wire [3:-40] azimuth_n259_term = {{17{azimuth_n257[-14]}}, azimuth_n257} ^ {44{azimuth_n255}};
+    wire signed [3:-40] azimuth_n259 = {azimuth_n253[2], azimuth_n253, 16'h0} + azimuth_n259_term + {43'h0, azimuth_n255}; // s44f40
+    wire [0:-24] azimuth_n261_term = {azimuth_n260[-1], azimuth_n260} ^ {25{azimuth_n254}};
+    wire signed [0:-24] azimuth_n261 = {azimuth_n251[-1], azimuth_n251} + azimuth_n261_term + {24'h0, azimuth_n254}; // s25f24
+    wire azimuth_n262_over = ~azimuth_n261[0] & (|azimuth_n261[-1]);
+    wire azimuth_n262_under = azimuth_n261[0] & ~(&azimuth_n261[-1]);
+    wire signed [-1:-24] azimuth_n262 = azimuth_n262_over ? 24'h7fffff : azimuth_n262_under ? 24'h800000 : azimuth_n261[-1:-24]; // s24f24
 
-    reg azimuth_n65_s14; // u1f0
-    reg signed [3:-40] azimuth_n252_s14; // s44f40
-    reg signed [3:-40] azimuth_n253_s14; // s44f40
-    reg signed [-1:-24] azimuth_n256_s14; // s24f24
-    reg polar_angle_n292_s14; // u1f0
-    reg signed [2:-24] polar_angle_n297_s14; // s27f24
+    reg azimuth_n69_s14; // u1f0
+    reg signed [3:-40] azimuth_n258_s14; // s44f40
+    reg signed [3:-40] azimuth_n259_s14; // s44f40
+    reg signed [-1:-24] azimuth_n262_s14; // s24f24
+    reg polar_angle_n298_s14; // u1f0
+    reg polar_angle_n301_s14; // u1f0
+    reg signed [2:-24] polar_angle_n306_s14; // s27f24
     always @(posedge clk)
         if (ce) begin
-            azimuth_n65_s14 <= azimuth_n65_s13;
-            azimuth_n252_s14 <= azimuth_n252;
-            azimuth_n253_s14 <= azimuth_n253;
-            azimuth_n256_s14 <= azimuth_n256;
-            polar_angle_n292_s14 <= polar_angle_n292_s13;
-            polar_angle_n297_s14 <= polar_angle_n297_s13;
+            azimuth_n69_s14 <= azimuth_n69_s13;
+            azimuth_n258_s14 <= azimuth_n258;
+            azimuth_n259_s14 <= azimuth_n259;
+            azimuth_n262_s14 <= azimuth_n262;
+            polar_angle_n298_s14 <= polar_angle_n298_s13;
+            polar_angle_n301_s14 <= polar_angle_n301_s13;
+            polar_angle_n306_s14 <= polar_angle_n306_s13;
         end
     reg valid_s14;
     always @(posedge clk)
@@ -1981,49 +2006,54 @@ module rotation_exact_polar_cordic (
 
     // ---- stage 14 ----
     // azimuth
-    wire signed [3:-24] azimuth_n257_cut = azimuth_n252_s14[3:-24];
-    wire azimuth_n257_over = ~azimuth_n257_cut[3] & (|azimuth_n257_cut[2]);
-    wire azimuth_n257_under = azimuth_n257_cut[3] & ~(&azimuth_n257_cut[2]);
-    wire signed [2:-24] azimuth_n257 = azimuth_n257_over ? 27'h3ffffff : azimuth_n257_under ? 27'h4000000 : azimuth_n257_cut[2:-24]; // s27f24
-    wire signed [3:-24] azimuth_n258_cut = azimuth_n253_s14[3:-24];
-    wire azimuth_n258_over = ~azimuth_n258_cut[3] & (|azimuth_n258_cut[2]);
-    wire azimuth_n258_under = azimuth_n258_cut[3] & ~(&azimuth_n258_cut[2]);
-    wire signed [2:-24] azimuth_n258 = azimuth_n258_over ? 27'h3ffffff : azimuth_n258_under ? 27'h4000000 : azimuth_n258_cut[2:-24]; // s27f24
-    wire azimuth_n259 = azimuth_n258[2]; // u1f0
-    wire signed [-15:-41] azimuth_n260 = azimuth_n258; // s27f41
-    wire [3:-41] azimuth_n261_term = {{18{azimuth_n260[-15]}}, azimuth_n260} ^ {45{azimuth_n259}};
-    wire signed [3:-41] azimuth_n261 = {azimuth_n257[2], azimuth_n257, 17'h0} + azimuth_n261_term + {44'h0, azimuth_n259}; // s45f41
-    wire [0:-24] azimuth_n263_term = {azimuth_n262[-1], azimuth_n262} ^ {25{azimuth_n259}};
-    wire signed [0:-24] azimuth_n263 = {azimuth_n256_s14[-1], azimuth_n256_s14} + azimuth_n263_term + {24'h0, azimuth_n259}; // s25f24
-    wire azimuth_n264_over = ~azimuth_n263[0] & (|azimuth_n263[-1]);
-    wire azimuth_n264_under = azimuth_n263[0] & ~(&azimuth_n263[-1]);
-    wire signed [-1:-24] azimuth_n264 = azimuth_n264_over ? 24'h7fffff : azimuth_n264_under ? 24'h800000 : azimuth_n263[-1:-24]; // s24f24
-    wire signed [3:-24] azimuth_n265_cut = azimuth_n261[3:-24];
-    wire azimuth_n265_over = ~azimuth_n265_cut[3] & (|azimuth_n265_cut[2]);
-    wire azimuth_n265_under = azimuth_n265_cut[3] & ~(&azimuth_n265_cut[2]);
-    wire signed [2:-24] azimuth_n265 = azimuth_n265_over ? 27'h3ffffff : azimuth_n265_under ? 27'h4000000 : azimuth_n265_cut[2:-24]; // s27f24
-    wire [-1:-24] azimuth_n266 = azimuth_n264; // u24f24
-    wire [-1:-24] azimuth_n268 = azimuth_n266 ^ azimuth_n267; // u24f24
-    wire [-1:-24] azimuth_n269 = azimuth_n65_s14 ? azimuth_n268 : azimuth_n266; // u24f24
+    wire signed [3:-24] azimuth_n263_cut = azimuth_n258_s14[3:-24];
+    wire azimuth_n263_over = ~azimuth_n263_cut[3] & (|azimuth_n263_cut[2]);
+    wire azimuth_n263_under = azimuth_n263_cut[3] & ~(&azimuth_n263_cut[2]);
+    wire signed [2:-24] azimuth_n263 = azimuth_n263_over ? 27'h3ffffff : azimuth_n263_under ? 27'h4000000 : azimuth_n263_cut[2:-24]; // s27f24
+    wire signed [3:-24] azimuth_n264_cut = azimuth_n259_s14[3:-24];
+    wire azimuth_n264_over = ~azimuth_n264_cut[3] & (|azimuth_n264_cut[2]);
+    wire azimuth_n264_under = azimuth_n264_cut[3] & ~(&azimuth_n264_cut[2]);
+    wire signed [2:-24] azimuth_n264 = azimuth_n264_over ? 27'h3ffffff : azimuth_n264_under ? 27'h4000000 : azimuth_n264_cut[2:-24]; // s27f24
+    wire azimuth_n265 = azimuth_n264[2]; // u1f0
+    wire signed [-15:-41] azimuth_n266 = azimuth_n264; // s27f41
+    wire [3:-41] azimuth_n267_term = {{18{azimuth_n266[-15]}}, azimuth_n266} ^ {45{azimuth_n265}};
+    wire signed [3:-41] azimuth_n267 = {azimuth_n263[2], azimuth_n263, 17'h0} + azimuth_n267_term + {44'h0, azimuth_n265}; // s45f41
+    wire [0:-24] azimuth_n269_term = {azimuth_n268[-1], azimuth_n268} ^ {25{azimuth_n265}};
+    wire signed [0:-24] azimuth_n269 = {azimuth_n262_s14[-1], azimuth_n262_s14} + azimuth_n269_term + {24'h0, azimuth_n265}; // s25f24
+    wire azimuth_n270_over = ~azimuth_n269[0] & (|azimuth_n269[-1]);
+    wire azimuth_n270_under = azimuth_n269[0] & ~(&azimuth_n269[-1]);
+    wire signed [-1:-24] azimuth_n270 = azimuth_n270_over ? 24'h7fffff : azimuth_n270_under ? 24'h800000 : azimuth_n269[-1:-24]; // s24f24
+    wire signed [3:-24] azimuth_n271_cut = azimuth_n267[3:-24];
+    wire azimuth_n271_over = ~azimuth_n271_cut[3] & (|azimuth_n271_cut[2]);
+    wire azimuth_n271_under = azimuth_n271_cut[3] & ~(&azimuth_n271_cut[2]);
+    wire signed [2:-24] azimuth_n271 = azimuth_n271_over ? 27'h3ffffff : azimuth_n271_under ? 27'h4000000 : azimuth_n271_cut[2:-24]; // s27f24
+    wire [-1:-24] azimuth_n272 = azimuth_n270; // u24f24
+    wire [-1:-24] azimuth_n274 = azimuth_n272 ^ azimuth_n273; // u24f24
+    wire [-1:-24] azimuth_n275 = azimuth_n69_s14 ? azimuth_n274 : azimuth_n272; // u24f24
     // polar_angle
-    wire signed [3:-24] polar_angle_n294 = -{azimuth_n265[2], azimuth_n265}; // s28f24
+    wire polar_angle_n299 = azimuth_n271 == {2'h0, azimuth_n65, 24'h0}; // u1f0
+    wire signed [3:-24] polar_angle_n303 = -{azimuth_n271[2], azimuth_n271}; // s28f24
     // (unit)
-    wire [0:-24] n470_sum = {1'b0, azimuth_n269} + 25'h80;
-    wire [0:-16] n470_cut = n470_sum[0:-16];
-    wire [0:-16] n470 = n470_cut; // u17f16
-    wire [-1:-16] phi_next = n470[-1:-16]; // u16f16
+    wire [0:-24] n480_sum = {1'b0, azimuth_n275} + 25'h80;
+    wire [0:-16] n480_cut = n480_sum[0:-16];
+    wire [0:-16] n480 = n480_cut; // u17f16
+    wire [-1:-16] phi_next = n480[-1:-16]; // u16f16
 
-    reg signed [2:-24] azimuth_n265_s15; // s27f24
-    reg polar_angle_n292_s15; // u1f0
-    reg signed [3:-24] polar_angle_n294_s15; // s28f24
-    reg signed [2:-24] polar_angle_n297_s15; // s27f24
+    reg signed [2:-24] azimuth_n271_s15; // s27f24
+    reg polar_angle_n298_s15; // u1f0
+    reg polar_angle_n299_s15; // u1f0
+    reg polar_angle_n301_s15; // u1f0
+    reg signed [3:-24] polar_angle_n303_s15; // s28f24
+    reg signed [2:-24] polar_angle_n306_s15; // s27f24
     reg [-1:-16] phi_next_s15; // u16f16
     always @(posedge clk)
         if (ce) begin
-            azimuth_n265_s15 <= azimuth_n265;
-            polar_angle_n292_s15 <= polar_angle_n292_s14;
-            polar_angle_n294_s15 <= polar_angle_n294;
-            polar_angle_n297_s15 <= polar_angle_n297_s14;
+            azimuth_n271_s15 <= azimuth_n271;
+            polar_angle_n298_s15 <= polar_angle_n298_s14;
+            polar_angle_n299_s15 <= polar_angle_n299;
+            polar_angle_n301_s15 <= polar_angle_n301_s14;
+            polar_angle_n303_s15 <= polar_angle_n303;
+            polar_angle_n306_s15 <= polar_angle_n306_s14;
             phi_next_s15 <= phi_next;
         end
     reg valid_s15;
@@ -2033,51 +2063,53 @@ module rotation_exact_polar_cordic (
 
     // ---- stage 15 ----
     // polar_angle
-    wire signed [3:-24] polar_angle_n296 = polar_angle_n292_s15 ? polar_angle_n294_s15 : {azimuth_n265_s15[2], azimuth_n265_s15}; // s28f24
-    wire polar_angle_n298_over = ~polar_angle_n296[3] & (|polar_angle_n296[2]);
-    wire polar_angle_n298_under = polar_angle_n296[3] & ~(&polar_angle_n296[2]);
-    wire signed [2:-24] polar_angle_n298 = polar_angle_n298_over ? 27'h3ffffff : polar_angle_n298_under ? 27'h4000000 : polar_angle_n296[2:-24]; // s27f24
-    wire polar_angle_n299 = polar_angle_n298[2]; // u1f0
-    wire polar_angle_n300 = polar_angle_n299 ^ azimuth_n72; // u1f0
-    wire [3:-24] polar_angle_n301_term = {polar_angle_n298[2], polar_angle_n298} ^ {28{polar_angle_n299}};
-    wire signed [3:-24] polar_angle_n301 = {polar_angle_n297_s15[2], polar_angle_n297_s15} + polar_angle_n301_term + {27'h0, polar_angle_n299}; // s28f24
-    wire [3:-24] polar_angle_n302_term = {polar_angle_n297_s15[2], polar_angle_n297_s15} ^ {28{polar_angle_n300}};
-    wire signed [3:-24] polar_angle_n302 = {polar_angle_n298[2], polar_angle_n298} + polar_angle_n302_term + {27'h0, polar_angle_n300}; // s28f24
-    wire [0:-24] polar_angle_n303_term = {azimuth_n78[-1], azimuth_n78} ^ {25{polar_angle_n299}};
-    wire signed [0:-24] polar_angle_n303 = {azimuth_n73[-1], azimuth_n73} + polar_angle_n303_term + {24'h0, polar_angle_n299}; // s25f24
-    wire polar_angle_n304_over = ~polar_angle_n303[0] & (|polar_angle_n303[-1]);
-    wire polar_angle_n304_under = polar_angle_n303[0] & ~(&polar_angle_n303[-1]);
-    wire signed [-1:-24] polar_angle_n304 = polar_angle_n304_over ? 24'h7fffff : polar_angle_n304_under ? 24'h800000 : polar_angle_n303[-1:-24]; // s24f24
-    wire polar_angle_n305_over = ~polar_angle_n301[3] & (|polar_angle_n301[2]);
-    wire polar_angle_n305_under = polar_angle_n301[3] & ~(&polar_angle_n301[2]);
-    wire signed [2:-24] polar_angle_n305 = polar_angle_n305_over ? 27'h3ffffff : polar_angle_n305_under ? 27'h4000000 : polar_angle_n301[2:-24]; // s27f24
-    wire polar_angle_n306_over = ~polar_angle_n302[3] & (|polar_angle_n302[2]);
-    wire polar_angle_n306_under = polar_angle_n302[3] & ~(&polar_angle_n302[2]);
-    wire signed [2:-24] polar_angle_n306 = polar_angle_n306_over ? 27'h3ffffff : polar_angle_n306_under ? 27'h4000000 : polar_angle_n302[2:-24]; // s27f24
-    wire polar_angle_n307 = polar_angle_n306[2]; // u1f0
-    wire polar_angle_n308 = polar_angle_n307 ^ azimuth_n72; // u1f0
-    wire signed [1:-25] polar_angle_n309 = polar_angle_n306; // s27f25
-    wire signed [1:-25] polar_angle_n310 = polar_angle_n305; // s27f25
+    wire polar_angle_n300 = polar_angle_n298_s15 & polar_angle_n299_s15; // u1f0
+    wire signed [3:-24] polar_angle_n305 = polar_angle_n301_s15 ? polar_angle_n303_s15 : {azimuth_n271_s15[2], azimuth_n271_s15}; // s28f24
+    wire polar_angle_n307_over = ~polar_angle_n305[3] & (|polar_angle_n305[2]);
+    wire polar_angle_n307_under = polar_angle_n305[3] & ~(&polar_angle_n305[2]);
+    wire signed [2:-24] polar_angle_n307 = polar_angle_n307_over ? 27'h3ffffff : polar_angle_n307_under ? 27'h4000000 : polar_angle_n305[2:-24]; // s27f24
+    wire signed [-1:-24] polar_angle_n308 = polar_angle_n300 ? azimuth_n77 : azimuth_n78; // s24f24
+    wire polar_angle_n309 = polar_angle_n307[2]; // u1f0
+    wire polar_angle_n310 = polar_angle_n309 ^ azimuth_n76; // u1f0
+    wire [3:-24] polar_angle_n311_term = {polar_angle_n307[2], polar_angle_n307} ^ {28{polar_angle_n309}};
+    wire signed [3:-24] polar_angle_n311 = {polar_angle_n306_s15[2], polar_angle_n306_s15} + polar_angle_n311_term + {27'h0, polar_angle_n309}; // s28f24
+    wire [3:-24] polar_angle_n312_term = {polar_angle_n306_s15[2], polar_angle_n306_s15} ^ {28{polar_angle_n310}};
+    wire signed [3:-24] polar_angle_n312 = {polar_angle_n307[2], polar_angle_n307} + polar_angle_n312_term + {27'h0, polar_angle_n310}; // s28f24
+    wire [0:-24] polar_angle_n313_term = {azimuth_n84[-1], azimuth_n84} ^ {25{polar_angle_n309}};
+    wire signed [0:-24] polar_angle_n313 = {polar_angle_n308[-1], polar_angle_n308} + polar_angle_n313_term + {24'h0, polar_angle_n309}; // s25f24
+    wire polar_angle_n314_over = ~polar_angle_n313[0] & (|polar_angle_n313[-1]);
+    wire polar_angle_n314_under = polar_angle_n313[0] & ~(&polar_angle_n313[-1]);
+    wire signed [-1:-24] polar_angle_n314 = polar_angle_n314_over ? 24'h7fffff : polar_angle_n314_under ? 24'h800000 : polar_angle_n313[-1:-24]; // s24f24
+    wire polar_angle_n315_over = ~polar_angle_n311[3] & (|polar_angle_n311[2]);
+    wire polar_angle_n315_under = polar_angle_n311[3] & ~(&polar_angle_n311[2]);
+    wire signed [2:-24] polar_angle_n315 = polar_angle_n315_over ? 27'h3ffffff : polar_angle_n315_under ? 27'h4000000 : polar_angle_n311[2:-24]; // s27f24
+    wire polar_angle_n316_over = ~polar_angle_n312[3] & (|polar_angle_n312[2]);
+    wire polar_angle_n316_under = polar_angle_n312[3] & ~(&polar_angle_n312[2]);
+    wire signed [2:-24] polar_angle_n316 = polar_angle_n316_over ? 27'h3ffffff : polar_angle_n316_under ? 27'h4000000 : polar_angle_n312[2:-24]; // s27f24
+    wire polar_angle_n317 = polar_angle_n316[2]; // u1f0
+    wire polar_angle_n318 = polar_angle_n317 ^ azimuth_n76; // u1f0
+    wire signed [1:-25] polar_angle_n319 = polar_angle_n316; // s27f25
+    wire signed [1:-25] polar_angle_n320 = polar_angle_n315; // s27f25
 
-    reg polar_angle_n292_s16; // u1f0
-    reg signed [-1:-24] polar_angle_n304_s16; // s24f24
-    reg signed [2:-24] polar_angle_n305_s16; // s27f24
-    reg signed [2:-24] polar_angle_n306_s16; // s27f24
-    reg polar_angle_n307_s16; // u1f0
-    reg polar_angle_n308_s16; // u1f0
-    reg signed [1:-25] polar_angle_n309_s16; // s27f25
-    reg signed [1:-25] polar_angle_n310_s16; // s27f25
+    reg polar_angle_n301_s16; // u1f0
+    reg signed [-1:-24] polar_angle_n314_s16; // s24f24
+    reg signed [2:-24] polar_angle_n315_s16; // s27f24
+    reg signed [2:-24] polar_angle_n316_s16; // s27f24
+    reg polar_angle_n317_s16; // u1f0
+    reg polar_angle_n318_s16; // u1f0
+    reg signed [1:-25] polar_angle_n319_s16; // s27f25
+    reg signed [1:-25] polar_angle_n320_s16; // s27f25
     reg [-1:-16] phi_next_s16; // u16f16
     always @(posedge clk)
         if (ce) begin
-            polar_angle_n292_s16 <= polar_angle_n292_s15;
-            polar_angle_n304_s16 <= polar_angle_n304;
-            polar_angle_n305_s16 <= polar_angle_n305;
-            polar_angle_n306_s16 <= polar_angle_n306;
-            polar_angle_n307_s16 <= polar_angle_n307;
-            polar_angle_n308_s16 <= polar_angle_n308;
-            polar_angle_n309_s16 <= polar_angle_n309;
-            polar_angle_n310_s16 <= polar_angle_n310;
+            polar_angle_n301_s16 <= polar_angle_n301_s15;
+            polar_angle_n314_s16 <= polar_angle_n314;
+            polar_angle_n315_s16 <= polar_angle_n315;
+            polar_angle_n316_s16 <= polar_angle_n316;
+            polar_angle_n317_s16 <= polar_angle_n317;
+            polar_angle_n318_s16 <= polar_angle_n318;
+            polar_angle_n319_s16 <= polar_angle_n319;
+            polar_angle_n320_s16 <= polar_angle_n320;
             phi_next_s16 <= phi_next_s15;
         end
     reg valid_s16;
@@ -2087,33 +2119,12 @@ module rotation_exact_polar_cordic (
 
     // ---- stage 16 ----
     // polar_angle
-    wire [3:-25] polar_angle_n311_term = {{2{polar_angle_n309_s16[1]}}, polar_angle_n309_s16} ^ {29{polar_angle_n307_s16}};
-    wire signed [3:-25] polar_angle_n311 = {polar_angle_n305_s16[2], polar_angle_n305_s16, 1'b0} + polar_angle_n311_term + {28'h0, polar_angle_n307_s16}; // s29f25
-    wire [3:-25] polar_angle_n312_term = {{2{polar_angle_n310_s16[1]}}, polar_angle_n310_s16} ^ {29{polar_angle_n308_s16}};
-    wire signed [3:-25] polar_angle_n312 = {polar_angle_n306_s16[2], polar_angle_n306_s16, 1'b0} + polar_angle_n312_term + {28'h0, polar_angle_n308_s16}; // s29f25
-    wire [0:-24] polar_angle_n313_term = {azimuth_n89[-1], azimuth_n89} ^ {25{polar_angle_n307_s16}};
-    wire signed [0:-24] polar_angle_n313 = {polar_angle_n304_s16[-1], polar_angle_n304_s16} + polar_angle_n313_term + {24'h0, polar_angle_n307_s16}; // s25f24
-    wire polar_angle_n314_over = ~polar_angle_n313[0] & (|polar_angle_n313[-1]);
-    wire polar_angle_n314_under = polar_angle_n313[0] & ~(&polar_angle_n313[-1]);
-    wire signed [-1:-24] polar_angle_n314 = polar_angle_n314_over ? 24'h7fffff : polar_angle_n314_under ? 24'h800000 : polar_angle_n313[-1:-24]; // s24f24
-    wire signed [3:-24] polar_angle_n315_cut = polar_angle_n311[3:-24];
-    wire polar_angle_n315_over = ~polar_angle_n315_cut[3] & (|polar_angle_n315_cut[2]);
-    wire polar_angle_n315_under = polar_angle_n315_cut[3] & ~(&polar_angle_n315_cut[2]);
-    wire signed [2:-24] polar_angle_n315 = polar_angle_n315_over ? 27'h3ffffff : polar_angle_n315_under ? 27'h4000000 : polar_angle_n315_cut[2:-24]; // s27f24
-    wire signed [3:-24] polar_angle_n316_cut = polar_angle_n312[3:-24];
-    wire polar_angle_n316_over = ~polar_angle_n316_cut[3] & (|polar_angle_n316_cut[2]);
-    wire polar_angle_n316_under = polar_angle_n316_cut[3] & ~(&polar_angle_n316_cut[2]);
-    wire signed [2:-24] polar_angle_n316 = polar_angle_n316_over ? 27'h3ffffff : polar_angle_n316_under ? 27'h4000000 : polar_angle_n316_cut[2:-24]; // s27f24
-    wire polar_angle_n317 = polar_angle_n316[2]; // u1f0
-    wire polar_angle_n318 = polar_angle_n317 ^ azimuth_n72; // u1f0
-    wire signed [0:-26] polar_angle_n319 = polar_angle_n316; // s27f26
-    wire signed [0:-26] polar_angle_n320 = polar_angle_n315; // s27f26
-    wire [3:-26] polar_angle_n321_term = {{3{polar_angle_n319[0]}}, polar_angle_n319} ^ {30{polar_angle_n317}};
-    wire signed [3:-26] polar_angle_n321 = {polar_angle_n315[2], polar_angle_n315, 2'h0} + polar_angle_n321_term + {29'h0, polar_angle_n317}; // s30f26
-    wire [3:-26] polar_angle_n322_term = {{3{polar_angle_n320[0]}}, polar_angle_n320} ^ {30{polar_angle_n318}};
-    wire signed [3:-26] polar_angle_n322 = {polar_angle_n316[2], polar_angle_n316, 2'h0} + polar_angle_n322_term + {29'h0, polar_angle_n318}; // s30f26
-    wire [0:-24] polar_angle_n323_term = {azimuth_n100[-1], azimuth_n100} ^ {25{polar_angle_n317}};
-    wire signed [0:-24] polar_angle_n323 = {polar_angle_n314[-1], polar_angle_n314} + polar_angle_n323_term + {24'h0, polar_angle_n317}; // s25f24
+    wire [3:-25] polar_angle_n321_term = {{2{polar_angle_n319_s16[1]}}, polar_angle_n319_s16} ^ {29{polar_angle_n317_s16}};
+    wire signed [3:-25] polar_angle_n321 = {polar_angle_n315_s16[2], polar_angle_n315_s16, 1'b0} + polar_angle_n321_term + {28'h0, polar_angle_n317_s16}; // s29f25
+    wire [3:-25] polar_angle_n322_term = {{2{polar_angle_n320_s16[1]}}, polar_angle_n320_s16} ^ {29{polar_angle_n318_s16}};
+    wire signed [3:-25] polar_angle_n322 = {polar_angle_n316_s16[2], polar_angle_n316_s16, 1'b0} + polar_angle_n322_term + {28'h0, polar_angle_n318_s16}; // s29f25
+    wire [0:-24] polar_angle_n323_term = {azimuth_n95[-1], azimuth_n95} ^ {25{polar_angle_n317_s16}};
+    wire signed [0:-24] polar_angle_n323 = {polar_angle_n314_s16[-1], polar_angle_n314_s16} + polar_angle_n323_term + {24'h0, polar_angle_n317_s16}; // s25f24
     wire polar_angle_n324_over = ~polar_angle_n323[0] & (|polar_angle_n323[-1]);
     wire polar_angle_n324_under = polar_angle_n323[0] & ~(&polar_angle_n323[-1]);
     wire signed [-1:-24] polar_angle_n324 = polar_angle_n324_over ? 24'h7fffff : polar_angle_n324_under ? 24'h800000 : polar_angle_n323[-1:-24]; // s24f24
@@ -2126,42 +2137,15 @@ module rotation_exact_polar_cordic (
     wire polar_angle_n326_under = polar_angle_n326_cut[3] & ~(&polar_angle_n326_cut[2]);
     wire signed [2:-24] polar_angle_n326 = polar_angle_n326_over ? 27'h3ffffff : polar_angle_n326_under ? 27'h4000000 : polar_angle_n326_cut[2:-24]; // s27f24
     wire polar_angle_n327 = polar_angle_n326[2]; // u1f0
-    wire signed [-1:-27] polar_angle_n329 = polar_angle_n326; // s27f27
-    wire signed [-1:-27] polar_angle_n330 = polar_angle_n325; // s27f27
-
-    reg polar_angle_n292_s17; // u1f0
-    reg signed [-1:-24] polar_angle_n324_s17; // s24f24
-    reg signed [2:-24] polar_angle_n325_s17; // s27f24
-    reg signed [2:-24] polar_angle_n326_s17; // s27f24
-    reg polar_angle_n327_s17; // u1f0
-    reg signed [-1:-27] polar_angle_n329_s17; // s27f27
-    reg signed [-1:-27] polar_angle_n330_s17; // s27f27
-    reg [-1:-16] phi_next_s17; // u16f16
-    always @(posedge clk)
-        if (ce) begin
-            polar_angle_n292_s17 <= polar_angle_n292_s16;
-            polar_angle_n324_s17 <= polar_angle_n324;
-            polar_angle_n325_s17 <= polar_angle_n325;
-            polar_angle_n326_s17 <= polar_angle_n326;
-            polar_angle_n327_s17 <= polar_angle_n327;
-            polar_angle_n329_s17 <= polar_angle_n329;
-            polar_angle_n330_s17 <= polar_angle_n330;
-            phi_next_s17 <= phi_next_s16;
-        end
-    reg valid_s17;
-    always @(posedge clk)
-        if (rst) valid_s17 <= 1'b0;
-        else if (ce) valid_s17 <= valid_s16;
-
-    // ---- stage 17 ----
-    // polar_angle
-    wire polar_angle_n328 = polar_angle_n327_s17 ^ azimuth_n72; // u1f0
-    wire [3:-27] polar_angle_n331_term = {{4{polar_angle_n329_s17[-1]}}, polar_angle_n329_s17} ^ {31{polar_angle_n327_s17}};
-    wire signed [3:-27] polar_angle_n331 = {polar_angle_n325_s17[2], polar_angle_n325_s17, 3'h0} + polar_angle_n331_term + {30'h0, polar_angle_n327_s17}; // s31f27
-    wire [3:-27] polar_angle_n332_term = {{4{polar_angle_n330_s17[-1]}}, polar_angle_n330_s17} ^ {31{polar_angle_n328}};
-    wire signed [3:-27] polar_angle_n332 = {polar_angle_n326_s17[2], polar_angle_n326_s17, 3'h0} + polar_angle_n332_term + {30'h0, polar_angle_n328}; // s31f27
-    wire [0:-24] polar_angle_n333_term = {azimuth_n111[-1], azimuth_n111} ^ {25{polar_angle_n327_s17}};
-    wire signed [0:-24] polar_angle_n333 = {polar_angle_n324_s17[-1], polar_angle_n324_s17} + polar_angle_n333_term + {24'h0, polar_angle_n327_s17}; // s25f24
+    wire polar_angle_n328 = polar_angle_n327 ^ azimuth_n76; // u1f0
+    wire signed [0:-26] polar_angle_n329 = polar_angle_n326; // s27f26
+    wire signed [0:-26] polar_angle_n330 = polar_angle_n325; // s27f26
+    wire [3:-26] polar_angle_n331_term = {{3{polar_angle_n329[0]}}, polar_angle_n329} ^ {30{polar_angle_n327}};
+    wire signed [3:-26] polar_angle_n331 = {polar_angle_n325[2], polar_angle_n325, 2'h0} + polar_angle_n331_term + {29'h0, polar_angle_n327}; // s30f26
+    wire [3:-26] polar_angle_n332_term = {{3{polar_angle_n330[0]}}, polar_angle_n330} ^ {30{polar_angle_n328}};
+    wire signed [3:-26] polar_angle_n332 = {polar_angle_n326[2], polar_angle_n326, 2'h0} + polar_angle_n332_term + {29'h0, polar_angle_n328}; // s30f26
+    wire [0:-24] polar_angle_n333_term = {azimuth_n106[-1], azimuth_n106} ^ {25{polar_angle_n327}};
+    wire signed [0:-24] polar_angle_n333 = {polar_angle_n324[-1], polar_angle_n324} + polar_angle_n333_term + {24'h0, polar_angle_n327}; // s25f24
     wire polar_angle_n334_over = ~polar_angle_n333[0] & (|polar_angle_n333[-1]);
     wire polar_angle_n334_under = polar_angle_n333[0] & ~(&polar_angle_n333[-1]);
     wire signed [-1:-24] polar_angle_n334 = polar_angle_n334_over ? 24'h7fffff : polar_angle_n334_under ? 24'h800000 : polar_angle_n333[-1:-24]; // s24f24
@@ -2174,15 +2158,42 @@ module rotation_exact_polar_cordic (
     wire polar_angle_n336_under = polar_angle_n336_cut[3] & ~(&polar_angle_n336_cut[2]);
     wire signed [2:-24] polar_angle_n336 = polar_angle_n336_over ? 27'h3ffffff : polar_angle_n336_under ? 27'h4000000 : polar_angle_n336_cut[2:-24]; // s27f24
     wire polar_angle_n337 = polar_angle_n336[2]; // u1f0
-    wire polar_angle_n338 = polar_angle_n337 ^ azimuth_n72; // u1f0
-    wire signed [-2:-28] polar_angle_n339 = polar_angle_n336; // s27f28
-    wire signed [-2:-28] polar_angle_n340 = polar_angle_n335; // s27f28
-    wire [3:-28] polar_angle_n341_term = {{5{polar_angle_n339[-2]}}, polar_angle_n339} ^ {32{polar_angle_n337}};
-    wire signed [3:-28] polar_angle_n341 = {polar_angle_n335[2], polar_angle_n335, 4'h0} + polar_angle_n341_term + {31'h0, polar_angle_n337}; // s32f28
-    wire [3:-28] polar_angle_n342_term = {{5{polar_angle_n340[-2]}}, polar_angle_n340} ^ {32{polar_angle_n338}};
-    wire signed [3:-28] polar_angle_n342 = {polar_angle_n336[2], polar_angle_n336, 4'h0} + polar_angle_n342_term + {31'h0, polar_angle_n338}; // s32f28
-    wire [0:-24] polar_angle_n343_term = {azimuth_n122[-1], azimuth_n122} ^ {25{polar_angle_n337}};
-    wire signed [0:-24] polar_angle_n343 = {polar_angle_n334[-1], polar_angle_n334} + polar_angle_n343_term + {24'h0, polar_angle_n337}; // s25f24
+    wire signed [-1:-27] polar_angle_n339 = polar_angle_n336; // s27f27
+    wire signed [-1:-27] polar_angle_n340 = polar_angle_n335; // s27f27
+
+    reg polar_angle_n301_s17; // u1f0
+    reg signed [-1:-24] polar_angle_n334_s17; // s24f24
+    reg signed [2:-24] polar_angle_n335_s17; // s27f24
+    reg signed [2:-24] polar_angle_n336_s17; // s27f24
+    reg polar_angle_n337_s17; // u1f0
+    reg signed [-1:-27] polar_angle_n339_s17; // s27f27
+    reg signed [-1:-27] polar_angle_n340_s17; // s27f27
+    reg [-1:-16] phi_next_s17; // u16f16
+    always @(posedge clk)
+        if (ce) begin
+            polar_angle_n301_s17 <= polar_angle_n301_s16;
+            polar_angle_n334_s17 <= polar_angle_n334;
+            polar_angle_n335_s17 <= polar_angle_n335;
+            polar_angle_n336_s17 <= polar_angle_n336;
+            polar_angle_n337_s17 <= polar_angle_n337;
+            polar_angle_n339_s17 <= polar_angle_n339;
+            polar_angle_n340_s17 <= polar_angle_n340;
+            phi_next_s17 <= phi_next_s16;
+        end
+    reg valid_s17;
+    always @(posedge clk)
+        if (rst) valid_s17 <= 1'b0;
+        else if (ce) valid_s17 <= valid_s16;
+
+    // ---- stage 17 ----
+    // polar_angle
+    wire polar_angle_n338 = polar_angle_n337_s17 ^ azimuth_n76; // u1f0
+    wire [3:-27] polar_angle_n341_term = {{4{polar_angle_n339_s17[-1]}}, polar_angle_n339_s17} ^ {31{polar_angle_n337_s17}};
+    wire signed [3:-27] polar_angle_n341 = {polar_angle_n335_s17[2], polar_angle_n335_s17, 3'h0} + polar_angle_n341_term + {30'h0, polar_angle_n337_s17}; // s31f27
+    wire [3:-27] polar_angle_n342_term = {{4{polar_angle_n340_s17[-1]}}, polar_angle_n340_s17} ^ {31{polar_angle_n338}};
+    wire signed [3:-27] polar_angle_n342 = {polar_angle_n336_s17[2], polar_angle_n336_s17, 3'h0} + polar_angle_n342_term + {30'h0, polar_angle_n338}; // s31f27
+    wire [0:-24] polar_angle_n343_term = {azimuth_n117[-1], azimuth_n117} ^ {25{polar_angle_n337_s17}};
+    wire signed [0:-24] polar_angle_n343 = {polar_angle_n334_s17[-1], polar_angle_n334_s17} + polar_angle_n343_term + {24'h0, polar_angle_n337_s17}; // s25f24
     wire polar_angle_n344_over = ~polar_angle_n343[0] & (|polar_angle_n343[-1]);
     wire polar_angle_n344_under = polar_angle_n343[0] & ~(&polar_angle_n343[-1]);
     wire signed [-1:-24] polar_angle_n344 = polar_angle_n344_over ? 24'h7fffff : polar_angle_n344_under ? 24'h800000 : polar_angle_n343[-1:-24]; // s24f24
@@ -2190,21 +2201,42 @@ module rotation_exact_polar_cordic (
     wire polar_angle_n345_over = ~polar_angle_n345_cut[3] & (|polar_angle_n345_cut[2]);
     wire polar_angle_n345_under = polar_angle_n345_cut[3] & ~(&polar_angle_n345_cut[2]);
     wire signed [2:-24] polar_angle_n345 = polar_angle_n345_over ? 27'h3ffffff : polar_angle_n345_under ? 27'h4000000 : polar_angle_n345_cut[2:-24]; // s27f24
-    wire signed [-3:-29] polar_angle_n350 = polar_angle_n345; // s27f29
+    wire signed [3:-24] polar_angle_n346_cut = polar_angle_n342[3:-24];
+    wire polar_angle_n346_over = ~polar_angle_n346_cut[3] & (|polar_angle_n346_cut[2]);
+    wire polar_angle_n346_under = polar_angle_n346_cut[3] & ~(&polar_angle_n346_cut[2]);
+    wire signed [2:-24] polar_angle_n346 = polar_angle_n346_over ? 27'h3ffffff : polar_angle_n346_under ? 27'h4000000 : polar_angle_n346_cut[2:-24]; // s27f24
+    wire polar_angle_n347 = polar_angle_n346[2]; // u1f0
+    wire polar_angle_n348 = polar_angle_n347 ^ azimuth_n76; // u1f0
+    wire signed [-2:-28] polar_angle_n349 = polar_angle_n346; // s27f28
+    wire signed [-2:-28] polar_angle_n350 = polar_angle_n345; // s27f28
+    wire [3:-28] polar_angle_n351_term = {{5{polar_angle_n349[-2]}}, polar_angle_n349} ^ {32{polar_angle_n347}};
+    wire signed [3:-28] polar_angle_n351 = {polar_angle_n345[2], polar_angle_n345, 4'h0} + polar_angle_n351_term + {31'h0, polar_angle_n347}; // s32f28
+    wire [3:-28] polar_angle_n352_term = {{5{polar_angle_n350[-2]}}, polar_angle_n350} ^ {32{polar_angle_n348}};
+    wire signed [3:-28] polar_angle_n352 = {polar_angle_n346[2], polar_angle_n346, 4'h0} + polar_angle_n352_term + {31'h0, polar_angle_n348}; // s32f28
+    wire [0:-24] polar_angle_n353_term = {azimuth_n128[-1], azimuth_n128} ^ {25{polar_angle_n347}};
+    wire signed [0:-24] polar_angle_n353 = {polar_angle_n344[-1], polar_angle_n344} + polar_angle_n353_term + {24'h0, polar_angle_n347}; // s25f24
+    wire polar_angle_n354_over = ~polar_angle_n353[0] & (|polar_angle_n353[-1]);
+    wire polar_angle_n354_under = polar_angle_n353[0] & ~(&polar_angle_n353[-1]);
+    wire signed [-1:-24] polar_angle_n354 = polar_angle_n354_over ? 24'h7fffff : polar_angle_n354_under ? 24'h800000 : polar_angle_n353[-1:-24]; // s24f24
+    wire signed [3:-24] polar_angle_n355_cut = polar_angle_n351[3:-24];
+    wire polar_angle_n355_over = ~polar_angle_n355_cut[3] & (|polar_angle_n355_cut[2]);
+    wire polar_angle_n355_under = polar_angle_n355_cut[3] & ~(&polar_angle_n355_cut[2]);
+    wire signed [2:-24] polar_angle_n355 = polar_angle_n355_over ? 27'h3ffffff : polar_angle_n355_under ? 27'h4000000 : polar_angle_n355_cut[2:-24]; // s27f24
+    wire signed [-3:-29] polar_angle_n360 = polar_angle_n355; // s27f29
 
-    reg polar_angle_n292_s18; // u1f0
-    reg signed [3:-28] polar_angle_n342_s18; // s32f28
-    reg signed [-1:-24] polar_angle_n344_s18; // s24f24
-    reg signed [2:-24] polar_angle_n345_s18; // s27f24
-    reg signed [-3:-29] polar_angle_n350_s18; // s27f29
+    reg polar_angle_n301_s18; // u1f0
+    reg signed [3:-28] polar_angle_n352_s18; // s32f28
+    reg signed [-1:-24] polar_angle_n354_s18; // s24f24
+    reg signed [2:-24] polar_angle_n355_s18; // s27f24
+    reg signed [-3:-29] polar_angle_n360_s18; // s27f29
     reg [-1:-16] phi_next_s18; // u16f16
     always @(posedge clk)
         if (ce) begin
-            polar_angle_n292_s18 <= polar_angle_n292_s17;
-            polar_angle_n342_s18 <= polar_angle_n342;
-            polar_angle_n344_s18 <= polar_angle_n344;
-            polar_angle_n345_s18 <= polar_angle_n345;
-            polar_angle_n350_s18 <= polar_angle_n350;
+            polar_angle_n301_s18 <= polar_angle_n301_s17;
+            polar_angle_n352_s18 <= polar_angle_n352;
+            polar_angle_n354_s18 <= polar_angle_n354;
+            polar_angle_n355_s18 <= polar_angle_n355;
+            polar_angle_n360_s18 <= polar_angle_n360;
             phi_next_s18 <= phi_next_s17;
         end
     reg valid_s18;
@@ -2214,72 +2246,22 @@ module rotation_exact_polar_cordic (
 
     // ---- stage 18 ----
     // polar_angle
-    wire signed [3:-24] polar_angle_n346_cut = polar_angle_n342_s18[3:-24];
-    wire polar_angle_n346_over = ~polar_angle_n346_cut[3] & (|polar_angle_n346_cut[2]);
-    wire polar_angle_n346_under = polar_angle_n346_cut[3] & ~(&polar_angle_n346_cut[2]);
-    wire signed [2:-24] polar_angle_n346 = polar_angle_n346_over ? 27'h3ffffff : polar_angle_n346_under ? 27'h4000000 : polar_angle_n346_cut[2:-24]; // s27f24
-    wire polar_angle_n347 = polar_angle_n346[2]; // u1f0
-    wire polar_angle_n348 = polar_angle_n347 ^ azimuth_n72; // u1f0
-    wire signed [-3:-29] polar_angle_n349 = polar_angle_n346; // s27f29
-    wire [3:-29] polar_angle_n351_term = {{6{polar_angle_n349[-3]}}, polar_angle_n349} ^ {33{polar_angle_n347}};
-    wire signed [3:-29] polar_angle_n351 = {polar_angle_n345_s18[2], polar_angle_n345_s18, 5'h0} + polar_angle_n351_term + {32'h0, polar_angle_n347}; // s33f29
-    wire [3:-29] polar_angle_n352_term = {{6{polar_angle_n350_s18[-3]}}, polar_angle_n350_s18} ^ {33{polar_angle_n348}};
-    wire signed [3:-29] polar_angle_n352 = {polar_angle_n346[2], polar_angle_n346, 5'h0} + polar_angle_n352_term + {32'h0, polar_angle_n348}; // s33f29
-    wire [0:-24] polar_angle_n353_term = {azimuth_n133[-1], azimuth_n133} ^ {25{polar_angle_n347}};
-    wire signed [0:-24] polar_angle_n353 = {polar_angle_n344_s18[-1], polar_angle_n344_s18} + polar_angle_n353_term + {24'h0, polar_angle_n347}; // s25f24
-    wire polar_angle_n354_over = ~polar_angle_n353[0] & (|polar_angle_n353[-1]);
-    wire polar_angle_n354_under = polar_angle_n353[0] & ~(&polar_angle_n353[-1]);
-    wire signed [-1:-24] polar_angle_n354 = polar_angle_n354_over ? 24'h7fffff : polar_angle_n354_under ? 24'h800000 : polar_angle_n353[-1:-24]; // s24f24
-    wire signed [3:-24] polar_angle_n355_cut = polar_angle_n351[3:-24];
-    wire polar_angle_n355_over = ~polar_angle_n355_cut[3] & (|polar_angle_n355_cut[2]);
-    wire polar_angle_n355_under = polar_angle_n355_cut[3] & ~(&polar_angle_n355_cut[2]);
-    wire signed [2:-24] polar_angle_n355 = polar_angle_n355_over ? 27'h3ffffff : polar_angle_n355_under ? 27'h4000000 : polar_angle_n355_cut[2:-24]; // s27f24
-    wire signed [3:-24] polar_angle_n356_cut = polar_angle_n352[3:-24];
+    wire signed [3:-24] polar_angle_n356_cut = polar_angle_n352_s18[3:-24];
     wire polar_angle_n356_over = ~polar_angle_n356_cut[3] & (|polar_angle_n356_cut[2]);
     wire polar_angle_n356_under = polar_angle_n356_cut[3] & ~(&polar_angle_n356_cut[2]);
     wire signed [2:-24] polar_angle_n356 = polar_angle_n356_over ? 27'h3ffffff : polar_angle_n356_under ? 27'h4000000 : polar_angle_n356_cut[2:-24]; // s27f24
     wire polar_angle_n357 = polar_angle_n356[2]; // u1f0
-    wire polar_angle_n358 = polar_angle_n357 ^ azimuth_n72; // u1f0
-    wire signed [-4:-30] polar_angle_n359 = polar_angle_n356; // s27f30
-    wire signed [-4:-30] polar_angle_n360 = polar_angle_n355; // s27f30
-    wire [0:-24] polar_angle_n363_term = {azimuth_n144[-1], azimuth_n144} ^ {25{polar_angle_n357}};
-    wire signed [0:-24] polar_angle_n363 = {polar_angle_n354[-1], polar_angle_n354} + polar_angle_n363_term + {24'h0, polar_angle_n357}; // s25f24
-
-    reg polar_angle_n292_s19; // u1f0
-    reg signed [2:-24] polar_angle_n355_s19; // s27f24
-    reg signed [2:-24] polar_angle_n356_s19; // s27f24
-    reg polar_angle_n357_s19; // u1f0
-    reg polar_angle_n358_s19; // u1f0
-    reg signed [-4:-30] polar_angle_n359_s19; // s27f30
-    reg signed [-4:-30] polar_angle_n360_s19; // s27f30
-    reg signed [0:-24] polar_angle_n363_s19; // s25f24
-    reg [-1:-16] phi_next_s19; // u16f16
-    always @(posedge clk)
-        if (ce) begin
-            polar_angle_n292_s19 <= polar_angle_n292_s18;
-            polar_angle_n355_s19 <= polar_angle_n355;
-            polar_angle_n356_s19 <= polar_angle_n356;
-            polar_angle_n357_s19 <= polar_angle_n357;
-            polar_angle_n358_s19 <= polar_angle_n358;
-            polar_angle_n359_s19 <= polar_angle_n359;
-            polar_angle_n360_s19 <= polar_angle_n360;
-            polar_angle_n363_s19 <= polar_angle_n363;
-            phi_next_s19 <= phi_next_s18;
-        end
-    reg valid_s19;
-    always @(posedge clk)
-        if (rst) valid_s19 <= 1'b0;
-        else if (ce) valid_s19 <= valid_s18;
-
-    // ---- stage 19 ----
-    // polar_angle
-    wire [3:-30] polar_angle_n361_term = {{7{polar_angle_n359_s19[-4]}}, polar_angle_n359_s19} ^ {34{polar_angle_n357_s19}};
-    wire signed [3:-30] polar_angle_n361 = {polar_angle_n355_s19[2], polar_angle_n355_s19, 6'h0} + polar_angle_n361_term + {33'h0, polar_angle_n357_s19}; // s34f30
-    wire [3:-30] polar_angle_n362_term = {{7{polar_angle_n360_s19[-4]}}, polar_angle_n360_s19} ^ {34{polar_angle_n358_s19}};
-    wire signed [3:-30] polar_angle_n362 = {polar_angle_n356_s19[2], polar_angle_n356_s19, 6'h0} + polar_angle_n362_term + {33'h0, polar_angle_n358_s19}; // s34f30
-    wire polar_angle_n364_over = ~polar_angle_n363_s19[0] & (|polar_angle_n363_s19[-1]);
-    wire polar_angle_n364_under = polar_angle_n363_s19[0] & ~(&polar_angle_n363_s19[-1]);
-    wire signed [-1:-24] polar_angle_n364 = polar_angle_n364_over ? 24'h7fffff : polar_angle_n364_under ? 24'h800000 : polar_angle_n363_s19[-1:-24]; // s24f24
+    wire polar_angle_n358 = polar_angle_n357 ^ azimuth_n76; // u1f0
+    wire signed [-3:-29] polar_angle_n359 = polar_angle_n356; // s27f29
+    wire [3:-29] polar_angle_n361_term = {{6{polar_angle_n359[-3]}}, polar_angle_n359} ^ {33{polar_angle_n357}};
+    wire signed [3:-29] polar_angle_n361 = {polar_angle_n355_s18[2], polar_angle_n355_s18, 5'h0} + polar_angle_n361_term + {32'h0, polar_angle_n357}; // s33f29
+    wire [3:-29] polar_angle_n362_term = {{6{polar_angle_n360_s18[-3]}}, polar_angle_n360_s18} ^ {33{polar_angle_n358}};
+    wire signed [3:-29] polar_angle_n362 = {polar_angle_n356[2], polar_angle_n356, 5'h0} + polar_angle_n362_term + {32'h0, polar_angle_n358}; // s33f29
+    wire [0:-24] polar_angle_n363_term = {azimuth_n139[-1], azimuth_n139} ^ {25{polar_angle_n357}};
+    wire signed [0:-24] polar_angle_n363 = {polar_angle_n354_s18[-1], polar_angle_n354_s18} + polar_angle_n363_term + {24'h0, polar_angle_n357}; // s25f24
+    wire polar_angle_n364_over = ~polar_angle_n363[0] & (|polar_angle_n363[-1]);
+    wire polar_angle_n364_under = polar_angle_n363[0] & ~(&polar_angle_n363[-1]);
+    wire signed [-1:-24] polar_angle_n364 = polar_angle_n364_over ? 24'h7fffff : polar_angle_n364_under ? 24'h800000 : polar_angle_n363[-1:-24]; // s24f24
     wire signed [3:-24] polar_angle_n365_cut = polar_angle_n361[3:-24];
     wire polar_angle_n365_over = ~polar_angle_n365_cut[3] & (|polar_angle_n365_cut[2]);
     wire polar_angle_n365_under = polar_angle_n365_cut[3] & ~(&polar_angle_n365_cut[2]);
@@ -2289,37 +2271,87 @@ module rotation_exact_polar_cordic (
     wire polar_angle_n366_under = polar_angle_n366_cut[3] & ~(&polar_angle_n366_cut[2]);
     wire signed [2:-24] polar_angle_n366 = polar_angle_n366_over ? 27'h3ffffff : polar_angle_n366_under ? 27'h4000000 : polar_angle_n366_cut[2:-24]; // s27f24
     wire polar_angle_n367 = polar_angle_n366[2]; // u1f0
-    wire polar_angle_n368 = polar_angle_n367 ^ azimuth_n72; // u1f0
-    wire signed [-5:-31] polar_angle_n369 = polar_angle_n366; // s27f31
-    wire signed [-5:-31] polar_angle_n370 = polar_angle_n365; // s27f31
-    wire [3:-31] polar_angle_n371_term = {{8{polar_angle_n369[-5]}}, polar_angle_n369} ^ {35{polar_angle_n367}};
-    wire signed [3:-31] polar_angle_n371 = {polar_angle_n365[2], polar_angle_n365, 7'h0} + polar_angle_n371_term + {34'h0, polar_angle_n367}; // s35f31
-    wire [3:-31] polar_angle_n372_term = {{8{polar_angle_n370[-5]}}, polar_angle_n370} ^ {35{polar_angle_n368}};
-    wire signed [3:-31] polar_angle_n372 = {polar_angle_n366[2], polar_angle_n366, 7'h0} + polar_angle_n372_term + {34'h0, polar_angle_n368}; // s35f31
-    wire [0:-24] polar_angle_n373_term = {azimuth_n155[-1], azimuth_n155} ^ {25{polar_angle_n367}};
+    wire polar_angle_n368 = polar_angle_n367 ^ azimuth_n76; // u1f0
+    wire signed [-4:-30] polar_angle_n369 = polar_angle_n366; // s27f30
+    wire signed [-4:-30] polar_angle_n370 = polar_angle_n365; // s27f30
+    wire [0:-24] polar_angle_n373_term = {azimuth_n150[-1], azimuth_n150} ^ {25{polar_angle_n367}};
     wire signed [0:-24] polar_angle_n373 = {polar_angle_n364[-1], polar_angle_n364} + polar_angle_n373_term + {24'h0, polar_angle_n367}; // s25f24
-    wire polar_angle_n374_over = ~polar_angle_n373[0] & (|polar_angle_n373[-1]);
-    wire polar_angle_n374_under = polar_angle_n373[0] & ~(&polar_angle_n373[-1]);
-    wire signed [-1:-24] polar_angle_n374 = polar_angle_n374_over ? 24'h7fffff : polar_angle_n374_under ? 24'h800000 : polar_angle_n373[-1:-24]; // s24f24
+
+    reg polar_angle_n301_s19; // u1f0
+    reg signed [2:-24] polar_angle_n365_s19; // s27f24
+    reg signed [2:-24] polar_angle_n366_s19; // s27f24
+    reg polar_angle_n367_s19; // u1f0
+    reg polar_angle_n368_s19; // u1f0
+    reg signed [-4:-30] polar_angle_n369_s19; // s27f30
+    reg signed [-4:-30] polar_angle_n370_s19; // s27f30
+    reg signed [0:-24] polar_angle_n373_s19; // s25f24
+    reg [-1:-16] phi_next_s19; // u16f16
+    always @(posedge clk)
+        if (ce) begin
+            polar_angle_n301_s19 <= polar_angle_n301_s18;
+            polar_angle_n365_s19 <= polar_angle_n365;
+            polar_angle_n366_s19 <= polar_angle_n366;
+            polar_angle_n367_s19 <= polar_angle_n367;
+            polar_angle_n368_s19 <= polar_angle_n368;
+            polar_angle_n369_s19 <= polar_angle_n369;
+            polar_angle_n370_s19 <= polar_angle_n370;
+            polar_angle_n373_s19 <= polar_angle_n373;
+            phi_next_s19 <= phi_next_s18;
+        end
+    reg valid_s19;
+    always @(posedge clk)
+        if (rst) valid_s19 <= 1'b0;
+        else if (ce) valid_s19 <= valid_s18;
+
+    // ---- stage 19 ----
+    // polar_angle
+    wire [3:-30] polar_angle_n371_term = {{7{polar_angle_n369_s19[-4]}}, polar_angle_n369_s19} ^ {34{polar_angle_n367_s19}};
+    wire signed [3:-30] polar_angle_n371 = {polar_angle_n365_s19[2], polar_angle_n365_s19, 6'h0} + polar_angle_n371_term + {33'h0, polar_angle_n367_s19}; // s34f30
+    wire [3:-30] polar_angle_n372_term = {{7{polar_angle_n370_s19[-4]}}, polar_angle_n370_s19} ^ {34{polar_angle_n368_s19}};
+    wire signed [3:-30] polar_angle_n372 = {polar_angle_n366_s19[2], polar_angle_n366_s19, 6'h0} + polar_angle_n372_term + {33'h0, polar_angle_n368_s19}; // s34f30
+    wire polar_angle_n374_over = ~polar_angle_n373_s19[0] & (|polar_angle_n373_s19[-1]);
+    wire polar_angle_n374_under = polar_angle_n373_s19[0] & ~(&polar_angle_n373_s19[-1]);
+    wire signed [-1:-24] polar_angle_n374 = polar_angle_n374_over ? 24'h7fffff : polar_angle_n374_under ? 24'h800000 : polar_angle_n373_s19[-1:-24]; // s24f24
     wire signed [3:-24] polar_angle_n375_cut = polar_angle_n371[3:-24];
     wire polar_angle_n375_over = ~polar_angle_n375_cut[3] & (|polar_angle_n375_cut[2]);
     wire polar_angle_n375_under = polar_angle_n375_cut[3] & ~(&polar_angle_n375_cut[2]);
     wire signed [2:-24] polar_angle_n375 = polar_angle_n375_over ? 27'h3ffffff : polar_angle_n375_under ? 27'h4000000 : polar_angle_n375_cut[2:-24]; // s27f24
-    wire signed [-6:-32] polar_angle_n380 = polar_angle_n375; // s27f32
+    wire signed [3:-24] polar_angle_n376_cut = polar_angle_n372[3:-24];
+    wire polar_angle_n376_over = ~polar_angle_n376_cut[3] & (|polar_angle_n376_cut[2]);
+    wire polar_angle_n376_under = polar_angle_n376_cut[3] & ~(&polar_angle_n376_cut[2]);
+    wire signed [2:-24] polar_angle_n376 = polar_angle_n376_over ? 27'h3ffffff : polar_angle_n376_under ? 27'h4000000 : polar_angle_n376_cut[2:-24]; // s27f24
+    wire polar_angle_n377 = polar_angle_n376[2]; // u1f0
+    wire polar_angle_n378 = polar_angle_n377 ^ azimuth_n76; // u1f0
+    wire signed [-5:-31] polar_angle_n379 = polar_angle_n376; // s27f31
+    wire signed [-5:-31] polar_angle_n380 = polar_angle_n375; // s27f31
+    wire [3:-31] polar_angle_n381_term = {{8{polar_angle_n379[-5]}}, polar_angle_n379} ^ {35{polar_angle_n377}};
+    wire signed [3:-31] polar_angle_n381 = {polar_angle_n375[2], polar_angle_n375, 7'h0} + polar_angle_n381_term + {34'h0, polar_angle_n377}; // s35f31
+    wire [3:-31] polar_angle_n382_term = {{8{polar_angle_n380[-5]}}, polar_angle_n380} ^ {35{polar_angle_n378}};
+    wire signed [3:-31] polar_angle_n382 = {polar_angle_n376[2], polar_angle_n376, 7'h0} + polar_angle_n382_term + {34'h0, polar_angle_n378}; // s35f31
+    wire [0:-24] polar_angle_n383_term = {azimuth_n161[-1], azimuth_n161} ^ {25{polar_angle_n377}};
+    wire signed [0:-24] polar_angle_n383 = {polar_angle_n374[-1], polar_angle_n374} + polar_angle_n383_term + {24'h0, polar_angle_n377}; // s25f24
+    wire polar_angle_n384_over = ~polar_angle_n383[0] & (|polar_angle_n383[-1]);
+    wire polar_angle_n384_under = polar_angle_n383[0] & ~(&polar_angle_n383[-1]);
+    wire signed [-1:-24] polar_angle_n384 = polar_angle_n384_over ? 24'h7fffff : polar_angle_n384_under ? 24'h800000 : polar_angle_n383[-1:-24]; // s24f24
+    wire signed [3:-24] polar_angle_n385_cut = polar_angle_n381[3:-24];
+    wire polar_angle_n385_over = ~polar_angle_n385_cut[3] & (|polar_angle_n385_cut[2]);
+    wire polar_angle_n385_under = polar_angle_n385_cut[3] & ~(&polar_angle_n385_cut[2]);
+    wire signed [2:-24] polar_angle_n385 = polar_angle_n385_over ? 27'h3ffffff : polar_angle_n385_under ? 27'h4000000 : polar_angle_n385_cut[2:-24]; // s27f24
+    wire signed [-6:-32] polar_angle_n390 = polar_angle_n385; // s27f32
 
-    reg polar_angle_n292_s20; // u1f0
-    reg signed [3:-31] polar_angle_n372_s20; // s35f31
-    reg signed [-1:-24] polar_angle_n374_s20; // s24f24
-    reg signed [2:-24] polar_angle_n375_s20; // s27f24
-    reg signed [-6:-32] polar_angle_n380_s20; // s27f32
+    reg polar_angle_n301_s20; // u1f0
+    reg signed [3:-31] polar_angle_n382_s20; // s35f31
+    reg signed [-1:-24] polar_angle_n384_s20; // s24f24
+    reg signed [2:-24] polar_angle_n385_s20; // s27f24
+    reg signed [-6:-32] polar_angle_n390_s20; // s27f32
     reg [-1:-16] phi_next_s20; // u16f16
     always @(posedge clk)
         if (ce) begin
-            polar_angle_n292_s20 <= polar_angle_n292_s19;
-            polar_angle_n372_s20 <= polar_angle_n372;
-            polar_angle_n374_s20 <= polar_angle_n374;
-            polar_angle_n375_s20 <= polar_angle_n375;
-            polar_angle_n380_s20 <= polar_angle_n380;
+            polar_angle_n301_s20 <= polar_angle_n301_s19;
+            polar_angle_n382_s20 <= polar_angle_n382;
+            polar_angle_n384_s20 <= polar_angle_n384;
+            polar_angle_n385_s20 <= polar_angle_n385;
+            polar_angle_n390_s20 <= polar_angle_n390;
             phi_next_s20 <= phi_next_s19;
         end
     reg valid_s20;
@@ -2329,72 +2361,22 @@ module rotation_exact_polar_cordic (
 
     // ---- stage 20 ----
     // polar_angle
-    wire signed [3:-24] polar_angle_n376_cut = polar_angle_n372_s20[3:-24];
-    wire polar_angle_n376_over = ~polar_angle_n376_cut[3] & (|polar_angle_n376_cut[2]);
-    wire polar_angle_n376_under = polar_angle_n376_cut[3] & ~(&polar_angle_n376_cut[2]);
-    wire signed [2:-24] polar_angle_n376 = polar_angle_n376_over ? 27'h3ffffff : polar_angle_n376_under ? 27'h4000000 : polar_angle_n376_cut[2:-24]; // s27f24
-    wire polar_angle_n377 = polar_angle_n376[2]; // u1f0
-    wire polar_angle_n378 = polar_angle_n377 ^ azimuth_n72; // u1f0
-    wire signed [-6:-32] polar_angle_n379 = polar_angle_n376; // s27f32
-    wire [3:-32] polar_angle_n381_term = {{9{polar_angle_n379[-6]}}, polar_angle_n379} ^ {36{polar_angle_n377}};
-    wire signed [3:-32] polar_angle_n381 = {polar_angle_n375_s20[2], polar_angle_n375_s20, 8'h0} + polar_angle_n381_term + {35'h0, polar_angle_n377}; // s36f32
-    wire [3:-32] polar_angle_n382_term = {{9{polar_angle_n380_s20[-6]}}, polar_angle_n380_s20} ^ {36{polar_angle_n378}};
-    wire signed [3:-32] polar_angle_n382 = {polar_angle_n376[2], polar_angle_n376, 8'h0} + polar_angle_n382_term + {35'h0, polar_angle_n378}; // s36f32
-    wire [0:-24] polar_angle_n383_term = {azimuth_n166[-1], azimuth_n166} ^ {25{polar_angle_n377}};
-    wire signed [0:-24] polar_angle_n383 = {polar_angle_n374_s20[-1], polar_angle_n374_s20} + polar_angle_n383_term + {24'h0, polar_angle_n377}; // s25f24
-    wire polar_angle_n384_over = ~polar_angle_n383[0] & (|polar_angle_n383[-1]);
-    wire polar_angle_n384_under = polar_angle_n383[0] & ~(&polar_angle_n383[-1]);
-    wire signed [-1:-24] polar_angle_n384 = polar_angle_n384_over ? 24'h7fffff : polar_angle_n384_under ? 24'h800000 : polar_angle_n383[-1:-24]; // s24f24
-    wire signed [3:-24] polar_angle_n385_cut = polar_angle_n381[3:-24];
-    wire polar_angle_n385_over = ~polar_angle_n385_cut[3] & (|polar_angle_n385_cut[2]);
-    wire polar_angle_n385_under = polar_angle_n385_cut[3] & ~(&polar_angle_n385_cut[2]);
-    wire signed [2:-24] polar_angle_n385 = polar_angle_n385_over ? 27'h3ffffff : polar_angle_n385_under ? 27'h4000000 : polar_angle_n385_cut[2:-24]; // s27f24
-    wire signed [3:-24] polar_angle_n386_cut = polar_angle_n382[3:-24];
+    wire signed [3:-24] polar_angle_n386_cut = polar_angle_n382_s20[3:-24];
     wire polar_angle_n386_over = ~polar_angle_n386_cut[3] & (|polar_angle_n386_cut[2]);
     wire polar_angle_n386_under = polar_angle_n386_cut[3] & ~(&polar_angle_n386_cut[2]);
     wire signed [2:-24] polar_angle_n386 = polar_angle_n386_over ? 27'h3ffffff : polar_angle_n386_under ? 27'h4000000 : polar_angle_n386_cut[2:-24]; // s27f24
     wire polar_angle_n387 = polar_angle_n386[2]; // u1f0
-    wire polar_angle_n388 = polar_angle_n387 ^ azimuth_n72; // u1f0
-    wire signed [-7:-33] polar_angle_n389 = polar_angle_n386; // s27f33
-    wire signed [-7:-33] polar_angle_n390 = polar_angle_n385; // s27f33
-    wire [0:-24] polar_angle_n393_term = {azimuth_n177[-1], azimuth_n177} ^ {25{polar_angle_n387}};
-    wire signed [0:-24] polar_angle_n393 = {polar_angle_n384[-1], polar_angle_n384} + polar_angle_n393_term + {24'h0, polar_angle_n387}; // s25f24
-
-    reg polar_angle_n292_s21; // u1f0
-    reg signed [2:-24] polar_angle_n385_s21; // s27f24
-    reg signed [2:-24] polar_angle_n386_s21; // s27f24
-    reg polar_angle_n387_s21; // u1f0
-    reg polar_angle_n388_s21; // u1f0
-    reg signed [-7:-33] polar_angle_n389_s21; // s27f33
-    reg signed [-7:-33] polar_angle_n390_s21; // s27f33
-    reg signed [0:-24] polar_angle_n393_s21; // s25f24
-    reg [-1:-16] phi_next_s21; // u16f16
-    always @(posedge clk)
-        if (ce) begin
-            polar_angle_n292_s21 <= polar_angle_n292_s20;
-            polar_angle_n385_s21 <= polar_angle_n385;
-            polar_angle_n386_s21 <= polar_angle_n386;
-            polar_angle_n387_s21 <= polar_angle_n387;
-            polar_angle_n388_s21 <= polar_angle_n388;
-            polar_angle_n389_s21 <= polar_angle_n389;
-            polar_angle_n390_s21 <= polar_angle_n390;
-            polar_angle_n393_s21 <= polar_angle_n393;
-            phi_next_s21 <= phi_next_s20;
-        end
-    reg valid_s21;
-    always @(posedge clk)
-        if (rst) valid_s21 <= 1'b0;
-        else if (ce) valid_s21 <= valid_s20;
-
-    // ---- stage 21 ----
-    // polar_angle
-    wire [3:-33] polar_angle_n391_term = {{10{polar_angle_n389_s21[-7]}}, polar_angle_n389_s21} ^ {37{polar_angle_n387_s21}};
-    wire signed [3:-33] polar_angle_n391 = {polar_angle_n385_s21[2], polar_angle_n385_s21, 9'h0} + polar_angle_n391_term + {36'h0, polar_angle_n387_s21}; // s37f33
-    wire [3:-33] polar_angle_n392_term = {{10{polar_angle_n390_s21[-7]}}, polar_angle_n390_s21} ^ {37{polar_angle_n388_s21}};
-    wire signed [3:-33] polar_angle_n392 = {polar_angle_n386_s21[2], polar_angle_n386_s21, 9'h0} + polar_angle_n392_term + {36'h0, polar_angle_n388_s21}; // s37f33
-    wire polar_angle_n394_over = ~polar_angle_n393_s21[0] & (|polar_angle_n393_s21[-1]);
-    wire polar_angle_n394_under = polar_angle_n393_s21[0] & ~(&polar_angle_n393_s21[-1]);
-    wire signed [-1:-24] polar_angle_n394 = polar_angle_n394_over ? 24'h7fffff : polar_angle_n394_under ? 24'h800000 : polar_angle_n393_s21[-1:-24]; // s24f24
+    wire polar_angle_n388 = polar_angle_n387 ^ azimuth_n76; // u1f0
+    wire signed [-6:-32] polar_angle_n389 = polar_angle_n386; // s27f32
+    wire [3:-32] polar_angle_n391_term = {{9{polar_angle_n389[-6]}}, polar_angle_n389} ^ {36{polar_angle_n387}};
+    wire signed [3:-32] polar_angle_n391 = {polar_angle_n385_s20[2], polar_angle_n385_s20, 8'h0} + polar_angle_n391_term + {35'h0, polar_angle_n387}; // s36f32
+    wire [3:-32] polar_angle_n392_term = {{9{polar_angle_n390_s20[-6]}}, polar_angle_n390_s20} ^ {36{polar_angle_n388}};
+    wire signed [3:-32] polar_angle_n392 = {polar_angle_n386[2], polar_angle_n386, 8'h0} + polar_angle_n392_term + {35'h0, polar_angle_n388}; // s36f32
+    wire [0:-24] polar_angle_n393_term = {azimuth_n172[-1], azimuth_n172} ^ {25{polar_angle_n387}};
+    wire signed [0:-24] polar_angle_n393 = {polar_angle_n384_s20[-1], polar_angle_n384_s20} + polar_angle_n393_term + {24'h0, polar_angle_n387}; // s25f24
+    wire polar_angle_n394_over = ~polar_angle_n393[0] & (|polar_angle_n393[-1]);
+    wire polar_angle_n394_under = polar_angle_n393[0] & ~(&polar_angle_n393[-1]);
+    wire signed [-1:-24] polar_angle_n394 = polar_angle_n394_over ? 24'h7fffff : polar_angle_n394_under ? 24'h800000 : polar_angle_n393[-1:-24]; // s24f24
     wire signed [3:-24] polar_angle_n395_cut = polar_angle_n391[3:-24];
     wire polar_angle_n395_over = ~polar_angle_n395_cut[3] & (|polar_angle_n395_cut[2]);
     wire polar_angle_n395_under = polar_angle_n395_cut[3] & ~(&polar_angle_n395_cut[2]);
@@ -2404,37 +2386,87 @@ module rotation_exact_polar_cordic (
     wire polar_angle_n396_under = polar_angle_n396_cut[3] & ~(&polar_angle_n396_cut[2]);
     wire signed [2:-24] polar_angle_n396 = polar_angle_n396_over ? 27'h3ffffff : polar_angle_n396_under ? 27'h4000000 : polar_angle_n396_cut[2:-24]; // s27f24
     wire polar_angle_n397 = polar_angle_n396[2]; // u1f0
-    wire polar_angle_n398 = polar_angle_n397 ^ azimuth_n72; // u1f0
-    wire signed [-8:-34] polar_angle_n399 = polar_angle_n396; // s27f34
-    wire signed [-8:-34] polar_angle_n400 = polar_angle_n395; // s27f34
-    wire [3:-34] polar_angle_n401_term = {{11{polar_angle_n399[-8]}}, polar_angle_n399} ^ {38{polar_angle_n397}};
-    wire signed [3:-34] polar_angle_n401 = {polar_angle_n395[2], polar_angle_n395, 10'h0} + polar_angle_n401_term + {37'h0, polar_angle_n397}; // s38f34
-    wire [3:-34] polar_angle_n402_term = {{11{polar_angle_n400[-8]}}, polar_angle_n400} ^ {38{polar_angle_n398}};
-    wire signed [3:-34] polar_angle_n402 = {polar_angle_n396[2], polar_angle_n396, 10'h0} + polar_angle_n402_term + {37'h0, polar_angle_n398}; // s38f34
-    wire [0:-24] polar_angle_n403_term = {azimuth_n188[-1], azimuth_n188} ^ {25{polar_angle_n397}};
+    wire polar_angle_n398 = polar_angle_n397 ^ azimuth_n76; // u1f0
+    wire signed [-7:-33] polar_angle_n399 = polar_angle_n396; // s27f33
+    wire signed [-7:-33] polar_angle_n400 = polar_angle_n395; // s27f33
+    wire [0:-24] polar_angle_n403_term = {azimuth_n183[-1], azimuth_n183} ^ {25{polar_angle_n397}};
     wire signed [0:-24] polar_angle_n403 = {polar_angle_n394[-1], polar_angle_n394} + polar_angle_n403_term + {24'h0, polar_angle_n397}; // s25f24
-    wire polar_angle_n404_over = ~polar_angle_n403[0] & (|polar_angle_n403[-1]);
-    wire polar_angle_n404_under = polar_angle_n403[0] & ~(&polar_angle_n403[-1]);
-    wire signed [-1:-24] polar_angle_n404 = polar_angle_n404_over ? 24'h7fffff : polar_angle_n404_under ? 24'h800000 : polar_angle_n403[-1:-24]; // s24f24
+
+    reg polar_angle_n301_s21; // u1f0
+    reg signed [2:-24] polar_angle_n395_s21; // s27f24
+    reg signed [2:-24] polar_angle_n396_s21; // s27f24
+    reg polar_angle_n397_s21; // u1f0
+    reg polar_angle_n398_s21; // u1f0
+    reg signed [-7:-33] polar_angle_n399_s21; // s27f33
+    reg signed [-7:-33] polar_angle_n400_s21; // s27f33
+    reg signed [0:-24] polar_angle_n403_s21; // s25f24
+    reg [-1:-16] phi_next_s21; // u16f16
+    always @(posedge clk)
+        if (ce) begin
+            polar_angle_n301_s21 <= polar_angle_n301_s20;
+            polar_angle_n395_s21 <= polar_angle_n395;
+            polar_angle_n396_s21 <= polar_angle_n396;
+            polar_angle_n397_s21 <= polar_angle_n397;
+            polar_angle_n398_s21 <= polar_angle_n398;
+            polar_angle_n399_s21 <= polar_angle_n399;
+            polar_angle_n400_s21 <= polar_angle_n400;
+            polar_angle_n403_s21 <= polar_angle_n403;
+            phi_next_s21 <= phi_next_s20;
+        end
+    reg valid_s21;
+    always @(posedge clk)
+        if (rst) valid_s21 <= 1'b0;
+        else if (ce) valid_s21 <= valid_s20;
+
+    // ---- stage 21 ----
+    // polar_angle
+    wire [3:-33] polar_angle_n401_term = {{10{polar_angle_n399_s21[-7]}}, polar_angle_n399_s21} ^ {37{polar_angle_n397_s21}};
+    wire signed [3:-33] polar_angle_n401 = {polar_angle_n395_s21[2], polar_angle_n395_s21, 9'h0} + polar_angle_n401_term + {36'h0, polar_angle_n397_s21}; // s37f33
+    wire [3:-33] polar_angle_n402_term = {{10{polar_angle_n400_s21[-7]}}, polar_angle_n400_s21} ^ {37{polar_angle_n398_s21}};
+    wire signed [3:-33] polar_angle_n402 = {polar_angle_n396_s21[2], polar_angle_n396_s21, 9'h0} + polar_angle_n402_term + {36'h0, polar_angle_n398_s21}; // s37f33
+    wire polar_angle_n404_over = ~polar_angle_n403_s21[0] & (|polar_angle_n403_s21[-1]);
+    wire polar_angle_n404_under = polar_angle_n403_s21[0] & ~(&polar_angle_n403_s21[-1]);
+    wire signed [-1:-24] polar_angle_n404 = polar_angle_n404_over ? 24'h7fffff : polar_angle_n404_under ? 24'h800000 : polar_angle_n403_s21[-1:-24]; // s24f24
     wire signed [3:-24] polar_angle_n405_cut = polar_angle_n401[3:-24];
     wire polar_angle_n405_over = ~polar_angle_n405_cut[3] & (|polar_angle_n405_cut[2]);
     wire polar_angle_n405_under = polar_angle_n405_cut[3] & ~(&polar_angle_n405_cut[2]);
     wire signed [2:-24] polar_angle_n405 = polar_angle_n405_over ? 27'h3ffffff : polar_angle_n405_under ? 27'h4000000 : polar_angle_n405_cut[2:-24]; // s27f24
-    wire signed [-9:-35] polar_angle_n410 = polar_angle_n405; // s27f35
+    wire signed [3:-24] polar_angle_n406_cut = polar_angle_n402[3:-24];
+    wire polar_angle_n406_over = ~polar_angle_n406_cut[3] & (|polar_angle_n406_cut[2]);
+    wire polar_angle_n406_under = polar_angle_n406_cut[3] & ~(&polar_angle_n406_cut[2]);
+    wire signed [2:-24] polar_angle_n406 = polar_angle_n406_over ? 27'h3ffffff : polar_angle_n406_under ? 27'h4000000 : polar_angle_n406_cut[2:-24]; // s27f24
+    wire polar_angle_n407 = polar_angle_n406[2]; // u1f0
+    wire polar_angle_n408 = polar_angle_n407 ^ azimuth_n76; // u1f0
+    wire signed [-8:-34] polar_angle_n409 = polar_angle_n406; // s27f34
+    wire signed [-8:-34] polar_angle_n410 = polar_angle_n405; // s27f34
+    wire [3:-34] polar_angle_n411_term = {{11{polar_angle_n409[-8]}}, polar_angle_n409} ^ {38{polar_angle_n407}};
+    wire signed [3:-34] polar_angle_n411 = {polar_angle_n405[2], polar_angle_n405, 10'h0} + polar_angle_n411_term + {37'h0, polar_angle_n407}; // s38f34
+    wire [3:-34] polar_angle_n412_term = {{11{polar_angle_n410[-8]}}, polar_angle_n410} ^ {38{polar_angle_n408}};
+    wire signed [3:-34] polar_angle_n412 = {polar_angle_n406[2], polar_angle_n406, 10'h0} + polar_angle_n412_term + {37'h0, polar_angle_n408}; // s38f34
+    wire [0:-24] polar_angle_n413_term = {azimuth_n194[-1], azimuth_n194} ^ {25{polar_angle_n407}};
+    wire signed [0:-24] polar_angle_n413 = {polar_angle_n404[-1], polar_angle_n404} + polar_angle_n413_term + {24'h0, polar_angle_n407}; // s25f24
+    wire polar_angle_n414_over = ~polar_angle_n413[0] & (|polar_angle_n413[-1]);
+    wire polar_angle_n414_under = polar_angle_n413[0] & ~(&polar_angle_n413[-1]);
+    wire signed [-1:-24] polar_angle_n414 = polar_angle_n414_over ? 24'h7fffff : polar_angle_n414_under ? 24'h800000 : polar_angle_n413[-1:-24]; // s24f24
+    wire signed [3:-24] polar_angle_n415_cut = polar_angle_n411[3:-24];
+    wire polar_angle_n415_over = ~polar_angle_n415_cut[3] & (|polar_angle_n415_cut[2]);
+    wire polar_angle_n415_under = polar_angle_n415_cut[3] & ~(&polar_angle_n415_cut[2]);
+    wire signed [2:-24] polar_angle_n415 = polar_angle_n415_over ? 27'h3ffffff : polar_angle_n415_under ? 27'h4000000 : polar_angle_n415_cut[2:-24]; // s27f24
+    wire signed [-9:-35] polar_angle_n420 = polar_angle_n415; // s27f35
 
-    reg polar_angle_n292_s22; // u1f0
-    reg signed [3:-34] polar_angle_n402_s22; // s38f34
-    reg signed [-1:-24] polar_angle_n404_s22; // s24f24
-    reg signed [2:-24] polar_angle_n405_s22; // s27f24
-    reg signed [-9:-35] polar_angle_n410_s22; // s27f35
+    reg polar_angle_n301_s22; // u1f0
+    reg signed [3:-34] polar_angle_n412_s22; // s38f34
+    reg signed [-1:-24] polar_angle_n414_s22; // s24f24
+    reg signed [2:-24] polar_angle_n415_s22; // s27f24
+    reg signed [-9:-35] polar_angle_n420_s22; // s27f35
     reg [-1:-16] phi_next_s22; // u16f16
     always @(posedge clk)
         if (ce) begin
-            polar_angle_n292_s22 <= polar_angle_n292_s21;
-            polar_angle_n402_s22 <= polar_angle_n402;
-            polar_angle_n404_s22 <= polar_angle_n404;
-            polar_angle_n405_s22 <= polar_angle_n405;
-            polar_angle_n410_s22 <= polar_angle_n410;
+            polar_angle_n301_s22 <= polar_angle_n301_s21;
+            polar_angle_n412_s22 <= polar_angle_n412;
+            polar_angle_n414_s22 <= polar_angle_n414;
+            polar_angle_n415_s22 <= polar_angle_n415;
+            polar_angle_n420_s22 <= polar_angle_n420;
             phi_next_s22 <= phi_next_s21;
         end
     reg valid_s22;
@@ -2444,72 +2476,22 @@ module rotation_exact_polar_cordic (
 
     // ---- stage 22 ----
     // polar_angle
-    wire signed [3:-24] polar_angle_n406_cut = polar_angle_n402_s22[3:-24];
-    wire polar_angle_n406_over = ~polar_angle_n406_cut[3] & (|polar_angle_n406_cut[2]);
-    wire polar_angle_n406_under = polar_angle_n406_cut[3] & ~(&polar_angle_n406_cut[2]);
-    wire signed [2:-24] polar_angle_n406 = polar_angle_n406_over ? 27'h3ffffff : polar_angle_n406_under ? 27'h4000000 : polar_angle_n406_cut[2:-24]; // s27f24
-    wire polar_angle_n407 = polar_angle_n406[2]; // u1f0
-    wire polar_angle_n408 = polar_angle_n407 ^ azimuth_n72; // u1f0
-    wire signed [-9:-35] polar_angle_n409 = polar_angle_n406; // s27f35
-    wire [3:-35] polar_angle_n411_term = {{12{polar_angle_n409[-9]}}, polar_angle_n409} ^ {39{polar_angle_n407}};
-    wire signed [3:-35] polar_angle_n411 = {polar_angle_n405_s22[2], polar_angle_n405_s22, 11'h0} + polar_angle_n411_term + {38'h0, polar_angle_n407}; // s39f35
-    wire [3:-35] polar_angle_n412_term = {{12{polar_angle_n410_s22[-9]}}, polar_angle_n410_s22} ^ {39{polar_angle_n408}};
-    wire signed [3:-35] polar_angle_n412 = {polar_angle_n406[2], polar_angle_n406, 11'h0} + polar_angle_n412_term + {38'h0, polar_angle_n408}; // s39f35
-    wire [0:-24] polar_angle_n413_term = {azimuth_n199[-1], azimuth_n199} ^ {25{polar_angle_n407}};
-    wire signed [0:-24] polar_angle_n413 = {polar_angle_n404_s22[-1], polar_angle_n404_s22} + polar_angle_n413_term + {24'h0, polar_angle_n407}; // s25f24
-    wire polar_angle_n414_over = ~polar_angle_n413[0] & (|polar_angle_n413[-1]);
-    wire polar_angle_n414_under = polar_angle_n413[0] & ~(&polar_angle_n413[-1]);
-    wire signed [-1:-24] polar_angle_n414 = polar_angle_n414_over ? 24'h7fffff : polar_angle_n414_under ? 24'h800000 : polar_angle_n413[-1:-24]; // s24f24
-    wire signed [3:-24] polar_angle_n415_cut = polar_angle_n411[3:-24];
-    wire polar_angle_n415_over = ~polar_angle_n415_cut[3] & (|polar_angle_n415_cut[2]);
-    wire polar_angle_n415_under = polar_angle_n415_cut[3] & ~(&polar_angle_n415_cut[2]);
-    wire signed [2:-24] polar_angle_n415 = polar_angle_n415_over ? 27'h3ffffff : polar_angle_n415_under ? 27'h4000000 : polar_angle_n415_cut[2:-24]; // s27f24
-    wire signed [3:-24] polar_angle_n416_cut = polar_angle_n412[3:-24];
+    wire signed [3:-24] polar_angle_n416_cut = polar_angle_n412_s22[3:-24];
     wire polar_angle_n416_over = ~polar_angle_n416_cut[3] & (|polar_angle_n416_cut[2]);
     wire polar_angle_n416_under = polar_angle_n416_cut[3] & ~(&polar_angle_n416_cut[2]);
     wire signed [2:-24] polar_angle_n416 = polar_angle_n416_over ? 27'h3ffffff : polar_angle_n416_under ? 27'h4000000 : polar_angle_n416_cut[2:-24]; // s27f24
     wire polar_angle_n417 = polar_angle_n416[2]; // u1f0
-    wire polar_angle_n418 = polar_angle_n417 ^ azimuth_n72; // u1f0
-    wire signed [-10:-36] polar_angle_n419 = polar_angle_n416; // s27f36
-    wire signed [-10:-36] polar_angle_n420 = polar_angle_n415; // s27f36
-    wire [0:-24] polar_angle_n423_term = {azimuth_n210[-1], azimuth_n210} ^ {25{polar_angle_n417}};
-    wire signed [0:-24] polar_angle_n423 = {polar_angle_n414[-1], polar_angle_n414} + polar_angle_n423_term + {24'h0, polar_angle_n417}; // s25f24
-
-    reg polar_angle_n292_s23; // u1f0
-    reg signed [2:-24] polar_angle_n415_s23; // s27f24
-    reg signed [2:-24] polar_angle_n416_s23; // s27f24
-    reg polar_angle_n417_s23; // u1f0
-    reg polar_angle_n418_s23; // u1f0
-    reg signed [-10:-36] polar_angle_n419_s23; // s27f36
-    reg signed [-10:-36] polar_angle_n420_s23; // s27f36
-    reg signed [0:-24] polar_angle_n423_s23; // s25f24
-    reg [-1:-16] phi_next_s23; // u16f16
-    always @(posedge clk)
-        if (ce) begin
-            polar_angle_n292_s23 <= polar_angle_n292_s22;
-            polar_angle_n415_s23 <= polar_angle_n415;
-            polar_angle_n416_s23 <= polar_angle_n416;
-            polar_angle_n417_s23 <= polar_angle_n417;
-            polar_angle_n418_s23 <= polar_angle_n418;
-            polar_angle_n419_s23 <= polar_angle_n419;
-            polar_angle_n420_s23 <= polar_angle_n420;
-            polar_angle_n423_s23 <= polar_angle_n423;
-            phi_next_s23 <= phi_next_s22;
-        end
-    reg valid_s23;
-    always @(posedge clk)
-        if (rst) valid_s23 <= 1'b0;
-        else if (ce) valid_s23 <= valid_s22;
-
-    // ---- stage 23 ----
-    // polar_angle
-    wire [3:-36] polar_angle_n421_term = {{13{polar_angle_n419_s23[-10]}}, polar_angle_n419_s23} ^ {40{polar_angle_n417_s23}};
-    wire signed [3:-36] polar_angle_n421 = {polar_angle_n415_s23[2], polar_angle_n415_s23, 12'h0} + polar_angle_n421_term + {39'h0, polar_angle_n417_s23}; // s40f36
-    wire [3:-36] polar_angle_n422_term = {{13{polar_angle_n420_s23[-10]}}, polar_angle_n420_s23} ^ {40{polar_angle_n418_s23}};
-    wire signed [3:-36] polar_angle_n422 = {polar_angle_n416_s23[2], polar_angle_n416_s23, 12'h0} + polar_angle_n422_term + {39'h0, polar_angle_n418_s23}; // s40f36
-    wire polar_angle_n424_over = ~polar_angle_n423_s23[0] & (|polar_angle_n423_s23[-1]);
-    wire polar_angle_n424_under = polar_angle_n423_s23[0] & ~(&polar_angle_n423_s23[-1]);
-    wire signed [-1:-24] polar_angle_n424 = polar_angle_n424_over ? 24'h7fffff : polar_angle_n424_under ? 24'h800000 : polar_angle_n423_s23[-1:-24]; // s24f24
+    wire polar_angle_n418 = polar_angle_n417 ^ azimuth_n76; // u1f0
+    wire signed [-9:-35] polar_angle_n419 = polar_angle_n416; // s27f35
+    wire [3:-35] polar_angle_n421_term = {{12{polar_angle_n419[-9]}}, polar_angle_n419} ^ {39{polar_angle_n417}};
+    wire signed [3:-35] polar_angle_n421 = {polar_angle_n415_s22[2], polar_angle_n415_s22, 11'h0} + polar_angle_n421_term + {38'h0, polar_angle_n417}; // s39f35
+    wire [3:-35] polar_angle_n422_term = {{12{polar_angle_n420_s22[-9]}}, polar_angle_n420_s22} ^ {39{polar_angle_n418}};
+    wire signed [3:-35] polar_angle_n422 = {polar_angle_n416[2], polar_angle_n416, 11'h0} + polar_angle_n422_term + {38'h0, polar_angle_n418}; // s39f35
+    wire [0:-24] polar_angle_n423_term = {azimuth_n205[-1], azimuth_n205} ^ {25{polar_angle_n417}};
+    wire signed [0:-24] polar_angle_n423 = {polar_angle_n414_s22[-1], polar_angle_n414_s22} + polar_angle_n423_term + {24'h0, polar_angle_n417}; // s25f24
+    wire polar_angle_n424_over = ~polar_angle_n423[0] & (|polar_angle_n423[-1]);
+    wire polar_angle_n424_under = polar_angle_n423[0] & ~(&polar_angle_n423[-1]);
+    wire signed [-1:-24] polar_angle_n424 = polar_angle_n424_over ? 24'h7fffff : polar_angle_n424_under ? 24'h800000 : polar_angle_n423[-1:-24]; // s24f24
     wire signed [3:-24] polar_angle_n425_cut = polar_angle_n421[3:-24];
     wire polar_angle_n425_over = ~polar_angle_n425_cut[3] & (|polar_angle_n425_cut[2]);
     wire polar_angle_n425_under = polar_angle_n425_cut[3] & ~(&polar_angle_n425_cut[2]);
@@ -2519,37 +2501,87 @@ module rotation_exact_polar_cordic (
     wire polar_angle_n426_under = polar_angle_n426_cut[3] & ~(&polar_angle_n426_cut[2]);
     wire signed [2:-24] polar_angle_n426 = polar_angle_n426_over ? 27'h3ffffff : polar_angle_n426_under ? 27'h4000000 : polar_angle_n426_cut[2:-24]; // s27f24
     wire polar_angle_n427 = polar_angle_n426[2]; // u1f0
-    wire polar_angle_n428 = polar_angle_n427 ^ azimuth_n72; // u1f0
-    wire signed [-11:-37] polar_angle_n429 = polar_angle_n426; // s27f37
-    wire signed [-11:-37] polar_angle_n430 = polar_angle_n425; // s27f37
-    wire [3:-37] polar_angle_n431_term = {{14{polar_angle_n429[-11]}}, polar_angle_n429} ^ {41{polar_angle_n427}};
-    wire signed [3:-37] polar_angle_n431 = {polar_angle_n425[2], polar_angle_n425, 13'h0} + polar_angle_n431_term + {40'h0, polar_angle_n427}; // s41f37
-    wire [3:-37] polar_angle_n432_term = {{14{polar_angle_n430[-11]}}, polar_angle_n430} ^ {41{polar_angle_n428}};
-    wire signed [3:-37] polar_angle_n432 = {polar_angle_n426[2], polar_angle_n426, 13'h0} + polar_angle_n432_term + {40'h0, polar_angle_n428}; // s41f37
-    wire [0:-24] polar_angle_n433_term = {azimuth_n221[-1], azimuth_n221} ^ {25{polar_angle_n427}};
+    wire polar_angle_n428 = polar_angle_n427 ^ azimuth_n76; // u1f0
+    wire signed [-10:-36] polar_angle_n429 = polar_angle_n426; // s27f36
+    wire signed [-10:-36] polar_angle_n430 = polar_angle_n425; // s27f36
+    wire [0:-24] polar_angle_n433_term = {azimuth_n216[-1], azimuth_n216} ^ {25{polar_angle_n427}};
     wire signed [0:-24] polar_angle_n433 = {polar_angle_n424[-1], polar_angle_n424} + polar_angle_n433_term + {24'h0, polar_angle_n427}; // s25f24
-    wire polar_angle_n434_over = ~polar_angle_n433[0] & (|polar_angle_n433[-1]);
-    wire polar_angle_n434_under = polar_angle_n433[0] & ~(&polar_angle_n433[-1]);
-    wire signed [-1:-24] polar_angle_n434 = polar_angle_n434_over ? 24'h7fffff : polar_angle_n434_under ? 24'h800000 : polar_angle_n433[-1:-24]; // s24f24
+
+    reg polar_angle_n301_s23; // u1f0
+    reg signed [2:-24] polar_angle_n425_s23; // s27f24
+    reg signed [2:-24] polar_angle_n426_s23; // s27f24
+    reg polar_angle_n427_s23; // u1f0
+    reg polar_angle_n428_s23; // u1f0
+    reg signed [-10:-36] polar_angle_n429_s23; // s27f36
+    reg signed [-10:-36] polar_angle_n430_s23; // s27f36
+    reg signed [0:-24] polar_angle_n433_s23; // s25f24
+    reg [-1:-16] phi_next_s23; // u16f16
+    always @(posedge clk)
+        if (ce) begin
+            polar_angle_n301_s23 <= polar_angle_n301_s22;
+            polar_angle_n425_s23 <= polar_angle_n425;
+            polar_angle_n426_s23 <= polar_angle_n426;
+            polar_angle_n427_s23 <= polar_angle_n427;
+            polar_angle_n428_s23 <= polar_angle_n428;
+            polar_angle_n429_s23 <= polar_angle_n429;
+            polar_angle_n430_s23 <= polar_angle_n430;
+            polar_angle_n433_s23 <= polar_angle_n433;
+            phi_next_s23 <= phi_next_s22;
+        end
+    reg valid_s23;
+    always @(posedge clk)
+        if (rst) valid_s23 <= 1'b0;
+        else if (ce) valid_s23 <= valid_s22;
+
+    // ---- stage 23 ----
+    // polar_angle
+    wire [3:-36] polar_angle_n431_term = {{13{polar_angle_n429_s23[-10]}}, polar_angle_n429_s23} ^ {40{polar_angle_n427_s23}};
+    wire signed [3:-36] polar_angle_n431 = {polar_angle_n425_s23[2], polar_angle_n425_s23, 12'h0} + polar_angle_n431_term + {39'h0, polar_angle_n427_s23}; // s40f36
+    wire [3:-36] polar_angle_n432_term = {{13{polar_angle_n430_s23[-10]}}, polar_angle_n430_s23} ^ {40{polar_angle_n428_s23}};
+    wire signed [3:-36] polar_angle_n432 = {polar_angle_n426_s23[2], polar_angle_n426_s23, 12'h0} + polar_angle_n432_term + {39'h0, polar_angle_n428_s23}; // s40f36
+    wire polar_angle_n434_over = ~polar_angle_n433_s23[0] & (|polar_angle_n433_s23[-1]);
+    wire polar_angle_n434_under = polar_angle_n433_s23[0] & ~(&polar_angle_n433_s23[-1]);
+    wire signed [-1:-24] polar_angle_n434 = polar_angle_n434_over ? 24'h7fffff : polar_angle_n434_under ? 24'h800000 : polar_angle_n433_s23[-1:-24]; // s24f24
     wire signed [3:-24] polar_angle_n435_cut = polar_angle_n431[3:-24];
     wire polar_angle_n435_over = ~polar_angle_n435_cut[3] & (|polar_angle_n435_cut[2]);
     wire polar_angle_n435_under = polar_angle_n435_cut[3] & ~(&polar_angle_n435_cut[2]);
     wire signed [2:-24] polar_angle_n435 = polar_angle_n435_over ? 27'h3ffffff : polar_angle_n435_under ? 27'h4000000 : polar_angle_n435_cut[2:-24]; // s27f24
-    wire signed [-12:-38] polar_angle_n440 = polar_angle_n435; // s27f38
+    wire signed [3:-24] polar_angle_n436_cut = polar_angle_n432[3:-24];
+    wire polar_angle_n436_over = ~polar_angle_n436_cut[3] & (|polar_angle_n436_cut[2]);
+    wire polar_angle_n436_under = polar_angle_n436_cut[3] & ~(&polar_angle_n436_cut[2]);
+    wire signed [2:-24] polar_angle_n436 = polar_angle_n436_over ? 27'h3ffffff : polar_angle_n436_under ? 27'h4000000 : polar_angle_n436_cut[2:-24]; // s27f24
+    wire polar_angle_n437 = polar_angle_n436[2]; // u1f0
+    wire polar_angle_n438 = polar_angle_n437 ^ azimuth_n76; // u1f0
+    wire signed [-11:-37] polar_angle_n439 = polar_angle_n436; // s27f37
+    wire signed [-11:-37] polar_angle_n440 = polar_angle_n435; // s27f37
+    wire [3:-37] polar_angle_n441_term = {{14{polar_angle_n439[-11]}}, polar_angle_n439} ^ {41{polar_angle_n437}};
+    wire signed [3:-37] polar_angle_n441 = {polar_angle_n435[2], polar_angle_n435, 13'h0} + polar_angle_n441_term + {40'h0, polar_angle_n437}; // s41f37
+    wire [3:-37] polar_angle_n442_term = {{14{polar_angle_n440[-11]}}, polar_angle_n440} ^ {41{polar_angle_n438}};
+    wire signed [3:-37] polar_angle_n442 = {polar_angle_n436[2], polar_angle_n436, 13'h0} + polar_angle_n442_term + {40'h0, polar_angle_n438}; // s41f37
+    wire [0:-24] polar_angle_n443_term = {azimuth_n227[-1], azimuth_n227} ^ {25{polar_angle_n437}};
+    wire signed [0:-24] polar_angle_n443 = {polar_angle_n434[-1], polar_angle_n434} + polar_angle_n443_term + {24'h0, polar_angle_n437}; // s25f24
+    wire polar_angle_n444_over = ~polar_angle_n443[0] & (|polar_angle_n443[-1]);
+    wire polar_angle_n444_under = polar_angle_n443[0] & ~(&polar_angle_n443[-1]);
+    wire signed [-1:-24] polar_angle_n444 = polar_angle_n444_over ? 24'h7fffff : polar_angle_n444_under ? 24'h800000 : polar_angle_n443[-1:-24]; // s24f24
+    wire signed [3:-24] polar_angle_n445_cut = polar_angle_n441[3:-24];
+    wire polar_angle_n445_over = ~polar_angle_n445_cut[3] & (|polar_angle_n445_cut[2]);
+    wire polar_angle_n445_under = polar_angle_n445_cut[3] & ~(&polar_angle_n445_cut[2]);
+    wire signed [2:-24] polar_angle_n445 = polar_angle_n445_over ? 27'h3ffffff : polar_angle_n445_under ? 27'h4000000 : polar_angle_n445_cut[2:-24]; // s27f24
+    wire signed [-12:-38] polar_angle_n450 = polar_angle_n445; // s27f38
 
-    reg polar_angle_n292_s24; // u1f0
-    reg signed [3:-37] polar_angle_n432_s24; // s41f37
-    reg signed [-1:-24] polar_angle_n434_s24; // s24f24
-    reg signed [2:-24] polar_angle_n435_s24; // s27f24
-    reg signed [-12:-38] polar_angle_n440_s24; // s27f38
+    reg polar_angle_n301_s24; // u1f0
+    reg signed [3:-37] polar_angle_n442_s24; // s41f37
+    reg signed [-1:-24] polar_angle_n444_s24; // s24f24
+    reg signed [2:-24] polar_angle_n445_s24; // s27f24
+    reg signed [-12:-38] polar_angle_n450_s24; // s27f38
     reg [-1:-16] phi_next_s24; // u16f16
     always @(posedge clk)
         if (ce) begin
-            polar_angle_n292_s24 <= polar_angle_n292_s23;
-            polar_angle_n432_s24 <= polar_angle_n432;
-            polar_angle_n434_s24 <= polar_angle_n434;
-            polar_angle_n435_s24 <= polar_angle_n435;
-            polar_angle_n440_s24 <= polar_angle_n440;
+            polar_angle_n301_s24 <= polar_angle_n301_s23;
+            polar_angle_n442_s24 <= polar_angle_n442;
+            polar_angle_n444_s24 <= polar_angle_n444;
+            polar_angle_n445_s24 <= polar_angle_n445;
+            polar_angle_n450_s24 <= polar_angle_n450;
             phi_next_s24 <= phi_next_s23;
         end
     reg valid_s24;
@@ -2559,69 +2591,19 @@ module rotation_exact_polar_cordic (
 
     // ---- stage 24 ----
     // polar_angle
-    wire signed [3:-24] polar_angle_n436_cut = polar_angle_n432_s24[3:-24];
-    wire polar_angle_n436_over = ~polar_angle_n436_cut[3] & (|polar_angle_n436_cut[2]);
-    wire polar_angle_n436_under = polar_angle_n436_cut[3] & ~(&polar_angle_n436_cut[2]);
-    wire signed [2:-24] polar_angle_n436 = polar_angle_n436_over ? 27'h3ffffff : polar_angle_n436_under ? 27'h4000000 : polar_angle_n436_cut[2:-24]; // s27f24
-    wire polar_angle_n437 = polar_angle_n436[2]; // u1f0
-    wire polar_angle_n438 = polar_angle_n437 ^ azimuth_n72; // u1f0
-    wire signed [-12:-38] polar_angle_n439 = polar_angle_n436; // s27f38
-    wire [3:-38] polar_angle_n441_term = {{15{polar_angle_n439[-12]}}, polar_angle_n439} ^ {42{polar_angle_n437}};
-    wire signed [3:-38] polar_angle_n441 = {polar_angle_n435_s24[2], polar_angle_n435_s24, 14'h0} + polar_angle_n441_term + {41'h0, polar_angle_n437}; // s42f38
-    wire [3:-38] polar_angle_n442_term = {{15{polar_angle_n440_s24[-12]}}, polar_angle_n440_s24} ^ {42{polar_angle_n438}};
-    wire signed [3:-38] polar_angle_n442 = {polar_angle_n436[2], polar_angle_n436, 14'h0} + polar_angle_n442_term + {41'h0, polar_angle_n438}; // s42f38
-    wire [0:-24] polar_angle_n443_term = {azimuth_n232[-1], azimuth_n232} ^ {25{polar_angle_n437}};
-    wire signed [0:-24] polar_angle_n443 = {polar_angle_n434_s24[-1], polar_angle_n434_s24} + polar_angle_n443_term + {24'h0, polar_angle_n437}; // s25f24
-    wire polar_angle_n444_over = ~polar_angle_n443[0] & (|polar_angle_n443[-1]);
-    wire polar_angle_n444_under = polar_angle_n443[0] & ~(&polar_angle_n443[-1]);
-    wire signed [-1:-24] polar_angle_n444 = polar_angle_n444_over ? 24'h7fffff : polar_angle_n444_under ? 24'h800000 : polar_angle_n443[-1:-24]; // s24f24
-    wire signed [3:-24] polar_angle_n445_cut = polar_angle_n441[3:-24];
-    wire polar_angle_n445_over = ~polar_angle_n445_cut[3] & (|polar_angle_n445_cut[2]);
-    wire polar_angle_n445_under = polar_angle_n445_cut[3] & ~(&polar_angle_n445_cut[2]);
-    wire signed [2:-24] polar_angle_n445 = polar_angle_n445_over ? 27'h3ffffff : polar_angle_n445_under ? 27'h4000000 : polar_angle_n445_cut[2:-24]; // s27f24
-    wire signed [3:-24] polar_angle_n446_cut = polar_angle_n442[3:-24];
+    wire signed [3:-24] polar_angle_n446_cut = polar_angle_n442_s24[3:-24];
     wire polar_angle_n446_over = ~polar_angle_n446_cut[3] & (|polar_angle_n446_cut[2]);
     wire polar_angle_n446_under = polar_angle_n446_cut[3] & ~(&polar_angle_n446_cut[2]);
     wire signed [2:-24] polar_angle_n446 = polar_angle_n446_over ? 27'h3ffffff : polar_angle_n446_under ? 27'h4000000 : polar_angle_n446_cut[2:-24]; // s27f24
     wire polar_angle_n447 = polar_angle_n446[2]; // u1f0
-    wire polar_angle_n448 = polar_angle_n447 ^ azimuth_n72; // u1f0
-    wire signed [-13:-39] polar_angle_n449 = polar_angle_n446; // s27f39
-    wire signed [-13:-39] polar_angle_n450 = polar_angle_n445; // s27f39
-
-    reg polar_angle_n292_s25; // u1f0
-    reg signed [-1:-24] polar_angle_n444_s25; // s24f24
-    reg signed [2:-24] polar_angle_n445_s25; // s27f24
-    reg signed [2:-24] polar_angle_n446_s25; // s27f24
-    reg polar_angle_n447_s25; // u1f0
-    reg polar_angle_n448_s25; // u1f0
-    reg signed [-13:-39] polar_angle_n449_s25; // s27f39
-    reg signed [-13:-39] polar_angle_n450_s25; // s27f39
-    reg [-1:-16] phi_next_s25; // u16f16
-    always @(posedge clk)
-        if (ce) begin
-            polar_angle_n292_s25 <= polar_angle_n292_s24;
-            polar_angle_n444_s25 <= polar_angle_n444;
-            polar_angle_n445_s25 <= polar_angle_n445;
-            polar_angle_n446_s25 <= polar_angle_n446;
-            polar_angle_n447_s25 <= polar_angle_n447;
-            polar_angle_n448_s25 <= polar_angle_n448;
-            polar_angle_n449_s25 <= polar_angle_n449;
-            polar_angle_n450_s25 <= polar_angle_n450;
-            phi_next_s25 <= phi_next_s24;
-        end
-    reg valid_s25;
-    always @(posedge clk)
-        if (rst) valid_s25 <= 1'b0;
-        else if (ce) valid_s25 <= valid_s24;
-
-    // ---- stage 25 ----
-    // polar_angle
-    wire [3:-39] polar_angle_n451_term = {{16{polar_angle_n449_s25[-13]}}, polar_angle_n449_s25} ^ {43{polar_angle_n447_s25}};
-    wire signed [3:-39] polar_angle_n451 = {polar_angle_n445_s25[2], polar_angle_n445_s25, 15'h0} + polar_angle_n451_term + {42'h0, polar_angle_n447_s25}; // s43f39
-    wire [3:-39] polar_angle_n452_term = {{16{polar_angle_n450_s25[-13]}}, polar_angle_n450_s25} ^ {43{polar_angle_n448_s25}};
-    wire signed [3:-39] polar_angle_n452 = {polar_angle_n446_s25[2], polar_angle_n446_s25, 15'h0} + polar_angle_n452_term + {42'h0, polar_angle_n448_s25}; // s43f39
-    wire [0:-24] polar_angle_n453_term = {azimuth_n243[-1], azimuth_n243} ^ {25{polar_angle_n447_s25}};
-    wire signed [0:-24] polar_angle_n453 = {polar_angle_n444_s25[-1], polar_angle_n444_s25} + polar_angle_n453_term + {24'h0, polar_angle_n447_s25}; // s25f24
+    wire polar_angle_n448 = polar_angle_n447 ^ azimuth_n76; // u1f0
+    wire signed [-12:-38] polar_angle_n449 = polar_angle_n446; // s27f38
+    wire [3:-38] polar_angle_n451_term = {{15{polar_angle_n449[-12]}}, polar_angle_n449} ^ {42{polar_angle_n447}};
+    wire signed [3:-38] polar_angle_n451 = {polar_angle_n445_s24[2], polar_angle_n445_s24, 14'h0} + polar_angle_n451_term + {41'h0, polar_angle_n447}; // s42f38
+    wire [3:-38] polar_angle_n452_term = {{15{polar_angle_n450_s24[-12]}}, polar_angle_n450_s24} ^ {42{polar_angle_n448}};
+    wire signed [3:-38] polar_angle_n452 = {polar_angle_n446[2], polar_angle_n446, 14'h0} + polar_angle_n452_term + {41'h0, polar_angle_n448}; // s42f38
+    wire [0:-24] polar_angle_n453_term = {azimuth_n238[-1], azimuth_n238} ^ {25{polar_angle_n447}};
+    wire signed [0:-24] polar_angle_n453 = {polar_angle_n444_s24[-1], polar_angle_n444_s24} + polar_angle_n453_term + {24'h0, polar_angle_n447}; // s25f24
     wire polar_angle_n454_over = ~polar_angle_n453[0] & (|polar_angle_n453[-1]);
     wire polar_angle_n454_under = polar_angle_n453[0] & ~(&polar_angle_n453[-1]);
     wire signed [-1:-24] polar_angle_n454 = polar_angle_n454_over ? 24'h7fffff : polar_angle_n454_under ? 24'h800000 : polar_angle_n453[-1:-24]; // s24f24
@@ -2634,25 +2616,75 @@ module rotation_exact_polar_cordic (
     wire polar_angle_n456_under = polar_angle_n456_cut[3] & ~(&polar_angle_n456_cut[2]);
     wire signed [2:-24] polar_angle_n456 = polar_angle_n456_over ? 27'h3ffffff : polar_angle_n456_under ? 27'h4000000 : polar_angle_n456_cut[2:-24]; // s27f24
     wire polar_angle_n457 = polar_angle_n456[2]; // u1f0
-    wire polar_angle_n458 = polar_angle_n457 ^ azimuth_n72; // u1f0
-    wire signed [-14:-40] polar_angle_n459 = polar_angle_n455; // s27f40
-    wire [3:-40] polar_angle_n460_term = {{17{polar_angle_n459[-14]}}, polar_angle_n459} ^ {44{polar_angle_n458}};
-    wire signed [3:-40] polar_angle_n460 = {polar_angle_n456[2], polar_angle_n456, 16'h0} + polar_angle_n460_term + {43'h0, polar_angle_n458}; // s44f40
-    wire [0:-24] polar_angle_n461_term = {azimuth_n254[-1], azimuth_n254} ^ {25{polar_angle_n457}};
-    wire signed [0:-24] polar_angle_n461 = {polar_angle_n454[-1], polar_angle_n454} + polar_angle_n461_term + {24'h0, polar_angle_n457}; // s25f24
-    wire polar_angle_n462_over = ~polar_angle_n461[0] & (|polar_angle_n461[-1]);
-    wire polar_angle_n462_under = polar_angle_n461[0] & ~(&polar_angle_n461[-1]);
-    wire signed [-1:-24] polar_angle_n462 = polar_angle_n462_over ? 24'h7fffff : polar_angle_n462_under ? 24'h800000 : polar_angle_n461[-1:-24]; // s24f24
+    wire polar_angle_n458 = polar_angle_n457 ^ azimuth_n76; // u1f0
+    wire signed [-13:-39] polar_angle_n459 = polar_angle_n456; // s27f39
+    wire signed [-13:-39] polar_angle_n460 = polar_angle_n455; // s27f39
 
-    reg polar_angle_n292_s26; // u1f0
-    reg signed [3:-40] polar_angle_n460_s26; // s44f40
-    reg signed [-1:-24] polar_angle_n462_s26; // s24f24
+    reg polar_angle_n301_s25; // u1f0
+    reg signed [-1:-24] polar_angle_n454_s25; // s24f24
+    reg signed [2:-24] polar_angle_n455_s25; // s27f24
+    reg signed [2:-24] polar_angle_n456_s25; // s27f24
+    reg polar_angle_n457_s25; // u1f0
+    reg polar_angle_n458_s25; // u1f0
+    reg signed [-13:-39] polar_angle_n459_s25; // s27f39
+    reg signed [-13:-39] polar_angle_n460_s25; // s27f39
+    reg [-1:-16] phi_next_s25; // u16f16
+    always @(posedge clk)
+        if (ce) begin
+            polar_angle_n301_s25 <= polar_angle_n301_s24;
+            polar_angle_n454_s25 <= polar_angle_n454;
+            polar_angle_n455_s25 <= polar_angle_n455;
+            polar_angle_n456_s25 <= polar_angle_n456;
+            polar_angle_n457_s25 <= polar_angle_n457;
+            polar_angle_n458_s25 <= polar_angle_n458;
+            polar_angle_n459_s25 <= polar_angle_n459;
+            polar_angle_n460_s25 <= polar_angle_n460;
+            phi_next_s25 <= phi_next_s24;
+        end
+    reg valid_s25;
+    always @(posedge clk)
+        if (rst) valid_s25 <= 1'b0;
+        else if (ce) valid_s25 <= valid_s24;
+
+    // ---- stage 25 ----
+    // polar_angle
+    wire [3:-39] polar_angle_n461_term = {{16{polar_angle_n459_s25[-13]}}, polar_angle_n459_s25} ^ {43{polar_angle_n457_s25}};
+    wire signed [3:-39] polar_angle_n461 = {polar_angle_n455_s25[2], polar_angle_n455_s25, 15'h0} + polar_angle_n461_term + {42'h0, polar_angle_n457_s25}; // s43f39
+    wire [3:-39] polar_angle_n462_term = {{16{polar_angle_n460_s25[-13]}}, polar_angle_n460_s25} ^ {43{polar_angle_n458_s25}};
+    wire signed [3:-39] polar_angle_n462 = {polar_angle_n456_s25[2], polar_angle_n456_s25, 15'h0} + polar_angle_n462_term + {42'h0, polar_angle_n458_s25}; // s43f39
+    wire [0:-24] polar_angle_n463_term = {azimuth_n249[-1], azimuth_n249} ^ {25{polar_angle_n457_s25}};
+    wire signed [0:-24] polar_angle_n463 = {polar_angle_n454_s25[-1], polar_angle_n454_s25} + polar_angle_n463_term + {24'h0, polar_angle_n457_s25}; // s25f24
+    wire polar_angle_n464_over = ~polar_angle_n463[0] & (|polar_angle_n463[-1]);
+    wire polar_angle_n464_under = polar_angle_n463[0] & ~(&polar_angle_n463[-1]);
+    wire signed [-1:-24] polar_angle_n464 = polar_angle_n464_over ? 24'h7fffff : polar_angle_n464_under ? 24'h800000 : polar_angle_n463[-1:-24]; // s24f24
+    wire signed [3:-24] polar_angle_n465_cut = polar_angle_n461[3:-24];
+    wire polar_angle_n465_over = ~polar_angle_n465_cut[3] & (|polar_angle_n465_cut[2]);
+    wire polar_angle_n465_under = polar_angle_n465_cut[3] & ~(&polar_angle_n465_cut[2]);
+    wire signed [2:-24] polar_angle_n465 = polar_angle_n465_over ? 27'h3ffffff : polar_angle_n465_under ? 27'h4000000 : polar_angle_n465_cut[2:-24]; // s27f24
+    wire signed [3:-24] polar_angle_n466_cut = polar_angle_n462[3:-24];
+    wire polar_angle_n466_over = ~polar_angle_n466_cut[3] & (|polar_angle_n466_cut[2]);
+    wire polar_angle_n466_under = polar_angle_n466_cut[3] & ~(&polar_angle_n466_cut[2]);
+    wire signed [2:-24] polar_angle_n466 = polar_angle_n466_over ? 27'h3ffffff : polar_angle_n466_under ? 27'h4000000 : polar_angle_n466_cut[2:-24]; // s27f24
+    wire polar_angle_n467 = polar_angle_n466[2]; // u1f0
+    wire polar_angle_n468 = polar_angle_n467 ^ azimuth_n76; // u1f0
+    wire signed [-14:-40] polar_angle_n469 = polar_angle_n465; // s27f40
+    wire [3:-40] polar_angle_n470_term = {{17{polar_angle_n469[-14]}}, polar_angle_n469} ^ {44{polar_angle_n468}};
+    wire signed [3:-40] polar_angle_n470 = {polar_angle_n466[2], polar_angle_n466, 16'h0} + polar_angle_n470_term + {43'h0, polar_angle_n468}; // s44f40
+    wire [0:-24] polar_angle_n471_term = {azimuth_n260[-1], azimuth_n260} ^ {25{polar_angle_n467}};
+    wire signed [0:-24] polar_angle_n471 = {polar_angle_n464[-1], polar_angle_n464} + polar_angle_n471_term + {24'h0, polar_angle_n467}; // s25f24
+    wire polar_angle_n472_over = ~polar_angle_n471[0] & (|polar_angle_n471[-1]);
+    wire polar_angle_n472_under = polar_angle_n471[0] & ~(&polar_angle_n471[-1]);
+    wire signed [-1:-24] polar_angle_n472 = polar_angle_n472_over ? 24'h7fffff : polar_angle_n472_under ? 24'h800000 : polar_angle_n471[-1:-24]; // s24f24
+
+    reg polar_angle_n301_s26; // u1f0
+    reg signed [3:-40] polar_angle_n470_s26; // s44f40
+    reg signed [-1:-24] polar_angle_n472_s26; // s24f24
     reg [-1:-16] phi_next_s26; // u16f16
     always @(posedge clk)
         if (ce) begin
-            polar_angle_n292_s26 <= polar_angle_n292_s25;
-            polar_angle_n460_s26 <= polar_angle_n460;
-            polar_angle_n462_s26 <= polar_angle_n462;
+            polar_angle_n301_s26 <= polar_angle_n301_s25;
+            polar_angle_n470_s26 <= polar_angle_n470;
+            polar_angle_n472_s26 <= polar_angle_n472;
             phi_next_s26 <= phi_next_s25;
         end
     reg valid_s26;
@@ -2662,24 +2694,24 @@ module rotation_exact_polar_cordic (
 
     // ---- stage 26 ----
     // polar_angle
-    wire signed [3:-24] polar_angle_n463_cut = polar_angle_n460_s26[3:-24];
-    wire polar_angle_n463_over = ~polar_angle_n463_cut[3] & (|polar_angle_n463_cut[2]);
-    wire polar_angle_n463_under = polar_angle_n463_cut[3] & ~(&polar_angle_n463_cut[2]);
-    wire signed [2:-24] polar_angle_n463 = polar_angle_n463_over ? 27'h3ffffff : polar_angle_n463_under ? 27'h4000000 : polar_angle_n463_cut[2:-24]; // s27f24
-    wire polar_angle_n464 = polar_angle_n463[2]; // u1f0
-    wire [0:-24] polar_angle_n465_term = {azimuth_n262[-1], azimuth_n262} ^ {25{polar_angle_n464}};
-    wire signed [0:-24] polar_angle_n465 = {polar_angle_n462_s26[-1], polar_angle_n462_s26} + polar_angle_n465_term + {24'h0, polar_angle_n464}; // s25f24
-    wire polar_angle_n466_over = ~polar_angle_n465[0] & (|polar_angle_n465[-1]);
-    wire polar_angle_n466_under = polar_angle_n465[0] & ~(&polar_angle_n465[-1]);
-    wire signed [-1:-24] polar_angle_n466 = polar_angle_n466_over ? 24'h7fffff : polar_angle_n466_under ? 24'h800000 : polar_angle_n465[-1:-24]; // s24f24
-    wire [-1:-24] polar_angle_n467 = polar_angle_n466; // u24f24
-    wire [-1:-24] polar_angle_n468 = polar_angle_n467 ^ azimuth_n267; // u24f24
-    wire [-1:-24] polar_angle_n469 = polar_angle_n292_s26 ? polar_angle_n468 : polar_angle_n467; // u24f24
+    wire signed [3:-24] polar_angle_n473_cut = polar_angle_n470_s26[3:-24];
+    wire polar_angle_n473_over = ~polar_angle_n473_cut[3] & (|polar_angle_n473_cut[2]);
+    wire polar_angle_n473_under = polar_angle_n473_cut[3] & ~(&polar_angle_n473_cut[2]);
+    wire signed [2:-24] polar_angle_n473 = polar_angle_n473_over ? 27'h3ffffff : polar_angle_n473_under ? 27'h4000000 : polar_angle_n473_cut[2:-24]; // s27f24
+    wire polar_angle_n474 = polar_angle_n473[2]; // u1f0
+    wire [0:-24] polar_angle_n475_term = {azimuth_n268[-1], azimuth_n268} ^ {25{polar_angle_n474}};
+    wire signed [0:-24] polar_angle_n475 = {polar_angle_n472_s26[-1], polar_angle_n472_s26} + polar_angle_n475_term + {24'h0, polar_angle_n474}; // s25f24
+    wire polar_angle_n476_over = ~polar_angle_n475[0] & (|polar_angle_n475[-1]);
+    wire polar_angle_n476_under = polar_angle_n475[0] & ~(&polar_angle_n475[-1]);
+    wire signed [-1:-24] polar_angle_n476 = polar_angle_n476_over ? 24'h7fffff : polar_angle_n476_under ? 24'h800000 : polar_angle_n475[-1:-24]; // s24f24
+    wire [-1:-24] polar_angle_n477 = polar_angle_n476; // u24f24
+    wire [-1:-24] polar_angle_n478 = polar_angle_n477 ^ azimuth_n273; // u24f24
+    wire [-1:-24] polar_angle_n479 = polar_angle_n301_s26 ? polar_angle_n478 : polar_angle_n477; // u24f24
     // (unit)
-    wire [0:-24] n472_sum = {1'b0, polar_angle_n469} + 25'h80;
-    wire [0:-16] n472_cut = n472_sum[0:-16];
-    wire [0:-16] n472 = n472_cut; // u17f16
-    wire [-1:-16] theta_next = n472[-1:-16]; // u16f16
+    wire [0:-24] n482_sum = {1'b0, polar_angle_n479} + 25'h80;
+    wire [0:-16] n482_cut = n482_sum[0:-16];
+    wire [0:-16] n482 = n482_cut; // u17f16
+    wire [-1:-16] theta_next = n482[-1:-16]; // u16f16
 
     always @(posedge clk)
         if (ce) begin
@@ -2717,74 +2749,74 @@ module rotation_exact_polar_cordic (
         x_sum[-19:-20],
         y_sum[-19],
         z_sum[-19:-20],
-        azimuth_n87_s4[-25],
-        azimuth_n88[-25],
-        azimuth_n98[-25:-26],
-        azimuth_n99[-25:-26],
-        azimuth_n109[-25:-27],
-        azimuth_n110[-25:-27],
-        azimuth_n120[-25:-28],
-        azimuth_n121_s6[-25:-28],
-        azimuth_n131[-25:-29],
-        azimuth_n132[-25:-29],
-        polar_angle_n290[-25:-42],
-        azimuth_n142[-25:-30],
-        azimuth_n143[-25:-30],
-        azimuth_n153[-25:-31],
-        azimuth_n154_s8[-25:-31],
-        azimuth_n164[-25:-32],
-        azimuth_n165[-25:-32],
-        azimuth_n175[-25:-33],
-        azimuth_n176[-25:-33],
-        azimuth_n186[-25:-34],
-        azimuth_n187_s10[-25:-34],
-        azimuth_n197[-25:-35],
-        azimuth_n198[-25:-35],
-        azimuth_n208[-25:-36],
-        azimuth_n209[-25:-36],
-        azimuth_n219[-25:-37],
-        azimuth_n220_s12[-25:-37],
-        azimuth_n230[-25:-38],
-        azimuth_n231[-25:-38],
-        azimuth_n241[-25:-39],
-        azimuth_n242[-25:-39],
-        azimuth_n252_s14[-25:-40],
-        azimuth_n253_s14[-25:-40],
-        azimuth_n261[-25:-41],
-        n470[0],
-        n470_sum[-17:-24],
-        polar_angle_n311[-25],
-        polar_angle_n312[-25],
-        polar_angle_n321[-25:-26],
-        polar_angle_n322[-25:-26],
-        polar_angle_n331[-25:-27],
-        polar_angle_n332[-25:-27],
-        polar_angle_n341[-25:-28],
-        polar_angle_n342_s18[-25:-28],
-        polar_angle_n351[-25:-29],
-        polar_angle_n352[-25:-29],
-        polar_angle_n361[-25:-30],
-        polar_angle_n362[-25:-30],
-        polar_angle_n371[-25:-31],
-        polar_angle_n372_s20[-25:-31],
-        polar_angle_n381[-25:-32],
-        polar_angle_n382[-25:-32],
-        polar_angle_n391[-25:-33],
-        polar_angle_n392[-25:-33],
-        polar_angle_n401[-25:-34],
-        polar_angle_n402_s22[-25:-34],
-        polar_angle_n411[-25:-35],
-        polar_angle_n412[-25:-35],
-        polar_angle_n421[-25:-36],
-        polar_angle_n422[-25:-36],
-        polar_angle_n431[-25:-37],
-        polar_angle_n432_s24[-25:-37],
-        polar_angle_n441[-25:-38],
-        polar_angle_n442[-25:-38],
-        polar_angle_n451[-25:-39],
-        polar_angle_n452[-25:-39],
-        polar_angle_n460_s26[-25:-40],
-        polar_angle_n463[1:-24],
-        n472[0],
-        n472_sum[-17:-24]};
+        azimuth_n93_s4[-25],
+        azimuth_n94[-25],
+        azimuth_n104[-25:-26],
+        azimuth_n105[-25:-26],
+        azimuth_n115[-25:-27],
+        azimuth_n116[-25:-27],
+        azimuth_n126[-25:-28],
+        azimuth_n127_s6[-25:-28],
+        azimuth_n137[-25:-29],
+        azimuth_n138[-25:-29],
+        polar_angle_n296[-25:-42],
+        azimuth_n148[-25:-30],
+        azimuth_n149[-25:-30],
+        azimuth_n159[-25:-31],
+        azimuth_n160_s8[-25:-31],
+        azimuth_n170[-25:-32],
+        azimuth_n171[-25:-32],
+        azimuth_n181[-25:-33],
+        azimuth_n182[-25:-33],
+        azimuth_n192[-25:-34],
+        azimuth_n193_s10[-25:-34],
+        azimuth_n203[-25:-35],
+        azimuth_n204[-25:-35],
+        azimuth_n214[-25:-36],
+        azimuth_n215[-25:-36],
+        azimuth_n225[-25:-37],
+        azimuth_n226_s12[-25:-37],
+        azimuth_n236[-25:-38],
+        azimuth_n237[-25:-38],
+        azimuth_n247[-25:-39],
+        azimuth_n248[-25:-39],
+        azimuth_n258_s14[-25:-40],
+        azimuth_n259_s14[-25:-40],
+        azimuth_n267[-25:-41],
+        n480[0],
+        n480_sum[-17:-24],
+        polar_angle_n321[-25],
+        polar_angle_n322[-25],
+        polar_angle_n331[-25:-26],
+        polar_angle_n332[-25:-26],
+        polar_angle_n341[-25:-27],
+        polar_angle_n342[-25:-27],
+        polar_angle_n351[-25:-28],
+        polar_angle_n352_s18[-25:-28],
+        polar_angle_n361[-25:-29],
+        polar_angle_n362[-25:-29],
+        polar_angle_n371[-25:-30],
+        polar_angle_n372[-25:-30],
+        polar_angle_n381[-25:-31],
+        polar_angle_n382_s20[-25:-31],
+        polar_angle_n391[-25:-32],
+        polar_angle_n392[-25:-32],
+        polar_angle_n401[-25:-33],
+        polar_angle_n402[-25:-33],
+        polar_angle_n411[-25:-34],
+        polar_angle_n412_s22[-25:-34],
+        polar_angle_n421[-25:-35],
+        polar_angle_n422[-25:-35],
+        polar_angle_n431[-25:-36],
+        polar_angle_n432[-25:-36],
+        polar_angle_n441[-25:-37],
+        polar_angle_n442_s24[-25:-37],
+        polar_angle_n451[-25:-38],
+        polar_angle_n452[-25:-38],
+        polar_angle_n461[-25:-39],
+        polar_angle_n462[-25:-39],
+        polar_angle_n470_s26[-25:-40],
+        polar_angle_n473[1:-24],
+        n482[0],
+        n482_sum[-17:-24]};
 endmodule

@@ -340,27 +340,29 @@ architecture rtl of rotation_exact_polar_cordic is
     signal sincos_n35 : unsigned(9 downto 0) := (others => '0'); -- u10f0
     signal sincos_n38 : unsigned(9 downto 0) := (others => '0'); -- u10f0
     signal sincos_n41 : unsigned(9 downto 0) := (others => '0'); -- u10f0
-    signal azimuth_n72 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n73 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n65 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n76 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n77 : signed(23 downto 0) := (others => '0'); -- s24f24
     signal azimuth_n78 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n89 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n100 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n111 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n122 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n133 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n144 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n155 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n166 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n177 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n188 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n199 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n210 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n221 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n232 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n243 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n254 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n262 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n267 : unsigned(23 downto 0) := (others => '0'); -- u24f24
+    signal azimuth_n84 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n95 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n106 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n117 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n128 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n139 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n150 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n161 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n172 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n183 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n194 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n205 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n216 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n227 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n238 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n249 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n260 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n268 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n273 : unsigned(23 downto 0) := (others => '0'); -- u24f24
     signal sincos_row : unsigned(39 downto 0) := (others => '0');
     signal sincos_row_2 : unsigned(39 downto 0) := (others => '0');
     signal sincos_row_3 : unsigned(39 downto 0) := (others => '0');
@@ -426,629 +428,627 @@ architecture rtl of rotation_exact_polar_cordic is
     signal azimuth_n63 : signed(26 downto 0) := (others => '0'); -- s27f24
     signal azimuth_n64_wide : signed(25 downto 0) := (others => '0');
     signal azimuth_n64 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n65 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n66 : signed(27 downto 0) := (others => '0'); -- s28f24
-    signal azimuth_n67 : signed(27 downto 0) := (others => '0'); -- s28f24
-    signal azimuth_n69 : signed(27 downto 0) := (others => '0'); -- s28f24
-    signal azimuth_n71_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n71_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n71 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n74 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n270 : signed(19 downto 0) := (others => '0'); -- s20f42
-    signal polar_angle_n271 : signed(19 downto 0) := (others => '0'); -- s20f40
-    signal polar_angle_n272 : signed(22 downto 0) := (others => '0'); -- s23f42
-    signal polar_angle_n273 : signed(19 downto 0) := (others => '0'); -- s20f38
-    signal polar_angle_n275 : signed(19 downto 0) := (others => '0'); -- s20f33
-    signal polar_angle_n277 : signed(19 downto 0) := (others => '0'); -- s20f30
-    signal polar_angle_n279 : signed(19 downto 0) := (others => '0'); -- s20f27
-    signal polar_angle_n281 : signed(19 downto 0) := (others => '0'); -- s20f25
-    signal polar_angle_n283 : signed(19 downto 0) := (others => '0'); -- s20f23
-    signal polar_angle_n285 : signed(19 downto 0) := (others => '0'); -- s20f21
-    signal polar_angle_n287 : signed(19 downto 0) := (others => '0'); -- s20f19
-    signal polar_angle_n289 : signed(19 downto 0) := (others => '0'); -- s20f17
+    signal azimuth_n66 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n67 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n69 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n70 : signed(27 downto 0) := (others => '0'); -- s28f24
+    signal azimuth_n71 : signed(27 downto 0) := (others => '0'); -- s28f24
+    signal azimuth_n73 : signed(27 downto 0) := (others => '0'); -- s28f24
+    signal azimuth_n75_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n75_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n75 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n80 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n276 : signed(19 downto 0) := (others => '0'); -- s20f42
+    signal polar_angle_n277 : signed(19 downto 0) := (others => '0'); -- s20f40
+    signal polar_angle_n278 : signed(22 downto 0) := (others => '0'); -- s23f42
+    signal polar_angle_n279 : signed(19 downto 0) := (others => '0'); -- s20f38
+    signal polar_angle_n281 : signed(19 downto 0) := (others => '0'); -- s20f33
+    signal polar_angle_n283 : signed(19 downto 0) := (others => '0'); -- s20f30
+    signal polar_angle_n285 : signed(19 downto 0) := (others => '0'); -- s20f27
+    signal polar_angle_n287 : signed(19 downto 0) := (others => '0'); -- s20f25
+    signal polar_angle_n289 : signed(19 downto 0) := (others => '0'); -- s20f23
+    signal polar_angle_n291 : signed(19 downto 0) := (others => '0'); -- s20f21
+    signal polar_angle_n293 : signed(19 downto 0) := (others => '0'); -- s20f19
+    signal polar_angle_n295 : signed(19 downto 0) := (others => '0'); -- s20f17
     signal azimuth_n63_s3 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n65_s3 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n66_s3 : signed(27 downto 0) := (others => '0'); -- s28f24
-    signal azimuth_n71_s3 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n74_s3 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n272_s3 : signed(22 downto 0) := (others => '0'); -- s23f42
-    signal polar_angle_n273_s3 : signed(19 downto 0) := (others => '0'); -- s20f38
-    signal polar_angle_n275_s3 : signed(19 downto 0) := (others => '0'); -- s20f33
-    signal polar_angle_n277_s3 : signed(19 downto 0) := (others => '0'); -- s20f30
-    signal polar_angle_n279_s3 : signed(19 downto 0) := (others => '0'); -- s20f27
-    signal polar_angle_n281_s3 : signed(19 downto 0) := (others => '0'); -- s20f25
-    signal polar_angle_n283_s3 : signed(19 downto 0) := (others => '0'); -- s20f23
-    signal polar_angle_n285_s3 : signed(19 downto 0) := (others => '0'); -- s20f21
-    signal polar_angle_n287_s3 : signed(19 downto 0) := (others => '0'); -- s20f19
-    signal polar_angle_n289_s3 : signed(19 downto 0) := (others => '0'); -- s20f17
+    signal azimuth_n66_s3 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n67_s3 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n69_s3 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n70_s3 : signed(27 downto 0) := (others => '0'); -- s28f24
+    signal azimuth_n75_s3 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n80_s3 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n278_s3 : signed(22 downto 0) := (others => '0'); -- s23f42
+    signal polar_angle_n279_s3 : signed(19 downto 0) := (others => '0'); -- s20f38
+    signal polar_angle_n281_s3 : signed(19 downto 0) := (others => '0'); -- s20f33
+    signal polar_angle_n283_s3 : signed(19 downto 0) := (others => '0'); -- s20f30
+    signal polar_angle_n285_s3 : signed(19 downto 0) := (others => '0'); -- s20f27
+    signal polar_angle_n287_s3 : signed(19 downto 0) := (others => '0'); -- s20f25
+    signal polar_angle_n289_s3 : signed(19 downto 0) := (others => '0'); -- s20f23
+    signal polar_angle_n291_s3 : signed(19 downto 0) := (others => '0'); -- s20f21
+    signal polar_angle_n293_s3 : signed(19 downto 0) := (others => '0'); -- s20f19
+    signal polar_angle_n295_s3 : signed(19 downto 0) := (others => '0'); -- s20f17
     signal valid_s3 : std_logic;
     -- stage 3
-    signal azimuth_n68 : signed(27 downto 0) := (others => '0'); -- s28f24
-    signal azimuth_n70_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n70_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n70 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n75 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n76_term : unsigned(27 downto 0) := (others => '0');
-    signal azimuth_n76 : signed(27 downto 0) := (others => '0'); -- s28f24
-    signal azimuth_n77_term : unsigned(27 downto 0) := (others => '0');
-    signal azimuth_n77 : signed(27 downto 0) := (others => '0'); -- s28f24
-    signal azimuth_n79_term : unsigned(24 downto 0) := (others => '0');
-    signal azimuth_n79 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal azimuth_n80_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n80_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n80 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n81_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n81_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n81 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n82_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n82_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n82 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n83 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n84 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n85 : signed(26 downto 0) := (others => '0'); -- s27f25
-    signal azimuth_n86 : signed(26 downto 0) := (others => '0'); -- s27f25
-    signal azimuth_n87_term : unsigned(28 downto 0) := (others => '0');
-    signal azimuth_n87 : signed(28 downto 0) := (others => '0'); -- s29f25
-    signal azimuth_n90_term : unsigned(24 downto 0) := (others => '0');
-    signal azimuth_n90 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal polar_angle_n274 : signed(24 downto 0) := (others => '0'); -- s25f42
-    signal polar_angle_n276 : signed(29 downto 0) := (others => '0'); -- s30f42
-    signal polar_angle_n278 : signed(32 downto 0) := (others => '0'); -- s33f42
-    signal azimuth_n65_s4 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n82_s4 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n84_s4 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n86_s4 : signed(26 downto 0) := (others => '0'); -- s27f25
-    signal azimuth_n87_s4 : signed(28 downto 0) := (others => '0'); -- s29f25
-    signal azimuth_n90_s4 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal polar_angle_n278_s4 : signed(32 downto 0) := (others => '0'); -- s33f42
-    signal polar_angle_n279_s4 : signed(19 downto 0) := (others => '0'); -- s20f27
-    signal polar_angle_n281_s4 : signed(19 downto 0) := (others => '0'); -- s20f25
-    signal polar_angle_n283_s4 : signed(19 downto 0) := (others => '0'); -- s20f23
-    signal polar_angle_n285_s4 : signed(19 downto 0) := (others => '0'); -- s20f21
-    signal polar_angle_n287_s4 : signed(19 downto 0) := (others => '0'); -- s20f19
-    signal polar_angle_n289_s4 : signed(19 downto 0) := (others => '0'); -- s20f17
+    signal azimuth_n68 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n72 : signed(27 downto 0) := (others => '0'); -- s28f24
+    signal azimuth_n74_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n74_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n74 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n79 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n81 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n82_term : unsigned(27 downto 0) := (others => '0');
+    signal azimuth_n82 : signed(27 downto 0) := (others => '0'); -- s28f24
+    signal azimuth_n83_term : unsigned(27 downto 0) := (others => '0');
+    signal azimuth_n83 : signed(27 downto 0) := (others => '0'); -- s28f24
+    signal azimuth_n85_term : unsigned(24 downto 0) := (others => '0');
+    signal azimuth_n85 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal azimuth_n86_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n86_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n86 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n87_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n87_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n87 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n88_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n88_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n88 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n89 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n90 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n91 : signed(26 downto 0) := (others => '0'); -- s27f25
+    signal azimuth_n92 : signed(26 downto 0) := (others => '0'); -- s27f25
+    signal azimuth_n93_term : unsigned(28 downto 0) := (others => '0');
+    signal azimuth_n93 : signed(28 downto 0) := (others => '0'); -- s29f25
+    signal azimuth_n96_term : unsigned(24 downto 0) := (others => '0');
+    signal azimuth_n96 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal polar_angle_n280 : signed(24 downto 0) := (others => '0'); -- s25f42
+    signal polar_angle_n282 : signed(29 downto 0) := (others => '0'); -- s30f42
+    signal polar_angle_n284 : signed(32 downto 0) := (others => '0'); -- s33f42
+    signal azimuth_n69_s4 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n88_s4 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n90_s4 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n92_s4 : signed(26 downto 0) := (others => '0'); -- s27f25
+    signal azimuth_n93_s4 : signed(28 downto 0) := (others => '0'); -- s29f25
+    signal azimuth_n96_s4 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal polar_angle_n284_s4 : signed(32 downto 0) := (others => '0'); -- s33f42
+    signal polar_angle_n285_s4 : signed(19 downto 0) := (others => '0'); -- s20f27
+    signal polar_angle_n287_s4 : signed(19 downto 0) := (others => '0'); -- s20f25
+    signal polar_angle_n289_s4 : signed(19 downto 0) := (others => '0'); -- s20f23
+    signal polar_angle_n291_s4 : signed(19 downto 0) := (others => '0'); -- s20f21
+    signal polar_angle_n293_s4 : signed(19 downto 0) := (others => '0'); -- s20f19
+    signal polar_angle_n295_s4 : signed(19 downto 0) := (others => '0'); -- s20f17
     signal valid_s4 : std_logic;
     -- stage 4
-    signal azimuth_n88_term : unsigned(28 downto 0) := (others => '0');
-    signal azimuth_n88 : signed(28 downto 0) := (others => '0'); -- s29f25
-    signal azimuth_n91_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n91_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n91 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n92_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n92_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n92_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n92 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n93_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n93_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n93_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n93 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n94 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n95 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n96 : signed(26 downto 0) := (others => '0'); -- s27f26
-    signal azimuth_n97 : signed(26 downto 0) := (others => '0'); -- s27f26
-    signal azimuth_n98_term : unsigned(29 downto 0) := (others => '0');
-    signal azimuth_n98 : signed(29 downto 0) := (others => '0'); -- s30f26
-    signal azimuth_n99_term : unsigned(29 downto 0) := (others => '0');
-    signal azimuth_n99 : signed(29 downto 0) := (others => '0'); -- s30f26
-    signal azimuth_n101_term : unsigned(24 downto 0) := (others => '0');
-    signal azimuth_n101 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal azimuth_n102_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n102_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n102 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n103_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n103_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n103_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n103 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n104_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n104_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n104_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n104 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n105 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n107 : signed(26 downto 0) := (others => '0'); -- s27f27
-    signal azimuth_n108 : signed(26 downto 0) := (others => '0'); -- s27f27
-    signal polar_angle_n280 : signed(35 downto 0) := (others => '0'); -- s36f42
-    signal polar_angle_n282 : signed(37 downto 0) := (others => '0'); -- s38f42
-    signal azimuth_n65_s5 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n102_s5 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n103_s5 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n104_s5 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n105_s5 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n107_s5 : signed(26 downto 0) := (others => '0'); -- s27f27
-    signal azimuth_n108_s5 : signed(26 downto 0) := (others => '0'); -- s27f27
-    signal polar_angle_n282_s5 : signed(37 downto 0) := (others => '0'); -- s38f42
-    signal polar_angle_n283_s5 : signed(19 downto 0) := (others => '0'); -- s20f23
-    signal polar_angle_n285_s5 : signed(19 downto 0) := (others => '0'); -- s20f21
-    signal polar_angle_n287_s5 : signed(19 downto 0) := (others => '0'); -- s20f19
-    signal polar_angle_n289_s5 : signed(19 downto 0) := (others => '0'); -- s20f17
+    signal azimuth_n94_term : unsigned(28 downto 0) := (others => '0');
+    signal azimuth_n94 : signed(28 downto 0) := (others => '0'); -- s29f25
+    signal azimuth_n97_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n97_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n97 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n98_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n98_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n98_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n98 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n99_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n99_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n99_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n99 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n100 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n101 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n102 : signed(26 downto 0) := (others => '0'); -- s27f26
+    signal azimuth_n103 : signed(26 downto 0) := (others => '0'); -- s27f26
+    signal azimuth_n104_term : unsigned(29 downto 0) := (others => '0');
+    signal azimuth_n104 : signed(29 downto 0) := (others => '0'); -- s30f26
+    signal azimuth_n105_term : unsigned(29 downto 0) := (others => '0');
+    signal azimuth_n105 : signed(29 downto 0) := (others => '0'); -- s30f26
+    signal azimuth_n107_term : unsigned(24 downto 0) := (others => '0');
+    signal azimuth_n107 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal azimuth_n108_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n108_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n108 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n109_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n109_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n109_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n109 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n110_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n110_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n110_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n110 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n111 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n113 : signed(26 downto 0) := (others => '0'); -- s27f27
+    signal azimuth_n114 : signed(26 downto 0) := (others => '0'); -- s27f27
+    signal polar_angle_n286 : signed(35 downto 0) := (others => '0'); -- s36f42
+    signal polar_angle_n288 : signed(37 downto 0) := (others => '0'); -- s38f42
+    signal azimuth_n69_s5 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n108_s5 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n109_s5 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n110_s5 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n111_s5 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n113_s5 : signed(26 downto 0) := (others => '0'); -- s27f27
+    signal azimuth_n114_s5 : signed(26 downto 0) := (others => '0'); -- s27f27
+    signal polar_angle_n288_s5 : signed(37 downto 0) := (others => '0'); -- s38f42
+    signal polar_angle_n289_s5 : signed(19 downto 0) := (others => '0'); -- s20f23
+    signal polar_angle_n291_s5 : signed(19 downto 0) := (others => '0'); -- s20f21
+    signal polar_angle_n293_s5 : signed(19 downto 0) := (others => '0'); -- s20f19
+    signal polar_angle_n295_s5 : signed(19 downto 0) := (others => '0'); -- s20f17
     signal valid_s5 : std_logic;
     -- stage 5
-    signal azimuth_n106 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n109_term : unsigned(30 downto 0) := (others => '0');
-    signal azimuth_n109 : signed(30 downto 0) := (others => '0'); -- s31f27
-    signal azimuth_n110_term : unsigned(30 downto 0) := (others => '0');
-    signal azimuth_n110 : signed(30 downto 0) := (others => '0'); -- s31f27
-    signal azimuth_n112_term : unsigned(24 downto 0) := (others => '0');
-    signal azimuth_n112 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal azimuth_n113_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n113_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n113 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n114_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n114_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n114_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n114 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n115_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n115_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n115_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n115 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n116 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n117 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n118 : signed(26 downto 0) := (others => '0'); -- s27f28
-    signal azimuth_n119 : signed(26 downto 0) := (others => '0'); -- s27f28
-    signal azimuth_n120_term : unsigned(31 downto 0) := (others => '0');
-    signal azimuth_n120 : signed(31 downto 0) := (others => '0'); -- s32f28
-    signal azimuth_n121_term : unsigned(31 downto 0) := (others => '0');
-    signal azimuth_n121 : signed(31 downto 0) := (others => '0'); -- s32f28
-    signal azimuth_n123_term : unsigned(24 downto 0) := (others => '0');
-    signal azimuth_n123 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal azimuth_n124_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n124_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n124 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n125_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n125_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n125_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n125 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n130 : signed(26 downto 0) := (others => '0'); -- s27f29
-    signal polar_angle_n284 : signed(39 downto 0) := (others => '0'); -- s40f42
-    signal polar_angle_n286 : signed(41 downto 0) := (others => '0'); -- s42f42
-    signal azimuth_n65_s6 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n121_s6 : signed(31 downto 0) := (others => '0'); -- s32f28
-    signal azimuth_n124_s6 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n125_s6 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n130_s6 : signed(26 downto 0) := (others => '0'); -- s27f29
-    signal polar_angle_n286_s6 : signed(41 downto 0) := (others => '0'); -- s42f42
-    signal polar_angle_n287_s6 : signed(19 downto 0) := (others => '0'); -- s20f19
-    signal polar_angle_n289_s6 : signed(19 downto 0) := (others => '0'); -- s20f17
+    signal azimuth_n112 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n115_term : unsigned(30 downto 0) := (others => '0');
+    signal azimuth_n115 : signed(30 downto 0) := (others => '0'); -- s31f27
+    signal azimuth_n116_term : unsigned(30 downto 0) := (others => '0');
+    signal azimuth_n116 : signed(30 downto 0) := (others => '0'); -- s31f27
+    signal azimuth_n118_term : unsigned(24 downto 0) := (others => '0');
+    signal azimuth_n118 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal azimuth_n119_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n119_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n119 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n120_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n120_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n120_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n120 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n121_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n121_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n121_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n121 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n122 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n123 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n124 : signed(26 downto 0) := (others => '0'); -- s27f28
+    signal azimuth_n125 : signed(26 downto 0) := (others => '0'); -- s27f28
+    signal azimuth_n126_term : unsigned(31 downto 0) := (others => '0');
+    signal azimuth_n126 : signed(31 downto 0) := (others => '0'); -- s32f28
+    signal azimuth_n127_term : unsigned(31 downto 0) := (others => '0');
+    signal azimuth_n127 : signed(31 downto 0) := (others => '0'); -- s32f28
+    signal azimuth_n129_term : unsigned(24 downto 0) := (others => '0');
+    signal azimuth_n129 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal azimuth_n130_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n130_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n130 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n131_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n131_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n131_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n131 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n136 : signed(26 downto 0) := (others => '0'); -- s27f29
+    signal polar_angle_n290 : signed(39 downto 0) := (others => '0'); -- s40f42
+    signal polar_angle_n292 : signed(41 downto 0) := (others => '0'); -- s42f42
+    signal azimuth_n69_s6 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n127_s6 : signed(31 downto 0) := (others => '0'); -- s32f28
+    signal azimuth_n130_s6 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n131_s6 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n136_s6 : signed(26 downto 0) := (others => '0'); -- s27f29
+    signal polar_angle_n292_s6 : signed(41 downto 0) := (others => '0'); -- s42f42
+    signal polar_angle_n293_s6 : signed(19 downto 0) := (others => '0'); -- s20f19
+    signal polar_angle_n295_s6 : signed(19 downto 0) := (others => '0'); -- s20f17
     signal valid_s6 : std_logic;
     -- stage 6
-    signal azimuth_n126_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n126_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n126_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n126 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n127 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n128 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n129 : signed(26 downto 0) := (others => '0'); -- s27f29
-    signal azimuth_n131_term : unsigned(32 downto 0) := (others => '0');
-    signal azimuth_n131 : signed(32 downto 0) := (others => '0'); -- s33f29
-    signal azimuth_n132_term : unsigned(32 downto 0) := (others => '0');
-    signal azimuth_n132 : signed(32 downto 0) := (others => '0'); -- s33f29
-    signal azimuth_n134_term : unsigned(24 downto 0) := (others => '0');
-    signal azimuth_n134 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal azimuth_n135_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n135_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n135 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n136_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n136_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n136_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n136 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n137_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n137_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n137_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n137 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n138 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n139 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n140 : signed(26 downto 0) := (others => '0'); -- s27f30
-    signal azimuth_n141 : signed(26 downto 0) := (others => '0'); -- s27f30
-    signal azimuth_n145_term : unsigned(24 downto 0) := (others => '0');
-    signal azimuth_n145 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal polar_angle_n288 : signed(43 downto 0) := (others => '0'); -- s44f42
-    signal polar_angle_n290 : signed(45 downto 0) := (others => '0'); -- s46f42
-    signal polar_angle_n291_cut : signed(27 downto 0) := (others => '0');
-    signal polar_angle_n291_over : unsigned(0 downto 0) := (others => '0');
-    signal polar_angle_n291_under : unsigned(0 downto 0) := (others => '0');
-    signal polar_angle_n291 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n292 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n65_s7 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n136_s7 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n137_s7 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n138_s7 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n139_s7 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n140_s7 : signed(26 downto 0) := (others => '0'); -- s27f30
-    signal azimuth_n141_s7 : signed(26 downto 0) := (others => '0'); -- s27f30
-    signal azimuth_n145_s7 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal polar_angle_n291_s7 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n292_s7 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal valid_s7 : std_logic;
-    -- stage 7
-    signal azimuth_n142_term : unsigned(33 downto 0) := (others => '0');
-    signal azimuth_n142 : signed(33 downto 0) := (others => '0'); -- s34f30
-    signal azimuth_n143_term : unsigned(33 downto 0) := (others => '0');
-    signal azimuth_n143 : signed(33 downto 0) := (others => '0'); -- s34f30
-    signal azimuth_n146_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n146_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n146 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n147_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n147_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n147_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n147 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n148_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n148_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n148_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n148 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n149 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n150 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n151 : signed(26 downto 0) := (others => '0'); -- s27f31
-    signal azimuth_n152 : signed(26 downto 0) := (others => '0'); -- s27f31
-    signal azimuth_n153_term : unsigned(34 downto 0) := (others => '0');
-    signal azimuth_n153 : signed(34 downto 0) := (others => '0'); -- s35f31
-    signal azimuth_n154_term : unsigned(34 downto 0) := (others => '0');
-    signal azimuth_n154 : signed(34 downto 0) := (others => '0'); -- s35f31
-    signal azimuth_n156_term : unsigned(24 downto 0) := (others => '0');
-    signal azimuth_n156 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal azimuth_n157_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n157_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n157 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n158_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n158_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n158_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n158 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n163 : signed(26 downto 0) := (others => '0'); -- s27f32
-    signal polar_angle_n293 : signed(27 downto 0) := (others => '0'); -- s28f24
-    signal polar_angle_n295 : signed(27 downto 0) := (others => '0'); -- s28f24
+    signal azimuth_n132_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n132_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n132_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n132 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n133 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n134 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n135 : signed(26 downto 0) := (others => '0'); -- s27f29
+    signal azimuth_n137_term : unsigned(32 downto 0) := (others => '0');
+    signal azimuth_n137 : signed(32 downto 0) := (others => '0'); -- s33f29
+    signal azimuth_n138_term : unsigned(32 downto 0) := (others => '0');
+    signal azimuth_n138 : signed(32 downto 0) := (others => '0'); -- s33f29
+    signal azimuth_n140_term : unsigned(24 downto 0) := (others => '0');
+    signal azimuth_n140 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal azimuth_n141_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n141_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n141 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n142_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n142_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n142_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n142 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n143_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n143_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n143_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n143 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n144 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n145 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n146 : signed(26 downto 0) := (others => '0'); -- s27f30
+    signal azimuth_n147 : signed(26 downto 0) := (others => '0'); -- s27f30
+    signal azimuth_n151_term : unsigned(24 downto 0) := (others => '0');
+    signal azimuth_n151 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal polar_angle_n294 : signed(43 downto 0) := (others => '0'); -- s44f42
+    signal polar_angle_n296 : signed(45 downto 0) := (others => '0'); -- s46f42
+    signal polar_angle_n297_cut : signed(27 downto 0) := (others => '0');
     signal polar_angle_n297_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n297_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n297 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n65_s8 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n154_s8 : signed(34 downto 0) := (others => '0'); -- s35f31
-    signal azimuth_n157_s8 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n158_s8 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n163_s8 : signed(26 downto 0) := (others => '0'); -- s27f32
-    signal polar_angle_n292_s8 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n297_s8 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal valid_s8 : std_logic;
-    -- stage 8
-    signal azimuth_n159_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n159_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n159_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n159 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n160 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n161 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n162 : signed(26 downto 0) := (others => '0'); -- s27f32
-    signal azimuth_n164_term : unsigned(35 downto 0) := (others => '0');
-    signal azimuth_n164 : signed(35 downto 0) := (others => '0'); -- s36f32
-    signal azimuth_n165_term : unsigned(35 downto 0) := (others => '0');
-    signal azimuth_n165 : signed(35 downto 0) := (others => '0'); -- s36f32
-    signal azimuth_n167_term : unsigned(24 downto 0) := (others => '0');
-    signal azimuth_n167 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal azimuth_n168_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n168_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n168 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n169_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n169_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n169_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n169 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n170_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n170_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n170_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n170 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n171 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n172 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n173 : signed(26 downto 0) := (others => '0'); -- s27f33
-    signal azimuth_n174 : signed(26 downto 0) := (others => '0'); -- s27f33
-    signal azimuth_n178_term : unsigned(24 downto 0) := (others => '0');
-    signal azimuth_n178 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal azimuth_n65_s9 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n169_s9 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n170_s9 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n171_s9 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n172_s9 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n173_s9 : signed(26 downto 0) := (others => '0'); -- s27f33
-    signal azimuth_n174_s9 : signed(26 downto 0) := (others => '0'); -- s27f33
-    signal azimuth_n178_s9 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal polar_angle_n292_s9 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n297_s9 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal valid_s9 : std_logic;
-    -- stage 9
-    signal azimuth_n175_term : unsigned(36 downto 0) := (others => '0');
-    signal azimuth_n175 : signed(36 downto 0) := (others => '0'); -- s37f33
-    signal azimuth_n176_term : unsigned(36 downto 0) := (others => '0');
-    signal azimuth_n176 : signed(36 downto 0) := (others => '0'); -- s37f33
-    signal azimuth_n179_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n179_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n179 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n180_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n180_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n180_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n180 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n181_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n181_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n181_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n181 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n182 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n183 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n184 : signed(26 downto 0) := (others => '0'); -- s27f34
-    signal azimuth_n185 : signed(26 downto 0) := (others => '0'); -- s27f34
-    signal azimuth_n186_term : unsigned(37 downto 0) := (others => '0');
-    signal azimuth_n186 : signed(37 downto 0) := (others => '0'); -- s38f34
-    signal azimuth_n187_term : unsigned(37 downto 0) := (others => '0');
-    signal azimuth_n187 : signed(37 downto 0) := (others => '0'); -- s38f34
-    signal azimuth_n189_term : unsigned(24 downto 0) := (others => '0');
-    signal azimuth_n189 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal azimuth_n190_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n190_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n190 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n191_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n191_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n191_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n191 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n196 : signed(26 downto 0) := (others => '0'); -- s27f35
-    signal azimuth_n65_s10 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n187_s10 : signed(37 downto 0) := (others => '0'); -- s38f34
-    signal azimuth_n190_s10 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n191_s10 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n196_s10 : signed(26 downto 0) := (others => '0'); -- s27f35
-    signal polar_angle_n292_s10 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n297_s10 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal valid_s10 : std_logic;
-    -- stage 10
-    signal azimuth_n192_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n192_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n192_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n192 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n193 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n194 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n195 : signed(26 downto 0) := (others => '0'); -- s27f35
-    signal azimuth_n197_term : unsigned(38 downto 0) := (others => '0');
-    signal azimuth_n197 : signed(38 downto 0) := (others => '0'); -- s39f35
-    signal azimuth_n198_term : unsigned(38 downto 0) := (others => '0');
-    signal azimuth_n198 : signed(38 downto 0) := (others => '0'); -- s39f35
-    signal azimuth_n200_term : unsigned(24 downto 0) := (others => '0');
-    signal azimuth_n200 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal azimuth_n201_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n201_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n201 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n202_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n202_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n202_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n202 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n203_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n203_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n203_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n203 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n204 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n205 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n206 : signed(26 downto 0) := (others => '0'); -- s27f36
-    signal azimuth_n207 : signed(26 downto 0) := (others => '0'); -- s27f36
-    signal azimuth_n211_term : unsigned(24 downto 0) := (others => '0');
-    signal azimuth_n211 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal azimuth_n65_s11 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n202_s11 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n203_s11 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n204_s11 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n205_s11 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n206_s11 : signed(26 downto 0) := (others => '0'); -- s27f36
-    signal azimuth_n207_s11 : signed(26 downto 0) := (others => '0'); -- s27f36
-    signal azimuth_n211_s11 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal polar_angle_n292_s11 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n297_s11 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal valid_s11 : std_logic;
-    -- stage 11
-    signal azimuth_n208_term : unsigned(39 downto 0) := (others => '0');
-    signal azimuth_n208 : signed(39 downto 0) := (others => '0'); -- s40f36
-    signal azimuth_n209_term : unsigned(39 downto 0) := (others => '0');
-    signal azimuth_n209 : signed(39 downto 0) := (others => '0'); -- s40f36
-    signal azimuth_n212_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n212_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n212 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n213_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n213_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n213_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n213 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n214_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n214_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n214_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n214 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n215 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n216 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n217 : signed(26 downto 0) := (others => '0'); -- s27f37
-    signal azimuth_n218 : signed(26 downto 0) := (others => '0'); -- s27f37
-    signal azimuth_n219_term : unsigned(40 downto 0) := (others => '0');
-    signal azimuth_n219 : signed(40 downto 0) := (others => '0'); -- s41f37
-    signal azimuth_n220_term : unsigned(40 downto 0) := (others => '0');
-    signal azimuth_n220 : signed(40 downto 0) := (others => '0'); -- s41f37
-    signal azimuth_n222_term : unsigned(24 downto 0) := (others => '0');
-    signal azimuth_n222 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal azimuth_n223_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n223_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n223 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n224_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n224_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n224_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n224 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n229 : signed(26 downto 0) := (others => '0'); -- s27f38
-    signal azimuth_n65_s12 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n220_s12 : signed(40 downto 0) := (others => '0'); -- s41f37
-    signal azimuth_n223_s12 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n224_s12 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n229_s12 : signed(26 downto 0) := (others => '0'); -- s27f38
-    signal polar_angle_n292_s12 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n297_s12 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal valid_s12 : std_logic;
-    -- stage 12
-    signal azimuth_n225_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n225_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n225_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n225 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n226 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n227 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n228 : signed(26 downto 0) := (others => '0'); -- s27f38
-    signal azimuth_n230_term : unsigned(41 downto 0) := (others => '0');
-    signal azimuth_n230 : signed(41 downto 0) := (others => '0'); -- s42f38
-    signal azimuth_n231_term : unsigned(41 downto 0) := (others => '0');
-    signal azimuth_n231 : signed(41 downto 0) := (others => '0'); -- s42f38
-    signal azimuth_n233_term : unsigned(24 downto 0) := (others => '0');
-    signal azimuth_n233 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal azimuth_n234_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n234_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n234 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n235_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n235_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n235_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n235 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n236_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n236_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n236_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n236 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n237 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n238 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n239 : signed(26 downto 0) := (others => '0'); -- s27f39
-    signal azimuth_n240 : signed(26 downto 0) := (others => '0'); -- s27f39
-    signal azimuth_n65_s13 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n234_s13 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n235_s13 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n236_s13 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n237_s13 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n238_s13 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n239_s13 : signed(26 downto 0) := (others => '0'); -- s27f39
-    signal azimuth_n240_s13 : signed(26 downto 0) := (others => '0'); -- s27f39
-    signal polar_angle_n292_s13 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n297_s13 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal valid_s13 : std_logic;
-    -- stage 13
-    signal azimuth_n241_term : unsigned(42 downto 0) := (others => '0');
-    signal azimuth_n241 : signed(42 downto 0) := (others => '0'); -- s43f39
-    signal azimuth_n242_term : unsigned(42 downto 0) := (others => '0');
-    signal azimuth_n242 : signed(42 downto 0) := (others => '0'); -- s43f39
-    signal azimuth_n244_term : unsigned(24 downto 0) := (others => '0');
-    signal azimuth_n244 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal azimuth_n245_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n245_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n245 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n246_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n246_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n246_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n246 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n247_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n247_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n247_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n247 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n248 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n249 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n250 : signed(26 downto 0) := (others => '0'); -- s27f40
-    signal azimuth_n251 : signed(26 downto 0) := (others => '0'); -- s27f40
-    signal azimuth_n252_term : unsigned(43 downto 0) := (others => '0');
-    signal azimuth_n252 : signed(43 downto 0) := (others => '0'); -- s44f40
-    signal azimuth_n253_term : unsigned(43 downto 0) := (others => '0');
-    signal azimuth_n253 : signed(43 downto 0) := (others => '0'); -- s44f40
-    signal azimuth_n255_term : unsigned(24 downto 0) := (others => '0');
-    signal azimuth_n255 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal azimuth_n256_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n256_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n256 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n65_s14 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n252_s14 : signed(43 downto 0) := (others => '0'); -- s44f40
-    signal azimuth_n253_s14 : signed(43 downto 0) := (others => '0'); -- s44f40
-    signal azimuth_n256_s14 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal polar_angle_n292_s14 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n297_s14 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal valid_s14 : std_logic;
-    -- stage 14
-    signal azimuth_n257_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n257_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n257_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n257 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n258_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n258_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n258_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n258 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n259 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal azimuth_n260 : signed(26 downto 0) := (others => '0'); -- s27f41
-    signal azimuth_n261_term : unsigned(44 downto 0) := (others => '0');
-    signal azimuth_n261 : signed(44 downto 0) := (others => '0'); -- s45f41
-    signal azimuth_n263_term : unsigned(24 downto 0) := (others => '0');
-    signal azimuth_n263 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal azimuth_n264_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n264_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n264 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal azimuth_n265_cut : signed(27 downto 0) := (others => '0');
-    signal azimuth_n265_over : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n265_under : unsigned(0 downto 0) := (others => '0');
-    signal azimuth_n265 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal azimuth_n266 : unsigned(23 downto 0) := (others => '0'); -- u24f24
-    signal azimuth_n268 : unsigned(23 downto 0) := (others => '0'); -- u24f24
-    signal azimuth_n269 : unsigned(23 downto 0) := (others => '0'); -- u24f24
-    signal polar_angle_n294 : signed(27 downto 0) := (others => '0'); -- s28f24
-    signal n470_sum : unsigned(24 downto 0) := (others => '0');
-    signal n470_cut : unsigned(16 downto 0) := (others => '0');
-    signal n470 : unsigned(16 downto 0) := (others => '0'); -- u17f16
-    signal phi_next : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal azimuth_n265_s15 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n292_s15 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n294_s15 : signed(27 downto 0) := (others => '0'); -- s28f24
-    signal polar_angle_n297_s15 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal phi_next_s15 : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal valid_s15 : std_logic;
-    -- stage 15
-    signal polar_angle_n296 : signed(27 downto 0) := (others => '0'); -- s28f24
-    signal polar_angle_n298_over : unsigned(0 downto 0) := (others => '0');
-    signal polar_angle_n298_under : unsigned(0 downto 0) := (others => '0');
-    signal polar_angle_n298 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n299 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n300 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n301_term : unsigned(27 downto 0) := (others => '0');
-    signal polar_angle_n301 : signed(27 downto 0) := (others => '0'); -- s28f24
-    signal polar_angle_n302_term : unsigned(27 downto 0) := (others => '0');
+    signal polar_angle_n301 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n69_s7 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n142_s7 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n143_s7 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n144_s7 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n145_s7 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n146_s7 : signed(26 downto 0) := (others => '0'); -- s27f30
+    signal azimuth_n147_s7 : signed(26 downto 0) := (others => '0'); -- s27f30
+    signal azimuth_n151_s7 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal polar_angle_n297_s7 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n301_s7 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal valid_s7 : std_logic;
+    -- stage 7
+    signal azimuth_n148_term : unsigned(33 downto 0) := (others => '0');
+    signal azimuth_n148 : signed(33 downto 0) := (others => '0'); -- s34f30
+    signal azimuth_n149_term : unsigned(33 downto 0) := (others => '0');
+    signal azimuth_n149 : signed(33 downto 0) := (others => '0'); -- s34f30
+    signal azimuth_n152_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n152_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n152 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n153_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n153_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n153_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n153 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n154_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n154_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n154_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n154 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n155 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n156 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n157 : signed(26 downto 0) := (others => '0'); -- s27f31
+    signal azimuth_n158 : signed(26 downto 0) := (others => '0'); -- s27f31
+    signal azimuth_n159_term : unsigned(34 downto 0) := (others => '0');
+    signal azimuth_n159 : signed(34 downto 0) := (others => '0'); -- s35f31
+    signal azimuth_n160_term : unsigned(34 downto 0) := (others => '0');
+    signal azimuth_n160 : signed(34 downto 0) := (others => '0'); -- s35f31
+    signal azimuth_n162_term : unsigned(24 downto 0) := (others => '0');
+    signal azimuth_n162 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal azimuth_n163_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n163_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n163 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n164_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n164_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n164_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n164 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n169 : signed(26 downto 0) := (others => '0'); -- s27f32
+    signal polar_angle_n298 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal polar_angle_n302 : signed(27 downto 0) := (others => '0'); -- s28f24
-    signal polar_angle_n303_term : unsigned(24 downto 0) := (others => '0');
-    signal polar_angle_n303 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal polar_angle_n304_over : unsigned(0 downto 0) := (others => '0');
-    signal polar_angle_n304_under : unsigned(0 downto 0) := (others => '0');
-    signal polar_angle_n304 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal polar_angle_n305_over : unsigned(0 downto 0) := (others => '0');
-    signal polar_angle_n305_under : unsigned(0 downto 0) := (others => '0');
-    signal polar_angle_n305 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n304 : signed(27 downto 0) := (others => '0'); -- s28f24
     signal polar_angle_n306_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n306_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n306 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n307 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n308 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n309 : signed(26 downto 0) := (others => '0'); -- s27f25
-    signal polar_angle_n310 : signed(26 downto 0) := (others => '0'); -- s27f25
-    signal polar_angle_n292_s16 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n304_s16 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal polar_angle_n305_s16 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n306_s16 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n307_s16 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n308_s16 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n309_s16 : signed(26 downto 0) := (others => '0'); -- s27f25
-    signal polar_angle_n310_s16 : signed(26 downto 0) := (others => '0'); -- s27f25
-    signal phi_next_s16 : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal valid_s16 : std_logic;
-    -- stage 16
-    signal polar_angle_n311_term : unsigned(28 downto 0) := (others => '0');
-    signal polar_angle_n311 : signed(28 downto 0) := (others => '0'); -- s29f25
-    signal polar_angle_n312_term : unsigned(28 downto 0) := (others => '0');
-    signal polar_angle_n312 : signed(28 downto 0) := (others => '0'); -- s29f25
+    signal azimuth_n69_s8 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n160_s8 : signed(34 downto 0) := (others => '0'); -- s35f31
+    signal azimuth_n163_s8 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n164_s8 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n169_s8 : signed(26 downto 0) := (others => '0'); -- s27f32
+    signal polar_angle_n298_s8 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n301_s8 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n306_s8 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal valid_s8 : std_logic;
+    -- stage 8
+    signal azimuth_n165_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n165_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n165_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n165 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n166 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n167 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n168 : signed(26 downto 0) := (others => '0'); -- s27f32
+    signal azimuth_n170_term : unsigned(35 downto 0) := (others => '0');
+    signal azimuth_n170 : signed(35 downto 0) := (others => '0'); -- s36f32
+    signal azimuth_n171_term : unsigned(35 downto 0) := (others => '0');
+    signal azimuth_n171 : signed(35 downto 0) := (others => '0'); -- s36f32
+    signal azimuth_n173_term : unsigned(24 downto 0) := (others => '0');
+    signal azimuth_n173 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal azimuth_n174_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n174_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n174 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n175_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n175_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n175_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n175 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n176_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n176_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n176_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n176 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n177 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n178 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n179 : signed(26 downto 0) := (others => '0'); -- s27f33
+    signal azimuth_n180 : signed(26 downto 0) := (others => '0'); -- s27f33
+    signal azimuth_n184_term : unsigned(24 downto 0) := (others => '0');
+    signal azimuth_n184 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal azimuth_n69_s9 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n175_s9 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n176_s9 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n177_s9 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n178_s9 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n179_s9 : signed(26 downto 0) := (others => '0'); -- s27f33
+    signal azimuth_n180_s9 : signed(26 downto 0) := (others => '0'); -- s27f33
+    signal azimuth_n184_s9 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal polar_angle_n298_s9 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n301_s9 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n306_s9 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal valid_s9 : std_logic;
+    -- stage 9
+    signal azimuth_n181_term : unsigned(36 downto 0) := (others => '0');
+    signal azimuth_n181 : signed(36 downto 0) := (others => '0'); -- s37f33
+    signal azimuth_n182_term : unsigned(36 downto 0) := (others => '0');
+    signal azimuth_n182 : signed(36 downto 0) := (others => '0'); -- s37f33
+    signal azimuth_n185_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n185_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n185 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n186_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n186_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n186_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n186 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n187_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n187_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n187_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n187 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n188 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n189 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n190 : signed(26 downto 0) := (others => '0'); -- s27f34
+    signal azimuth_n191 : signed(26 downto 0) := (others => '0'); -- s27f34
+    signal azimuth_n192_term : unsigned(37 downto 0) := (others => '0');
+    signal azimuth_n192 : signed(37 downto 0) := (others => '0'); -- s38f34
+    signal azimuth_n193_term : unsigned(37 downto 0) := (others => '0');
+    signal azimuth_n193 : signed(37 downto 0) := (others => '0'); -- s38f34
+    signal azimuth_n195_term : unsigned(24 downto 0) := (others => '0');
+    signal azimuth_n195 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal azimuth_n196_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n196_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n196 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n197_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n197_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n197_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n197 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n202 : signed(26 downto 0) := (others => '0'); -- s27f35
+    signal azimuth_n69_s10 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n193_s10 : signed(37 downto 0) := (others => '0'); -- s38f34
+    signal azimuth_n196_s10 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n197_s10 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n202_s10 : signed(26 downto 0) := (others => '0'); -- s27f35
+    signal polar_angle_n298_s10 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n301_s10 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n306_s10 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal valid_s10 : std_logic;
+    -- stage 10
+    signal azimuth_n198_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n198_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n198_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n198 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n199 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n200 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n201 : signed(26 downto 0) := (others => '0'); -- s27f35
+    signal azimuth_n203_term : unsigned(38 downto 0) := (others => '0');
+    signal azimuth_n203 : signed(38 downto 0) := (others => '0'); -- s39f35
+    signal azimuth_n204_term : unsigned(38 downto 0) := (others => '0');
+    signal azimuth_n204 : signed(38 downto 0) := (others => '0'); -- s39f35
+    signal azimuth_n206_term : unsigned(24 downto 0) := (others => '0');
+    signal azimuth_n206 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal azimuth_n207_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n207_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n207 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n208_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n208_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n208_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n208 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n209_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n209_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n209_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n209 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n210 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n211 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n212 : signed(26 downto 0) := (others => '0'); -- s27f36
+    signal azimuth_n213 : signed(26 downto 0) := (others => '0'); -- s27f36
+    signal azimuth_n217_term : unsigned(24 downto 0) := (others => '0');
+    signal azimuth_n217 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal azimuth_n69_s11 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n208_s11 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n209_s11 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n210_s11 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n211_s11 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n212_s11 : signed(26 downto 0) := (others => '0'); -- s27f36
+    signal azimuth_n213_s11 : signed(26 downto 0) := (others => '0'); -- s27f36
+    signal azimuth_n217_s11 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal polar_angle_n298_s11 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n301_s11 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n306_s11 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal valid_s11 : std_logic;
+    -- stage 11
+    signal azimuth_n214_term : unsigned(39 downto 0) := (others => '0');
+    signal azimuth_n214 : signed(39 downto 0) := (others => '0'); -- s40f36
+    signal azimuth_n215_term : unsigned(39 downto 0) := (others => '0');
+    signal azimuth_n215 : signed(39 downto 0) := (others => '0'); -- s40f36
+    signal azimuth_n218_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n218_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n218 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n219_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n219_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n219_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n219 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n220_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n220_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n220_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n220 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n221 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n222 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n223 : signed(26 downto 0) := (others => '0'); -- s27f37
+    signal azimuth_n224 : signed(26 downto 0) := (others => '0'); -- s27f37
+    signal azimuth_n225_term : unsigned(40 downto 0) := (others => '0');
+    signal azimuth_n225 : signed(40 downto 0) := (others => '0'); -- s41f37
+    signal azimuth_n226_term : unsigned(40 downto 0) := (others => '0');
+    signal azimuth_n226 : signed(40 downto 0) := (others => '0'); -- s41f37
+    signal azimuth_n228_term : unsigned(24 downto 0) := (others => '0');
+    signal azimuth_n228 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal azimuth_n229_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n229_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n229 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n230_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n230_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n230_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n230 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n235 : signed(26 downto 0) := (others => '0'); -- s27f38
+    signal azimuth_n69_s12 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n226_s12 : signed(40 downto 0) := (others => '0'); -- s41f37
+    signal azimuth_n229_s12 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n230_s12 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n235_s12 : signed(26 downto 0) := (others => '0'); -- s27f38
+    signal polar_angle_n298_s12 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n301_s12 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n306_s12 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal valid_s12 : std_logic;
+    -- stage 12
+    signal azimuth_n231_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n231_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n231_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n231 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n232 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n233 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n234 : signed(26 downto 0) := (others => '0'); -- s27f38
+    signal azimuth_n236_term : unsigned(41 downto 0) := (others => '0');
+    signal azimuth_n236 : signed(41 downto 0) := (others => '0'); -- s42f38
+    signal azimuth_n237_term : unsigned(41 downto 0) := (others => '0');
+    signal azimuth_n237 : signed(41 downto 0) := (others => '0'); -- s42f38
+    signal azimuth_n239_term : unsigned(24 downto 0) := (others => '0');
+    signal azimuth_n239 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal azimuth_n240_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n240_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n240 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n241_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n241_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n241_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n241 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n242_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n242_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n242_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n242 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n243 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n244 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n245 : signed(26 downto 0) := (others => '0'); -- s27f39
+    signal azimuth_n246 : signed(26 downto 0) := (others => '0'); -- s27f39
+    signal azimuth_n69_s13 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n240_s13 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n241_s13 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n242_s13 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n243_s13 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n244_s13 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n245_s13 : signed(26 downto 0) := (others => '0'); -- s27f39
+    signal azimuth_n246_s13 : signed(26 downto 0) := (others => '0'); -- s27f39
+    signal polar_angle_n298_s13 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n301_s13 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n306_s13 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal valid_s13 : std_logic;
+    -- stage 13
+    signal azimuth_n247_term : unsigned(42 downto 0) := (others => '0');
+    signal azimuth_n247 : signed(42 downto 0) := (others => '0'); -- s43f39
+    signal azimuth_n248_term : unsigned(42 downto 0) := (others => '0');
+    signal azimuth_n248 : signed(42 downto 0) := (others => '0'); -- s43f39
+    signal azimuth_n250_term : unsigned(24 downto 0) := (others => '0');
+    signal azimuth_n250 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal azimuth_n251_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n251_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n251 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n252_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n252_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n252_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n252 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n253_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n253_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n253_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n253 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n254 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n255 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n256 : signed(26 downto 0) := (others => '0'); -- s27f40
+    signal azimuth_n257 : signed(26 downto 0) := (others => '0'); -- s27f40
+    signal azimuth_n258_term : unsigned(43 downto 0) := (others => '0');
+    signal azimuth_n258 : signed(43 downto 0) := (others => '0'); -- s44f40
+    signal azimuth_n259_term : unsigned(43 downto 0) := (others => '0');
+    signal azimuth_n259 : signed(43 downto 0) := (others => '0'); -- s44f40
+    signal azimuth_n261_term : unsigned(24 downto 0) := (others => '0');
+    signal azimuth_n261 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal azimuth_n262_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n262_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n262 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n69_s14 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n258_s14 : signed(43 downto 0) := (others => '0'); -- s44f40
+    signal azimuth_n259_s14 : signed(43 downto 0) := (others => '0'); -- s44f40
+    signal azimuth_n262_s14 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal polar_angle_n298_s14 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n301_s14 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n306_s14 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal valid_s14 : std_logic;
+    -- stage 14
+    signal azimuth_n263_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n263_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n263_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n263 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n264_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n264_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n264_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n264 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n265 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal azimuth_n266 : signed(26 downto 0) := (others => '0'); -- s27f41
+    signal azimuth_n267_term : unsigned(44 downto 0) := (others => '0');
+    signal azimuth_n267 : signed(44 downto 0) := (others => '0'); -- s45f41
+    signal azimuth_n269_term : unsigned(24 downto 0) := (others => '0');
+    signal azimuth_n269 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal azimuth_n270_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n270_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n270 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal azimuth_n271_cut : signed(27 downto 0) := (others => '0');
+    signal azimuth_n271_over : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n271_under : unsigned(0 downto 0) := (others => '0');
+    signal azimuth_n271 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal azimuth_n272 : unsigned(23 downto 0) := (others => '0'); -- u24f24
+    signal azimuth_n274 : unsigned(23 downto 0) := (others => '0'); -- u24f24
+    signal azimuth_n275 : unsigned(23 downto 0) := (others => '0'); -- u24f24
+    signal polar_angle_n299 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n303 : signed(27 downto 0) := (others => '0'); -- s28f24
+    signal n480_sum : unsigned(24 downto 0) := (others => '0');
+    signal n480_cut : unsigned(16 downto 0) := (others => '0');
+    signal n480 : unsigned(16 downto 0) := (others => '0'); -- u17f16
+    signal phi_next : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal azimuth_n271_s15 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n298_s15 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n299_s15 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n301_s15 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n303_s15 : signed(27 downto 0) := (others => '0'); -- s28f24
+    signal polar_angle_n306_s15 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal phi_next_s15 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal valid_s15 : std_logic;
+    -- stage 15
+    signal polar_angle_n300 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n305 : signed(27 downto 0) := (others => '0'); -- s28f24
+    signal polar_angle_n307_over : unsigned(0 downto 0) := (others => '0');
+    signal polar_angle_n307_under : unsigned(0 downto 0) := (others => '0');
+    signal polar_angle_n307 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n308 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal polar_angle_n309 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n310 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n311_term : unsigned(27 downto 0) := (others => '0');
+    signal polar_angle_n311 : signed(27 downto 0) := (others => '0'); -- s28f24
+    signal polar_angle_n312_term : unsigned(27 downto 0) := (others => '0');
+    signal polar_angle_n312 : signed(27 downto 0) := (others => '0'); -- s28f24
     signal polar_angle_n313_term : unsigned(24 downto 0) := (others => '0');
     signal polar_angle_n313 : signed(24 downto 0) := (others => '0'); -- s25f24
     signal polar_angle_n314_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n314_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n314 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal polar_angle_n315_cut : signed(27 downto 0) := (others => '0');
     signal polar_angle_n315_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n315_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n315 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n316_cut : signed(27 downto 0) := (others => '0');
     signal polar_angle_n316_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n316_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n316 : signed(26 downto 0) := (others => '0'); -- s27f24
     signal polar_angle_n317 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal polar_angle_n318 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n319 : signed(26 downto 0) := (others => '0'); -- s27f26
-    signal polar_angle_n320 : signed(26 downto 0) := (others => '0'); -- s27f26
-    signal polar_angle_n321_term : unsigned(29 downto 0) := (others => '0');
-    signal polar_angle_n321 : signed(29 downto 0) := (others => '0'); -- s30f26
-    signal polar_angle_n322_term : unsigned(29 downto 0) := (others => '0');
-    signal polar_angle_n322 : signed(29 downto 0) := (others => '0'); -- s30f26
+    signal polar_angle_n319 : signed(26 downto 0) := (others => '0'); -- s27f25
+    signal polar_angle_n320 : signed(26 downto 0) := (others => '0'); -- s27f25
+    signal polar_angle_n301_s16 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n314_s16 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal polar_angle_n315_s16 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n316_s16 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n317_s16 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n318_s16 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n319_s16 : signed(26 downto 0) := (others => '0'); -- s27f25
+    signal polar_angle_n320_s16 : signed(26 downto 0) := (others => '0'); -- s27f25
+    signal phi_next_s16 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal valid_s16 : std_logic;
+    -- stage 16
+    signal polar_angle_n321_term : unsigned(28 downto 0) := (others => '0');
+    signal polar_angle_n321 : signed(28 downto 0) := (others => '0'); -- s29f25
+    signal polar_angle_n322_term : unsigned(28 downto 0) := (others => '0');
+    signal polar_angle_n322 : signed(28 downto 0) := (others => '0'); -- s29f25
     signal polar_angle_n323_term : unsigned(24 downto 0) := (others => '0');
     signal polar_angle_n323 : signed(24 downto 0) := (others => '0'); -- s25f24
     signal polar_angle_n324_over : unsigned(0 downto 0) := (others => '0');
@@ -1063,23 +1063,13 @@ architecture rtl of rotation_exact_polar_cordic is
     signal polar_angle_n326_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n326 : signed(26 downto 0) := (others => '0'); -- s27f24
     signal polar_angle_n327 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n329 : signed(26 downto 0) := (others => '0'); -- s27f27
-    signal polar_angle_n330 : signed(26 downto 0) := (others => '0'); -- s27f27
-    signal polar_angle_n292_s17 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n324_s17 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal polar_angle_n325_s17 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n326_s17 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n327_s17 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n329_s17 : signed(26 downto 0) := (others => '0'); -- s27f27
-    signal polar_angle_n330_s17 : signed(26 downto 0) := (others => '0'); -- s27f27
-    signal phi_next_s17 : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal valid_s17 : std_logic;
-    -- stage 17
     signal polar_angle_n328 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n331_term : unsigned(30 downto 0) := (others => '0');
-    signal polar_angle_n331 : signed(30 downto 0) := (others => '0'); -- s31f27
-    signal polar_angle_n332_term : unsigned(30 downto 0) := (others => '0');
-    signal polar_angle_n332 : signed(30 downto 0) := (others => '0'); -- s31f27
+    signal polar_angle_n329 : signed(26 downto 0) := (others => '0'); -- s27f26
+    signal polar_angle_n330 : signed(26 downto 0) := (others => '0'); -- s27f26
+    signal polar_angle_n331_term : unsigned(29 downto 0) := (others => '0');
+    signal polar_angle_n331 : signed(29 downto 0) := (others => '0'); -- s30f26
+    signal polar_angle_n332_term : unsigned(29 downto 0) := (others => '0');
+    signal polar_angle_n332 : signed(29 downto 0) := (others => '0'); -- s30f26
     signal polar_angle_n333_term : unsigned(24 downto 0) := (others => '0');
     signal polar_angle_n333 : signed(24 downto 0) := (others => '0'); -- s25f24
     signal polar_angle_n334_over : unsigned(0 downto 0) := (others => '0');
@@ -1094,13 +1084,23 @@ architecture rtl of rotation_exact_polar_cordic is
     signal polar_angle_n336_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n336 : signed(26 downto 0) := (others => '0'); -- s27f24
     signal polar_angle_n337 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n339 : signed(26 downto 0) := (others => '0'); -- s27f27
+    signal polar_angle_n340 : signed(26 downto 0) := (others => '0'); -- s27f27
+    signal polar_angle_n301_s17 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n334_s17 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal polar_angle_n335_s17 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n336_s17 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n337_s17 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n339_s17 : signed(26 downto 0) := (others => '0'); -- s27f27
+    signal polar_angle_n340_s17 : signed(26 downto 0) := (others => '0'); -- s27f27
+    signal phi_next_s17 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal valid_s17 : std_logic;
+    -- stage 17
     signal polar_angle_n338 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n339 : signed(26 downto 0) := (others => '0'); -- s27f28
-    signal polar_angle_n340 : signed(26 downto 0) := (others => '0'); -- s27f28
-    signal polar_angle_n341_term : unsigned(31 downto 0) := (others => '0');
-    signal polar_angle_n341 : signed(31 downto 0) := (others => '0'); -- s32f28
-    signal polar_angle_n342_term : unsigned(31 downto 0) := (others => '0');
-    signal polar_angle_n342 : signed(31 downto 0) := (others => '0'); -- s32f28
+    signal polar_angle_n341_term : unsigned(30 downto 0) := (others => '0');
+    signal polar_angle_n341 : signed(30 downto 0) := (others => '0'); -- s31f27
+    signal polar_angle_n342_term : unsigned(30 downto 0) := (others => '0');
+    signal polar_angle_n342 : signed(30 downto 0) := (others => '0'); -- s31f27
     signal polar_angle_n343_term : unsigned(24 downto 0) := (others => '0');
     signal polar_angle_n343 : signed(24 downto 0) := (others => '0'); -- s25f24
     signal polar_angle_n344_over : unsigned(0 downto 0) := (others => '0');
@@ -1110,26 +1110,18 @@ architecture rtl of rotation_exact_polar_cordic is
     signal polar_angle_n345_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n345_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n345 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n350 : signed(26 downto 0) := (others => '0'); -- s27f29
-    signal polar_angle_n292_s18 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n342_s18 : signed(31 downto 0) := (others => '0'); -- s32f28
-    signal polar_angle_n344_s18 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal polar_angle_n345_s18 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n350_s18 : signed(26 downto 0) := (others => '0'); -- s27f29
-    signal phi_next_s18 : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal valid_s18 : std_logic;
-    -- stage 18
     signal polar_angle_n346_cut : signed(27 downto 0) := (others => '0');
     signal polar_angle_n346_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n346_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n346 : signed(26 downto 0) := (others => '0'); -- s27f24
     signal polar_angle_n347 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal polar_angle_n348 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n349 : signed(26 downto 0) := (others => '0'); -- s27f29
-    signal polar_angle_n351_term : unsigned(32 downto 0) := (others => '0');
-    signal polar_angle_n351 : signed(32 downto 0) := (others => '0'); -- s33f29
-    signal polar_angle_n352_term : unsigned(32 downto 0) := (others => '0');
-    signal polar_angle_n352 : signed(32 downto 0) := (others => '0'); -- s33f29
+    signal polar_angle_n349 : signed(26 downto 0) := (others => '0'); -- s27f28
+    signal polar_angle_n350 : signed(26 downto 0) := (others => '0'); -- s27f28
+    signal polar_angle_n351_term : unsigned(31 downto 0) := (others => '0');
+    signal polar_angle_n351 : signed(31 downto 0) := (others => '0'); -- s32f28
+    signal polar_angle_n352_term : unsigned(31 downto 0) := (others => '0');
+    signal polar_angle_n352 : signed(31 downto 0) := (others => '0'); -- s32f28
     signal polar_angle_n353_term : unsigned(24 downto 0) := (others => '0');
     signal polar_angle_n353 : signed(24 downto 0) := (others => '0'); -- s25f24
     signal polar_angle_n354_over : unsigned(0 downto 0) := (others => '0');
@@ -1139,31 +1131,28 @@ architecture rtl of rotation_exact_polar_cordic is
     signal polar_angle_n355_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n355_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n355 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n360 : signed(26 downto 0) := (others => '0'); -- s27f29
+    signal polar_angle_n301_s18 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n352_s18 : signed(31 downto 0) := (others => '0'); -- s32f28
+    signal polar_angle_n354_s18 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal polar_angle_n355_s18 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n360_s18 : signed(26 downto 0) := (others => '0'); -- s27f29
+    signal phi_next_s18 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal valid_s18 : std_logic;
+    -- stage 18
     signal polar_angle_n356_cut : signed(27 downto 0) := (others => '0');
     signal polar_angle_n356_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n356_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n356 : signed(26 downto 0) := (others => '0'); -- s27f24
     signal polar_angle_n357 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal polar_angle_n358 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n359 : signed(26 downto 0) := (others => '0'); -- s27f30
-    signal polar_angle_n360 : signed(26 downto 0) := (others => '0'); -- s27f30
+    signal polar_angle_n359 : signed(26 downto 0) := (others => '0'); -- s27f29
+    signal polar_angle_n361_term : unsigned(32 downto 0) := (others => '0');
+    signal polar_angle_n361 : signed(32 downto 0) := (others => '0'); -- s33f29
+    signal polar_angle_n362_term : unsigned(32 downto 0) := (others => '0');
+    signal polar_angle_n362 : signed(32 downto 0) := (others => '0'); -- s33f29
     signal polar_angle_n363_term : unsigned(24 downto 0) := (others => '0');
     signal polar_angle_n363 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal polar_angle_n292_s19 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n355_s19 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n356_s19 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n357_s19 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n358_s19 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n359_s19 : signed(26 downto 0) := (others => '0'); -- s27f30
-    signal polar_angle_n360_s19 : signed(26 downto 0) := (others => '0'); -- s27f30
-    signal polar_angle_n363_s19 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal phi_next_s19 : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal valid_s19 : std_logic;
-    -- stage 19
-    signal polar_angle_n361_term : unsigned(33 downto 0) := (others => '0');
-    signal polar_angle_n361 : signed(33 downto 0) := (others => '0'); -- s34f30
-    signal polar_angle_n362_term : unsigned(33 downto 0) := (others => '0');
-    signal polar_angle_n362 : signed(33 downto 0) := (others => '0'); -- s34f30
     signal polar_angle_n364_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n364_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n364 : signed(23 downto 0) := (others => '0'); -- s24f24
@@ -1177,14 +1166,25 @@ architecture rtl of rotation_exact_polar_cordic is
     signal polar_angle_n366 : signed(26 downto 0) := (others => '0'); -- s27f24
     signal polar_angle_n367 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal polar_angle_n368 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n369 : signed(26 downto 0) := (others => '0'); -- s27f31
-    signal polar_angle_n370 : signed(26 downto 0) := (others => '0'); -- s27f31
-    signal polar_angle_n371_term : unsigned(34 downto 0) := (others => '0');
-    signal polar_angle_n371 : signed(34 downto 0) := (others => '0'); -- s35f31
-    signal polar_angle_n372_term : unsigned(34 downto 0) := (others => '0');
-    signal polar_angle_n372 : signed(34 downto 0) := (others => '0'); -- s35f31
+    signal polar_angle_n369 : signed(26 downto 0) := (others => '0'); -- s27f30
+    signal polar_angle_n370 : signed(26 downto 0) := (others => '0'); -- s27f30
     signal polar_angle_n373_term : unsigned(24 downto 0) := (others => '0');
     signal polar_angle_n373 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal polar_angle_n301_s19 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n365_s19 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n366_s19 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n367_s19 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n368_s19 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n369_s19 : signed(26 downto 0) := (others => '0'); -- s27f30
+    signal polar_angle_n370_s19 : signed(26 downto 0) := (others => '0'); -- s27f30
+    signal polar_angle_n373_s19 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal phi_next_s19 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal valid_s19 : std_logic;
+    -- stage 19
+    signal polar_angle_n371_term : unsigned(33 downto 0) := (others => '0');
+    signal polar_angle_n371 : signed(33 downto 0) := (others => '0'); -- s34f30
+    signal polar_angle_n372_term : unsigned(33 downto 0) := (others => '0');
+    signal polar_angle_n372 : signed(33 downto 0) := (others => '0'); -- s34f30
     signal polar_angle_n374_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n374_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n374 : signed(23 downto 0) := (others => '0'); -- s24f24
@@ -1192,26 +1192,18 @@ architecture rtl of rotation_exact_polar_cordic is
     signal polar_angle_n375_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n375_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n375 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n380 : signed(26 downto 0) := (others => '0'); -- s27f32
-    signal polar_angle_n292_s20 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n372_s20 : signed(34 downto 0) := (others => '0'); -- s35f31
-    signal polar_angle_n374_s20 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal polar_angle_n375_s20 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n380_s20 : signed(26 downto 0) := (others => '0'); -- s27f32
-    signal phi_next_s20 : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal valid_s20 : std_logic;
-    -- stage 20
     signal polar_angle_n376_cut : signed(27 downto 0) := (others => '0');
     signal polar_angle_n376_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n376_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n376 : signed(26 downto 0) := (others => '0'); -- s27f24
     signal polar_angle_n377 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal polar_angle_n378 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n379 : signed(26 downto 0) := (others => '0'); -- s27f32
-    signal polar_angle_n381_term : unsigned(35 downto 0) := (others => '0');
-    signal polar_angle_n381 : signed(35 downto 0) := (others => '0'); -- s36f32
-    signal polar_angle_n382_term : unsigned(35 downto 0) := (others => '0');
-    signal polar_angle_n382 : signed(35 downto 0) := (others => '0'); -- s36f32
+    signal polar_angle_n379 : signed(26 downto 0) := (others => '0'); -- s27f31
+    signal polar_angle_n380 : signed(26 downto 0) := (others => '0'); -- s27f31
+    signal polar_angle_n381_term : unsigned(34 downto 0) := (others => '0');
+    signal polar_angle_n381 : signed(34 downto 0) := (others => '0'); -- s35f31
+    signal polar_angle_n382_term : unsigned(34 downto 0) := (others => '0');
+    signal polar_angle_n382 : signed(34 downto 0) := (others => '0'); -- s35f31
     signal polar_angle_n383_term : unsigned(24 downto 0) := (others => '0');
     signal polar_angle_n383 : signed(24 downto 0) := (others => '0'); -- s25f24
     signal polar_angle_n384_over : unsigned(0 downto 0) := (others => '0');
@@ -1221,31 +1213,28 @@ architecture rtl of rotation_exact_polar_cordic is
     signal polar_angle_n385_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n385_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n385 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n390 : signed(26 downto 0) := (others => '0'); -- s27f32
+    signal polar_angle_n301_s20 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n382_s20 : signed(34 downto 0) := (others => '0'); -- s35f31
+    signal polar_angle_n384_s20 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal polar_angle_n385_s20 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n390_s20 : signed(26 downto 0) := (others => '0'); -- s27f32
+    signal phi_next_s20 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal valid_s20 : std_logic;
+    -- stage 20
     signal polar_angle_n386_cut : signed(27 downto 0) := (others => '0');
     signal polar_angle_n386_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n386_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n386 : signed(26 downto 0) := (others => '0'); -- s27f24
     signal polar_angle_n387 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal polar_angle_n388 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n389 : signed(26 downto 0) := (others => '0'); -- s27f33
-    signal polar_angle_n390 : signed(26 downto 0) := (others => '0'); -- s27f33
+    signal polar_angle_n389 : signed(26 downto 0) := (others => '0'); -- s27f32
+    signal polar_angle_n391_term : unsigned(35 downto 0) := (others => '0');
+    signal polar_angle_n391 : signed(35 downto 0) := (others => '0'); -- s36f32
+    signal polar_angle_n392_term : unsigned(35 downto 0) := (others => '0');
+    signal polar_angle_n392 : signed(35 downto 0) := (others => '0'); -- s36f32
     signal polar_angle_n393_term : unsigned(24 downto 0) := (others => '0');
     signal polar_angle_n393 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal polar_angle_n292_s21 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n385_s21 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n386_s21 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n387_s21 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n388_s21 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n389_s21 : signed(26 downto 0) := (others => '0'); -- s27f33
-    signal polar_angle_n390_s21 : signed(26 downto 0) := (others => '0'); -- s27f33
-    signal polar_angle_n393_s21 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal phi_next_s21 : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal valid_s21 : std_logic;
-    -- stage 21
-    signal polar_angle_n391_term : unsigned(36 downto 0) := (others => '0');
-    signal polar_angle_n391 : signed(36 downto 0) := (others => '0'); -- s37f33
-    signal polar_angle_n392_term : unsigned(36 downto 0) := (others => '0');
-    signal polar_angle_n392 : signed(36 downto 0) := (others => '0'); -- s37f33
     signal polar_angle_n394_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n394_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n394 : signed(23 downto 0) := (others => '0'); -- s24f24
@@ -1259,14 +1248,25 @@ architecture rtl of rotation_exact_polar_cordic is
     signal polar_angle_n396 : signed(26 downto 0) := (others => '0'); -- s27f24
     signal polar_angle_n397 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal polar_angle_n398 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n399 : signed(26 downto 0) := (others => '0'); -- s27f34
-    signal polar_angle_n400 : signed(26 downto 0) := (others => '0'); -- s27f34
-    signal polar_angle_n401_term : unsigned(37 downto 0) := (others => '0');
-    signal polar_angle_n401 : signed(37 downto 0) := (others => '0'); -- s38f34
-    signal polar_angle_n402_term : unsigned(37 downto 0) := (others => '0');
-    signal polar_angle_n402 : signed(37 downto 0) := (others => '0'); -- s38f34
+    signal polar_angle_n399 : signed(26 downto 0) := (others => '0'); -- s27f33
+    signal polar_angle_n400 : signed(26 downto 0) := (others => '0'); -- s27f33
     signal polar_angle_n403_term : unsigned(24 downto 0) := (others => '0');
     signal polar_angle_n403 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal polar_angle_n301_s21 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n395_s21 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n396_s21 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n397_s21 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n398_s21 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n399_s21 : signed(26 downto 0) := (others => '0'); -- s27f33
+    signal polar_angle_n400_s21 : signed(26 downto 0) := (others => '0'); -- s27f33
+    signal polar_angle_n403_s21 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal phi_next_s21 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal valid_s21 : std_logic;
+    -- stage 21
+    signal polar_angle_n401_term : unsigned(36 downto 0) := (others => '0');
+    signal polar_angle_n401 : signed(36 downto 0) := (others => '0'); -- s37f33
+    signal polar_angle_n402_term : unsigned(36 downto 0) := (others => '0');
+    signal polar_angle_n402 : signed(36 downto 0) := (others => '0'); -- s37f33
     signal polar_angle_n404_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n404_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n404 : signed(23 downto 0) := (others => '0'); -- s24f24
@@ -1274,26 +1274,18 @@ architecture rtl of rotation_exact_polar_cordic is
     signal polar_angle_n405_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n405_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n405 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n410 : signed(26 downto 0) := (others => '0'); -- s27f35
-    signal polar_angle_n292_s22 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n402_s22 : signed(37 downto 0) := (others => '0'); -- s38f34
-    signal polar_angle_n404_s22 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal polar_angle_n405_s22 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n410_s22 : signed(26 downto 0) := (others => '0'); -- s27f35
-    signal phi_next_s22 : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal valid_s22 : std_logic;
-    -- stage 22
     signal polar_angle_n406_cut : signed(27 downto 0) := (others => '0');
     signal polar_angle_n406_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n406_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n406 : signed(26 downto 0) := (others => '0'); -- s27f24
     signal polar_angle_n407 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal polar_angle_n408 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n409 : signed(26 downto 0) := (others => '0'); -- s27f35
-    signal polar_angle_n411_term : unsigned(38 downto 0) := (others => '0');
-    signal polar_angle_n411 : signed(38 downto 0) := (others => '0'); -- s39f35
-    signal polar_angle_n412_term : unsigned(38 downto 0) := (others => '0');
-    signal polar_angle_n412 : signed(38 downto 0) := (others => '0'); -- s39f35
+    signal polar_angle_n409 : signed(26 downto 0) := (others => '0'); -- s27f34
+    signal polar_angle_n410 : signed(26 downto 0) := (others => '0'); -- s27f34
+    signal polar_angle_n411_term : unsigned(37 downto 0) := (others => '0');
+    signal polar_angle_n411 : signed(37 downto 0) := (others => '0'); -- s38f34
+    signal polar_angle_n412_term : unsigned(37 downto 0) := (others => '0');
+    signal polar_angle_n412 : signed(37 downto 0) := (others => '0'); -- s38f34
     signal polar_angle_n413_term : unsigned(24 downto 0) := (others => '0');
     signal polar_angle_n413 : signed(24 downto 0) := (others => '0'); -- s25f24
     signal polar_angle_n414_over : unsigned(0 downto 0) := (others => '0');
@@ -1303,31 +1295,28 @@ architecture rtl of rotation_exact_polar_cordic is
     signal polar_angle_n415_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n415_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n415 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n420 : signed(26 downto 0) := (others => '0'); -- s27f35
+    signal polar_angle_n301_s22 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n412_s22 : signed(37 downto 0) := (others => '0'); -- s38f34
+    signal polar_angle_n414_s22 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal polar_angle_n415_s22 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n420_s22 : signed(26 downto 0) := (others => '0'); -- s27f35
+    signal phi_next_s22 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal valid_s22 : std_logic;
+    -- stage 22
     signal polar_angle_n416_cut : signed(27 downto 0) := (others => '0');
     signal polar_angle_n416_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n416_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n416 : signed(26 downto 0) := (others => '0'); -- s27f24
     signal polar_angle_n417 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal polar_angle_n418 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n419 : signed(26 downto 0) := (others => '0'); -- s27f36
-    signal polar_angle_n420 : signed(26 downto 0) := (others => '0'); -- s27f36
+    signal polar_angle_n419 : signed(26 downto 0) := (others => '0'); -- s27f35
+    signal polar_angle_n421_term : unsigned(38 downto 0) := (others => '0');
+    signal polar_angle_n421 : signed(38 downto 0) := (others => '0'); -- s39f35
+    signal polar_angle_n422_term : unsigned(38 downto 0) := (others => '0');
+    signal polar_angle_n422 : signed(38 downto 0) := (others => '0'); -- s39f35
     signal polar_angle_n423_term : unsigned(24 downto 0) := (others => '0');
     signal polar_angle_n423 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal polar_angle_n292_s23 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n415_s23 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n416_s23 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n417_s23 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n418_s23 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n419_s23 : signed(26 downto 0) := (others => '0'); -- s27f36
-    signal polar_angle_n420_s23 : signed(26 downto 0) := (others => '0'); -- s27f36
-    signal polar_angle_n423_s23 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal phi_next_s23 : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal valid_s23 : std_logic;
-    -- stage 23
-    signal polar_angle_n421_term : unsigned(39 downto 0) := (others => '0');
-    signal polar_angle_n421 : signed(39 downto 0) := (others => '0'); -- s40f36
-    signal polar_angle_n422_term : unsigned(39 downto 0) := (others => '0');
-    signal polar_angle_n422 : signed(39 downto 0) := (others => '0'); -- s40f36
     signal polar_angle_n424_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n424_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n424 : signed(23 downto 0) := (others => '0'); -- s24f24
@@ -1341,14 +1330,25 @@ architecture rtl of rotation_exact_polar_cordic is
     signal polar_angle_n426 : signed(26 downto 0) := (others => '0'); -- s27f24
     signal polar_angle_n427 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal polar_angle_n428 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n429 : signed(26 downto 0) := (others => '0'); -- s27f37
-    signal polar_angle_n430 : signed(26 downto 0) := (others => '0'); -- s27f37
-    signal polar_angle_n431_term : unsigned(40 downto 0) := (others => '0');
-    signal polar_angle_n431 : signed(40 downto 0) := (others => '0'); -- s41f37
-    signal polar_angle_n432_term : unsigned(40 downto 0) := (others => '0');
-    signal polar_angle_n432 : signed(40 downto 0) := (others => '0'); -- s41f37
+    signal polar_angle_n429 : signed(26 downto 0) := (others => '0'); -- s27f36
+    signal polar_angle_n430 : signed(26 downto 0) := (others => '0'); -- s27f36
     signal polar_angle_n433_term : unsigned(24 downto 0) := (others => '0');
     signal polar_angle_n433 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal polar_angle_n301_s23 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n425_s23 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n426_s23 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n427_s23 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n428_s23 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n429_s23 : signed(26 downto 0) := (others => '0'); -- s27f36
+    signal polar_angle_n430_s23 : signed(26 downto 0) := (others => '0'); -- s27f36
+    signal polar_angle_n433_s23 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal phi_next_s23 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal valid_s23 : std_logic;
+    -- stage 23
+    signal polar_angle_n431_term : unsigned(39 downto 0) := (others => '0');
+    signal polar_angle_n431 : signed(39 downto 0) := (others => '0'); -- s40f36
+    signal polar_angle_n432_term : unsigned(39 downto 0) := (others => '0');
+    signal polar_angle_n432 : signed(39 downto 0) := (others => '0'); -- s40f36
     signal polar_angle_n434_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n434_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n434 : signed(23 downto 0) := (others => '0'); -- s24f24
@@ -1356,26 +1356,18 @@ architecture rtl of rotation_exact_polar_cordic is
     signal polar_angle_n435_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n435_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n435 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n440 : signed(26 downto 0) := (others => '0'); -- s27f38
-    signal polar_angle_n292_s24 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n432_s24 : signed(40 downto 0) := (others => '0'); -- s41f37
-    signal polar_angle_n434_s24 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal polar_angle_n435_s24 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n440_s24 : signed(26 downto 0) := (others => '0'); -- s27f38
-    signal phi_next_s24 : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal valid_s24 : std_logic;
-    -- stage 24
     signal polar_angle_n436_cut : signed(27 downto 0) := (others => '0');
     signal polar_angle_n436_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n436_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n436 : signed(26 downto 0) := (others => '0'); -- s27f24
     signal polar_angle_n437 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal polar_angle_n438 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n439 : signed(26 downto 0) := (others => '0'); -- s27f38
-    signal polar_angle_n441_term : unsigned(41 downto 0) := (others => '0');
-    signal polar_angle_n441 : signed(41 downto 0) := (others => '0'); -- s42f38
-    signal polar_angle_n442_term : unsigned(41 downto 0) := (others => '0');
-    signal polar_angle_n442 : signed(41 downto 0) := (others => '0'); -- s42f38
+    signal polar_angle_n439 : signed(26 downto 0) := (others => '0'); -- s27f37
+    signal polar_angle_n440 : signed(26 downto 0) := (others => '0'); -- s27f37
+    signal polar_angle_n441_term : unsigned(40 downto 0) := (others => '0');
+    signal polar_angle_n441 : signed(40 downto 0) := (others => '0'); -- s41f37
+    signal polar_angle_n442_term : unsigned(40 downto 0) := (others => '0');
+    signal polar_angle_n442 : signed(40 downto 0) := (others => '0'); -- s41f37
     signal polar_angle_n443_term : unsigned(24 downto 0) := (others => '0');
     signal polar_angle_n443 : signed(24 downto 0) := (others => '0'); -- s25f24
     signal polar_angle_n444_over : unsigned(0 downto 0) := (others => '0');
@@ -1385,29 +1377,26 @@ architecture rtl of rotation_exact_polar_cordic is
     signal polar_angle_n445_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n445_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n445 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n450 : signed(26 downto 0) := (others => '0'); -- s27f38
+    signal polar_angle_n301_s24 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n442_s24 : signed(40 downto 0) := (others => '0'); -- s41f37
+    signal polar_angle_n444_s24 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal polar_angle_n445_s24 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n450_s24 : signed(26 downto 0) := (others => '0'); -- s27f38
+    signal phi_next_s24 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal valid_s24 : std_logic;
+    -- stage 24
     signal polar_angle_n446_cut : signed(27 downto 0) := (others => '0');
     signal polar_angle_n446_over : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n446_under : unsigned(0 downto 0) := (others => '0');
     signal polar_angle_n446 : signed(26 downto 0) := (others => '0'); -- s27f24
     signal polar_angle_n447 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal polar_angle_n448 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n449 : signed(26 downto 0) := (others => '0'); -- s27f39
-    signal polar_angle_n450 : signed(26 downto 0) := (others => '0'); -- s27f39
-    signal polar_angle_n292_s25 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n444_s25 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal polar_angle_n445_s25 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n446_s25 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n447_s25 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n448_s25 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n449_s25 : signed(26 downto 0) := (others => '0'); -- s27f39
-    signal polar_angle_n450_s25 : signed(26 downto 0) := (others => '0'); -- s27f39
-    signal phi_next_s25 : unsigned(15 downto 0) := (others => '0'); -- u16f16
-    signal valid_s25 : std_logic;
-    -- stage 25
-    signal polar_angle_n451_term : unsigned(42 downto 0) := (others => '0');
-    signal polar_angle_n451 : signed(42 downto 0) := (others => '0'); -- s43f39
-    signal polar_angle_n452_term : unsigned(42 downto 0) := (others => '0');
-    signal polar_angle_n452 : signed(42 downto 0) := (others => '0'); -- s43f39
+    signal polar_angle_n449 : signed(26 downto 0) := (others => '0'); -- s27f38
+    signal polar_angle_n451_term : unsigned(41 downto 0) := (others => '0');
+    signal polar_angle_n451 : signed(41 downto 0) := (others => '0'); -- s42f38
+    signal polar_angle_n452_term : unsigned(41 downto 0) := (others => '0');
+    signal polar_angle_n452 : signed(41 downto 0) := (others => '0'); -- s42f38
     signal polar_angle_n453_term : unsigned(24 downto 0) := (others => '0');
     signal polar_angle_n453 : signed(24 downto 0) := (others => '0'); -- s25f24
     signal polar_angle_n454_over : unsigned(0 downto 0) := (others => '0');
@@ -1423,36 +1412,68 @@ architecture rtl of rotation_exact_polar_cordic is
     signal polar_angle_n456 : signed(26 downto 0) := (others => '0'); -- s27f24
     signal polar_angle_n457 : unsigned(0 downto 0) := (others => '0'); -- u1f0
     signal polar_angle_n458 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n459 : signed(26 downto 0) := (others => '0'); -- s27f40
-    signal polar_angle_n460_term : unsigned(43 downto 0) := (others => '0');
-    signal polar_angle_n460 : signed(43 downto 0) := (others => '0'); -- s44f40
-    signal polar_angle_n461_term : unsigned(24 downto 0) := (others => '0');
-    signal polar_angle_n461 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal polar_angle_n462_over : unsigned(0 downto 0) := (others => '0');
-    signal polar_angle_n462_under : unsigned(0 downto 0) := (others => '0');
-    signal polar_angle_n462 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal polar_angle_n292_s26 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n460_s26 : signed(43 downto 0) := (others => '0'); -- s44f40
-    signal polar_angle_n462_s26 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal polar_angle_n459 : signed(26 downto 0) := (others => '0'); -- s27f39
+    signal polar_angle_n460 : signed(26 downto 0) := (others => '0'); -- s27f39
+    signal polar_angle_n301_s25 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n454_s25 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal polar_angle_n455_s25 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n456_s25 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n457_s25 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n458_s25 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n459_s25 : signed(26 downto 0) := (others => '0'); -- s27f39
+    signal polar_angle_n460_s25 : signed(26 downto 0) := (others => '0'); -- s27f39
+    signal phi_next_s25 : unsigned(15 downto 0) := (others => '0'); -- u16f16
+    signal valid_s25 : std_logic;
+    -- stage 25
+    signal polar_angle_n461_term : unsigned(42 downto 0) := (others => '0');
+    signal polar_angle_n461 : signed(42 downto 0) := (others => '0'); -- s43f39
+    signal polar_angle_n462_term : unsigned(42 downto 0) := (others => '0');
+    signal polar_angle_n462 : signed(42 downto 0) := (others => '0'); -- s43f39
+    signal polar_angle_n463_term : unsigned(24 downto 0) := (others => '0');
+    signal polar_angle_n463 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal polar_angle_n464_over : unsigned(0 downto 0) := (others => '0');
+    signal polar_angle_n464_under : unsigned(0 downto 0) := (others => '0');
+    signal polar_angle_n464 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal polar_angle_n465_cut : signed(27 downto 0) := (others => '0');
+    signal polar_angle_n465_over : unsigned(0 downto 0) := (others => '0');
+    signal polar_angle_n465_under : unsigned(0 downto 0) := (others => '0');
+    signal polar_angle_n465 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n466_cut : signed(27 downto 0) := (others => '0');
+    signal polar_angle_n466_over : unsigned(0 downto 0) := (others => '0');
+    signal polar_angle_n466_under : unsigned(0 downto 0) := (others => '0');
+    signal polar_angle_n466 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n467 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n468 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n469 : signed(26 downto 0) := (others => '0'); -- s27f40
+    signal polar_angle_n470_term : unsigned(43 downto 0) := (others => '0');
+    signal polar_angle_n470 : signed(43 downto 0) := (others => '0'); -- s44f40
+    signal polar_angle_n471_term : unsigned(24 downto 0) := (others => '0');
+    signal polar_angle_n471 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal polar_angle_n472_over : unsigned(0 downto 0) := (others => '0');
+    signal polar_angle_n472_under : unsigned(0 downto 0) := (others => '0');
+    signal polar_angle_n472 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal polar_angle_n301_s26 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n470_s26 : signed(43 downto 0) := (others => '0'); -- s44f40
+    signal polar_angle_n472_s26 : signed(23 downto 0) := (others => '0'); -- s24f24
     signal phi_next_s26 : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal valid_s26 : std_logic;
     -- stage 26
-    signal polar_angle_n463_cut : signed(27 downto 0) := (others => '0');
-    signal polar_angle_n463_over : unsigned(0 downto 0) := (others => '0');
-    signal polar_angle_n463_under : unsigned(0 downto 0) := (others => '0');
-    signal polar_angle_n463 : signed(26 downto 0) := (others => '0'); -- s27f24
-    signal polar_angle_n464 : unsigned(0 downto 0) := (others => '0'); -- u1f0
-    signal polar_angle_n465_term : unsigned(24 downto 0) := (others => '0');
-    signal polar_angle_n465 : signed(24 downto 0) := (others => '0'); -- s25f24
-    signal polar_angle_n466_over : unsigned(0 downto 0) := (others => '0');
-    signal polar_angle_n466_under : unsigned(0 downto 0) := (others => '0');
-    signal polar_angle_n466 : signed(23 downto 0) := (others => '0'); -- s24f24
-    signal polar_angle_n467 : unsigned(23 downto 0) := (others => '0'); -- u24f24
-    signal polar_angle_n468 : unsigned(23 downto 0) := (others => '0'); -- u24f24
-    signal polar_angle_n469 : unsigned(23 downto 0) := (others => '0'); -- u24f24
-    signal n472_sum : unsigned(24 downto 0) := (others => '0');
-    signal n472_cut : unsigned(16 downto 0) := (others => '0');
-    signal n472 : unsigned(16 downto 0) := (others => '0'); -- u17f16
+    signal polar_angle_n473_cut : signed(27 downto 0) := (others => '0');
+    signal polar_angle_n473_over : unsigned(0 downto 0) := (others => '0');
+    signal polar_angle_n473_under : unsigned(0 downto 0) := (others => '0');
+    signal polar_angle_n473 : signed(26 downto 0) := (others => '0'); -- s27f24
+    signal polar_angle_n474 : unsigned(0 downto 0) := (others => '0'); -- u1f0
+    signal polar_angle_n475_term : unsigned(24 downto 0) := (others => '0');
+    signal polar_angle_n475 : signed(24 downto 0) := (others => '0'); -- s25f24
+    signal polar_angle_n476_over : unsigned(0 downto 0) := (others => '0');
+    signal polar_angle_n476_under : unsigned(0 downto 0) := (others => '0');
+    signal polar_angle_n476 : signed(23 downto 0) := (others => '0'); -- s24f24
+    signal polar_angle_n477 : unsigned(23 downto 0) := (others => '0'); -- u24f24
+    signal polar_angle_n478 : unsigned(23 downto 0) := (others => '0'); -- u24f24
+    signal polar_angle_n479 : unsigned(23 downto 0) := (others => '0'); -- u24f24
+    signal n482_sum : unsigned(24 downto 0) := (others => '0');
+    signal n482_cut : unsigned(16 downto 0) := (others => '0');
+    signal n482 : unsigned(16 downto 0) := (others => '0'); -- u17f16
     signal theta_next : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal valid_s27 : std_logic;
 begin
@@ -1487,27 +1508,29 @@ begin
     sincos_n38 <= angles_a_plus_n(15 downto 6);
     sincos_n41 <= angles_a_minus_n(15 downto 6);
     -- azimuth
-    azimuth_n72 <= "1";
-    azimuth_n73 <= 24x"000000";
-    azimuth_n78 <= 24x"200000";
-    azimuth_n89 <= 24x"12e405";
-    azimuth_n100 <= 24x"09fb38";
-    azimuth_n111 <= 24x"051112";
-    azimuth_n122 <= 24x"028b0d";
-    azimuth_n133 <= 24x"0145d8";
-    azimuth_n144 <= 24x"00a2f6";
-    azimuth_n155 <= 24x"00517c";
-    azimuth_n166 <= 24x"0028be";
-    azimuth_n177 <= 24x"00145f";
-    azimuth_n188 <= 24x"000a30";
-    azimuth_n199 <= 24x"000518";
-    azimuth_n210 <= 24x"00028c";
-    azimuth_n221 <= 24x"000146";
-    azimuth_n232 <= 24x"0000a3";
-    azimuth_n243 <= 24x"000051";
-    azimuth_n254 <= 24x"000029";
-    azimuth_n262 <= 24x"000014";
-    azimuth_n267 <= 24x"800000";
+    azimuth_n65 <= "0";
+    azimuth_n76 <= "1";
+    azimuth_n77 <= 24x"b8f8f2";
+    azimuth_n78 <= 24x"000000";
+    azimuth_n84 <= 24x"200000";
+    azimuth_n95 <= 24x"12e405";
+    azimuth_n106 <= 24x"09fb38";
+    azimuth_n117 <= 24x"051112";
+    azimuth_n128 <= 24x"028b0d";
+    azimuth_n139 <= 24x"0145d8";
+    azimuth_n150 <= 24x"00a2f6";
+    azimuth_n161 <= 24x"00517c";
+    azimuth_n172 <= 24x"0028be";
+    azimuth_n183 <= 24x"00145f";
+    azimuth_n194 <= 24x"000a30";
+    azimuth_n205 <= 24x"000518";
+    azimuth_n216 <= 24x"00028c";
+    azimuth_n227 <= 24x"000146";
+    azimuth_n238 <= 24x"0000a3";
+    azimuth_n249 <= 24x"000051";
+    azimuth_n260 <= 24x"000029";
+    azimuth_n268 <= 24x"000014";
+    azimuth_n273 <= 24x"800000";
 
     process (clk)
     begin
@@ -1604,47 +1627,51 @@ begin
     azimuth_n63 <= resize(azimuth_n63_wide, 27);
     azimuth_n64_wide <= shift_left(resize(y, 26), 6);
     azimuth_n64 <= resize(azimuth_n64_wide, 27);
-    azimuth_n65 <= unsigned(azimuth_n63(26 downto 26));
-    azimuth_n66 <= -resize(azimuth_n63, 28);
-    azimuth_n67 <= -resize(azimuth_n64, 28);
-    azimuth_n69 <= azimuth_n67 when azimuth_n65(0) = '1' else resize(azimuth_n64, 28);
-    azimuth_n71_over <= "1" when azimuth_n69(27) = '0' and (or azimuth_n69(26 downto 26)) = '1' else "0";
-    azimuth_n71_under <= "1" when azimuth_n69(27) = '1' and (and azimuth_n69(26 downto 26)) = '0' else "0";
-    azimuth_n71 <= 27x"3ffffff" when azimuth_n71_over(0) = '1' else 27x"4000000" when azimuth_n71_under(0) = '1' else azimuth_n69(26 downto 0);
-    azimuth_n74 <= unsigned(azimuth_n71(26 downto 26));
+    azimuth_n66 <= "1" when unsigned(azimuth_n63) = shift_left(resize(azimuth_n65, 27), 24) else "0";
+    azimuth_n67 <= "1" when unsigned(azimuth_n64) = shift_left(resize(azimuth_n65, 27), 24) else "0";
+    azimuth_n69 <= unsigned(azimuth_n63(26 downto 26));
+    azimuth_n70 <= -resize(azimuth_n63, 28);
+    azimuth_n71 <= -resize(azimuth_n64, 28);
+    azimuth_n73 <= azimuth_n71 when azimuth_n69(0) = '1' else resize(azimuth_n64, 28);
+    azimuth_n75_over <= "1" when azimuth_n73(27) = '0' and (or azimuth_n73(26 downto 26)) = '1' else "0";
+    azimuth_n75_under <= "1" when azimuth_n73(27) = '1' and (and azimuth_n73(26 downto 26)) = '0' else "0";
+    azimuth_n75 <= 27x"3ffffff" when azimuth_n75_over(0) = '1' else 27x"4000000" when azimuth_n75_under(0) = '1' else azimuth_n73(26 downto 0);
+    azimuth_n80 <= unsigned(azimuth_n75(26 downto 26));
     -- polar_angle
-    polar_angle_n270 <= z;
-    polar_angle_n271 <= z;
-    polar_angle_n272 <= resize(polar_angle_n270, 23) + shift_left(resize(polar_angle_n271, 23), 2);
-    polar_angle_n273 <= z;
-    polar_angle_n275 <= z;
+    polar_angle_n276 <= z;
     polar_angle_n277 <= z;
+    polar_angle_n278 <= resize(polar_angle_n276, 23) + shift_left(resize(polar_angle_n277, 23), 2);
     polar_angle_n279 <= z;
     polar_angle_n281 <= z;
     polar_angle_n283 <= z;
     polar_angle_n285 <= z;
     polar_angle_n287 <= z;
     polar_angle_n289 <= z;
+    polar_angle_n291 <= z;
+    polar_angle_n293 <= z;
+    polar_angle_n295 <= z;
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 azimuth_n63_s3 <= azimuth_n63;
-                azimuth_n65_s3 <= azimuth_n65;
                 azimuth_n66_s3 <= azimuth_n66;
-                azimuth_n71_s3 <= azimuth_n71;
-                azimuth_n74_s3 <= azimuth_n74;
-                polar_angle_n272_s3 <= polar_angle_n272;
-                polar_angle_n273_s3 <= polar_angle_n273;
-                polar_angle_n275_s3 <= polar_angle_n275;
-                polar_angle_n277_s3 <= polar_angle_n277;
+                azimuth_n67_s3 <= azimuth_n67;
+                azimuth_n69_s3 <= azimuth_n69;
+                azimuth_n70_s3 <= azimuth_n70;
+                azimuth_n75_s3 <= azimuth_n75;
+                azimuth_n80_s3 <= azimuth_n80;
+                polar_angle_n278_s3 <= polar_angle_n278;
                 polar_angle_n279_s3 <= polar_angle_n279;
                 polar_angle_n281_s3 <= polar_angle_n281;
                 polar_angle_n283_s3 <= polar_angle_n283;
                 polar_angle_n285_s3 <= polar_angle_n285;
                 polar_angle_n287_s3 <= polar_angle_n287;
                 polar_angle_n289_s3 <= polar_angle_n289;
+                polar_angle_n291_s3 <= polar_angle_n291;
+                polar_angle_n293_s3 <= polar_angle_n293;
+                polar_angle_n295_s3 <= polar_angle_n295;
             end if;
             if rst = '1' then
                 valid_s3 <= '0';
@@ -1656,56 +1683,58 @@ begin
 
     -- ---- stage 3 ----
     -- azimuth
-    azimuth_n68 <= azimuth_n66_s3 when azimuth_n65_s3(0) = '1' else resize(azimuth_n63_s3, 28);
-    azimuth_n70_over <= "1" when azimuth_n68(27) = '0' and (or azimuth_n68(26 downto 26)) = '1' else "0";
-    azimuth_n70_under <= "1" when azimuth_n68(27) = '1' and (and azimuth_n68(26 downto 26)) = '0' else "0";
-    azimuth_n70 <= 27x"3ffffff" when azimuth_n70_over(0) = '1' else 27x"4000000" when azimuth_n70_under(0) = '1' else azimuth_n68(26 downto 0);
-    azimuth_n75 <= azimuth_n74_s3 xor azimuth_n72;
-    azimuth_n76_term <= unsigned(resize(azimuth_n71_s3, 28)) xor (27 downto 0 => azimuth_n74_s3(0));
-    azimuth_n76 <= resize(azimuth_n70, 28) + signed(azimuth_n76_term) + azimuth_n74_s3(0);
-    azimuth_n77_term <= unsigned(resize(azimuth_n70, 28)) xor (27 downto 0 => azimuth_n75(0));
-    azimuth_n77 <= resize(azimuth_n71_s3, 28) + signed(azimuth_n77_term) + azimuth_n75(0);
-    azimuth_n79_term <= unsigned(resize(azimuth_n78, 25)) xor (24 downto 0 => azimuth_n74_s3(0));
-    azimuth_n79 <= resize(azimuth_n73, 25) + signed(azimuth_n79_term) + azimuth_n74_s3(0);
-    azimuth_n80_over <= "1" when azimuth_n79(24) = '0' and (or azimuth_n79(23 downto 23)) = '1' else "0";
-    azimuth_n80_under <= "1" when azimuth_n79(24) = '1' and (and azimuth_n79(23 downto 23)) = '0' else "0";
-    azimuth_n80 <= 24x"7fffff" when azimuth_n80_over(0) = '1' else 24x"800000" when azimuth_n80_under(0) = '1' else azimuth_n79(23 downto 0);
-    azimuth_n81_over <= "1" when azimuth_n76(27) = '0' and (or azimuth_n76(26 downto 26)) = '1' else "0";
-    azimuth_n81_under <= "1" when azimuth_n76(27) = '1' and (and azimuth_n76(26 downto 26)) = '0' else "0";
-    azimuth_n81 <= 27x"3ffffff" when azimuth_n81_over(0) = '1' else 27x"4000000" when azimuth_n81_under(0) = '1' else azimuth_n76(26 downto 0);
-    azimuth_n82_over <= "1" when azimuth_n77(27) = '0' and (or azimuth_n77(26 downto 26)) = '1' else "0";
-    azimuth_n82_under <= "1" when azimuth_n77(27) = '1' and (and azimuth_n77(26 downto 26)) = '0' else "0";
-    azimuth_n82 <= 27x"3ffffff" when azimuth_n82_over(0) = '1' else 27x"4000000" when azimuth_n82_under(0) = '1' else azimuth_n77(26 downto 0);
-    azimuth_n83 <= unsigned(azimuth_n82(26 downto 26));
-    azimuth_n84 <= azimuth_n83 xor azimuth_n72;
-    azimuth_n85 <= azimuth_n82;
-    azimuth_n86 <= azimuth_n81;
-    azimuth_n87_term <= unsigned(resize(azimuth_n85, 29)) xor (28 downto 0 => azimuth_n83(0));
-    azimuth_n87 <= shift_left(resize(azimuth_n81, 29), 1) + signed(azimuth_n87_term) + azimuth_n83(0);
-    azimuth_n90_term <= unsigned(resize(azimuth_n89, 25)) xor (24 downto 0 => azimuth_n83(0));
-    azimuth_n90 <= resize(azimuth_n80, 25) + signed(azimuth_n90_term) + azimuth_n83(0);
+    azimuth_n68 <= azimuth_n66_s3 and azimuth_n67_s3;
+    azimuth_n72 <= azimuth_n70_s3 when azimuth_n69_s3(0) = '1' else resize(azimuth_n63_s3, 28);
+    azimuth_n74_over <= "1" when azimuth_n72(27) = '0' and (or azimuth_n72(26 downto 26)) = '1' else "0";
+    azimuth_n74_under <= "1" when azimuth_n72(27) = '1' and (and azimuth_n72(26 downto 26)) = '0' else "0";
+    azimuth_n74 <= 27x"3ffffff" when azimuth_n74_over(0) = '1' else 27x"4000000" when azimuth_n74_under(0) = '1' else azimuth_n72(26 downto 0);
+    azimuth_n79 <= azimuth_n77 when azimuth_n68(0) = '1' else azimuth_n78;
+    azimuth_n81 <= azimuth_n80_s3 xor azimuth_n76;
+    azimuth_n82_term <= unsigned(resize(azimuth_n75_s3, 28)) xor (27 downto 0 => azimuth_n80_s3(0));
+    azimuth_n82 <= resize(azimuth_n74, 28) + signed(azimuth_n82_term) + azimuth_n80_s3(0);
+    azimuth_n83_term <= unsigned(resize(azimuth_n74, 28)) xor (27 downto 0 => azimuth_n81(0));
+    azimuth_n83 <= resize(azimuth_n75_s3, 28) + signed(azimuth_n83_term) + azimuth_n81(0);
+    azimuth_n85_term <= unsigned(resize(azimuth_n84, 25)) xor (24 downto 0 => azimuth_n80_s3(0));
+    azimuth_n85 <= resize(azimuth_n79, 25) + signed(azimuth_n85_term) + azimuth_n80_s3(0);
+    azimuth_n86_over <= "1" when azimuth_n85(24) = '0' and (or azimuth_n85(23 downto 23)) = '1' else "0";
+    azimuth_n86_under <= "1" when azimuth_n85(24) = '1' and (and azimuth_n85(23 downto 23)) = '0' else "0";
+    azimuth_n86 <= 24x"7fffff" when azimuth_n86_over(0) = '1' else 24x"800000" when azimuth_n86_under(0) = '1' else azimuth_n85(23 downto 0);
+    azimuth_n87_over <= "1" when azimuth_n82(27) = '0' and (or azimuth_n82(26 downto 26)) = '1' else "0";
+    azimuth_n87_under <= "1" when azimuth_n82(27) = '1' and (and azimuth_n82(26 downto 26)) = '0' else "0";
+    azimuth_n87 <= 27x"3ffffff" when azimuth_n87_over(0) = '1' else 27x"4000000" when azimuth_n87_under(0) = '1' else azimuth_n82(26 downto 0);
+    azimuth_n88_over <= "1" when azimuth_n83(27) = '0' and (or azimuth_n83(26 downto 26)) = '1' else "0";
+    azimuth_n88_under <= "1" when azimuth_n83(27) = '1' and (and azimuth_n83(26 downto 26)) = '0' else "0";
+    azimuth_n88 <= 27x"3ffffff" when azimuth_n88_over(0) = '1' else 27x"4000000" when azimuth_n88_under(0) = '1' else azimuth_n83(26 downto 0);
+    azimuth_n89 <= unsigned(azimuth_n88(26 downto 26));
+    azimuth_n90 <= azimuth_n89 xor azimuth_n76;
+    azimuth_n91 <= azimuth_n88;
+    azimuth_n92 <= azimuth_n87;
+    azimuth_n93_term <= unsigned(resize(azimuth_n91, 29)) xor (28 downto 0 => azimuth_n89(0));
+    azimuth_n93 <= shift_left(resize(azimuth_n87, 29), 1) + signed(azimuth_n93_term) + azimuth_n89(0);
+    azimuth_n96_term <= unsigned(resize(azimuth_n95, 25)) xor (24 downto 0 => azimuth_n89(0));
+    azimuth_n96 <= resize(azimuth_n86, 25) + signed(azimuth_n96_term) + azimuth_n89(0);
     -- polar_angle
-    polar_angle_n274 <= resize(polar_angle_n272_s3, 25) + shift_left(resize(polar_angle_n273_s3, 25), 4);
-    polar_angle_n276 <= resize(polar_angle_n274, 30) + shift_left(resize(polar_angle_n275_s3, 30), 9);
-    polar_angle_n278 <= resize(polar_angle_n276, 33) + shift_left(resize(polar_angle_n277_s3, 33), 12);
+    polar_angle_n280 <= resize(polar_angle_n278_s3, 25) + shift_left(resize(polar_angle_n279_s3, 25), 4);
+    polar_angle_n282 <= resize(polar_angle_n280, 30) + shift_left(resize(polar_angle_n281_s3, 30), 9);
+    polar_angle_n284 <= resize(polar_angle_n282, 33) + shift_left(resize(polar_angle_n283_s3, 33), 12);
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                azimuth_n65_s4 <= azimuth_n65_s3;
-                azimuth_n82_s4 <= azimuth_n82;
-                azimuth_n84_s4 <= azimuth_n84;
-                azimuth_n86_s4 <= azimuth_n86;
-                azimuth_n87_s4 <= azimuth_n87;
+                azimuth_n69_s4 <= azimuth_n69_s3;
+                azimuth_n88_s4 <= azimuth_n88;
                 azimuth_n90_s4 <= azimuth_n90;
-                polar_angle_n278_s4 <= polar_angle_n278;
-                polar_angle_n279_s4 <= polar_angle_n279_s3;
-                polar_angle_n281_s4 <= polar_angle_n281_s3;
-                polar_angle_n283_s4 <= polar_angle_n283_s3;
+                azimuth_n92_s4 <= azimuth_n92;
+                azimuth_n93_s4 <= azimuth_n93;
+                azimuth_n96_s4 <= azimuth_n96;
+                polar_angle_n284_s4 <= polar_angle_n284;
                 polar_angle_n285_s4 <= polar_angle_n285_s3;
                 polar_angle_n287_s4 <= polar_angle_n287_s3;
                 polar_angle_n289_s4 <= polar_angle_n289_s3;
+                polar_angle_n291_s4 <= polar_angle_n291_s3;
+                polar_angle_n293_s4 <= polar_angle_n293_s3;
+                polar_angle_n295_s4 <= polar_angle_n295_s3;
             end if;
             if rst = '1' then
                 valid_s4 <= '0';
@@ -1717,63 +1746,63 @@ begin
 
     -- ---- stage 4 ----
     -- azimuth
-    azimuth_n88_term <= unsigned(resize(azimuth_n86_s4, 29)) xor (28 downto 0 => azimuth_n84_s4(0));
-    azimuth_n88 <= shift_left(resize(azimuth_n82_s4, 29), 1) + signed(azimuth_n88_term) + azimuth_n84_s4(0);
-    azimuth_n91_over <= "1" when azimuth_n90_s4(24) = '0' and (or azimuth_n90_s4(23 downto 23)) = '1' else "0";
-    azimuth_n91_under <= "1" when azimuth_n90_s4(24) = '1' and (and azimuth_n90_s4(23 downto 23)) = '0' else "0";
-    azimuth_n91 <= 24x"7fffff" when azimuth_n91_over(0) = '1' else 24x"800000" when azimuth_n91_under(0) = '1' else azimuth_n90_s4(23 downto 0);
-    azimuth_n92_cut <= azimuth_n87_s4(28 downto 1);
-    azimuth_n92_over <= "1" when azimuth_n92_cut(27) = '0' and (or azimuth_n92_cut(26 downto 26)) = '1' else "0";
-    azimuth_n92_under <= "1" when azimuth_n92_cut(27) = '1' and (and azimuth_n92_cut(26 downto 26)) = '0' else "0";
-    azimuth_n92 <= 27x"3ffffff" when azimuth_n92_over(0) = '1' else 27x"4000000" when azimuth_n92_under(0) = '1' else azimuth_n92_cut(26 downto 0);
-    azimuth_n93_cut <= azimuth_n88(28 downto 1);
-    azimuth_n93_over <= "1" when azimuth_n93_cut(27) = '0' and (or azimuth_n93_cut(26 downto 26)) = '1' else "0";
-    azimuth_n93_under <= "1" when azimuth_n93_cut(27) = '1' and (and azimuth_n93_cut(26 downto 26)) = '0' else "0";
-    azimuth_n93 <= 27x"3ffffff" when azimuth_n93_over(0) = '1' else 27x"4000000" when azimuth_n93_under(0) = '1' else azimuth_n93_cut(26 downto 0);
-    azimuth_n94 <= unsigned(azimuth_n93(26 downto 26));
-    azimuth_n95 <= azimuth_n94 xor azimuth_n72;
-    azimuth_n96 <= azimuth_n93;
-    azimuth_n97 <= azimuth_n92;
-    azimuth_n98_term <= unsigned(resize(azimuth_n96, 30)) xor (29 downto 0 => azimuth_n94(0));
-    azimuth_n98 <= shift_left(resize(azimuth_n92, 30), 2) + signed(azimuth_n98_term) + azimuth_n94(0);
-    azimuth_n99_term <= unsigned(resize(azimuth_n97, 30)) xor (29 downto 0 => azimuth_n95(0));
-    azimuth_n99 <= shift_left(resize(azimuth_n93, 30), 2) + signed(azimuth_n99_term) + azimuth_n95(0);
-    azimuth_n101_term <= unsigned(resize(azimuth_n100, 25)) xor (24 downto 0 => azimuth_n94(0));
-    azimuth_n101 <= resize(azimuth_n91, 25) + signed(azimuth_n101_term) + azimuth_n94(0);
-    azimuth_n102_over <= "1" when azimuth_n101(24) = '0' and (or azimuth_n101(23 downto 23)) = '1' else "0";
-    azimuth_n102_under <= "1" when azimuth_n101(24) = '1' and (and azimuth_n101(23 downto 23)) = '0' else "0";
-    azimuth_n102 <= 24x"7fffff" when azimuth_n102_over(0) = '1' else 24x"800000" when azimuth_n102_under(0) = '1' else azimuth_n101(23 downto 0);
-    azimuth_n103_cut <= azimuth_n98(29 downto 2);
-    azimuth_n103_over <= "1" when azimuth_n103_cut(27) = '0' and (or azimuth_n103_cut(26 downto 26)) = '1' else "0";
-    azimuth_n103_under <= "1" when azimuth_n103_cut(27) = '1' and (and azimuth_n103_cut(26 downto 26)) = '0' else "0";
-    azimuth_n103 <= 27x"3ffffff" when azimuth_n103_over(0) = '1' else 27x"4000000" when azimuth_n103_under(0) = '1' else azimuth_n103_cut(26 downto 0);
-    azimuth_n104_cut <= azimuth_n99(29 downto 2);
-    azimuth_n104_over <= "1" when azimuth_n104_cut(27) = '0' and (or azimuth_n104_cut(26 downto 26)) = '1' else "0";
-    azimuth_n104_under <= "1" when azimuth_n104_cut(27) = '1' and (and azimuth_n104_cut(26 downto 26)) = '0' else "0";
-    azimuth_n104 <= 27x"3ffffff" when azimuth_n104_over(0) = '1' else 27x"4000000" when azimuth_n104_under(0) = '1' else azimuth_n104_cut(26 downto 0);
-    azimuth_n105 <= unsigned(azimuth_n104(26 downto 26));
-    azimuth_n107 <= azimuth_n104;
-    azimuth_n108 <= azimuth_n103;
+    azimuth_n94_term <= unsigned(resize(azimuth_n92_s4, 29)) xor (28 downto 0 => azimuth_n90_s4(0));
+    azimuth_n94 <= shift_left(resize(azimuth_n88_s4, 29), 1) + signed(azimuth_n94_term) + azimuth_n90_s4(0);
+    azimuth_n97_over <= "1" when azimuth_n96_s4(24) = '0' and (or azimuth_n96_s4(23 downto 23)) = '1' else "0";
+    azimuth_n97_under <= "1" when azimuth_n96_s4(24) = '1' and (and azimuth_n96_s4(23 downto 23)) = '0' else "0";
+    azimuth_n97 <= 24x"7fffff" when azimuth_n97_over(0) = '1' else 24x"800000" when azimuth_n97_under(0) = '1' else azimuth_n96_s4(23 downto 0);
+    azimuth_n98_cut <= azimuth_n93_s4(28 downto 1);
+    azimuth_n98_over <= "1" when azimuth_n98_cut(27) = '0' and (or azimuth_n98_cut(26 downto 26)) = '1' else "0";
+    azimuth_n98_under <= "1" when azimuth_n98_cut(27) = '1' and (and azimuth_n98_cut(26 downto 26)) = '0' else "0";
+    azimuth_n98 <= 27x"3ffffff" when azimuth_n98_over(0) = '1' else 27x"4000000" when azimuth_n98_under(0) = '1' else azimuth_n98_cut(26 downto 0);
+    azimuth_n99_cut <= azimuth_n94(28 downto 1);
+    azimuth_n99_over <= "1" when azimuth_n99_cut(27) = '0' and (or azimuth_n99_cut(26 downto 26)) = '1' else "0";
+    azimuth_n99_under <= "1" when azimuth_n99_cut(27) = '1' and (and azimuth_n99_cut(26 downto 26)) = '0' else "0";
+    azimuth_n99 <= 27x"3ffffff" when azimuth_n99_over(0) = '1' else 27x"4000000" when azimuth_n99_under(0) = '1' else azimuth_n99_cut(26 downto 0);
+    azimuth_n100 <= unsigned(azimuth_n99(26 downto 26));
+    azimuth_n101 <= azimuth_n100 xor azimuth_n76;
+    azimuth_n102 <= azimuth_n99;
+    azimuth_n103 <= azimuth_n98;
+    azimuth_n104_term <= unsigned(resize(azimuth_n102, 30)) xor (29 downto 0 => azimuth_n100(0));
+    azimuth_n104 <= shift_left(resize(azimuth_n98, 30), 2) + signed(azimuth_n104_term) + azimuth_n100(0);
+    azimuth_n105_term <= unsigned(resize(azimuth_n103, 30)) xor (29 downto 0 => azimuth_n101(0));
+    azimuth_n105 <= shift_left(resize(azimuth_n99, 30), 2) + signed(azimuth_n105_term) + azimuth_n101(0);
+    azimuth_n107_term <= unsigned(resize(azimuth_n106, 25)) xor (24 downto 0 => azimuth_n100(0));
+    azimuth_n107 <= resize(azimuth_n97, 25) + signed(azimuth_n107_term) + azimuth_n100(0);
+    azimuth_n108_over <= "1" when azimuth_n107(24) = '0' and (or azimuth_n107(23 downto 23)) = '1' else "0";
+    azimuth_n108_under <= "1" when azimuth_n107(24) = '1' and (and azimuth_n107(23 downto 23)) = '0' else "0";
+    azimuth_n108 <= 24x"7fffff" when azimuth_n108_over(0) = '1' else 24x"800000" when azimuth_n108_under(0) = '1' else azimuth_n107(23 downto 0);
+    azimuth_n109_cut <= azimuth_n104(29 downto 2);
+    azimuth_n109_over <= "1" when azimuth_n109_cut(27) = '0' and (or azimuth_n109_cut(26 downto 26)) = '1' else "0";
+    azimuth_n109_under <= "1" when azimuth_n109_cut(27) = '1' and (and azimuth_n109_cut(26 downto 26)) = '0' else "0";
+    azimuth_n109 <= 27x"3ffffff" when azimuth_n109_over(0) = '1' else 27x"4000000" when azimuth_n109_under(0) = '1' else azimuth_n109_cut(26 downto 0);
+    azimuth_n110_cut <= azimuth_n105(29 downto 2);
+    azimuth_n110_over <= "1" when azimuth_n110_cut(27) = '0' and (or azimuth_n110_cut(26 downto 26)) = '1' else "0";
+    azimuth_n110_under <= "1" when azimuth_n110_cut(27) = '1' and (and azimuth_n110_cut(26 downto 26)) = '0' else "0";
+    azimuth_n110 <= 27x"3ffffff" when azimuth_n110_over(0) = '1' else 27x"4000000" when azimuth_n110_under(0) = '1' else azimuth_n110_cut(26 downto 0);
+    azimuth_n111 <= unsigned(azimuth_n110(26 downto 26));
+    azimuth_n113 <= azimuth_n110;
+    azimuth_n114 <= azimuth_n109;
     -- polar_angle
-    polar_angle_n280 <= resize(polar_angle_n278_s4, 36) - shift_left(resize(polar_angle_n279_s4, 36), 15);
-    polar_angle_n282 <= resize(polar_angle_n280, 38) - shift_left(resize(polar_angle_n281_s4, 38), 17);
+    polar_angle_n286 <= resize(polar_angle_n284_s4, 36) - shift_left(resize(polar_angle_n285_s4, 36), 15);
+    polar_angle_n288 <= resize(polar_angle_n286, 38) - shift_left(resize(polar_angle_n287_s4, 38), 17);
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                azimuth_n65_s5 <= azimuth_n65_s4;
-                azimuth_n102_s5 <= azimuth_n102;
-                azimuth_n103_s5 <= azimuth_n103;
-                azimuth_n104_s5 <= azimuth_n104;
-                azimuth_n105_s5 <= azimuth_n105;
-                azimuth_n107_s5 <= azimuth_n107;
+                azimuth_n69_s5 <= azimuth_n69_s4;
                 azimuth_n108_s5 <= azimuth_n108;
-                polar_angle_n282_s5 <= polar_angle_n282;
-                polar_angle_n283_s5 <= polar_angle_n283_s4;
-                polar_angle_n285_s5 <= polar_angle_n285_s4;
-                polar_angle_n287_s5 <= polar_angle_n287_s4;
+                azimuth_n109_s5 <= azimuth_n109;
+                azimuth_n110_s5 <= azimuth_n110;
+                azimuth_n111_s5 <= azimuth_n111;
+                azimuth_n113_s5 <= azimuth_n113;
+                azimuth_n114_s5 <= azimuth_n114;
+                polar_angle_n288_s5 <= polar_angle_n288;
                 polar_angle_n289_s5 <= polar_angle_n289_s4;
+                polar_angle_n291_s5 <= polar_angle_n291_s4;
+                polar_angle_n293_s5 <= polar_angle_n293_s4;
+                polar_angle_n295_s5 <= polar_angle_n295_s4;
             end if;
             if rst = '1' then
                 valid_s5 <= '0';
@@ -1785,58 +1814,58 @@ begin
 
     -- ---- stage 5 ----
     -- azimuth
-    azimuth_n106 <= azimuth_n105_s5 xor azimuth_n72;
-    azimuth_n109_term <= unsigned(resize(azimuth_n107_s5, 31)) xor (30 downto 0 => azimuth_n105_s5(0));
-    azimuth_n109 <= shift_left(resize(azimuth_n103_s5, 31), 3) + signed(azimuth_n109_term) + azimuth_n105_s5(0);
-    azimuth_n110_term <= unsigned(resize(azimuth_n108_s5, 31)) xor (30 downto 0 => azimuth_n106(0));
-    azimuth_n110 <= shift_left(resize(azimuth_n104_s5, 31), 3) + signed(azimuth_n110_term) + azimuth_n106(0);
-    azimuth_n112_term <= unsigned(resize(azimuth_n111, 25)) xor (24 downto 0 => azimuth_n105_s5(0));
-    azimuth_n112 <= resize(azimuth_n102_s5, 25) + signed(azimuth_n112_term) + azimuth_n105_s5(0);
-    azimuth_n113_over <= "1" when azimuth_n112(24) = '0' and (or azimuth_n112(23 downto 23)) = '1' else "0";
-    azimuth_n113_under <= "1" when azimuth_n112(24) = '1' and (and azimuth_n112(23 downto 23)) = '0' else "0";
-    azimuth_n113 <= 24x"7fffff" when azimuth_n113_over(0) = '1' else 24x"800000" when azimuth_n113_under(0) = '1' else azimuth_n112(23 downto 0);
-    azimuth_n114_cut <= azimuth_n109(30 downto 3);
-    azimuth_n114_over <= "1" when azimuth_n114_cut(27) = '0' and (or azimuth_n114_cut(26 downto 26)) = '1' else "0";
-    azimuth_n114_under <= "1" when azimuth_n114_cut(27) = '1' and (and azimuth_n114_cut(26 downto 26)) = '0' else "0";
-    azimuth_n114 <= 27x"3ffffff" when azimuth_n114_over(0) = '1' else 27x"4000000" when azimuth_n114_under(0) = '1' else azimuth_n114_cut(26 downto 0);
-    azimuth_n115_cut <= azimuth_n110(30 downto 3);
-    azimuth_n115_over <= "1" when azimuth_n115_cut(27) = '0' and (or azimuth_n115_cut(26 downto 26)) = '1' else "0";
-    azimuth_n115_under <= "1" when azimuth_n115_cut(27) = '1' and (and azimuth_n115_cut(26 downto 26)) = '0' else "0";
-    azimuth_n115 <= 27x"3ffffff" when azimuth_n115_over(0) = '1' else 27x"4000000" when azimuth_n115_under(0) = '1' else azimuth_n115_cut(26 downto 0);
-    azimuth_n116 <= unsigned(azimuth_n115(26 downto 26));
-    azimuth_n117 <= azimuth_n116 xor azimuth_n72;
-    azimuth_n118 <= azimuth_n115;
-    azimuth_n119 <= azimuth_n114;
-    azimuth_n120_term <= unsigned(resize(azimuth_n118, 32)) xor (31 downto 0 => azimuth_n116(0));
-    azimuth_n120 <= shift_left(resize(azimuth_n114, 32), 4) + signed(azimuth_n120_term) + azimuth_n116(0);
-    azimuth_n121_term <= unsigned(resize(azimuth_n119, 32)) xor (31 downto 0 => azimuth_n117(0));
-    azimuth_n121 <= shift_left(resize(azimuth_n115, 32), 4) + signed(azimuth_n121_term) + azimuth_n117(0);
-    azimuth_n123_term <= unsigned(resize(azimuth_n122, 25)) xor (24 downto 0 => azimuth_n116(0));
-    azimuth_n123 <= resize(azimuth_n113, 25) + signed(azimuth_n123_term) + azimuth_n116(0);
-    azimuth_n124_over <= "1" when azimuth_n123(24) = '0' and (or azimuth_n123(23 downto 23)) = '1' else "0";
-    azimuth_n124_under <= "1" when azimuth_n123(24) = '1' and (and azimuth_n123(23 downto 23)) = '0' else "0";
-    azimuth_n124 <= 24x"7fffff" when azimuth_n124_over(0) = '1' else 24x"800000" when azimuth_n124_under(0) = '1' else azimuth_n123(23 downto 0);
-    azimuth_n125_cut <= azimuth_n120(31 downto 4);
-    azimuth_n125_over <= "1" when azimuth_n125_cut(27) = '0' and (or azimuth_n125_cut(26 downto 26)) = '1' else "0";
-    azimuth_n125_under <= "1" when azimuth_n125_cut(27) = '1' and (and azimuth_n125_cut(26 downto 26)) = '0' else "0";
-    azimuth_n125 <= 27x"3ffffff" when azimuth_n125_over(0) = '1' else 27x"4000000" when azimuth_n125_under(0) = '1' else azimuth_n125_cut(26 downto 0);
-    azimuth_n130 <= azimuth_n125;
+    azimuth_n112 <= azimuth_n111_s5 xor azimuth_n76;
+    azimuth_n115_term <= unsigned(resize(azimuth_n113_s5, 31)) xor (30 downto 0 => azimuth_n111_s5(0));
+    azimuth_n115 <= shift_left(resize(azimuth_n109_s5, 31), 3) + signed(azimuth_n115_term) + azimuth_n111_s5(0);
+    azimuth_n116_term <= unsigned(resize(azimuth_n114_s5, 31)) xor (30 downto 0 => azimuth_n112(0));
+    azimuth_n116 <= shift_left(resize(azimuth_n110_s5, 31), 3) + signed(azimuth_n116_term) + azimuth_n112(0);
+    azimuth_n118_term <= unsigned(resize(azimuth_n117, 25)) xor (24 downto 0 => azimuth_n111_s5(0));
+    azimuth_n118 <= resize(azimuth_n108_s5, 25) + signed(azimuth_n118_term) + azimuth_n111_s5(0);
+    azimuth_n119_over <= "1" when azimuth_n118(24) = '0' and (or azimuth_n118(23 downto 23)) = '1' else "0";
+    azimuth_n119_under <= "1" when azimuth_n118(24) = '1' and (and azimuth_n118(23 downto 23)) = '0' else "0";
+    azimuth_n119 <= 24x"7fffff" when azimuth_n119_over(0) = '1' else 24x"800000" when azimuth_n119_under(0) = '1' else azimuth_n118(23 downto 0);
+    azimuth_n120_cut <= azimuth_n115(30 downto 3);
+    azimuth_n120_over <= "1" when azimuth_n120_cut(27) = '0' and (or azimuth_n120_cut(26 downto 26)) = '1' else "0";
+    azimuth_n120_under <= "1" when azimuth_n120_cut(27) = '1' and (and azimuth_n120_cut(26 downto 26)) = '0' else "0";
+    azimuth_n120 <= 27x"3ffffff" when azimuth_n120_over(0) = '1' else 27x"4000000" when azimuth_n120_under(0) = '1' else azimuth_n120_cut(26 downto 0);
+    azimuth_n121_cut <= azimuth_n116(30 downto 3);
+    azimuth_n121_over <= "1" when azimuth_n121_cut(27) = '0' and (or azimuth_n121_cut(26 downto 26)) = '1' else "0";
+    azimuth_n121_under <= "1" when azimuth_n121_cut(27) = '1' and (and azimuth_n121_cut(26 downto 26)) = '0' else "0";
+    azimuth_n121 <= 27x"3ffffff" when azimuth_n121_over(0) = '1' else 27x"4000000" when azimuth_n121_under(0) = '1' else azimuth_n121_cut(26 downto 0);
+    azimuth_n122 <= unsigned(azimuth_n121(26 downto 26));
+    azimuth_n123 <= azimuth_n122 xor azimuth_n76;
+    azimuth_n124 <= azimuth_n121;
+    azimuth_n125 <= azimuth_n120;
+    azimuth_n126_term <= unsigned(resize(azimuth_n124, 32)) xor (31 downto 0 => azimuth_n122(0));
+    azimuth_n126 <= shift_left(resize(azimuth_n120, 32), 4) + signed(azimuth_n126_term) + azimuth_n122(0);
+    azimuth_n127_term <= unsigned(resize(azimuth_n125, 32)) xor (31 downto 0 => azimuth_n123(0));
+    azimuth_n127 <= shift_left(resize(azimuth_n121, 32), 4) + signed(azimuth_n127_term) + azimuth_n123(0);
+    azimuth_n129_term <= unsigned(resize(azimuth_n128, 25)) xor (24 downto 0 => azimuth_n122(0));
+    azimuth_n129 <= resize(azimuth_n119, 25) + signed(azimuth_n129_term) + azimuth_n122(0);
+    azimuth_n130_over <= "1" when azimuth_n129(24) = '0' and (or azimuth_n129(23 downto 23)) = '1' else "0";
+    azimuth_n130_under <= "1" when azimuth_n129(24) = '1' and (and azimuth_n129(23 downto 23)) = '0' else "0";
+    azimuth_n130 <= 24x"7fffff" when azimuth_n130_over(0) = '1' else 24x"800000" when azimuth_n130_under(0) = '1' else azimuth_n129(23 downto 0);
+    azimuth_n131_cut <= azimuth_n126(31 downto 4);
+    azimuth_n131_over <= "1" when azimuth_n131_cut(27) = '0' and (or azimuth_n131_cut(26 downto 26)) = '1' else "0";
+    azimuth_n131_under <= "1" when azimuth_n131_cut(27) = '1' and (and azimuth_n131_cut(26 downto 26)) = '0' else "0";
+    azimuth_n131 <= 27x"3ffffff" when azimuth_n131_over(0) = '1' else 27x"4000000" when azimuth_n131_under(0) = '1' else azimuth_n131_cut(26 downto 0);
+    azimuth_n136 <= azimuth_n131;
     -- polar_angle
-    polar_angle_n284 <= resize(polar_angle_n282_s5, 40) + shift_left(resize(polar_angle_n283_s5, 40), 19);
-    polar_angle_n286 <= resize(polar_angle_n284, 42) + shift_left(resize(polar_angle_n285_s5, 42), 21);
+    polar_angle_n290 <= resize(polar_angle_n288_s5, 40) + shift_left(resize(polar_angle_n289_s5, 40), 19);
+    polar_angle_n292 <= resize(polar_angle_n290, 42) + shift_left(resize(polar_angle_n291_s5, 42), 21);
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                azimuth_n65_s6 <= azimuth_n65_s5;
-                azimuth_n121_s6 <= azimuth_n121;
-                azimuth_n124_s6 <= azimuth_n124;
-                azimuth_n125_s6 <= azimuth_n125;
+                azimuth_n69_s6 <= azimuth_n69_s5;
+                azimuth_n127_s6 <= azimuth_n127;
                 azimuth_n130_s6 <= azimuth_n130;
-                polar_angle_n286_s6 <= polar_angle_n286;
-                polar_angle_n287_s6 <= polar_angle_n287_s5;
-                polar_angle_n289_s6 <= polar_angle_n289_s5;
+                azimuth_n131_s6 <= azimuth_n131;
+                azimuth_n136_s6 <= azimuth_n136;
+                polar_angle_n292_s6 <= polar_angle_n292;
+                polar_angle_n293_s6 <= polar_angle_n293_s5;
+                polar_angle_n295_s6 <= polar_angle_n295_s5;
             end if;
             if rst = '1' then
                 valid_s6 <= '0';
@@ -1848,59 +1877,59 @@ begin
 
     -- ---- stage 6 ----
     -- azimuth
-    azimuth_n126_cut <= azimuth_n121_s6(31 downto 4);
-    azimuth_n126_over <= "1" when azimuth_n126_cut(27) = '0' and (or azimuth_n126_cut(26 downto 26)) = '1' else "0";
-    azimuth_n126_under <= "1" when azimuth_n126_cut(27) = '1' and (and azimuth_n126_cut(26 downto 26)) = '0' else "0";
-    azimuth_n126 <= 27x"3ffffff" when azimuth_n126_over(0) = '1' else 27x"4000000" when azimuth_n126_under(0) = '1' else azimuth_n126_cut(26 downto 0);
-    azimuth_n127 <= unsigned(azimuth_n126(26 downto 26));
-    azimuth_n128 <= azimuth_n127 xor azimuth_n72;
-    azimuth_n129 <= azimuth_n126;
-    azimuth_n131_term <= unsigned(resize(azimuth_n129, 33)) xor (32 downto 0 => azimuth_n127(0));
-    azimuth_n131 <= shift_left(resize(azimuth_n125_s6, 33), 5) + signed(azimuth_n131_term) + azimuth_n127(0);
-    azimuth_n132_term <= unsigned(resize(azimuth_n130_s6, 33)) xor (32 downto 0 => azimuth_n128(0));
-    azimuth_n132 <= shift_left(resize(azimuth_n126, 33), 5) + signed(azimuth_n132_term) + azimuth_n128(0);
-    azimuth_n134_term <= unsigned(resize(azimuth_n133, 25)) xor (24 downto 0 => azimuth_n127(0));
-    azimuth_n134 <= resize(azimuth_n124_s6, 25) + signed(azimuth_n134_term) + azimuth_n127(0);
-    azimuth_n135_over <= "1" when azimuth_n134(24) = '0' and (or azimuth_n134(23 downto 23)) = '1' else "0";
-    azimuth_n135_under <= "1" when azimuth_n134(24) = '1' and (and azimuth_n134(23 downto 23)) = '0' else "0";
-    azimuth_n135 <= 24x"7fffff" when azimuth_n135_over(0) = '1' else 24x"800000" when azimuth_n135_under(0) = '1' else azimuth_n134(23 downto 0);
-    azimuth_n136_cut <= azimuth_n131(32 downto 5);
-    azimuth_n136_over <= "1" when azimuth_n136_cut(27) = '0' and (or azimuth_n136_cut(26 downto 26)) = '1' else "0";
-    azimuth_n136_under <= "1" when azimuth_n136_cut(27) = '1' and (and azimuth_n136_cut(26 downto 26)) = '0' else "0";
-    azimuth_n136 <= 27x"3ffffff" when azimuth_n136_over(0) = '1' else 27x"4000000" when azimuth_n136_under(0) = '1' else azimuth_n136_cut(26 downto 0);
-    azimuth_n137_cut <= azimuth_n132(32 downto 5);
-    azimuth_n137_over <= "1" when azimuth_n137_cut(27) = '0' and (or azimuth_n137_cut(26 downto 26)) = '1' else "0";
-    azimuth_n137_under <= "1" when azimuth_n137_cut(27) = '1' and (and azimuth_n137_cut(26 downto 26)) = '0' else "0";
-    azimuth_n137 <= 27x"3ffffff" when azimuth_n137_over(0) = '1' else 27x"4000000" when azimuth_n137_under(0) = '1' else azimuth_n137_cut(26 downto 0);
-    azimuth_n138 <= unsigned(azimuth_n137(26 downto 26));
-    azimuth_n139 <= azimuth_n138 xor azimuth_n72;
-    azimuth_n140 <= azimuth_n137;
-    azimuth_n141 <= azimuth_n136;
-    azimuth_n145_term <= unsigned(resize(azimuth_n144, 25)) xor (24 downto 0 => azimuth_n138(0));
-    azimuth_n145 <= resize(azimuth_n135, 25) + signed(azimuth_n145_term) + azimuth_n138(0);
+    azimuth_n132_cut <= azimuth_n127_s6(31 downto 4);
+    azimuth_n132_over <= "1" when azimuth_n132_cut(27) = '0' and (or azimuth_n132_cut(26 downto 26)) = '1' else "0";
+    azimuth_n132_under <= "1" when azimuth_n132_cut(27) = '1' and (and azimuth_n132_cut(26 downto 26)) = '0' else "0";
+    azimuth_n132 <= 27x"3ffffff" when azimuth_n132_over(0) = '1' else 27x"4000000" when azimuth_n132_under(0) = '1' else azimuth_n132_cut(26 downto 0);
+    azimuth_n133 <= unsigned(azimuth_n132(26 downto 26));
+    azimuth_n134 <= azimuth_n133 xor azimuth_n76;
+    azimuth_n135 <= azimuth_n132;
+    azimuth_n137_term <= unsigned(resize(azimuth_n135, 33)) xor (32 downto 0 => azimuth_n133(0));
+    azimuth_n137 <= shift_left(resize(azimuth_n131_s6, 33), 5) + signed(azimuth_n137_term) + azimuth_n133(0);
+    azimuth_n138_term <= unsigned(resize(azimuth_n136_s6, 33)) xor (32 downto 0 => azimuth_n134(0));
+    azimuth_n138 <= shift_left(resize(azimuth_n132, 33), 5) + signed(azimuth_n138_term) + azimuth_n134(0);
+    azimuth_n140_term <= unsigned(resize(azimuth_n139, 25)) xor (24 downto 0 => azimuth_n133(0));
+    azimuth_n140 <= resize(azimuth_n130_s6, 25) + signed(azimuth_n140_term) + azimuth_n133(0);
+    azimuth_n141_over <= "1" when azimuth_n140(24) = '0' and (or azimuth_n140(23 downto 23)) = '1' else "0";
+    azimuth_n141_under <= "1" when azimuth_n140(24) = '1' and (and azimuth_n140(23 downto 23)) = '0' else "0";
+    azimuth_n141 <= 24x"7fffff" when azimuth_n141_over(0) = '1' else 24x"800000" when azimuth_n141_under(0) = '1' else azimuth_n140(23 downto 0);
+    azimuth_n142_cut <= azimuth_n137(32 downto 5);
+    azimuth_n142_over <= "1" when azimuth_n142_cut(27) = '0' and (or azimuth_n142_cut(26 downto 26)) = '1' else "0";
+    azimuth_n142_under <= "1" when azimuth_n142_cut(27) = '1' and (and azimuth_n142_cut(26 downto 26)) = '0' else "0";
+    azimuth_n142 <= 27x"3ffffff" when azimuth_n142_over(0) = '1' else 27x"4000000" when azimuth_n142_under(0) = '1' else azimuth_n142_cut(26 downto 0);
+    azimuth_n143_cut <= azimuth_n138(32 downto 5);
+    azimuth_n143_over <= "1" when azimuth_n143_cut(27) = '0' and (or azimuth_n143_cut(26 downto 26)) = '1' else "0";
+    azimuth_n143_under <= "1" when azimuth_n143_cut(27) = '1' and (and azimuth_n143_cut(26 downto 26)) = '0' else "0";
+    azimuth_n143 <= 27x"3ffffff" when azimuth_n143_over(0) = '1' else 27x"4000000" when azimuth_n143_under(0) = '1' else azimuth_n143_cut(26 downto 0);
+    azimuth_n144 <= unsigned(azimuth_n143(26 downto 26));
+    azimuth_n145 <= azimuth_n144 xor azimuth_n76;
+    azimuth_n146 <= azimuth_n143;
+    azimuth_n147 <= azimuth_n142;
+    azimuth_n151_term <= unsigned(resize(azimuth_n150, 25)) xor (24 downto 0 => azimuth_n144(0));
+    azimuth_n151 <= resize(azimuth_n141, 25) + signed(azimuth_n151_term) + azimuth_n144(0);
     -- polar_angle
-    polar_angle_n288 <= resize(polar_angle_n286_s6, 44) - shift_left(resize(polar_angle_n287_s6, 44), 23);
-    polar_angle_n290 <= resize(polar_angle_n288, 46) + shift_left(resize(polar_angle_n289_s6, 46), 25);
-    polar_angle_n291_cut <= polar_angle_n290(45 downto 18);
-    polar_angle_n291_over <= "1" when polar_angle_n291_cut(27) = '0' and (or polar_angle_n291_cut(26 downto 26)) = '1' else "0";
-    polar_angle_n291_under <= "1" when polar_angle_n291_cut(27) = '1' and (and polar_angle_n291_cut(26 downto 26)) = '0' else "0";
-    polar_angle_n291 <= 27x"3ffffff" when polar_angle_n291_over(0) = '1' else 27x"4000000" when polar_angle_n291_under(0) = '1' else polar_angle_n291_cut(26 downto 0);
-    polar_angle_n292 <= unsigned(polar_angle_n291(26 downto 26));
+    polar_angle_n294 <= resize(polar_angle_n292_s6, 44) - shift_left(resize(polar_angle_n293_s6, 44), 23);
+    polar_angle_n296 <= resize(polar_angle_n294, 46) + shift_left(resize(polar_angle_n295_s6, 46), 25);
+    polar_angle_n297_cut <= polar_angle_n296(45 downto 18);
+    polar_angle_n297_over <= "1" when polar_angle_n297_cut(27) = '0' and (or polar_angle_n297_cut(26 downto 26)) = '1' else "0";
+    polar_angle_n297_under <= "1" when polar_angle_n297_cut(27) = '1' and (and polar_angle_n297_cut(26 downto 26)) = '0' else "0";
+    polar_angle_n297 <= 27x"3ffffff" when polar_angle_n297_over(0) = '1' else 27x"4000000" when polar_angle_n297_under(0) = '1' else polar_angle_n297_cut(26 downto 0);
+    polar_angle_n301 <= unsigned(polar_angle_n297(26 downto 26));
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                azimuth_n65_s7 <= azimuth_n65_s6;
-                azimuth_n136_s7 <= azimuth_n136;
-                azimuth_n137_s7 <= azimuth_n137;
-                azimuth_n138_s7 <= azimuth_n138;
-                azimuth_n139_s7 <= azimuth_n139;
-                azimuth_n140_s7 <= azimuth_n140;
-                azimuth_n141_s7 <= azimuth_n141;
+                azimuth_n69_s7 <= azimuth_n69_s6;
+                azimuth_n142_s7 <= azimuth_n142;
+                azimuth_n143_s7 <= azimuth_n143;
+                azimuth_n144_s7 <= azimuth_n144;
                 azimuth_n145_s7 <= azimuth_n145;
-                polar_angle_n291_s7 <= polar_angle_n291;
-                polar_angle_n292_s7 <= polar_angle_n292;
+                azimuth_n146_s7 <= azimuth_n146;
+                azimuth_n147_s7 <= azimuth_n147;
+                azimuth_n151_s7 <= azimuth_n151;
+                polar_angle_n297_s7 <= polar_angle_n297;
+                polar_angle_n301_s7 <= polar_angle_n301;
             end if;
             if rst = '1' then
                 valid_s7 <= '0';
@@ -1912,57 +1941,59 @@ begin
 
     -- ---- stage 7 ----
     -- azimuth
-    azimuth_n142_term <= unsigned(resize(azimuth_n140_s7, 34)) xor (33 downto 0 => azimuth_n138_s7(0));
-    azimuth_n142 <= shift_left(resize(azimuth_n136_s7, 34), 6) + signed(azimuth_n142_term) + azimuth_n138_s7(0);
-    azimuth_n143_term <= unsigned(resize(azimuth_n141_s7, 34)) xor (33 downto 0 => azimuth_n139_s7(0));
-    azimuth_n143 <= shift_left(resize(azimuth_n137_s7, 34), 6) + signed(azimuth_n143_term) + azimuth_n139_s7(0);
-    azimuth_n146_over <= "1" when azimuth_n145_s7(24) = '0' and (or azimuth_n145_s7(23 downto 23)) = '1' else "0";
-    azimuth_n146_under <= "1" when azimuth_n145_s7(24) = '1' and (and azimuth_n145_s7(23 downto 23)) = '0' else "0";
-    azimuth_n146 <= 24x"7fffff" when azimuth_n146_over(0) = '1' else 24x"800000" when azimuth_n146_under(0) = '1' else azimuth_n145_s7(23 downto 0);
-    azimuth_n147_cut <= azimuth_n142(33 downto 6);
-    azimuth_n147_over <= "1" when azimuth_n147_cut(27) = '0' and (or azimuth_n147_cut(26 downto 26)) = '1' else "0";
-    azimuth_n147_under <= "1" when azimuth_n147_cut(27) = '1' and (and azimuth_n147_cut(26 downto 26)) = '0' else "0";
-    azimuth_n147 <= 27x"3ffffff" when azimuth_n147_over(0) = '1' else 27x"4000000" when azimuth_n147_under(0) = '1' else azimuth_n147_cut(26 downto 0);
-    azimuth_n148_cut <= azimuth_n143(33 downto 6);
-    azimuth_n148_over <= "1" when azimuth_n148_cut(27) = '0' and (or azimuth_n148_cut(26 downto 26)) = '1' else "0";
-    azimuth_n148_under <= "1" when azimuth_n148_cut(27) = '1' and (and azimuth_n148_cut(26 downto 26)) = '0' else "0";
-    azimuth_n148 <= 27x"3ffffff" when azimuth_n148_over(0) = '1' else 27x"4000000" when azimuth_n148_under(0) = '1' else azimuth_n148_cut(26 downto 0);
-    azimuth_n149 <= unsigned(azimuth_n148(26 downto 26));
-    azimuth_n150 <= azimuth_n149 xor azimuth_n72;
-    azimuth_n151 <= azimuth_n148;
-    azimuth_n152 <= azimuth_n147;
-    azimuth_n153_term <= unsigned(resize(azimuth_n151, 35)) xor (34 downto 0 => azimuth_n149(0));
-    azimuth_n153 <= shift_left(resize(azimuth_n147, 35), 7) + signed(azimuth_n153_term) + azimuth_n149(0);
-    azimuth_n154_term <= unsigned(resize(azimuth_n152, 35)) xor (34 downto 0 => azimuth_n150(0));
-    azimuth_n154 <= shift_left(resize(azimuth_n148, 35), 7) + signed(azimuth_n154_term) + azimuth_n150(0);
-    azimuth_n156_term <= unsigned(resize(azimuth_n155, 25)) xor (24 downto 0 => azimuth_n149(0));
-    azimuth_n156 <= resize(azimuth_n146, 25) + signed(azimuth_n156_term) + azimuth_n149(0);
-    azimuth_n157_over <= "1" when azimuth_n156(24) = '0' and (or azimuth_n156(23 downto 23)) = '1' else "0";
-    azimuth_n157_under <= "1" when azimuth_n156(24) = '1' and (and azimuth_n156(23 downto 23)) = '0' else "0";
-    azimuth_n157 <= 24x"7fffff" when azimuth_n157_over(0) = '1' else 24x"800000" when azimuth_n157_under(0) = '1' else azimuth_n156(23 downto 0);
-    azimuth_n158_cut <= azimuth_n153(34 downto 7);
-    azimuth_n158_over <= "1" when azimuth_n158_cut(27) = '0' and (or azimuth_n158_cut(26 downto 26)) = '1' else "0";
-    azimuth_n158_under <= "1" when azimuth_n158_cut(27) = '1' and (and azimuth_n158_cut(26 downto 26)) = '0' else "0";
-    azimuth_n158 <= 27x"3ffffff" when azimuth_n158_over(0) = '1' else 27x"4000000" when azimuth_n158_under(0) = '1' else azimuth_n158_cut(26 downto 0);
-    azimuth_n163 <= azimuth_n158;
+    azimuth_n148_term <= unsigned(resize(azimuth_n146_s7, 34)) xor (33 downto 0 => azimuth_n144_s7(0));
+    azimuth_n148 <= shift_left(resize(azimuth_n142_s7, 34), 6) + signed(azimuth_n148_term) + azimuth_n144_s7(0);
+    azimuth_n149_term <= unsigned(resize(azimuth_n147_s7, 34)) xor (33 downto 0 => azimuth_n145_s7(0));
+    azimuth_n149 <= shift_left(resize(azimuth_n143_s7, 34), 6) + signed(azimuth_n149_term) + azimuth_n145_s7(0);
+    azimuth_n152_over <= "1" when azimuth_n151_s7(24) = '0' and (or azimuth_n151_s7(23 downto 23)) = '1' else "0";
+    azimuth_n152_under <= "1" when azimuth_n151_s7(24) = '1' and (and azimuth_n151_s7(23 downto 23)) = '0' else "0";
+    azimuth_n152 <= 24x"7fffff" when azimuth_n152_over(0) = '1' else 24x"800000" when azimuth_n152_under(0) = '1' else azimuth_n151_s7(23 downto 0);
+    azimuth_n153_cut <= azimuth_n148(33 downto 6);
+    azimuth_n153_over <= "1" when azimuth_n153_cut(27) = '0' and (or azimuth_n153_cut(26 downto 26)) = '1' else "0";
+    azimuth_n153_under <= "1" when azimuth_n153_cut(27) = '1' and (and azimuth_n153_cut(26 downto 26)) = '0' else "0";
+    azimuth_n153 <= 27x"3ffffff" when azimuth_n153_over(0) = '1' else 27x"4000000" when azimuth_n153_under(0) = '1' else azimuth_n153_cut(26 downto 0);
+    azimuth_n154_cut <= azimuth_n149(33 downto 6);
+    azimuth_n154_over <= "1" when azimuth_n154_cut(27) = '0' and (or azimuth_n154_cut(26 downto 26)) = '1' else "0";
+    azimuth_n154_under <= "1" when azimuth_n154_cut(27) = '1' and (and azimuth_n154_cut(26 downto 26)) = '0' else "0";
+    azimuth_n154 <= 27x"3ffffff" when azimuth_n154_over(0) = '1' else 27x"4000000" when azimuth_n154_under(0) = '1' else azimuth_n154_cut(26 downto 0);
+    azimuth_n155 <= unsigned(azimuth_n154(26 downto 26));
+    azimuth_n156 <= azimuth_n155 xor azimuth_n76;
+    azimuth_n157 <= azimuth_n154;
+    azimuth_n158 <= azimuth_n153;
+    azimuth_n159_term <= unsigned(resize(azimuth_n157, 35)) xor (34 downto 0 => azimuth_n155(0));
+    azimuth_n159 <= shift_left(resize(azimuth_n153, 35), 7) + signed(azimuth_n159_term) + azimuth_n155(0);
+    azimuth_n160_term <= unsigned(resize(azimuth_n158, 35)) xor (34 downto 0 => azimuth_n156(0));
+    azimuth_n160 <= shift_left(resize(azimuth_n154, 35), 7) + signed(azimuth_n160_term) + azimuth_n156(0);
+    azimuth_n162_term <= unsigned(resize(azimuth_n161, 25)) xor (24 downto 0 => azimuth_n155(0));
+    azimuth_n162 <= resize(azimuth_n152, 25) + signed(azimuth_n162_term) + azimuth_n155(0);
+    azimuth_n163_over <= "1" when azimuth_n162(24) = '0' and (or azimuth_n162(23 downto 23)) = '1' else "0";
+    azimuth_n163_under <= "1" when azimuth_n162(24) = '1' and (and azimuth_n162(23 downto 23)) = '0' else "0";
+    azimuth_n163 <= 24x"7fffff" when azimuth_n163_over(0) = '1' else 24x"800000" when azimuth_n163_under(0) = '1' else azimuth_n162(23 downto 0);
+    azimuth_n164_cut <= azimuth_n159(34 downto 7);
+    azimuth_n164_over <= "1" when azimuth_n164_cut(27) = '0' and (or azimuth_n164_cut(26 downto 26)) = '1' else "0";
+    azimuth_n164_under <= "1" when azimuth_n164_cut(27) = '1' and (and azimuth_n164_cut(26 downto 26)) = '0' else "0";
+    azimuth_n164 <= 27x"3ffffff" when azimuth_n164_over(0) = '1' else 27x"4000000" when azimuth_n164_under(0) = '1' else azimuth_n164_cut(26 downto 0);
+    azimuth_n169 <= azimuth_n164;
     -- polar_angle
-    polar_angle_n293 <= -resize(polar_angle_n291_s7, 28);
-    polar_angle_n295 <= polar_angle_n293 when polar_angle_n292_s7(0) = '1' else resize(polar_angle_n291_s7, 28);
-    polar_angle_n297_over <= "1" when polar_angle_n295(27) = '0' and (or polar_angle_n295(26 downto 26)) = '1' else "0";
-    polar_angle_n297_under <= "1" when polar_angle_n295(27) = '1' and (and polar_angle_n295(26 downto 26)) = '0' else "0";
-    polar_angle_n297 <= 27x"3ffffff" when polar_angle_n297_over(0) = '1' else 27x"4000000" when polar_angle_n297_under(0) = '1' else polar_angle_n295(26 downto 0);
+    polar_angle_n298 <= "1" when unsigned(polar_angle_n297_s7) = shift_left(resize(azimuth_n65, 27), 24) else "0";
+    polar_angle_n302 <= -resize(polar_angle_n297_s7, 28);
+    polar_angle_n304 <= polar_angle_n302 when polar_angle_n301_s7(0) = '1' else resize(polar_angle_n297_s7, 28);
+    polar_angle_n306_over <= "1" when polar_angle_n304(27) = '0' and (or polar_angle_n304(26 downto 26)) = '1' else "0";
+    polar_angle_n306_under <= "1" when polar_angle_n304(27) = '1' and (and polar_angle_n304(26 downto 26)) = '0' else "0";
+    polar_angle_n306 <= 27x"3ffffff" when polar_angle_n306_over(0) = '1' else 27x"4000000" when polar_angle_n306_under(0) = '1' else polar_angle_n304(26 downto 0);
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                azimuth_n65_s8 <= azimuth_n65_s7;
-                azimuth_n154_s8 <= azimuth_n154;
-                azimuth_n157_s8 <= azimuth_n157;
-                azimuth_n158_s8 <= azimuth_n158;
+                azimuth_n69_s8 <= azimuth_n69_s7;
+                azimuth_n160_s8 <= azimuth_n160;
                 azimuth_n163_s8 <= azimuth_n163;
-                polar_angle_n292_s8 <= polar_angle_n292_s7;
-                polar_angle_n297_s8 <= polar_angle_n297;
+                azimuth_n164_s8 <= azimuth_n164;
+                azimuth_n169_s8 <= azimuth_n169;
+                polar_angle_n298_s8 <= polar_angle_n298;
+                polar_angle_n301_s8 <= polar_angle_n301_s7;
+                polar_angle_n306_s8 <= polar_angle_n306;
             end if;
             if rst = '1' then
                 valid_s8 <= '0';
@@ -1974,51 +2005,52 @@ begin
 
     -- ---- stage 8 ----
     -- azimuth
-    azimuth_n159_cut <= azimuth_n154_s8(34 downto 7);
-    azimuth_n159_over <= "1" when azimuth_n159_cut(27) = '0' and (or azimuth_n159_cut(26 downto 26)) = '1' else "0";
-    azimuth_n159_under <= "1" when azimuth_n159_cut(27) = '1' and (and azimuth_n159_cut(26 downto 26)) = '0' else "0";
-    azimuth_n159 <= 27x"3ffffff" when azimuth_n159_over(0) = '1' else 27x"4000000" when azimuth_n159_under(0) = '1' else azimuth_n159_cut(26 downto 0);
-    azimuth_n160 <= unsigned(azimuth_n159(26 downto 26));
-    azimuth_n161 <= azimuth_n160 xor azimuth_n72;
-    azimuth_n162 <= azimuth_n159;
-    azimuth_n164_term <= unsigned(resize(azimuth_n162, 36)) xor (35 downto 0 => azimuth_n160(0));
-    azimuth_n164 <= shift_left(resize(azimuth_n158_s8, 36), 8) + signed(azimuth_n164_term) + azimuth_n160(0);
-    azimuth_n165_term <= unsigned(resize(azimuth_n163_s8, 36)) xor (35 downto 0 => azimuth_n161(0));
-    azimuth_n165 <= shift_left(resize(azimuth_n159, 36), 8) + signed(azimuth_n165_term) + azimuth_n161(0);
-    azimuth_n167_term <= unsigned(resize(azimuth_n166, 25)) xor (24 downto 0 => azimuth_n160(0));
-    azimuth_n167 <= resize(azimuth_n157_s8, 25) + signed(azimuth_n167_term) + azimuth_n160(0);
-    azimuth_n168_over <= "1" when azimuth_n167(24) = '0' and (or azimuth_n167(23 downto 23)) = '1' else "0";
-    azimuth_n168_under <= "1" when azimuth_n167(24) = '1' and (and azimuth_n167(23 downto 23)) = '0' else "0";
-    azimuth_n168 <= 24x"7fffff" when azimuth_n168_over(0) = '1' else 24x"800000" when azimuth_n168_under(0) = '1' else azimuth_n167(23 downto 0);
-    azimuth_n169_cut <= azimuth_n164(35 downto 8);
-    azimuth_n169_over <= "1" when azimuth_n169_cut(27) = '0' and (or azimuth_n169_cut(26 downto 26)) = '1' else "0";
-    azimuth_n169_under <= "1" when azimuth_n169_cut(27) = '1' and (and azimuth_n169_cut(26 downto 26)) = '0' else "0";
-    azimuth_n169 <= 27x"3ffffff" when azimuth_n169_over(0) = '1' else 27x"4000000" when azimuth_n169_under(0) = '1' else azimuth_n169_cut(26 downto 0);
-    azimuth_n170_cut <= azimuth_n165(35 downto 8);
-    azimuth_n170_over <= "1" when azimuth_n170_cut(27) = '0' and (or azimuth_n170_cut(26 downto 26)) = '1' else "0";
-    azimuth_n170_under <= "1" when azimuth_n170_cut(27) = '1' and (and azimuth_n170_cut(26 downto 26)) = '0' else "0";
-    azimuth_n170 <= 27x"3ffffff" when azimuth_n170_over(0) = '1' else 27x"4000000" when azimuth_n170_under(0) = '1' else azimuth_n170_cut(26 downto 0);
-    azimuth_n171 <= unsigned(azimuth_n170(26 downto 26));
-    azimuth_n172 <= azimuth_n171 xor azimuth_n72;
-    azimuth_n173 <= azimuth_n170;
-    azimuth_n174 <= azimuth_n169;
-    azimuth_n178_term <= unsigned(resize(azimuth_n177, 25)) xor (24 downto 0 => azimuth_n171(0));
-    azimuth_n178 <= resize(azimuth_n168, 25) + signed(azimuth_n178_term) + azimuth_n171(0);
+    azimuth_n165_cut <= azimuth_n160_s8(34 downto 7);
+    azimuth_n165_over <= "1" when azimuth_n165_cut(27) = '0' and (or azimuth_n165_cut(26 downto 26)) = '1' else "0";
+    azimuth_n165_under <= "1" when azimuth_n165_cut(27) = '1' and (and azimuth_n165_cut(26 downto 26)) = '0' else "0";
+    azimuth_n165 <= 27x"3ffffff" when azimuth_n165_over(0) = '1' else 27x"4000000" when azimuth_n165_under(0) = '1' else azimuth_n165_cut(26 downto 0);
+    azimuth_n166 <= unsigned(azimuth_n165(26 downto 26));
+    azimuth_n167 <= azimuth_n166 xor azimuth_n76;
+    azimuth_n168 <= azimuth_n165;
+    azimuth_n170_term <= unsigned(resize(azimuth_n168, 36)) xor (35 downto 0 => azimuth_n166(0));
+    azimuth_n170 <= shift_left(resize(azimuth_n164_s8, 36), 8) + signed(azimuth_n170_term) + azimuth_n166(0);
+    azimuth_n171_term <= unsigned(resize(azimuth_n169_s8, 36)) xor (35 downto 0 => azimuth_n167(0));
+    azimuth_n171 <= shift_left(resize(azimuth_n165, 36), 8) + signed(azimuth_n171_term) + azimuth_n167(0);
+    azimuth_n173_term <= unsigned(resize(azimuth_n172, 25)) xor (24 downto 0 => azimuth_n166(0));
+    azimuth_n173 <= resize(azimuth_n163_s8, 25) + signed(azimuth_n173_term) + azimuth_n166(0);
+    azimuth_n174_over <= "1" when azimuth_n173(24) = '0' and (or azimuth_n173(23 downto 23)) = '1' else "0";
+    azimuth_n174_under <= "1" when azimuth_n173(24) = '1' and (and azimuth_n173(23 downto 23)) = '0' else "0";
+    azimuth_n174 <= 24x"7fffff" when azimuth_n174_over(0) = '1' else 24x"800000" when azimuth_n174_under(0) = '1' else azimuth_n173(23 downto 0);
+    azimuth_n175_cut <= azimuth_n170(35 downto 8);
+    azimuth_n175_over <= "1" when azimuth_n175_cut(27) = '0' and (or azimuth_n175_cut(26 downto 26)) = '1' else "0";
+    azimuth_n175_under <= "1" when azimuth_n175_cut(27) = '1' and (and azimuth_n175_cut(26 downto 26)) = '0' else "0";
+    azimuth_n175 <= 27x"3ffffff" when azimuth_n175_over(0) = '1' else 27x"4000000" when azimuth_n175_under(0) = '1' else azimuth_n175_cut(26 downto 0);
+    azimuth_n176_cut <= azimuth_n171(35 downto 8);
+    azimuth_n176_over <= "1" when azimuth_n176_cut(27) = '0' and (or azimuth_n176_cut(26 downto 26)) = '1' else "0";
+    azimuth_n176_under <= "1" when azimuth_n176_cut(27) = '1' and (and azimuth_n176_cut(26 downto 26)) = '0' else "0";
+    azimuth_n176 <= 27x"3ffffff" when azimuth_n176_over(0) = '1' else 27x"4000000" when azimuth_n176_under(0) = '1' else azimuth_n176_cut(26 downto 0);
+    azimuth_n177 <= unsigned(azimuth_n176(26 downto 26));
+    azimuth_n178 <= azimuth_n177 xor azimuth_n76;
+    azimuth_n179 <= azimuth_n176;
+    azimuth_n180 <= azimuth_n175;
+    azimuth_n184_term <= unsigned(resize(azimuth_n183, 25)) xor (24 downto 0 => azimuth_n177(0));
+    azimuth_n184 <= resize(azimuth_n174, 25) + signed(azimuth_n184_term) + azimuth_n177(0);
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                azimuth_n65_s9 <= azimuth_n65_s8;
-                azimuth_n169_s9 <= azimuth_n169;
-                azimuth_n170_s9 <= azimuth_n170;
-                azimuth_n171_s9 <= azimuth_n171;
-                azimuth_n172_s9 <= azimuth_n172;
-                azimuth_n173_s9 <= azimuth_n173;
-                azimuth_n174_s9 <= azimuth_n174;
+                azimuth_n69_s9 <= azimuth_n69_s8;
+                azimuth_n175_s9 <= azimuth_n175;
+                azimuth_n176_s9 <= azimuth_n176;
+                azimuth_n177_s9 <= azimuth_n177;
                 azimuth_n178_s9 <= azimuth_n178;
-                polar_angle_n292_s9 <= polar_angle_n292_s8;
-                polar_angle_n297_s9 <= polar_angle_n297_s8;
+                azimuth_n179_s9 <= azimuth_n179;
+                azimuth_n180_s9 <= azimuth_n180;
+                azimuth_n184_s9 <= azimuth_n184;
+                polar_angle_n298_s9 <= polar_angle_n298_s8;
+                polar_angle_n301_s9 <= polar_angle_n301_s8;
+                polar_angle_n306_s9 <= polar_angle_n306_s8;
             end if;
             if rst = '1' then
                 valid_s9 <= '0';
@@ -2030,51 +2062,52 @@ begin
 
     -- ---- stage 9 ----
     -- azimuth
-    azimuth_n175_term <= unsigned(resize(azimuth_n173_s9, 37)) xor (36 downto 0 => azimuth_n171_s9(0));
-    azimuth_n175 <= shift_left(resize(azimuth_n169_s9, 37), 9) + signed(azimuth_n175_term) + azimuth_n171_s9(0);
-    azimuth_n176_term <= unsigned(resize(azimuth_n174_s9, 37)) xor (36 downto 0 => azimuth_n172_s9(0));
-    azimuth_n176 <= shift_left(resize(azimuth_n170_s9, 37), 9) + signed(azimuth_n176_term) + azimuth_n172_s9(0);
-    azimuth_n179_over <= "1" when azimuth_n178_s9(24) = '0' and (or azimuth_n178_s9(23 downto 23)) = '1' else "0";
-    azimuth_n179_under <= "1" when azimuth_n178_s9(24) = '1' and (and azimuth_n178_s9(23 downto 23)) = '0' else "0";
-    azimuth_n179 <= 24x"7fffff" when azimuth_n179_over(0) = '1' else 24x"800000" when azimuth_n179_under(0) = '1' else azimuth_n178_s9(23 downto 0);
-    azimuth_n180_cut <= azimuth_n175(36 downto 9);
-    azimuth_n180_over <= "1" when azimuth_n180_cut(27) = '0' and (or azimuth_n180_cut(26 downto 26)) = '1' else "0";
-    azimuth_n180_under <= "1" when azimuth_n180_cut(27) = '1' and (and azimuth_n180_cut(26 downto 26)) = '0' else "0";
-    azimuth_n180 <= 27x"3ffffff" when azimuth_n180_over(0) = '1' else 27x"4000000" when azimuth_n180_under(0) = '1' else azimuth_n180_cut(26 downto 0);
-    azimuth_n181_cut <= azimuth_n176(36 downto 9);
-    azimuth_n181_over <= "1" when azimuth_n181_cut(27) = '0' and (or azimuth_n181_cut(26 downto 26)) = '1' else "0";
-    azimuth_n181_under <= "1" when azimuth_n181_cut(27) = '1' and (and azimuth_n181_cut(26 downto 26)) = '0' else "0";
-    azimuth_n181 <= 27x"3ffffff" when azimuth_n181_over(0) = '1' else 27x"4000000" when azimuth_n181_under(0) = '1' else azimuth_n181_cut(26 downto 0);
-    azimuth_n182 <= unsigned(azimuth_n181(26 downto 26));
-    azimuth_n183 <= azimuth_n182 xor azimuth_n72;
-    azimuth_n184 <= azimuth_n181;
-    azimuth_n185 <= azimuth_n180;
-    azimuth_n186_term <= unsigned(resize(azimuth_n184, 38)) xor (37 downto 0 => azimuth_n182(0));
-    azimuth_n186 <= shift_left(resize(azimuth_n180, 38), 10) + signed(azimuth_n186_term) + azimuth_n182(0);
-    azimuth_n187_term <= unsigned(resize(azimuth_n185, 38)) xor (37 downto 0 => azimuth_n183(0));
-    azimuth_n187 <= shift_left(resize(azimuth_n181, 38), 10) + signed(azimuth_n187_term) + azimuth_n183(0);
-    azimuth_n189_term <= unsigned(resize(azimuth_n188, 25)) xor (24 downto 0 => azimuth_n182(0));
-    azimuth_n189 <= resize(azimuth_n179, 25) + signed(azimuth_n189_term) + azimuth_n182(0);
-    azimuth_n190_over <= "1" when azimuth_n189(24) = '0' and (or azimuth_n189(23 downto 23)) = '1' else "0";
-    azimuth_n190_under <= "1" when azimuth_n189(24) = '1' and (and azimuth_n189(23 downto 23)) = '0' else "0";
-    azimuth_n190 <= 24x"7fffff" when azimuth_n190_over(0) = '1' else 24x"800000" when azimuth_n190_under(0) = '1' else azimuth_n189(23 downto 0);
-    azimuth_n191_cut <= azimuth_n186(37 downto 10);
-    azimuth_n191_over <= "1" when azimuth_n191_cut(27) = '0' and (or azimuth_n191_cut(26 downto 26)) = '1' else "0";
-    azimuth_n191_under <= "1" when azimuth_n191_cut(27) = '1' and (and azimuth_n191_cut(26 downto 26)) = '0' else "0";
-    azimuth_n191 <= 27x"3ffffff" when azimuth_n191_over(0) = '1' else 27x"4000000" when azimuth_n191_under(0) = '1' else azimuth_n191_cut(26 downto 0);
-    azimuth_n196 <= azimuth_n191;
+    azimuth_n181_term <= unsigned(resize(azimuth_n179_s9, 37)) xor (36 downto 0 => azimuth_n177_s9(0));
+    azimuth_n181 <= shift_left(resize(azimuth_n175_s9, 37), 9) + signed(azimuth_n181_term) + azimuth_n177_s9(0);
+    azimuth_n182_term <= unsigned(resize(azimuth_n180_s9, 37)) xor (36 downto 0 => azimuth_n178_s9(0));
+    azimuth_n182 <= shift_left(resize(azimuth_n176_s9, 37), 9) + signed(azimuth_n182_term) + azimuth_n178_s9(0);
+    azimuth_n185_over <= "1" when azimuth_n184_s9(24) = '0' and (or azimuth_n184_s9(23 downto 23)) = '1' else "0";
+    azimuth_n185_under <= "1" when azimuth_n184_s9(24) = '1' and (and azimuth_n184_s9(23 downto 23)) = '0' else "0";
+    azimuth_n185 <= 24x"7fffff" when azimuth_n185_over(0) = '1' else 24x"800000" when azimuth_n185_under(0) = '1' else azimuth_n184_s9(23 downto 0);
+    azimuth_n186_cut <= azimuth_n181(36 downto 9);
+    azimuth_n186_over <= "1" when azimuth_n186_cut(27) = '0' and (or azimuth_n186_cut(26 downto 26)) = '1' else "0";
+    azimuth_n186_under <= "1" when azimuth_n186_cut(27) = '1' and (and azimuth_n186_cut(26 downto 26)) = '0' else "0";
+    azimuth_n186 <= 27x"3ffffff" when azimuth_n186_over(0) = '1' else 27x"4000000" when azimuth_n186_under(0) = '1' else azimuth_n186_cut(26 downto 0);
+    azimuth_n187_cut <= azimuth_n182(36 downto 9);
+    azimuth_n187_over <= "1" when azimuth_n187_cut(27) = '0' and (or azimuth_n187_cut(26 downto 26)) = '1' else "0";
+    azimuth_n187_under <= "1" when azimuth_n187_cut(27) = '1' and (and azimuth_n187_cut(26 downto 26)) = '0' else "0";
+    azimuth_n187 <= 27x"3ffffff" when azimuth_n187_over(0) = '1' else 27x"4000000" when azimuth_n187_under(0) = '1' else azimuth_n187_cut(26 downto 0);
+    azimuth_n188 <= unsigned(azimuth_n187(26 downto 26));
+    azimuth_n189 <= azimuth_n188 xor azimuth_n76;
+    azimuth_n190 <= azimuth_n187;
+    azimuth_n191 <= azimuth_n186;
+    azimuth_n192_term <= unsigned(resize(azimuth_n190, 38)) xor (37 downto 0 => azimuth_n188(0));
+    azimuth_n192 <= shift_left(resize(azimuth_n186, 38), 10) + signed(azimuth_n192_term) + azimuth_n188(0);
+    azimuth_n193_term <= unsigned(resize(azimuth_n191, 38)) xor (37 downto 0 => azimuth_n189(0));
+    azimuth_n193 <= shift_left(resize(azimuth_n187, 38), 10) + signed(azimuth_n193_term) + azimuth_n189(0);
+    azimuth_n195_term <= unsigned(resize(azimuth_n194, 25)) xor (24 downto 0 => azimuth_n188(0));
+    azimuth_n195 <= resize(azimuth_n185, 25) + signed(azimuth_n195_term) + azimuth_n188(0);
+    azimuth_n196_over <= "1" when azimuth_n195(24) = '0' and (or azimuth_n195(23 downto 23)) = '1' else "0";
+    azimuth_n196_under <= "1" when azimuth_n195(24) = '1' and (and azimuth_n195(23 downto 23)) = '0' else "0";
+    azimuth_n196 <= 24x"7fffff" when azimuth_n196_over(0) = '1' else 24x"800000" when azimuth_n196_under(0) = '1' else azimuth_n195(23 downto 0);
+    azimuth_n197_cut <= azimuth_n192(37 downto 10);
+    azimuth_n197_over <= "1" when azimuth_n197_cut(27) = '0' and (or azimuth_n197_cut(26 downto 26)) = '1' else "0";
+    azimuth_n197_under <= "1" when azimuth_n197_cut(27) = '1' and (and azimuth_n197_cut(26 downto 26)) = '0' else "0";
+    azimuth_n197 <= 27x"3ffffff" when azimuth_n197_over(0) = '1' else 27x"4000000" when azimuth_n197_under(0) = '1' else azimuth_n197_cut(26 downto 0);
+    azimuth_n202 <= azimuth_n197;
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                azimuth_n65_s10 <= azimuth_n65_s9;
-                azimuth_n187_s10 <= azimuth_n187;
-                azimuth_n190_s10 <= azimuth_n190;
-                azimuth_n191_s10 <= azimuth_n191;
+                azimuth_n69_s10 <= azimuth_n69_s9;
+                azimuth_n193_s10 <= azimuth_n193;
                 azimuth_n196_s10 <= azimuth_n196;
-                polar_angle_n292_s10 <= polar_angle_n292_s9;
-                polar_angle_n297_s10 <= polar_angle_n297_s9;
+                azimuth_n197_s10 <= azimuth_n197;
+                azimuth_n202_s10 <= azimuth_n202;
+                polar_angle_n298_s10 <= polar_angle_n298_s9;
+                polar_angle_n301_s10 <= polar_angle_n301_s9;
+                polar_angle_n306_s10 <= polar_angle_n306_s9;
             end if;
             if rst = '1' then
                 valid_s10 <= '0';
@@ -2086,51 +2119,52 @@ begin
 
     -- ---- stage 10 ----
     -- azimuth
-    azimuth_n192_cut <= azimuth_n187_s10(37 downto 10);
-    azimuth_n192_over <= "1" when azimuth_n192_cut(27) = '0' and (or azimuth_n192_cut(26 downto 26)) = '1' else "0";
-    azimuth_n192_under <= "1" when azimuth_n192_cut(27) = '1' and (and azimuth_n192_cut(26 downto 26)) = '0' else "0";
-    azimuth_n192 <= 27x"3ffffff" when azimuth_n192_over(0) = '1' else 27x"4000000" when azimuth_n192_under(0) = '1' else azimuth_n192_cut(26 downto 0);
-    azimuth_n193 <= unsigned(azimuth_n192(26 downto 26));
-    azimuth_n194 <= azimuth_n193 xor azimuth_n72;
-    azimuth_n195 <= azimuth_n192;
-    azimuth_n197_term <= unsigned(resize(azimuth_n195, 39)) xor (38 downto 0 => azimuth_n193(0));
-    azimuth_n197 <= shift_left(resize(azimuth_n191_s10, 39), 11) + signed(azimuth_n197_term) + azimuth_n193(0);
-    azimuth_n198_term <= unsigned(resize(azimuth_n196_s10, 39)) xor (38 downto 0 => azimuth_n194(0));
-    azimuth_n198 <= shift_left(resize(azimuth_n192, 39), 11) + signed(azimuth_n198_term) + azimuth_n194(0);
-    azimuth_n200_term <= unsigned(resize(azimuth_n199, 25)) xor (24 downto 0 => azimuth_n193(0));
-    azimuth_n200 <= resize(azimuth_n190_s10, 25) + signed(azimuth_n200_term) + azimuth_n193(0);
-    azimuth_n201_over <= "1" when azimuth_n200(24) = '0' and (or azimuth_n200(23 downto 23)) = '1' else "0";
-    azimuth_n201_under <= "1" when azimuth_n200(24) = '1' and (and azimuth_n200(23 downto 23)) = '0' else "0";
-    azimuth_n201 <= 24x"7fffff" when azimuth_n201_over(0) = '1' else 24x"800000" when azimuth_n201_under(0) = '1' else azimuth_n200(23 downto 0);
-    azimuth_n202_cut <= azimuth_n197(38 downto 11);
-    azimuth_n202_over <= "1" when azimuth_n202_cut(27) = '0' and (or azimuth_n202_cut(26 downto 26)) = '1' else "0";
-    azimuth_n202_under <= "1" when azimuth_n202_cut(27) = '1' and (and azimuth_n202_cut(26 downto 26)) = '0' else "0";
-    azimuth_n202 <= 27x"3ffffff" when azimuth_n202_over(0) = '1' else 27x"4000000" when azimuth_n202_under(0) = '1' else azimuth_n202_cut(26 downto 0);
-    azimuth_n203_cut <= azimuth_n198(38 downto 11);
-    azimuth_n203_over <= "1" when azimuth_n203_cut(27) = '0' and (or azimuth_n203_cut(26 downto 26)) = '1' else "0";
-    azimuth_n203_under <= "1" when azimuth_n203_cut(27) = '1' and (and azimuth_n203_cut(26 downto 26)) = '0' else "0";
-    azimuth_n203 <= 27x"3ffffff" when azimuth_n203_over(0) = '1' else 27x"4000000" when azimuth_n203_under(0) = '1' else azimuth_n203_cut(26 downto 0);
-    azimuth_n204 <= unsigned(azimuth_n203(26 downto 26));
-    azimuth_n205 <= azimuth_n204 xor azimuth_n72;
-    azimuth_n206 <= azimuth_n203;
-    azimuth_n207 <= azimuth_n202;
-    azimuth_n211_term <= unsigned(resize(azimuth_n210, 25)) xor (24 downto 0 => azimuth_n204(0));
-    azimuth_n211 <= resize(azimuth_n201, 25) + signed(azimuth_n211_term) + azimuth_n204(0);
+    azimuth_n198_cut <= azimuth_n193_s10(37 downto 10);
+    azimuth_n198_over <= "1" when azimuth_n198_cut(27) = '0' and (or azimuth_n198_cut(26 downto 26)) = '1' else "0";
+    azimuth_n198_under <= "1" when azimuth_n198_cut(27) = '1' and (and azimuth_n198_cut(26 downto 26)) = '0' else "0";
+    azimuth_n198 <= 27x"3ffffff" when azimuth_n198_over(0) = '1' else 27x"4000000" when azimuth_n198_under(0) = '1' else azimuth_n198_cut(26 downto 0);
+    azimuth_n199 <= unsigned(azimuth_n198(26 downto 26));
+    azimuth_n200 <= azimuth_n199 xor azimuth_n76;
+    azimuth_n201 <= azimuth_n198;
+    azimuth_n203_term <= unsigned(resize(azimuth_n201, 39)) xor (38 downto 0 => azimuth_n199(0));
+    azimuth_n203 <= shift_left(resize(azimuth_n197_s10, 39), 11) + signed(azimuth_n203_term) + azimuth_n199(0);
+    azimuth_n204_term <= unsigned(resize(azimuth_n202_s10, 39)) xor (38 downto 0 => azimuth_n200(0));
+    azimuth_n204 <= shift_left(resize(azimuth_n198, 39), 11) + signed(azimuth_n204_term) + azimuth_n200(0);
+    azimuth_n206_term <= unsigned(resize(azimuth_n205, 25)) xor (24 downto 0 => azimuth_n199(0));
+    azimuth_n206 <= resize(azimuth_n196_s10, 25) + signed(azimuth_n206_term) + azimuth_n199(0);
+    azimuth_n207_over <= "1" when azimuth_n206(24) = '0' and (or azimuth_n206(23 downto 23)) = '1' else "0";
+    azimuth_n207_under <= "1" when azimuth_n206(24) = '1' and (and azimuth_n206(23 downto 23)) = '0' else "0";
+    azimuth_n207 <= 24x"7fffff" when azimuth_n207_over(0) = '1' else 24x"800000" when azimuth_n207_under(0) = '1' else azimuth_n206(23 downto 0);
+    azimuth_n208_cut <= azimuth_n203(38 downto 11);
+    azimuth_n208_over <= "1" when azimuth_n208_cut(27) = '0' and (or azimuth_n208_cut(26 downto 26)) = '1' else "0";
+    azimuth_n208_under <= "1" when azimuth_n208_cut(27) = '1' and (and azimuth_n208_cut(26 downto 26)) = '0' else "0";
+    azimuth_n208 <= 27x"3ffffff" when azimuth_n208_over(0) = '1' else 27x"4000000" when azimuth_n208_under(0) = '1' else azimuth_n208_cut(26 downto 0);
+    azimuth_n209_cut <= azimuth_n204(38 downto 11);
+    azimuth_n209_over <= "1" when azimuth_n209_cut(27) = '0' and (or azimuth_n209_cut(26 downto 26)) = '1' else "0";
+    azimuth_n209_under <= "1" when azimuth_n209_cut(27) = '1' and (and azimuth_n209_cut(26 downto 26)) = '0' else "0";
+    azimuth_n209 <= 27x"3ffffff" when azimuth_n209_over(0) = '1' else 27x"4000000" when azimuth_n209_under(0) = '1' else azimuth_n209_cut(26 downto 0);
+    azimuth_n210 <= unsigned(azimuth_n209(26 downto 26));
+    azimuth_n211 <= azimuth_n210 xor azimuth_n76;
+    azimuth_n212 <= azimuth_n209;
+    azimuth_n213 <= azimuth_n208;
+    azimuth_n217_term <= unsigned(resize(azimuth_n216, 25)) xor (24 downto 0 => azimuth_n210(0));
+    azimuth_n217 <= resize(azimuth_n207, 25) + signed(azimuth_n217_term) + azimuth_n210(0);
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                azimuth_n65_s11 <= azimuth_n65_s10;
-                azimuth_n202_s11 <= azimuth_n202;
-                azimuth_n203_s11 <= azimuth_n203;
-                azimuth_n204_s11 <= azimuth_n204;
-                azimuth_n205_s11 <= azimuth_n205;
-                azimuth_n206_s11 <= azimuth_n206;
-                azimuth_n207_s11 <= azimuth_n207;
+                azimuth_n69_s11 <= azimuth_n69_s10;
+                azimuth_n208_s11 <= azimuth_n208;
+                azimuth_n209_s11 <= azimuth_n209;
+                azimuth_n210_s11 <= azimuth_n210;
                 azimuth_n211_s11 <= azimuth_n211;
-                polar_angle_n292_s11 <= polar_angle_n292_s10;
-                polar_angle_n297_s11 <= polar_angle_n297_s10;
+                azimuth_n212_s11 <= azimuth_n212;
+                azimuth_n213_s11 <= azimuth_n213;
+                azimuth_n217_s11 <= azimuth_n217;
+                polar_angle_n298_s11 <= polar_angle_n298_s10;
+                polar_angle_n301_s11 <= polar_angle_n301_s10;
+                polar_angle_n306_s11 <= polar_angle_n306_s10;
             end if;
             if rst = '1' then
                 valid_s11 <= '0';
@@ -2142,51 +2176,52 @@ begin
 
     -- ---- stage 11 ----
     -- azimuth
-    azimuth_n208_term <= unsigned(resize(azimuth_n206_s11, 40)) xor (39 downto 0 => azimuth_n204_s11(0));
-    azimuth_n208 <= shift_left(resize(azimuth_n202_s11, 40), 12) + signed(azimuth_n208_term) + azimuth_n204_s11(0);
-    azimuth_n209_term <= unsigned(resize(azimuth_n207_s11, 40)) xor (39 downto 0 => azimuth_n205_s11(0));
-    azimuth_n209 <= shift_left(resize(azimuth_n203_s11, 40), 12) + signed(azimuth_n209_term) + azimuth_n205_s11(0);
-    azimuth_n212_over <= "1" when azimuth_n211_s11(24) = '0' and (or azimuth_n211_s11(23 downto 23)) = '1' else "0";
-    azimuth_n212_under <= "1" when azimuth_n211_s11(24) = '1' and (and azimuth_n211_s11(23 downto 23)) = '0' else "0";
-    azimuth_n212 <= 24x"7fffff" when azimuth_n212_over(0) = '1' else 24x"800000" when azimuth_n212_under(0) = '1' else azimuth_n211_s11(23 downto 0);
-    azimuth_n213_cut <= azimuth_n208(39 downto 12);
-    azimuth_n213_over <= "1" when azimuth_n213_cut(27) = '0' and (or azimuth_n213_cut(26 downto 26)) = '1' else "0";
-    azimuth_n213_under <= "1" when azimuth_n213_cut(27) = '1' and (and azimuth_n213_cut(26 downto 26)) = '0' else "0";
-    azimuth_n213 <= 27x"3ffffff" when azimuth_n213_over(0) = '1' else 27x"4000000" when azimuth_n213_under(0) = '1' else azimuth_n213_cut(26 downto 0);
-    azimuth_n214_cut <= azimuth_n209(39 downto 12);
-    azimuth_n214_over <= "1" when azimuth_n214_cut(27) = '0' and (or azimuth_n214_cut(26 downto 26)) = '1' else "0";
-    azimuth_n214_under <= "1" when azimuth_n214_cut(27) = '1' and (and azimuth_n214_cut(26 downto 26)) = '0' else "0";
-    azimuth_n214 <= 27x"3ffffff" when azimuth_n214_over(0) = '1' else 27x"4000000" when azimuth_n214_under(0) = '1' else azimuth_n214_cut(26 downto 0);
-    azimuth_n215 <= unsigned(azimuth_n214(26 downto 26));
-    azimuth_n216 <= azimuth_n215 xor azimuth_n72;
-    azimuth_n217 <= azimuth_n214;
-    azimuth_n218 <= azimuth_n213;
-    azimuth_n219_term <= unsigned(resize(azimuth_n217, 41)) xor (40 downto 0 => azimuth_n215(0));
-    azimuth_n219 <= shift_left(resize(azimuth_n213, 41), 13) + signed(azimuth_n219_term) + azimuth_n215(0);
-    azimuth_n220_term <= unsigned(resize(azimuth_n218, 41)) xor (40 downto 0 => azimuth_n216(0));
-    azimuth_n220 <= shift_left(resize(azimuth_n214, 41), 13) + signed(azimuth_n220_term) + azimuth_n216(0);
-    azimuth_n222_term <= unsigned(resize(azimuth_n221, 25)) xor (24 downto 0 => azimuth_n215(0));
-    azimuth_n222 <= resize(azimuth_n212, 25) + signed(azimuth_n222_term) + azimuth_n215(0);
-    azimuth_n223_over <= "1" when azimuth_n222(24) = '0' and (or azimuth_n222(23 downto 23)) = '1' else "0";
-    azimuth_n223_under <= "1" when azimuth_n222(24) = '1' and (and azimuth_n222(23 downto 23)) = '0' else "0";
-    azimuth_n223 <= 24x"7fffff" when azimuth_n223_over(0) = '1' else 24x"800000" when azimuth_n223_under(0) = '1' else azimuth_n222(23 downto 0);
-    azimuth_n224_cut <= azimuth_n219(40 downto 13);
-    azimuth_n224_over <= "1" when azimuth_n224_cut(27) = '0' and (or azimuth_n224_cut(26 downto 26)) = '1' else "0";
-    azimuth_n224_under <= "1" when azimuth_n224_cut(27) = '1' and (and azimuth_n224_cut(26 downto 26)) = '0' else "0";
-    azimuth_n224 <= 27x"3ffffff" when azimuth_n224_over(0) = '1' else 27x"4000000" when azimuth_n224_under(0) = '1' else azimuth_n224_cut(26 downto 0);
-    azimuth_n229 <= azimuth_n224;
+    azimuth_n214_term <= unsigned(resize(azimuth_n212_s11, 40)) xor (39 downto 0 => azimuth_n210_s11(0));
+    azimuth_n214 <= shift_left(resize(azimuth_n208_s11, 40), 12) + signed(azimuth_n214_term) + azimuth_n210_s11(0);
+    azimuth_n215_term <= unsigned(resize(azimuth_n213_s11, 40)) xor (39 downto 0 => azimuth_n211_s11(0));
+    azimuth_n215 <= shift_left(resize(azimuth_n209_s11, 40), 12) + signed(azimuth_n215_term) + azimuth_n211_s11(0);
+    azimuth_n218_over <= "1" when azimuth_n217_s11(24) = '0' and (or azimuth_n217_s11(23 downto 23)) = '1' else "0";
+    azimuth_n218_under <= "1" when azimuth_n217_s11(24) = '1' and (and azimuth_n217_s11(23 downto 23)) = '0' else "0";
+    azimuth_n218 <= 24x"7fffff" when azimuth_n218_over(0) = '1' else 24x"800000" when azimuth_n218_under(0) = '1' else azimuth_n217_s11(23 downto 0);
+    azimuth_n219_cut <= azimuth_n214(39 downto 12);
+    azimuth_n219_over <= "1" when azimuth_n219_cut(27) = '0' and (or azimuth_n219_cut(26 downto 26)) = '1' else "0";
+    azimuth_n219_under <= "1" when azimuth_n219_cut(27) = '1' and (and azimuth_n219_cut(26 downto 26)) = '0' else "0";
+    azimuth_n219 <= 27x"3ffffff" when azimuth_n219_over(0) = '1' else 27x"4000000" when azimuth_n219_under(0) = '1' else azimuth_n219_cut(26 downto 0);
+    azimuth_n220_cut <= azimuth_n215(39 downto 12);
+    azimuth_n220_over <= "1" when azimuth_n220_cut(27) = '0' and (or azimuth_n220_cut(26 downto 26)) = '1' else "0";
+    azimuth_n220_under <= "1" when azimuth_n220_cut(27) = '1' and (and azimuth_n220_cut(26 downto 26)) = '0' else "0";
+    azimuth_n220 <= 27x"3ffffff" when azimuth_n220_over(0) = '1' else 27x"4000000" when azimuth_n220_under(0) = '1' else azimuth_n220_cut(26 downto 0);
+    azimuth_n221 <= unsigned(azimuth_n220(26 downto 26));
+    azimuth_n222 <= azimuth_n221 xor azimuth_n76;
+    azimuth_n223 <= azimuth_n220;
+    azimuth_n224 <= azimuth_n219;
+    azimuth_n225_term <= unsigned(resize(azimuth_n223, 41)) xor (40 downto 0 => azimuth_n221(0));
+    azimuth_n225 <= shift_left(resize(azimuth_n219, 41), 13) + signed(azimuth_n225_term) + azimuth_n221(0);
+    azimuth_n226_term <= unsigned(resize(azimuth_n224, 41)) xor (40 downto 0 => azimuth_n222(0));
+    azimuth_n226 <= shift_left(resize(azimuth_n220, 41), 13) + signed(azimuth_n226_term) + azimuth_n222(0);
+    azimuth_n228_term <= unsigned(resize(azimuth_n227, 25)) xor (24 downto 0 => azimuth_n221(0));
+    azimuth_n228 <= resize(azimuth_n218, 25) + signed(azimuth_n228_term) + azimuth_n221(0);
+    azimuth_n229_over <= "1" when azimuth_n228(24) = '0' and (or azimuth_n228(23 downto 23)) = '1' else "0";
+    azimuth_n229_under <= "1" when azimuth_n228(24) = '1' and (and azimuth_n228(23 downto 23)) = '0' else "0";
+    azimuth_n229 <= 24x"7fffff" when azimuth_n229_over(0) = '1' else 24x"800000" when azimuth_n229_under(0) = '1' else azimuth_n228(23 downto 0);
+    azimuth_n230_cut <= azimuth_n225(40 downto 13);
+    azimuth_n230_over <= "1" when azimuth_n230_cut(27) = '0' and (or azimuth_n230_cut(26 downto 26)) = '1' else "0";
+    azimuth_n230_under <= "1" when azimuth_n230_cut(27) = '1' and (and azimuth_n230_cut(26 downto 26)) = '0' else "0";
+    azimuth_n230 <= 27x"3ffffff" when azimuth_n230_over(0) = '1' else 27x"4000000" when azimuth_n230_under(0) = '1' else azimuth_n230_cut(26 downto 0);
+    azimuth_n235 <= azimuth_n230;
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                azimuth_n65_s12 <= azimuth_n65_s11;
-                azimuth_n220_s12 <= azimuth_n220;
-                azimuth_n223_s12 <= azimuth_n223;
-                azimuth_n224_s12 <= azimuth_n224;
+                azimuth_n69_s12 <= azimuth_n69_s11;
+                azimuth_n226_s12 <= azimuth_n226;
                 azimuth_n229_s12 <= azimuth_n229;
-                polar_angle_n292_s12 <= polar_angle_n292_s11;
-                polar_angle_n297_s12 <= polar_angle_n297_s11;
+                azimuth_n230_s12 <= azimuth_n230;
+                azimuth_n235_s12 <= azimuth_n235;
+                polar_angle_n298_s12 <= polar_angle_n298_s11;
+                polar_angle_n301_s12 <= polar_angle_n301_s11;
+                polar_angle_n306_s12 <= polar_angle_n306_s11;
             end if;
             if rst = '1' then
                 valid_s12 <= '0';
@@ -2198,49 +2233,50 @@ begin
 
     -- ---- stage 12 ----
     -- azimuth
-    azimuth_n225_cut <= azimuth_n220_s12(40 downto 13);
-    azimuth_n225_over <= "1" when azimuth_n225_cut(27) = '0' and (or azimuth_n225_cut(26 downto 26)) = '1' else "0";
-    azimuth_n225_under <= "1" when azimuth_n225_cut(27) = '1' and (and azimuth_n225_cut(26 downto 26)) = '0' else "0";
-    azimuth_n225 <= 27x"3ffffff" when azimuth_n225_over(0) = '1' else 27x"4000000" when azimuth_n225_under(0) = '1' else azimuth_n225_cut(26 downto 0);
-    azimuth_n226 <= unsigned(azimuth_n225(26 downto 26));
-    azimuth_n227 <= azimuth_n226 xor azimuth_n72;
-    azimuth_n228 <= azimuth_n225;
-    azimuth_n230_term <= unsigned(resize(azimuth_n228, 42)) xor (41 downto 0 => azimuth_n226(0));
-    azimuth_n230 <= shift_left(resize(azimuth_n224_s12, 42), 14) + signed(azimuth_n230_term) + azimuth_n226(0);
-    azimuth_n231_term <= unsigned(resize(azimuth_n229_s12, 42)) xor (41 downto 0 => azimuth_n227(0));
-    azimuth_n231 <= shift_left(resize(azimuth_n225, 42), 14) + signed(azimuth_n231_term) + azimuth_n227(0);
-    azimuth_n233_term <= unsigned(resize(azimuth_n232, 25)) xor (24 downto 0 => azimuth_n226(0));
-    azimuth_n233 <= resize(azimuth_n223_s12, 25) + signed(azimuth_n233_term) + azimuth_n226(0);
-    azimuth_n234_over <= "1" when azimuth_n233(24) = '0' and (or azimuth_n233(23 downto 23)) = '1' else "0";
-    azimuth_n234_under <= "1" when azimuth_n233(24) = '1' and (and azimuth_n233(23 downto 23)) = '0' else "0";
-    azimuth_n234 <= 24x"7fffff" when azimuth_n234_over(0) = '1' else 24x"800000" when azimuth_n234_under(0) = '1' else azimuth_n233(23 downto 0);
-    azimuth_n235_cut <= azimuth_n230(41 downto 14);
-    azimuth_n235_over <= "1" when azimuth_n235_cut(27) = '0' and (or azimuth_n235_cut(26 downto 26)) = '1' else "0";
-    azimuth_n235_under <= "1" when azimuth_n235_cut(27) = '1' and (and azimuth_n235_cut(26 downto 26)) = '0' else "0";
-    azimuth_n235 <= 27x"3ffffff" when azimuth_n235_over(0) = '1' else 27x"4000000" when azimuth_n235_under(0) = '1' else azimuth_n235_cut(26 downto 0);
-    azimuth_n236_cut <= azimuth_n231(41 downto 14);
-    azimuth_n236_over <= "1" when azimuth_n236_cut(27) = '0' and (or azimuth_n236_cut(26 downto 26)) = '1' else "0";
-    azimuth_n236_under <= "1" when azimuth_n236_cut(27) = '1' and (and azimuth_n236_cut(26 downto 26)) = '0' else "0";
-    azimuth_n236 <= 27x"3ffffff" when azimuth_n236_over(0) = '1' else 27x"4000000" when azimuth_n236_under(0) = '1' else azimuth_n236_cut(26 downto 0);
-    azimuth_n237 <= unsigned(azimuth_n236(26 downto 26));
-    azimuth_n238 <= azimuth_n237 xor azimuth_n72;
-    azimuth_n239 <= azimuth_n236;
-    azimuth_n240 <= azimuth_n235;
+    azimuth_n231_cut <= azimuth_n226_s12(40 downto 13);
+    azimuth_n231_over <= "1" when azimuth_n231_cut(27) = '0' and (or azimuth_n231_cut(26 downto 26)) = '1' else "0";
+    azimuth_n231_under <= "1" when azimuth_n231_cut(27) = '1' and (and azimuth_n231_cut(26 downto 26)) = '0' else "0";
+    azimuth_n231 <= 27x"3ffffff" when azimuth_n231_over(0) = '1' else 27x"4000000" when azimuth_n231_under(0) = '1' else azimuth_n231_cut(26 downto 0);
+    azimuth_n232 <= unsigned(azimuth_n231(26 downto 26));
+    azimuth_n233 <= azimuth_n232 xor azimuth_n76;
+    azimuth_n234 <= azimuth_n231;
+    azimuth_n236_term <= unsigned(resize(azimuth_n234, 42)) xor (41 downto 0 => azimuth_n232(0));
+    azimuth_n236 <= shift_left(resize(azimuth_n230_s12, 42), 14) + signed(azimuth_n236_term) + azimuth_n232(0);
+    azimuth_n237_term <= unsigned(resize(azimuth_n235_s12, 42)) xor (41 downto 0 => azimuth_n233(0));
+    azimuth_n237 <= shift_left(resize(azimuth_n231, 42), 14) + signed(azimuth_n237_term) + azimuth_n233(0);
+    azimuth_n239_term <= unsigned(resize(azimuth_n238, 25)) xor (24 downto 0 => azimuth_n232(0));
+    azimuth_n239 <= resize(azimuth_n229_s12, 25) + signed(azimuth_n239_term) + azimuth_n232(0);
+    azimuth_n240_over <= "1" when azimuth_n239(24) = '0' and (or azimuth_n239(23 downto 23)) = '1' else "0";
+    azimuth_n240_under <= "1" when azimuth_n239(24) = '1' and (and azimuth_n239(23 downto 23)) = '0' else "0";
+    azimuth_n240 <= 24x"7fffff" when azimuth_n240_over(0) = '1' else 24x"800000" when azimuth_n240_under(0) = '1' else azimuth_n239(23 downto 0);
+    azimuth_n241_cut <= azimuth_n236(41 downto 14);
+    azimuth_n241_over <= "1" when azimuth_n241_cut(27) = '0' and (or azimuth_n241_cut(26 downto 26)) = '1' else "0";
+    azimuth_n241_under <= "1" when azimuth_n241_cut(27) = '1' and (and azimuth_n241_cut(26 downto 26)) = '0' else "0";
+    azimuth_n241 <= 27x"3ffffff" when azimuth_n241_over(0) = '1' else 27x"4000000" when azimuth_n241_under(0) = '1' else azimuth_n241_cut(26 downto 0);
+    azimuth_n242_cut <= azimuth_n237(41 downto 14);
+    azimuth_n242_over <= "1" when azimuth_n242_cut(27) = '0' and (or azimuth_n242_cut(26 downto 26)) = '1' else "0";
+    azimuth_n242_under <= "1" when azimuth_n242_cut(27) = '1' and (and azimuth_n242_cut(26 downto 26)) = '0' else "0";
+    azimuth_n242 <= 27x"3ffffff" when azimuth_n242_over(0) = '1' else 27x"4000000" when azimuth_n242_under(0) = '1' else azimuth_n242_cut(26 downto 0);
+    azimuth_n243 <= unsigned(azimuth_n242(26 downto 26));
+    azimuth_n244 <= azimuth_n243 xor azimuth_n76;
+    azimuth_n245 <= azimuth_n242;
+    azimuth_n246 <= azimuth_n241;
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                azimuth_n65_s13 <= azimuth_n65_s12;
-                azimuth_n234_s13 <= azimuth_n234;
-                azimuth_n235_s13 <= azimuth_n235;
-                azimuth_n236_s13 <= azimuth_n236;
-                azimuth_n237_s13 <= azimuth_n237;
-                azimuth_n238_s13 <= azimuth_n238;
-                azimuth_n239_s13 <= azimuth_n239;
+                azimuth_n69_s13 <= azimuth_n69_s12;
                 azimuth_n240_s13 <= azimuth_n240;
-                polar_angle_n292_s13 <= polar_angle_n292_s12;
-                polar_angle_n297_s13 <= polar_angle_n297_s12;
+                azimuth_n241_s13 <= azimuth_n241;
+                azimuth_n242_s13 <= azimuth_n242;
+                azimuth_n243_s13 <= azimuth_n243;
+                azimuth_n244_s13 <= azimuth_n244;
+                azimuth_n245_s13 <= azimuth_n245;
+                azimuth_n246_s13 <= azimuth_n246;
+                polar_angle_n298_s13 <= polar_angle_n298_s12;
+                polar_angle_n301_s13 <= polar_angle_n301_s12;
+                polar_angle_n306_s13 <= polar_angle_n306_s12;
             end if;
             if rst = '1' then
                 valid_s13 <= '0';
@@ -2252,47 +2288,48 @@ begin
 
     -- ---- stage 13 ----
     -- azimuth
-    azimuth_n241_term <= unsigned(resize(azimuth_n239_s13, 43)) xor (42 downto 0 => azimuth_n237_s13(0));
-    azimuth_n241 <= shift_left(resize(azimuth_n235_s13, 43), 15) + signed(azimuth_n241_term) + azimuth_n237_s13(0);
-    azimuth_n242_term <= unsigned(resize(azimuth_n240_s13, 43)) xor (42 downto 0 => azimuth_n238_s13(0));
-    azimuth_n242 <= shift_left(resize(azimuth_n236_s13, 43), 15) + signed(azimuth_n242_term) + azimuth_n238_s13(0);
-    azimuth_n244_term <= unsigned(resize(azimuth_n243, 25)) xor (24 downto 0 => azimuth_n237_s13(0));
-    azimuth_n244 <= resize(azimuth_n234_s13, 25) + signed(azimuth_n244_term) + azimuth_n237_s13(0);
-    azimuth_n245_over <= "1" when azimuth_n244(24) = '0' and (or azimuth_n244(23 downto 23)) = '1' else "0";
-    azimuth_n245_under <= "1" when azimuth_n244(24) = '1' and (and azimuth_n244(23 downto 23)) = '0' else "0";
-    azimuth_n245 <= 24x"7fffff" when azimuth_n245_over(0) = '1' else 24x"800000" when azimuth_n245_under(0) = '1' else azimuth_n244(23 downto 0);
-    azimuth_n246_cut <= azimuth_n241(42 downto 15);
-    azimuth_n246_over <= "1" when azimuth_n246_cut(27) = '0' and (or azimuth_n246_cut(26 downto 26)) = '1' else "0";
-    azimuth_n246_under <= "1" when azimuth_n246_cut(27) = '1' and (and azimuth_n246_cut(26 downto 26)) = '0' else "0";
-    azimuth_n246 <= 27x"3ffffff" when azimuth_n246_over(0) = '1' else 27x"4000000" when azimuth_n246_under(0) = '1' else azimuth_n246_cut(26 downto 0);
-    azimuth_n247_cut <= azimuth_n242(42 downto 15);
-    azimuth_n247_over <= "1" when azimuth_n247_cut(27) = '0' and (or azimuth_n247_cut(26 downto 26)) = '1' else "0";
-    azimuth_n247_under <= "1" when azimuth_n247_cut(27) = '1' and (and azimuth_n247_cut(26 downto 26)) = '0' else "0";
-    azimuth_n247 <= 27x"3ffffff" when azimuth_n247_over(0) = '1' else 27x"4000000" when azimuth_n247_under(0) = '1' else azimuth_n247_cut(26 downto 0);
-    azimuth_n248 <= unsigned(azimuth_n247(26 downto 26));
-    azimuth_n249 <= azimuth_n248 xor azimuth_n72;
-    azimuth_n250 <= azimuth_n247;
-    azimuth_n251 <= azimuth_n246;
-    azimuth_n252_term <= unsigned(resize(azimuth_n250, 44)) xor (43 downto 0 => azimuth_n248(0));
-    azimuth_n252 <= shift_left(resize(azimuth_n246, 44), 16) + signed(azimuth_n252_term) + azimuth_n248(0);
-    azimuth_n253_term <= unsigned(resize(azimuth_n251, 44)) xor (43 downto 0 => azimuth_n249(0));
-    azimuth_n253 <= shift_left(resize(azimuth_n247, 44), 16) + signed(azimuth_n253_term) + azimuth_n249(0);
-    azimuth_n255_term <= unsigned(resize(azimuth_n254, 25)) xor (24 downto 0 => azimuth_n248(0));
-    azimuth_n255 <= resize(azimuth_n245, 25) + signed(azimuth_n255_term) + azimuth_n248(0);
-    azimuth_n256_over <= "1" when azimuth_n255(24) = '0' and (or azimuth_n255(23 downto 23)) = '1' else "0";
-    azimuth_n256_under <= "1" when azimuth_n255(24) = '1' and (and azimuth_n255(23 downto 23)) = '0' else "0";
-    azimuth_n256 <= 24x"7fffff" when azimuth_n256_over(0) = '1' else 24x"800000" when azimuth_n256_under(0) = '1' else azimuth_n255(23 downto 0);
+    azimuth_n247_term <= unsigned(resize(azimuth_n245_s13, 43)) xor (42 downto 0 => azimuth_n243_s13(0));
+    azimuth_n247 <= shift_left(resize(azimuth_n241_s13, 43), 15) + signed(azimuth_n247_term) + azimuth_n243_s13(0);
+    azimuth_n248_term <= unsigned(resize(azimuth_n246_s13, 43)) xor (42 downto 0 => azimuth_n244_s13(0));
+    azimuth_n248 <= shift_left(resize(azimuth_n242_s13, 43), 15) + signed(azimuth_n248_term) + azimuth_n244_s13(0);
+    azimuth_n250_term <= unsigned(resize(azimuth_n249, 25)) xor (24 downto 0 => azimuth_n243_s13(0));
+    azimuth_n250 <= resize(azimuth_n240_s13, 25) + signed(azimuth_n250_term) + azimuth_n243_s13(0);
+    azimuth_n251_over <= "1" when azimuth_n250(24) = '0' and (or azimuth_n250(23 downto 23)) = '1' else "0";
+    azimuth_n251_under <= "1" when azimuth_n250(24) = '1' and (and azimuth_n250(23 downto 23)) = '0' else "0";
+    azimuth_n251 <= 24x"7fffff" when azimuth_n251_over(0) = '1' else 24x"800000" when azimuth_n251_under(0) = '1' else azimuth_n250(23 downto 0);
+    azimuth_n252_cut <= azimuth_n247(42 downto 15);
+    azimuth_n252_over <= "1" when azimuth_n252_cut(27) = '0' and (or azimuth_n252_cut(26 downto 26)) = '1' else "0";
+    azimuth_n252_under <= "1" when azimuth_n252_cut(27) = '1' and (and azimuth_n252_cut(26 downto 26)) = '0' else "0";
+    azimuth_n252 <= 27x"3ffffff" when azimuth_n252_over(0) = '1' else 27x"4000000" when azimuth_n252_under(0) = '1' else azimuth_n252_cut(26 downto 0);
+    azimuth_n253_cut <= azimuth_n248(42 downto 15);
+    azimuth_n253_over <= "1" when azimuth_n253_cut(27) = '0' and (or azimuth_n253_cut(26 downto 26)) = '1' else "0";
+    azimuth_n253_under <= "1" when azimuth_n253_cut(27) = '1' and (and azimuth_n253_cut(26 downto 26)) = '0' else "0";
+    azimuth_n253 <= 27x"3ffffff" when azimuth_n253_over(0) = '1' else 27x"4000000" when azimuth_n253_under(0) = '1' else azimuth_n253_cut(26 downto 0);
+    azimuth_n254 <= unsigned(azimuth_n253(26 downto 26));
+    azimuth_n255 <= azimuth_n254 xor azimuth_n76;
+    azimuth_n256 <= azimuth_n253;
+    azimuth_n257 <= azimuth_n252;
+    azimuth_n258_term <= unsigned(resize(azimuth_n256, 44)) xor (43 downto 0 => azimuth_n254(0));
+    azimuth_n258 <= shift_left(resize(azimuth_n252, 44), 16) + signed(azimuth_n258_term) + azimuth_n254(0);
+    azimuth_n259_term <= unsigned(resize(azimuth_n257, 44)) xor (43 downto 0 => azimuth_n255(0));
+    azimuth_n259 <= shift_left(resize(azimuth_n253, 44), 16) + signed(azimuth_n259_term) + azimuth_n255(0);
+    azimuth_n261_term <= unsigned(resize(azimuth_n260, 25)) xor (24 downto 0 => azimuth_n254(0));
+    azimuth_n261 <= resize(azimuth_n251, 25) + signed(azimuth_n261_term) + azimuth_n254(0);
+    azimuth_n262_over <= "1" when azimuth_n261(24) = '0' and (or azimuth_n261(23 downto 23)) = '1' else "0";
+    azimuth_n262_under <= "1" when azimuth_n261(24) = '1' and (and azimuth_n261(23 downto 23)) = '0' else "0";
+    azimuth_n262 <= 24x"7fffff" when azimuth_n262_over(0) = '1' else 24x"800000" when azimuth_n262_under(0) = '1' else azimuth_n261(23 downto 0);
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                azimuth_n65_s14 <= azimuth_n65_s13;
-                azimuth_n252_s14 <= azimuth_n252;
-                azimuth_n253_s14 <= azimuth_n253;
-                azimuth_n256_s14 <= azimuth_n256;
-                polar_angle_n292_s14 <= polar_angle_n292_s13;
-                polar_angle_n297_s14 <= polar_angle_n297_s13;
+                azimuth_n69_s14 <= azimuth_n69_s13;
+                azimuth_n258_s14 <= azimuth_n258;
+                azimuth_n259_s14 <= azimuth_n259;
+                azimuth_n262_s14 <= azimuth_n262;
+                polar_angle_n298_s14 <= polar_angle_n298_s13;
+                polar_angle_n301_s14 <= polar_angle_n301_s13;
+                polar_angle_n306_s14 <= polar_angle_n306_s13;
             end if;
             if rst = '1' then
                 valid_s14 <= '0';
@@ -2304,46 +2341,49 @@ begin
 
     -- ---- stage 14 ----
     -- azimuth
-    azimuth_n257_cut <= azimuth_n252_s14(43 downto 16);
-    azimuth_n257_over <= "1" when azimuth_n257_cut(27) = '0' and (or azimuth_n257_cut(26 downto 26)) = '1' else "0";
-    azimuth_n257_under <= "1" when azimuth_n257_cut(27) = '1' and (and azimuth_n257_cut(26 downto 26)) = '0' else "0";
-    azimuth_n257 <= 27x"3ffffff" when azimuth_n257_over(0) = '1' else 27x"4000000" when azimuth_n257_under(0) = '1' else azimuth_n257_cut(26 downto 0);
-    azimuth_n258_cut <= azimuth_n253_s14(43 downto 16);
-    azimuth_n258_over <= "1" when azimuth_n258_cut(27) = '0' and (or azimuth_n258_cut(26 downto 26)) = '1' else "0";
-    azimuth_n258_under <= "1" when azimuth_n258_cut(27) = '1' and (and azimuth_n258_cut(26 downto 26)) = '0' else "0";
-    azimuth_n258 <= 27x"3ffffff" when azimuth_n258_over(0) = '1' else 27x"4000000" when azimuth_n258_under(0) = '1' else azimuth_n258_cut(26 downto 0);
-    azimuth_n259 <= unsigned(azimuth_n258(26 downto 26));
-    azimuth_n260 <= azimuth_n258;
-    azimuth_n261_term <= unsigned(resize(azimuth_n260, 45)) xor (44 downto 0 => azimuth_n259(0));
-    azimuth_n261 <= shift_left(resize(azimuth_n257, 45), 17) + signed(azimuth_n261_term) + azimuth_n259(0);
-    azimuth_n263_term <= unsigned(resize(azimuth_n262, 25)) xor (24 downto 0 => azimuth_n259(0));
-    azimuth_n263 <= resize(azimuth_n256_s14, 25) + signed(azimuth_n263_term) + azimuth_n259(0);
-    azimuth_n264_over <= "1" when azimuth_n263(24) = '0' and (or azimuth_n263(23 downto 23)) = '1' else "0";
-    azimuth_n264_under <= "1" when azimuth_n263(24) = '1' and (and azimuth_n263(23 downto 23)) = '0' else "0";
-    azimuth_n264 <= 24x"7fffff" when azimuth_n264_over(0) = '1' else 24x"800000" when azimuth_n264_under(0) = '1' else azimuth_n263(23 downto 0);
-    azimuth_n265_cut <= azimuth_n261(44 downto 17);
-    azimuth_n265_over <= "1" when azimuth_n265_cut(27) = '0' and (or azimuth_n265_cut(26 downto 26)) = '1' else "0";
-    azimuth_n265_under <= "1" when azimuth_n265_cut(27) = '1' and (and azimuth_n265_cut(26 downto 26)) = '0' else "0";
-    azimuth_n265 <= 27x"3ffffff" when azimuth_n265_over(0) = '1' else 27x"4000000" when azimuth_n265_under(0) = '1' else azimuth_n265_cut(26 downto 0);
-    azimuth_n266 <= unsigned(azimuth_n264);
-    azimuth_n268 <= azimuth_n266 xor azimuth_n267;
-    azimuth_n269 <= azimuth_n268 when azimuth_n65_s14(0) = '1' else azimuth_n266;
+    azimuth_n263_cut <= azimuth_n258_s14(43 downto 16);
+    azimuth_n263_over <= "1" when azimuth_n263_cut(27) = '0' and (or azimuth_n263_cut(26 downto 26)) = '1' else "0";
+    azimuth_n263_under <= "1" when azimuth_n263_cut(27) = '1' and (and azimuth_n263_cut(26 downto 26)) = '0' else "0";
+    azimuth_n263 <= 27x"3ffffff" when azimuth_n263_over(0) = '1' else 27x"4000000" when azimuth_n263_under(0) = '1' else azimuth_n263_cut(26 downto 0);
+    azimuth_n264_cut <= azimuth_n259_s14(43 downto 16);
+    azimuth_n264_over <= "1" when azimuth_n264_cut(27) = '0' and (or azimuth_n264_cut(26 downto 26)) = '1' else "0";
+    azimuth_n264_under <= "1" when azimuth_n264_cut(27) = '1' and (and azimuth_n264_cut(26 downto 26)) = '0' else "0";
+    azimuth_n264 <= 27x"3ffffff" when azimuth_n264_over(0) = '1' else 27x"4000000" when azimuth_n264_under(0) = '1' else azimuth_n264_cut(26 downto 0);
+    azimuth_n265 <= unsigned(azimuth_n264(26 downto 26));
+    azimuth_n266 <= azimuth_n264;
+    azimuth_n267_term <= unsigned(resize(azimuth_n266, 45)) xor (44 downto 0 => azimuth_n265(0));
+    azimuth_n267 <= shift_left(resize(azimuth_n263, 45), 17) + signed(azimuth_n267_term) + azimuth_n265(0);
+    azimuth_n269_term <= unsigned(resize(azimuth_n268, 25)) xor (24 downto 0 => azimuth_n265(0));
+    azimuth_n269 <= resize(azimuth_n262_s14, 25) + signed(azimuth_n269_term) + azimuth_n265(0);
+    azimuth_n270_over <= "1" when azimuth_n269(24) = '0' and (or azimuth_n269(23 downto 23)) = '1' else "0";
+    azimuth_n270_under <= "1" when azimuth_n269(24) = '1' and (and azimuth_n269(23 downto 23)) = '0' else "0";
+    azimuth_n270 <= 24x"7fffff" when azimuth_n270_over(0) = '1' else 24x"800000" when azimuth_n270_under(0) = '1' else azimuth_n269(23 downto 0);
+    azimuth_n271_cut <= azimuth_n267(44 downto 17);
+    azimuth_n271_over <= "1" when azimuth_n271_cut(27) = '0' and (or azimuth_n271_cut(26 downto 26)) = '1' else "0";
+    azimuth_n271_under <= "1" when azimuth_n271_cut(27) = '1' and (and azimuth_n271_cut(26 downto 26)) = '0' else "0";
+    azimuth_n271 <= 27x"3ffffff" when azimuth_n271_over(0) = '1' else 27x"4000000" when azimuth_n271_under(0) = '1' else azimuth_n271_cut(26 downto 0);
+    azimuth_n272 <= unsigned(azimuth_n270);
+    azimuth_n274 <= azimuth_n272 xor azimuth_n273;
+    azimuth_n275 <= azimuth_n274 when azimuth_n69_s14(0) = '1' else azimuth_n272;
     -- polar_angle
-    polar_angle_n294 <= -resize(azimuth_n265, 28);
+    polar_angle_n299 <= "1" when unsigned(azimuth_n271) = shift_left(resize(azimuth_n65, 27), 24) else "0";
+    polar_angle_n303 <= -resize(azimuth_n271, 28);
     -- (unit)
-    n470_sum <= resize(azimuth_n269, 25) + 25x"0000080";
-    n470_cut <= n470_sum(24 downto 8);
-    n470 <= n470_cut;
-    phi_next <= n470(15 downto 0);
+    n480_sum <= resize(azimuth_n275, 25) + 25x"0000080";
+    n480_cut <= n480_sum(24 downto 8);
+    n480 <= n480_cut;
+    phi_next <= n480(15 downto 0);
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                azimuth_n265_s15 <= azimuth_n265;
-                polar_angle_n292_s15 <= polar_angle_n292_s14;
-                polar_angle_n294_s15 <= polar_angle_n294;
-                polar_angle_n297_s15 <= polar_angle_n297_s14;
+                azimuth_n271_s15 <= azimuth_n271;
+                polar_angle_n298_s15 <= polar_angle_n298_s14;
+                polar_angle_n299_s15 <= polar_angle_n299;
+                polar_angle_n301_s15 <= polar_angle_n301_s14;
+                polar_angle_n303_s15 <= polar_angle_n303;
+                polar_angle_n306_s15 <= polar_angle_n306_s14;
                 phi_next_s15 <= phi_next;
             end if;
             if rst = '1' then
@@ -2356,44 +2396,46 @@ begin
 
     -- ---- stage 15 ----
     -- polar_angle
-    polar_angle_n296 <= polar_angle_n294_s15 when polar_angle_n292_s15(0) = '1' else resize(azimuth_n265_s15, 28);
-    polar_angle_n298_over <= "1" when polar_angle_n296(27) = '0' and (or polar_angle_n296(26 downto 26)) = '1' else "0";
-    polar_angle_n298_under <= "1" when polar_angle_n296(27) = '1' and (and polar_angle_n296(26 downto 26)) = '0' else "0";
-    polar_angle_n298 <= 27x"3ffffff" when polar_angle_n298_over(0) = '1' else 27x"4000000" when polar_angle_n298_under(0) = '1' else polar_angle_n296(26 downto 0);
-    polar_angle_n299 <= unsigned(polar_angle_n298(26 downto 26));
-    polar_angle_n300 <= polar_angle_n299 xor azimuth_n72;
-    polar_angle_n301_term <= unsigned(resize(polar_angle_n298, 28)) xor (27 downto 0 => polar_angle_n299(0));
-    polar_angle_n301 <= resize(polar_angle_n297_s15, 28) + signed(polar_angle_n301_term) + polar_angle_n299(0);
-    polar_angle_n302_term <= unsigned(resize(polar_angle_n297_s15, 28)) xor (27 downto 0 => polar_angle_n300(0));
-    polar_angle_n302 <= resize(polar_angle_n298, 28) + signed(polar_angle_n302_term) + polar_angle_n300(0);
-    polar_angle_n303_term <= unsigned(resize(azimuth_n78, 25)) xor (24 downto 0 => polar_angle_n299(0));
-    polar_angle_n303 <= resize(azimuth_n73, 25) + signed(polar_angle_n303_term) + polar_angle_n299(0);
-    polar_angle_n304_over <= "1" when polar_angle_n303(24) = '0' and (or polar_angle_n303(23 downto 23)) = '1' else "0";
-    polar_angle_n304_under <= "1" when polar_angle_n303(24) = '1' and (and polar_angle_n303(23 downto 23)) = '0' else "0";
-    polar_angle_n304 <= 24x"7fffff" when polar_angle_n304_over(0) = '1' else 24x"800000" when polar_angle_n304_under(0) = '1' else polar_angle_n303(23 downto 0);
-    polar_angle_n305_over <= "1" when polar_angle_n301(27) = '0' and (or polar_angle_n301(26 downto 26)) = '1' else "0";
-    polar_angle_n305_under <= "1" when polar_angle_n301(27) = '1' and (and polar_angle_n301(26 downto 26)) = '0' else "0";
-    polar_angle_n305 <= 27x"3ffffff" when polar_angle_n305_over(0) = '1' else 27x"4000000" when polar_angle_n305_under(0) = '1' else polar_angle_n301(26 downto 0);
-    polar_angle_n306_over <= "1" when polar_angle_n302(27) = '0' and (or polar_angle_n302(26 downto 26)) = '1' else "0";
-    polar_angle_n306_under <= "1" when polar_angle_n302(27) = '1' and (and polar_angle_n302(26 downto 26)) = '0' else "0";
-    polar_angle_n306 <= 27x"3ffffff" when polar_angle_n306_over(0) = '1' else 27x"4000000" when polar_angle_n306_under(0) = '1' else polar_angle_n302(26 downto 0);
-    polar_angle_n307 <= unsigned(polar_angle_n306(26 downto 26));
-    polar_angle_n308 <= polar_angle_n307 xor azimuth_n72;
-    polar_angle_n309 <= polar_angle_n306;
-    polar_angle_n310 <= polar_angle_n305;
+    polar_angle_n300 <= polar_angle_n298_s15 and polar_angle_n299_s15;
+    polar_angle_n305 <= polar_angle_n303_s15 when polar_angle_n301_s15(0) = '1' else resize(azimuth_n271_s15, 28);
+    polar_angle_n307_over <= "1" when polar_angle_n305(27) = '0' and (or polar_angle_n305(26 downto 26)) = '1' else "0";
+    polar_angle_n307_under <= "1" when polar_angle_n305(27) = '1' and (and polar_angle_n305(26 downto 26)) = '0' else "0";
+    polar_angle_n307 <= 27x"3ffffff" when polar_angle_n307_over(0) = '1' else 27x"4000000" when polar_angle_n307_under(0) = '1' else polar_angle_n305(26 downto 0);
+    polar_angle_n308 <= azimuth_n77 when polar_angle_n300(0) = '1' else azimuth_n78;
+    polar_angle_n309 <= unsigned(polar_angle_n307(26 downto 26));
+    polar_angle_n310 <= polar_angle_n309 xor azimuth_n76;
+    polar_angle_n311_term <= unsigned(resize(polar_angle_n307, 28)) xor (27 downto 0 => polar_angle_n309(0));
+    polar_angle_n311 <= resize(polar_angle_n306_s15, 28) + signed(polar_angle_n311_term) + polar_angle_n309(0);
+    polar_angle_n312_term <= unsigned(resize(polar_angle_n306_s15, 28)) xor (27 downto 0 => polar_angle_n310(0));
+    polar_angle_n312 <= resize(polar_angle_n307, 28) + signed(polar_angle_n312_term) + polar_angle_n310(0);
+    polar_angle_n313_term <= unsigned(resize(azimuth_n84, 25)) xor (24 downto 0 => polar_angle_n309(0));
+    polar_angle_n313 <= resize(polar_angle_n308, 25) + signed(polar_angle_n313_term) + polar_angle_n309(0);
+    polar_angle_n314_over <= "1" when polar_angle_n313(24) = '0' and (or polar_angle_n313(23 downto 23)) = '1' else "0";
+    polar_angle_n314_under <= "1" when polar_angle_n313(24) = '1' and (and polar_angle_n313(23 downto 23)) = '0' else "0";
+    polar_angle_n314 <= 24x"7fffff" when polar_angle_n314_over(0) = '1' else 24x"800000" when polar_angle_n314_under(0) = '1' else polar_angle_n313(23 downto 0);
+    polar_angle_n315_over <= "1" when polar_angle_n311(27) = '0' and (or polar_angle_n311(26 downto 26)) = '1' else "0";
+    polar_angle_n315_under <= "1" when polar_angle_n311(27) = '1' and (and polar_angle_n311(26 downto 26)) = '0' else "0";
+    polar_angle_n315 <= 27x"3ffffff" when polar_angle_n315_over(0) = '1' else 27x"4000000" when polar_angle_n315_under(0) = '1' else polar_angle_n311(26 downto 0);
+    polar_angle_n316_over <= "1" when polar_angle_n312(27) = '0' and (or polar_angle_n312(26 downto 26)) = '1' else "0";
+    polar_angle_n316_under <= "1" when polar_angle_n312(27) = '1' and (and polar_angle_n312(26 downto 26)) = '0' else "0";
+    polar_angle_n316 <= 27x"3ffffff" when polar_angle_n316_over(0) = '1' else 27x"4000000" when polar_angle_n316_under(0) = '1' else polar_angle_n312(26 downto 0);
+    polar_angle_n317 <= unsigned(polar_angle_n316(26 downto 26));
+    polar_angle_n318 <= polar_angle_n317 xor azimuth_n76;
+    polar_angle_n319 <= polar_angle_n316;
+    polar_angle_n320 <= polar_angle_n315;
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                polar_angle_n292_s16 <= polar_angle_n292_s15;
-                polar_angle_n304_s16 <= polar_angle_n304;
-                polar_angle_n305_s16 <= polar_angle_n305;
-                polar_angle_n306_s16 <= polar_angle_n306;
-                polar_angle_n307_s16 <= polar_angle_n307;
-                polar_angle_n308_s16 <= polar_angle_n308;
-                polar_angle_n309_s16 <= polar_angle_n309;
-                polar_angle_n310_s16 <= polar_angle_n310;
+                polar_angle_n301_s16 <= polar_angle_n301_s15;
+                polar_angle_n314_s16 <= polar_angle_n314;
+                polar_angle_n315_s16 <= polar_angle_n315;
+                polar_angle_n316_s16 <= polar_angle_n316;
+                polar_angle_n317_s16 <= polar_angle_n317;
+                polar_angle_n318_s16 <= polar_angle_n318;
+                polar_angle_n319_s16 <= polar_angle_n319;
+                polar_angle_n320_s16 <= polar_angle_n320;
                 phi_next_s16 <= phi_next_s15;
             end if;
             if rst = '1' then
@@ -2406,59 +2448,59 @@ begin
 
     -- ---- stage 16 ----
     -- polar_angle
-    polar_angle_n311_term <= unsigned(resize(polar_angle_n309_s16, 29)) xor (28 downto 0 => polar_angle_n307_s16(0));
-    polar_angle_n311 <= shift_left(resize(polar_angle_n305_s16, 29), 1) + signed(polar_angle_n311_term) + polar_angle_n307_s16(0);
-    polar_angle_n312_term <= unsigned(resize(polar_angle_n310_s16, 29)) xor (28 downto 0 => polar_angle_n308_s16(0));
-    polar_angle_n312 <= shift_left(resize(polar_angle_n306_s16, 29), 1) + signed(polar_angle_n312_term) + polar_angle_n308_s16(0);
-    polar_angle_n313_term <= unsigned(resize(azimuth_n89, 25)) xor (24 downto 0 => polar_angle_n307_s16(0));
-    polar_angle_n313 <= resize(polar_angle_n304_s16, 25) + signed(polar_angle_n313_term) + polar_angle_n307_s16(0);
-    polar_angle_n314_over <= "1" when polar_angle_n313(24) = '0' and (or polar_angle_n313(23 downto 23)) = '1' else "0";
-    polar_angle_n314_under <= "1" when polar_angle_n313(24) = '1' and (and polar_angle_n313(23 downto 23)) = '0' else "0";
-    polar_angle_n314 <= 24x"7fffff" when polar_angle_n314_over(0) = '1' else 24x"800000" when polar_angle_n314_under(0) = '1' else polar_angle_n313(23 downto 0);
-    polar_angle_n315_cut <= polar_angle_n311(28 downto 1);
-    polar_angle_n315_over <= "1" when polar_angle_n315_cut(27) = '0' and (or polar_angle_n315_cut(26 downto 26)) = '1' else "0";
-    polar_angle_n315_under <= "1" when polar_angle_n315_cut(27) = '1' and (and polar_angle_n315_cut(26 downto 26)) = '0' else "0";
-    polar_angle_n315 <= 27x"3ffffff" when polar_angle_n315_over(0) = '1' else 27x"4000000" when polar_angle_n315_under(0) = '1' else polar_angle_n315_cut(26 downto 0);
-    polar_angle_n316_cut <= polar_angle_n312(28 downto 1);
-    polar_angle_n316_over <= "1" when polar_angle_n316_cut(27) = '0' and (or polar_angle_n316_cut(26 downto 26)) = '1' else "0";
-    polar_angle_n316_under <= "1" when polar_angle_n316_cut(27) = '1' and (and polar_angle_n316_cut(26 downto 26)) = '0' else "0";
-    polar_angle_n316 <= 27x"3ffffff" when polar_angle_n316_over(0) = '1' else 27x"4000000" when polar_angle_n316_under(0) = '1' else polar_angle_n316_cut(26 downto 0);
-    polar_angle_n317 <= unsigned(polar_angle_n316(26 downto 26));
-    polar_angle_n318 <= polar_angle_n317 xor azimuth_n72;
-    polar_angle_n319 <= polar_angle_n316;
-    polar_angle_n320 <= polar_angle_n315;
-    polar_angle_n321_term <= unsigned(resize(polar_angle_n319, 30)) xor (29 downto 0 => polar_angle_n317(0));
-    polar_angle_n321 <= shift_left(resize(polar_angle_n315, 30), 2) + signed(polar_angle_n321_term) + polar_angle_n317(0);
-    polar_angle_n322_term <= unsigned(resize(polar_angle_n320, 30)) xor (29 downto 0 => polar_angle_n318(0));
-    polar_angle_n322 <= shift_left(resize(polar_angle_n316, 30), 2) + signed(polar_angle_n322_term) + polar_angle_n318(0);
-    polar_angle_n323_term <= unsigned(resize(azimuth_n100, 25)) xor (24 downto 0 => polar_angle_n317(0));
-    polar_angle_n323 <= resize(polar_angle_n314, 25) + signed(polar_angle_n323_term) + polar_angle_n317(0);
+    polar_angle_n321_term <= unsigned(resize(polar_angle_n319_s16, 29)) xor (28 downto 0 => polar_angle_n317_s16(0));
+    polar_angle_n321 <= shift_left(resize(polar_angle_n315_s16, 29), 1) + signed(polar_angle_n321_term) + polar_angle_n317_s16(0);
+    polar_angle_n322_term <= unsigned(resize(polar_angle_n320_s16, 29)) xor (28 downto 0 => polar_angle_n318_s16(0));
+    polar_angle_n322 <= shift_left(resize(polar_angle_n316_s16, 29), 1) + signed(polar_angle_n322_term) + polar_angle_n318_s16(0);
+    polar_angle_n323_term <= unsigned(resize(azimuth_n95, 25)) xor (24 downto 0 => polar_angle_n317_s16(0));
+    polar_angle_n323 <= resize(polar_angle_n314_s16, 25) + signed(polar_angle_n323_term) + polar_angle_n317_s16(0);
     polar_angle_n324_over <= "1" when polar_angle_n323(24) = '0' and (or polar_angle_n323(23 downto 23)) = '1' else "0";
     polar_angle_n324_under <= "1" when polar_angle_n323(24) = '1' and (and polar_angle_n323(23 downto 23)) = '0' else "0";
     polar_angle_n324 <= 24x"7fffff" when polar_angle_n324_over(0) = '1' else 24x"800000" when polar_angle_n324_under(0) = '1' else polar_angle_n323(23 downto 0);
-    polar_angle_n325_cut <= polar_angle_n321(29 downto 2);
+    polar_angle_n325_cut <= polar_angle_n321(28 downto 1);
     polar_angle_n325_over <= "1" when polar_angle_n325_cut(27) = '0' and (or polar_angle_n325_cut(26 downto 26)) = '1' else "0";
     polar_angle_n325_under <= "1" when polar_angle_n325_cut(27) = '1' and (and polar_angle_n325_cut(26 downto 26)) = '0' else "0";
     polar_angle_n325 <= 27x"3ffffff" when polar_angle_n325_over(0) = '1' else 27x"4000000" when polar_angle_n325_under(0) = '1' else polar_angle_n325_cut(26 downto 0);
-    polar_angle_n326_cut <= polar_angle_n322(29 downto 2);
+    polar_angle_n326_cut <= polar_angle_n322(28 downto 1);
     polar_angle_n326_over <= "1" when polar_angle_n326_cut(27) = '0' and (or polar_angle_n326_cut(26 downto 26)) = '1' else "0";
     polar_angle_n326_under <= "1" when polar_angle_n326_cut(27) = '1' and (and polar_angle_n326_cut(26 downto 26)) = '0' else "0";
     polar_angle_n326 <= 27x"3ffffff" when polar_angle_n326_over(0) = '1' else 27x"4000000" when polar_angle_n326_under(0) = '1' else polar_angle_n326_cut(26 downto 0);
     polar_angle_n327 <= unsigned(polar_angle_n326(26 downto 26));
+    polar_angle_n328 <= polar_angle_n327 xor azimuth_n76;
     polar_angle_n329 <= polar_angle_n326;
     polar_angle_n330 <= polar_angle_n325;
+    polar_angle_n331_term <= unsigned(resize(polar_angle_n329, 30)) xor (29 downto 0 => polar_angle_n327(0));
+    polar_angle_n331 <= shift_left(resize(polar_angle_n325, 30), 2) + signed(polar_angle_n331_term) + polar_angle_n327(0);
+    polar_angle_n332_term <= unsigned(resize(polar_angle_n330, 30)) xor (29 downto 0 => polar_angle_n328(0));
+    polar_angle_n332 <= shift_left(resize(polar_angle_n326, 30), 2) + signed(polar_angle_n332_term) + polar_angle_n328(0);
+    polar_angle_n333_term <= unsigned(resize(azimuth_n106, 25)) xor (24 downto 0 => polar_angle_n327(0));
+    polar_angle_n333 <= resize(polar_angle_n324, 25) + signed(polar_angle_n333_term) + polar_angle_n327(0);
+    polar_angle_n334_over <= "1" when polar_angle_n333(24) = '0' and (or polar_angle_n333(23 downto 23)) = '1' else "0";
+    polar_angle_n334_under <= "1" when polar_angle_n333(24) = '1' and (and polar_angle_n333(23 downto 23)) = '0' else "0";
+    polar_angle_n334 <= 24x"7fffff" when polar_angle_n334_over(0) = '1' else 24x"800000" when polar_angle_n334_under(0) = '1' else polar_angle_n333(23 downto 0);
+    polar_angle_n335_cut <= polar_angle_n331(29 downto 2);
+    polar_angle_n335_over <= "1" when polar_angle_n335_cut(27) = '0' and (or polar_angle_n335_cut(26 downto 26)) = '1' else "0";
+    polar_angle_n335_under <= "1" when polar_angle_n335_cut(27) = '1' and (and polar_angle_n335_cut(26 downto 26)) = '0' else "0";
+    polar_angle_n335 <= 27x"3ffffff" when polar_angle_n335_over(0) = '1' else 27x"4000000" when polar_angle_n335_under(0) = '1' else polar_angle_n335_cut(26 downto 0);
+    polar_angle_n336_cut <= polar_angle_n332(29 downto 2);
+    polar_angle_n336_over <= "1" when polar_angle_n336_cut(27) = '0' and (or polar_angle_n336_cut(26 downto 26)) = '1' else "0";
+    polar_angle_n336_under <= "1" when polar_angle_n336_cut(27) = '1' and (and polar_angle_n336_cut(26 downto 26)) = '0' else "0";
+    polar_angle_n336 <= 27x"3ffffff" when polar_angle_n336_over(0) = '1' else 27x"4000000" when polar_angle_n336_under(0) = '1' else polar_angle_n336_cut(26 downto 0);
+    polar_angle_n337 <= unsigned(polar_angle_n336(26 downto 26));
+    polar_angle_n339 <= polar_angle_n336;
+    polar_angle_n340 <= polar_angle_n335;
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                polar_angle_n292_s17 <= polar_angle_n292_s16;
-                polar_angle_n324_s17 <= polar_angle_n324;
-                polar_angle_n325_s17 <= polar_angle_n325;
-                polar_angle_n326_s17 <= polar_angle_n326;
-                polar_angle_n327_s17 <= polar_angle_n327;
-                polar_angle_n329_s17 <= polar_angle_n329;
-                polar_angle_n330_s17 <= polar_angle_n330;
+                polar_angle_n301_s17 <= polar_angle_n301_s16;
+                polar_angle_n334_s17 <= polar_angle_n334;
+                polar_angle_n335_s17 <= polar_angle_n335;
+                polar_angle_n336_s17 <= polar_angle_n336;
+                polar_angle_n337_s17 <= polar_angle_n337;
+                polar_angle_n339_s17 <= polar_angle_n339;
+                polar_angle_n340_s17 <= polar_angle_n340;
                 phi_next_s17 <= phi_next_s16;
             end if;
             if rst = '1' then
@@ -2471,52 +2513,52 @@ begin
 
     -- ---- stage 17 ----
     -- polar_angle
-    polar_angle_n328 <= polar_angle_n327_s17 xor azimuth_n72;
-    polar_angle_n331_term <= unsigned(resize(polar_angle_n329_s17, 31)) xor (30 downto 0 => polar_angle_n327_s17(0));
-    polar_angle_n331 <= shift_left(resize(polar_angle_n325_s17, 31), 3) + signed(polar_angle_n331_term) + polar_angle_n327_s17(0);
-    polar_angle_n332_term <= unsigned(resize(polar_angle_n330_s17, 31)) xor (30 downto 0 => polar_angle_n328(0));
-    polar_angle_n332 <= shift_left(resize(polar_angle_n326_s17, 31), 3) + signed(polar_angle_n332_term) + polar_angle_n328(0);
-    polar_angle_n333_term <= unsigned(resize(azimuth_n111, 25)) xor (24 downto 0 => polar_angle_n327_s17(0));
-    polar_angle_n333 <= resize(polar_angle_n324_s17, 25) + signed(polar_angle_n333_term) + polar_angle_n327_s17(0);
-    polar_angle_n334_over <= "1" when polar_angle_n333(24) = '0' and (or polar_angle_n333(23 downto 23)) = '1' else "0";
-    polar_angle_n334_under <= "1" when polar_angle_n333(24) = '1' and (and polar_angle_n333(23 downto 23)) = '0' else "0";
-    polar_angle_n334 <= 24x"7fffff" when polar_angle_n334_over(0) = '1' else 24x"800000" when polar_angle_n334_under(0) = '1' else polar_angle_n333(23 downto 0);
-    polar_angle_n335_cut <= polar_angle_n331(30 downto 3);
-    polar_angle_n335_over <= "1" when polar_angle_n335_cut(27) = '0' and (or polar_angle_n335_cut(26 downto 26)) = '1' else "0";
-    polar_angle_n335_under <= "1" when polar_angle_n335_cut(27) = '1' and (and polar_angle_n335_cut(26 downto 26)) = '0' else "0";
-    polar_angle_n335 <= 27x"3ffffff" when polar_angle_n335_over(0) = '1' else 27x"4000000" when polar_angle_n335_under(0) = '1' else polar_angle_n335_cut(26 downto 0);
-    polar_angle_n336_cut <= polar_angle_n332(30 downto 3);
-    polar_angle_n336_over <= "1" when polar_angle_n336_cut(27) = '0' and (or polar_angle_n336_cut(26 downto 26)) = '1' else "0";
-    polar_angle_n336_under <= "1" when polar_angle_n336_cut(27) = '1' and (and polar_angle_n336_cut(26 downto 26)) = '0' else "0";
-    polar_angle_n336 <= 27x"3ffffff" when polar_angle_n336_over(0) = '1' else 27x"4000000" when polar_angle_n336_under(0) = '1' else polar_angle_n336_cut(26 downto 0);
-    polar_angle_n337 <= unsigned(polar_angle_n336(26 downto 26));
-    polar_angle_n338 <= polar_angle_n337 xor azimuth_n72;
-    polar_angle_n339 <= polar_angle_n336;
-    polar_angle_n340 <= polar_angle_n335;
-    polar_angle_n341_term <= unsigned(resize(polar_angle_n339, 32)) xor (31 downto 0 => polar_angle_n337(0));
-    polar_angle_n341 <= shift_left(resize(polar_angle_n335, 32), 4) + signed(polar_angle_n341_term) + polar_angle_n337(0);
-    polar_angle_n342_term <= unsigned(resize(polar_angle_n340, 32)) xor (31 downto 0 => polar_angle_n338(0));
-    polar_angle_n342 <= shift_left(resize(polar_angle_n336, 32), 4) + signed(polar_angle_n342_term) + polar_angle_n338(0);
-    polar_angle_n343_term <= unsigned(resize(azimuth_n122, 25)) xor (24 downto 0 => polar_angle_n337(0));
-    polar_angle_n343 <= resize(polar_angle_n334, 25) + signed(polar_angle_n343_term) + polar_angle_n337(0);
+    polar_angle_n338 <= polar_angle_n337_s17 xor azimuth_n76;
+    polar_angle_n341_term <= unsigned(resize(polar_angle_n339_s17, 31)) xor (30 downto 0 => polar_angle_n337_s17(0));
+    polar_angle_n341 <= shift_left(resize(polar_angle_n335_s17, 31), 3) + signed(polar_angle_n341_term) + polar_angle_n337_s17(0);
+    polar_angle_n342_term <= unsigned(resize(polar_angle_n340_s17, 31)) xor (30 downto 0 => polar_angle_n338(0));
+    polar_angle_n342 <= shift_left(resize(polar_angle_n336_s17, 31), 3) + signed(polar_angle_n342_term) + polar_angle_n338(0);
+    polar_angle_n343_term <= unsigned(resize(azimuth_n117, 25)) xor (24 downto 0 => polar_angle_n337_s17(0));
+    polar_angle_n343 <= resize(polar_angle_n334_s17, 25) + signed(polar_angle_n343_term) + polar_angle_n337_s17(0);
     polar_angle_n344_over <= "1" when polar_angle_n343(24) = '0' and (or polar_angle_n343(23 downto 23)) = '1' else "0";
     polar_angle_n344_under <= "1" when polar_angle_n343(24) = '1' and (and polar_angle_n343(23 downto 23)) = '0' else "0";
     polar_angle_n344 <= 24x"7fffff" when polar_angle_n344_over(0) = '1' else 24x"800000" when polar_angle_n344_under(0) = '1' else polar_angle_n343(23 downto 0);
-    polar_angle_n345_cut <= polar_angle_n341(31 downto 4);
+    polar_angle_n345_cut <= polar_angle_n341(30 downto 3);
     polar_angle_n345_over <= "1" when polar_angle_n345_cut(27) = '0' and (or polar_angle_n345_cut(26 downto 26)) = '1' else "0";
     polar_angle_n345_under <= "1" when polar_angle_n345_cut(27) = '1' and (and polar_angle_n345_cut(26 downto 26)) = '0' else "0";
     polar_angle_n345 <= 27x"3ffffff" when polar_angle_n345_over(0) = '1' else 27x"4000000" when polar_angle_n345_under(0) = '1' else polar_angle_n345_cut(26 downto 0);
+    polar_angle_n346_cut <= polar_angle_n342(30 downto 3);
+    polar_angle_n346_over <= "1" when polar_angle_n346_cut(27) = '0' and (or polar_angle_n346_cut(26 downto 26)) = '1' else "0";
+    polar_angle_n346_under <= "1" when polar_angle_n346_cut(27) = '1' and (and polar_angle_n346_cut(26 downto 26)) = '0' else "0";
+    polar_angle_n346 <= 27x"3ffffff" when polar_angle_n346_over(0) = '1' else 27x"4000000" when polar_angle_n346_under(0) = '1' else polar_angle_n346_cut(26 downto 0);
+    polar_angle_n347 <= unsigned(polar_angle_n346(26 downto 26));
+    polar_angle_n348 <= polar_angle_n347 xor azimuth_n76;
+    polar_angle_n349 <= polar_angle_n346;
     polar_angle_n350 <= polar_angle_n345;
+    polar_angle_n351_term <= unsigned(resize(polar_angle_n349, 32)) xor (31 downto 0 => polar_angle_n347(0));
+    polar_angle_n351 <= shift_left(resize(polar_angle_n345, 32), 4) + signed(polar_angle_n351_term) + polar_angle_n347(0);
+    polar_angle_n352_term <= unsigned(resize(polar_angle_n350, 32)) xor (31 downto 0 => polar_angle_n348(0));
+    polar_angle_n352 <= shift_left(resize(polar_angle_n346, 32), 4) + signed(polar_angle_n352_term) + polar_angle_n348(0);
+    polar_angle_n353_term <= unsigned(resize(azimuth_n128, 25)) xor (24 downto 0 => polar_angle_n347(0));
+    polar_angle_n353 <= resize(polar_angle_n344, 25) + signed(polar_angle_n353_term) + polar_angle_n347(0);
+    polar_angle_n354_over <= "1" when polar_angle_n353(24) = '0' and (or polar_angle_n353(23 downto 23)) = '1' else "0";
+    polar_angle_n354_under <= "1" when polar_angle_n353(24) = '1' and (and polar_angle_n353(23 downto 23)) = '0' else "0";
+    polar_angle_n354 <= 24x"7fffff" when polar_angle_n354_over(0) = '1' else 24x"800000" when polar_angle_n354_under(0) = '1' else polar_angle_n353(23 downto 0);
+    polar_angle_n355_cut <= polar_angle_n351(31 downto 4);
+    polar_angle_n355_over <= "1" when polar_angle_n355_cut(27) = '0' and (or polar_angle_n355_cut(26 downto 26)) = '1' else "0";
+    polar_angle_n355_under <= "1" when polar_angle_n355_cut(27) = '1' and (and polar_angle_n355_cut(26 downto 26)) = '0' else "0";
+    polar_angle_n355 <= 27x"3ffffff" when polar_angle_n355_over(0) = '1' else 27x"4000000" when polar_angle_n355_under(0) = '1' else polar_angle_n355_cut(26 downto 0);
+    polar_angle_n360 <= polar_angle_n355;
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                polar_angle_n292_s18 <= polar_angle_n292_s17;
-                polar_angle_n342_s18 <= polar_angle_n342;
-                polar_angle_n344_s18 <= polar_angle_n344;
-                polar_angle_n345_s18 <= polar_angle_n345;
-                polar_angle_n350_s18 <= polar_angle_n350;
+                polar_angle_n301_s18 <= polar_angle_n301_s17;
+                polar_angle_n352_s18 <= polar_angle_n352;
+                polar_angle_n354_s18 <= polar_angle_n354;
+                polar_angle_n355_s18 <= polar_angle_n355;
+                polar_angle_n360_s18 <= polar_angle_n360;
                 phi_next_s18 <= phi_next_s17;
             end if;
             if rst = '1' then
@@ -2529,49 +2571,49 @@ begin
 
     -- ---- stage 18 ----
     -- polar_angle
-    polar_angle_n346_cut <= polar_angle_n342_s18(31 downto 4);
-    polar_angle_n346_over <= "1" when polar_angle_n346_cut(27) = '0' and (or polar_angle_n346_cut(26 downto 26)) = '1' else "0";
-    polar_angle_n346_under <= "1" when polar_angle_n346_cut(27) = '1' and (and polar_angle_n346_cut(26 downto 26)) = '0' else "0";
-    polar_angle_n346 <= 27x"3ffffff" when polar_angle_n346_over(0) = '1' else 27x"4000000" when polar_angle_n346_under(0) = '1' else polar_angle_n346_cut(26 downto 0);
-    polar_angle_n347 <= unsigned(polar_angle_n346(26 downto 26));
-    polar_angle_n348 <= polar_angle_n347 xor azimuth_n72;
-    polar_angle_n349 <= polar_angle_n346;
-    polar_angle_n351_term <= unsigned(resize(polar_angle_n349, 33)) xor (32 downto 0 => polar_angle_n347(0));
-    polar_angle_n351 <= shift_left(resize(polar_angle_n345_s18, 33), 5) + signed(polar_angle_n351_term) + polar_angle_n347(0);
-    polar_angle_n352_term <= unsigned(resize(polar_angle_n350_s18, 33)) xor (32 downto 0 => polar_angle_n348(0));
-    polar_angle_n352 <= shift_left(resize(polar_angle_n346, 33), 5) + signed(polar_angle_n352_term) + polar_angle_n348(0);
-    polar_angle_n353_term <= unsigned(resize(azimuth_n133, 25)) xor (24 downto 0 => polar_angle_n347(0));
-    polar_angle_n353 <= resize(polar_angle_n344_s18, 25) + signed(polar_angle_n353_term) + polar_angle_n347(0);
-    polar_angle_n354_over <= "1" when polar_angle_n353(24) = '0' and (or polar_angle_n353(23 downto 23)) = '1' else "0";
-    polar_angle_n354_under <= "1" when polar_angle_n353(24) = '1' and (and polar_angle_n353(23 downto 23)) = '0' else "0";
-    polar_angle_n354 <= 24x"7fffff" when polar_angle_n354_over(0) = '1' else 24x"800000" when polar_angle_n354_under(0) = '1' else polar_angle_n353(23 downto 0);
-    polar_angle_n355_cut <= polar_angle_n351(32 downto 5);
-    polar_angle_n355_over <= "1" when polar_angle_n355_cut(27) = '0' and (or polar_angle_n355_cut(26 downto 26)) = '1' else "0";
-    polar_angle_n355_under <= "1" when polar_angle_n355_cut(27) = '1' and (and polar_angle_n355_cut(26 downto 26)) = '0' else "0";
-    polar_angle_n355 <= 27x"3ffffff" when polar_angle_n355_over(0) = '1' else 27x"4000000" when polar_angle_n355_under(0) = '1' else polar_angle_n355_cut(26 downto 0);
-    polar_angle_n356_cut <= polar_angle_n352(32 downto 5);
+    polar_angle_n356_cut <= polar_angle_n352_s18(31 downto 4);
     polar_angle_n356_over <= "1" when polar_angle_n356_cut(27) = '0' and (or polar_angle_n356_cut(26 downto 26)) = '1' else "0";
     polar_angle_n356_under <= "1" when polar_angle_n356_cut(27) = '1' and (and polar_angle_n356_cut(26 downto 26)) = '0' else "0";
     polar_angle_n356 <= 27x"3ffffff" when polar_angle_n356_over(0) = '1' else 27x"4000000" when polar_angle_n356_under(0) = '1' else polar_angle_n356_cut(26 downto 0);
     polar_angle_n357 <= unsigned(polar_angle_n356(26 downto 26));
-    polar_angle_n358 <= polar_angle_n357 xor azimuth_n72;
+    polar_angle_n358 <= polar_angle_n357 xor azimuth_n76;
     polar_angle_n359 <= polar_angle_n356;
-    polar_angle_n360 <= polar_angle_n355;
-    polar_angle_n363_term <= unsigned(resize(azimuth_n144, 25)) xor (24 downto 0 => polar_angle_n357(0));
-    polar_angle_n363 <= resize(polar_angle_n354, 25) + signed(polar_angle_n363_term) + polar_angle_n357(0);
+    polar_angle_n361_term <= unsigned(resize(polar_angle_n359, 33)) xor (32 downto 0 => polar_angle_n357(0));
+    polar_angle_n361 <= shift_left(resize(polar_angle_n355_s18, 33), 5) + signed(polar_angle_n361_term) + polar_angle_n357(0);
+    polar_angle_n362_term <= unsigned(resize(polar_angle_n360_s18, 33)) xor (32 downto 0 => polar_angle_n358(0));
+    polar_angle_n362 <= shift_left(resize(polar_angle_n356, 33), 5) + signed(polar_angle_n362_term) + polar_angle_n358(0);
+    polar_angle_n363_term <= unsigned(resize(azimuth_n139, 25)) xor (24 downto 0 => polar_angle_n357(0));
+    polar_angle_n363 <= resize(polar_angle_n354_s18, 25) + signed(polar_angle_n363_term) + polar_angle_n357(0);
+    polar_angle_n364_over <= "1" when polar_angle_n363(24) = '0' and (or polar_angle_n363(23 downto 23)) = '1' else "0";
+    polar_angle_n364_under <= "1" when polar_angle_n363(24) = '1' and (and polar_angle_n363(23 downto 23)) = '0' else "0";
+    polar_angle_n364 <= 24x"7fffff" when polar_angle_n364_over(0) = '1' else 24x"800000" when polar_angle_n364_under(0) = '1' else polar_angle_n363(23 downto 0);
+    polar_angle_n365_cut <= polar_angle_n361(32 downto 5);
+    polar_angle_n365_over <= "1" when polar_angle_n365_cut(27) = '0' and (or polar_angle_n365_cut(26 downto 26)) = '1' else "0";
+    polar_angle_n365_under <= "1" when polar_angle_n365_cut(27) = '1' and (and polar_angle_n365_cut(26 downto 26)) = '0' else "0";
+    polar_angle_n365 <= 27x"3ffffff" when polar_angle_n365_over(0) = '1' else 27x"4000000" when polar_angle_n365_under(0) = '1' else polar_angle_n365_cut(26 downto 0);
+    polar_angle_n366_cut <= polar_angle_n362(32 downto 5);
+    polar_angle_n366_over <= "1" when polar_angle_n366_cut(27) = '0' and (or polar_angle_n366_cut(26 downto 26)) = '1' else "0";
+    polar_angle_n366_under <= "1" when polar_angle_n366_cut(27) = '1' and (and polar_angle_n366_cut(26 downto 26)) = '0' else "0";
+    polar_angle_n366 <= 27x"3ffffff" when polar_angle_n366_over(0) = '1' else 27x"4000000" when polar_angle_n366_under(0) = '1' else polar_angle_n366_cut(26 downto 0);
+    polar_angle_n367 <= unsigned(polar_angle_n366(26 downto 26));
+    polar_angle_n368 <= polar_angle_n367 xor azimuth_n76;
+    polar_angle_n369 <= polar_angle_n366;
+    polar_angle_n370 <= polar_angle_n365;
+    polar_angle_n373_term <= unsigned(resize(azimuth_n150, 25)) xor (24 downto 0 => polar_angle_n367(0));
+    polar_angle_n373 <= resize(polar_angle_n364, 25) + signed(polar_angle_n373_term) + polar_angle_n367(0);
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                polar_angle_n292_s19 <= polar_angle_n292_s18;
-                polar_angle_n355_s19 <= polar_angle_n355;
-                polar_angle_n356_s19 <= polar_angle_n356;
-                polar_angle_n357_s19 <= polar_angle_n357;
-                polar_angle_n358_s19 <= polar_angle_n358;
-                polar_angle_n359_s19 <= polar_angle_n359;
-                polar_angle_n360_s19 <= polar_angle_n360;
-                polar_angle_n363_s19 <= polar_angle_n363;
+                polar_angle_n301_s19 <= polar_angle_n301_s18;
+                polar_angle_n365_s19 <= polar_angle_n365;
+                polar_angle_n366_s19 <= polar_angle_n366;
+                polar_angle_n367_s19 <= polar_angle_n367;
+                polar_angle_n368_s19 <= polar_angle_n368;
+                polar_angle_n369_s19 <= polar_angle_n369;
+                polar_angle_n370_s19 <= polar_angle_n370;
+                polar_angle_n373_s19 <= polar_angle_n373;
                 phi_next_s19 <= phi_next_s18;
             end if;
             if rst = '1' then
@@ -2584,49 +2626,49 @@ begin
 
     -- ---- stage 19 ----
     -- polar_angle
-    polar_angle_n361_term <= unsigned(resize(polar_angle_n359_s19, 34)) xor (33 downto 0 => polar_angle_n357_s19(0));
-    polar_angle_n361 <= shift_left(resize(polar_angle_n355_s19, 34), 6) + signed(polar_angle_n361_term) + polar_angle_n357_s19(0);
-    polar_angle_n362_term <= unsigned(resize(polar_angle_n360_s19, 34)) xor (33 downto 0 => polar_angle_n358_s19(0));
-    polar_angle_n362 <= shift_left(resize(polar_angle_n356_s19, 34), 6) + signed(polar_angle_n362_term) + polar_angle_n358_s19(0);
-    polar_angle_n364_over <= "1" when polar_angle_n363_s19(24) = '0' and (or polar_angle_n363_s19(23 downto 23)) = '1' else "0";
-    polar_angle_n364_under <= "1" when polar_angle_n363_s19(24) = '1' and (and polar_angle_n363_s19(23 downto 23)) = '0' else "0";
-    polar_angle_n364 <= 24x"7fffff" when polar_angle_n364_over(0) = '1' else 24x"800000" when polar_angle_n364_under(0) = '1' else polar_angle_n363_s19(23 downto 0);
-    polar_angle_n365_cut <= polar_angle_n361(33 downto 6);
-    polar_angle_n365_over <= "1" when polar_angle_n365_cut(27) = '0' and (or polar_angle_n365_cut(26 downto 26)) = '1' else "0";
-    polar_angle_n365_under <= "1" when polar_angle_n365_cut(27) = '1' and (and polar_angle_n365_cut(26 downto 26)) = '0' else "0";
-    polar_angle_n365 <= 27x"3ffffff" when polar_angle_n365_over(0) = '1' else 27x"4000000" when polar_angle_n365_under(0) = '1' else polar_angle_n365_cut(26 downto 0);
-    polar_angle_n366_cut <= polar_angle_n362(33 downto 6);
-    polar_angle_n366_over <= "1" when polar_angle_n366_cut(27) = '0' and (or polar_angle_n366_cut(26 downto 26)) = '1' else "0";
-    polar_angle_n366_under <= "1" when polar_angle_n366_cut(27) = '1' and (and polar_angle_n366_cut(26 downto 26)) = '0' else "0";
-    polar_angle_n366 <= 27x"3ffffff" when polar_angle_n366_over(0) = '1' else 27x"4000000" when polar_angle_n366_under(0) = '1' else polar_angle_n366_cut(26 downto 0);
-    polar_angle_n367 <= unsigned(polar_angle_n366(26 downto 26));
-    polar_angle_n368 <= polar_angle_n367 xor azimuth_n72;
-    polar_angle_n369 <= polar_angle_n366;
-    polar_angle_n370 <= polar_angle_n365;
-    polar_angle_n371_term <= unsigned(resize(polar_angle_n369, 35)) xor (34 downto 0 => polar_angle_n367(0));
-    polar_angle_n371 <= shift_left(resize(polar_angle_n365, 35), 7) + signed(polar_angle_n371_term) + polar_angle_n367(0);
-    polar_angle_n372_term <= unsigned(resize(polar_angle_n370, 35)) xor (34 downto 0 => polar_angle_n368(0));
-    polar_angle_n372 <= shift_left(resize(polar_angle_n366, 35), 7) + signed(polar_angle_n372_term) + polar_angle_n368(0);
-    polar_angle_n373_term <= unsigned(resize(azimuth_n155, 25)) xor (24 downto 0 => polar_angle_n367(0));
-    polar_angle_n373 <= resize(polar_angle_n364, 25) + signed(polar_angle_n373_term) + polar_angle_n367(0);
-    polar_angle_n374_over <= "1" when polar_angle_n373(24) = '0' and (or polar_angle_n373(23 downto 23)) = '1' else "0";
-    polar_angle_n374_under <= "1" when polar_angle_n373(24) = '1' and (and polar_angle_n373(23 downto 23)) = '0' else "0";
-    polar_angle_n374 <= 24x"7fffff" when polar_angle_n374_over(0) = '1' else 24x"800000" when polar_angle_n374_under(0) = '1' else polar_angle_n373(23 downto 0);
-    polar_angle_n375_cut <= polar_angle_n371(34 downto 7);
+    polar_angle_n371_term <= unsigned(resize(polar_angle_n369_s19, 34)) xor (33 downto 0 => polar_angle_n367_s19(0));
+    polar_angle_n371 <= shift_left(resize(polar_angle_n365_s19, 34), 6) + signed(polar_angle_n371_term) + polar_angle_n367_s19(0);
+    polar_angle_n372_term <= unsigned(resize(polar_angle_n370_s19, 34)) xor (33 downto 0 => polar_angle_n368_s19(0));
+    polar_angle_n372 <= shift_left(resize(polar_angle_n366_s19, 34), 6) + signed(polar_angle_n372_term) + polar_angle_n368_s19(0);
+    polar_angle_n374_over <= "1" when polar_angle_n373_s19(24) = '0' and (or polar_angle_n373_s19(23 downto 23)) = '1' else "0";
+    polar_angle_n374_under <= "1" when polar_angle_n373_s19(24) = '1' and (and polar_angle_n373_s19(23 downto 23)) = '0' else "0";
+    polar_angle_n374 <= 24x"7fffff" when polar_angle_n374_over(0) = '1' else 24x"800000" when polar_angle_n374_under(0) = '1' else polar_angle_n373_s19(23 downto 0);
+    polar_angle_n375_cut <= polar_angle_n371(33 downto 6);
     polar_angle_n375_over <= "1" when polar_angle_n375_cut(27) = '0' and (or polar_angle_n375_cut(26 downto 26)) = '1' else "0";
     polar_angle_n375_under <= "1" when polar_angle_n375_cut(27) = '1' and (and polar_angle_n375_cut(26 downto 26)) = '0' else "0";
     polar_angle_n375 <= 27x"3ffffff" when polar_angle_n375_over(0) = '1' else 27x"4000000" when polar_angle_n375_under(0) = '1' else polar_angle_n375_cut(26 downto 0);
+    polar_angle_n376_cut <= polar_angle_n372(33 downto 6);
+    polar_angle_n376_over <= "1" when polar_angle_n376_cut(27) = '0' and (or polar_angle_n376_cut(26 downto 26)) = '1' else "0";
+    polar_angle_n376_under <= "1" when polar_angle_n376_cut(27) = '1' and (and polar_angle_n376_cut(26 downto 26)) = '0' else "0";
+    polar_angle_n376 <= 27x"3ffffff" when polar_angle_n376_over(0) = '1' else 27x"4000000" when polar_angle_n376_under(0) = '1' else polar_angle_n376_cut(26 downto 0);
+    polar_angle_n377 <= unsigned(polar_angle_n376(26 downto 26));
+    polar_angle_n378 <= polar_angle_n377 xor azimuth_n76;
+    polar_angle_n379 <= polar_angle_n376;
     polar_angle_n380 <= polar_angle_n375;
+    polar_angle_n381_term <= unsigned(resize(polar_angle_n379, 35)) xor (34 downto 0 => polar_angle_n377(0));
+    polar_angle_n381 <= shift_left(resize(polar_angle_n375, 35), 7) + signed(polar_angle_n381_term) + polar_angle_n377(0);
+    polar_angle_n382_term <= unsigned(resize(polar_angle_n380, 35)) xor (34 downto 0 => polar_angle_n378(0));
+    polar_angle_n382 <= shift_left(resize(polar_angle_n376, 35), 7) + signed(polar_angle_n382_term) + polar_angle_n378(0);
+    polar_angle_n383_term <= unsigned(resize(azimuth_n161, 25)) xor (24 downto 0 => polar_angle_n377(0));
+    polar_angle_n383 <= resize(polar_angle_n374, 25) + signed(polar_angle_n383_term) + polar_angle_n377(0);
+    polar_angle_n384_over <= "1" when polar_angle_n383(24) = '0' and (or polar_angle_n383(23 downto 23)) = '1' else "0";
+    polar_angle_n384_under <= "1" when polar_angle_n383(24) = '1' and (and polar_angle_n383(23 downto 23)) = '0' else "0";
+    polar_angle_n384 <= 24x"7fffff" when polar_angle_n384_over(0) = '1' else 24x"800000" when polar_angle_n384_under(0) = '1' else polar_angle_n383(23 downto 0);
+    polar_angle_n385_cut <= polar_angle_n381(34 downto 7);
+    polar_angle_n385_over <= "1" when polar_angle_n385_cut(27) = '0' and (or polar_angle_n385_cut(26 downto 26)) = '1' else "0";
+    polar_angle_n385_under <= "1" when polar_angle_n385_cut(27) = '1' and (and polar_angle_n385_cut(26 downto 26)) = '0' else "0";
+    polar_angle_n385 <= 27x"3ffffff" when polar_angle_n385_over(0) = '1' else 27x"4000000" when polar_angle_n385_under(0) = '1' else polar_angle_n385_cut(26 downto 0);
+    polar_angle_n390 <= polar_angle_n385;
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                polar_angle_n292_s20 <= polar_angle_n292_s19;
-                polar_angle_n372_s20 <= polar_angle_n372;
-                polar_angle_n374_s20 <= polar_angle_n374;
-                polar_angle_n375_s20 <= polar_angle_n375;
-                polar_angle_n380_s20 <= polar_angle_n380;
+                polar_angle_n301_s20 <= polar_angle_n301_s19;
+                polar_angle_n382_s20 <= polar_angle_n382;
+                polar_angle_n384_s20 <= polar_angle_n384;
+                polar_angle_n385_s20 <= polar_angle_n385;
+                polar_angle_n390_s20 <= polar_angle_n390;
                 phi_next_s20 <= phi_next_s19;
             end if;
             if rst = '1' then
@@ -2639,49 +2681,49 @@ begin
 
     -- ---- stage 20 ----
     -- polar_angle
-    polar_angle_n376_cut <= polar_angle_n372_s20(34 downto 7);
-    polar_angle_n376_over <= "1" when polar_angle_n376_cut(27) = '0' and (or polar_angle_n376_cut(26 downto 26)) = '1' else "0";
-    polar_angle_n376_under <= "1" when polar_angle_n376_cut(27) = '1' and (and polar_angle_n376_cut(26 downto 26)) = '0' else "0";
-    polar_angle_n376 <= 27x"3ffffff" when polar_angle_n376_over(0) = '1' else 27x"4000000" when polar_angle_n376_under(0) = '1' else polar_angle_n376_cut(26 downto 0);
-    polar_angle_n377 <= unsigned(polar_angle_n376(26 downto 26));
-    polar_angle_n378 <= polar_angle_n377 xor azimuth_n72;
-    polar_angle_n379 <= polar_angle_n376;
-    polar_angle_n381_term <= unsigned(resize(polar_angle_n379, 36)) xor (35 downto 0 => polar_angle_n377(0));
-    polar_angle_n381 <= shift_left(resize(polar_angle_n375_s20, 36), 8) + signed(polar_angle_n381_term) + polar_angle_n377(0);
-    polar_angle_n382_term <= unsigned(resize(polar_angle_n380_s20, 36)) xor (35 downto 0 => polar_angle_n378(0));
-    polar_angle_n382 <= shift_left(resize(polar_angle_n376, 36), 8) + signed(polar_angle_n382_term) + polar_angle_n378(0);
-    polar_angle_n383_term <= unsigned(resize(azimuth_n166, 25)) xor (24 downto 0 => polar_angle_n377(0));
-    polar_angle_n383 <= resize(polar_angle_n374_s20, 25) + signed(polar_angle_n383_term) + polar_angle_n377(0);
-    polar_angle_n384_over <= "1" when polar_angle_n383(24) = '0' and (or polar_angle_n383(23 downto 23)) = '1' else "0";
-    polar_angle_n384_under <= "1" when polar_angle_n383(24) = '1' and (and polar_angle_n383(23 downto 23)) = '0' else "0";
-    polar_angle_n384 <= 24x"7fffff" when polar_angle_n384_over(0) = '1' else 24x"800000" when polar_angle_n384_under(0) = '1' else polar_angle_n383(23 downto 0);
-    polar_angle_n385_cut <= polar_angle_n381(35 downto 8);
-    polar_angle_n385_over <= "1" when polar_angle_n385_cut(27) = '0' and (or polar_angle_n385_cut(26 downto 26)) = '1' else "0";
-    polar_angle_n385_under <= "1" when polar_angle_n385_cut(27) = '1' and (and polar_angle_n385_cut(26 downto 26)) = '0' else "0";
-    polar_angle_n385 <= 27x"3ffffff" when polar_angle_n385_over(0) = '1' else 27x"4000000" when polar_angle_n385_under(0) = '1' else polar_angle_n385_cut(26 downto 0);
-    polar_angle_n386_cut <= polar_angle_n382(35 downto 8);
+    polar_angle_n386_cut <= polar_angle_n382_s20(34 downto 7);
     polar_angle_n386_over <= "1" when polar_angle_n386_cut(27) = '0' and (or polar_angle_n386_cut(26 downto 26)) = '1' else "0";
     polar_angle_n386_under <= "1" when polar_angle_n386_cut(27) = '1' and (and polar_angle_n386_cut(26 downto 26)) = '0' else "0";
     polar_angle_n386 <= 27x"3ffffff" when polar_angle_n386_over(0) = '1' else 27x"4000000" when polar_angle_n386_under(0) = '1' else polar_angle_n386_cut(26 downto 0);
     polar_angle_n387 <= unsigned(polar_angle_n386(26 downto 26));
-    polar_angle_n388 <= polar_angle_n387 xor azimuth_n72;
+    polar_angle_n388 <= polar_angle_n387 xor azimuth_n76;
     polar_angle_n389 <= polar_angle_n386;
-    polar_angle_n390 <= polar_angle_n385;
-    polar_angle_n393_term <= unsigned(resize(azimuth_n177, 25)) xor (24 downto 0 => polar_angle_n387(0));
-    polar_angle_n393 <= resize(polar_angle_n384, 25) + signed(polar_angle_n393_term) + polar_angle_n387(0);
+    polar_angle_n391_term <= unsigned(resize(polar_angle_n389, 36)) xor (35 downto 0 => polar_angle_n387(0));
+    polar_angle_n391 <= shift_left(resize(polar_angle_n385_s20, 36), 8) + signed(polar_angle_n391_term) + polar_angle_n387(0);
+    polar_angle_n392_term <= unsigned(resize(polar_angle_n390_s20, 36)) xor (35 downto 0 => polar_angle_n388(0));
+    polar_angle_n392 <= shift_left(resize(polar_angle_n386, 36), 8) + signed(polar_angle_n392_term) + polar_angle_n388(0);
+    polar_angle_n393_term <= unsigned(resize(azimuth_n172, 25)) xor (24 downto 0 => polar_angle_n387(0));
+    polar_angle_n393 <= resize(polar_angle_n384_s20, 25) + signed(polar_angle_n393_term) + polar_angle_n387(0);
+    polar_angle_n394_over <= "1" when polar_angle_n393(24) = '0' and (or polar_angle_n393(23 downto 23)) = '1' else "0";
+    polar_angle_n394_under <= "1" when polar_angle_n393(24) = '1' and (and polar_angle_n393(23 downto 23)) = '0' else "0";
+    polar_angle_n394 <= 24x"7fffff" when polar_angle_n394_over(0) = '1' else 24x"800000" when polar_angle_n394_under(0) = '1' else polar_angle_n393(23 downto 0);
+    polar_angle_n395_cut <= polar_angle_n391(35 downto 8);
+    polar_angle_n395_over <= "1" when polar_angle_n395_cut(27) = '0' and (or polar_angle_n395_cut(26 downto 26)) = '1' else "0";
+    polar_angle_n395_under <= "1" when polar_angle_n395_cut(27) = '1' and (and polar_angle_n395_cut(26 downto 26)) = '0' else "0";
+    polar_angle_n395 <= 27x"3ffffff" when polar_angle_n395_over(0) = '1' else 27x"4000000" when polar_angle_n395_under(0) = '1' else polar_angle_n395_cut(26 downto 0);
+    polar_angle_n396_cut <= polar_angle_n392(35 downto 8);
+    polar_angle_n396_over <= "1" when polar_angle_n396_cut(27) = '0' and (or polar_angle_n396_cut(26 downto 26)) = '1' else "0";
+    polar_angle_n396_under <= "1" when polar_angle_n396_cut(27) = '1' and (and polar_angle_n396_cut(26 downto 26)) = '0' else "0";
+    polar_angle_n396 <= 27x"3ffffff" when polar_angle_n396_over(0) = '1' else 27x"4000000" when polar_angle_n396_under(0) = '1' else polar_angle_n396_cut(26 downto 0);
+    polar_angle_n397 <= unsigned(polar_angle_n396(26 downto 26));
+    polar_angle_n398 <= polar_angle_n397 xor azimuth_n76;
+    polar_angle_n399 <= polar_angle_n396;
+    polar_angle_n400 <= polar_angle_n395;
+    polar_angle_n403_term <= unsigned(resize(azimuth_n183, 25)) xor (24 downto 0 => polar_angle_n397(0));
+    polar_angle_n403 <= resize(polar_angle_n394, 25) + signed(polar_angle_n403_term) + polar_angle_n397(0);
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                polar_angle_n292_s21 <= polar_angle_n292_s20;
-                polar_angle_n385_s21 <= polar_angle_n385;
-                polar_angle_n386_s21 <= polar_angle_n386;
-                polar_angle_n387_s21 <= polar_angle_n387;
-                polar_angle_n388_s21 <= polar_angle_n388;
-                polar_angle_n389_s21 <= polar_angle_n389;
-                polar_angle_n390_s21 <= polar_angle_n390;
-                polar_angle_n393_s21 <= polar_angle_n393;
+                polar_angle_n301_s21 <= polar_angle_n301_s20;
+                polar_angle_n395_s21 <= polar_angle_n395;
+                polar_angle_n396_s21 <= polar_angle_n396;
+                polar_angle_n397_s21 <= polar_angle_n397;
+                polar_angle_n398_s21 <= polar_angle_n398;
+                polar_angle_n399_s21 <= polar_angle_n399;
+                polar_angle_n400_s21 <= polar_angle_n400;
+                polar_angle_n403_s21 <= polar_angle_n403;
                 phi_next_s21 <= phi_next_s20;
             end if;
             if rst = '1' then
@@ -2694,49 +2736,49 @@ begin
 
     -- ---- stage 21 ----
     -- polar_angle
-    polar_angle_n391_term <= unsigned(resize(polar_angle_n389_s21, 37)) xor (36 downto 0 => polar_angle_n387_s21(0));
-    polar_angle_n391 <= shift_left(resize(polar_angle_n385_s21, 37), 9) + signed(polar_angle_n391_term) + polar_angle_n387_s21(0);
-    polar_angle_n392_term <= unsigned(resize(polar_angle_n390_s21, 37)) xor (36 downto 0 => polar_angle_n388_s21(0));
-    polar_angle_n392 <= shift_left(resize(polar_angle_n386_s21, 37), 9) + signed(polar_angle_n392_term) + polar_angle_n388_s21(0);
-    polar_angle_n394_over <= "1" when polar_angle_n393_s21(24) = '0' and (or polar_angle_n393_s21(23 downto 23)) = '1' else "0";
-    polar_angle_n394_under <= "1" when polar_angle_n393_s21(24) = '1' and (and polar_angle_n393_s21(23 downto 23)) = '0' else "0";
-    polar_angle_n394 <= 24x"7fffff" when polar_angle_n394_over(0) = '1' else 24x"800000" when polar_angle_n394_under(0) = '1' else polar_angle_n393_s21(23 downto 0);
-    polar_angle_n395_cut <= polar_angle_n391(36 downto 9);
-    polar_angle_n395_over <= "1" when polar_angle_n395_cut(27) = '0' and (or polar_angle_n395_cut(26 downto 26)) = '1' else "0";
-    polar_angle_n395_under <= "1" when polar_angle_n395_cut(27) = '1' and (and polar_angle_n395_cut(26 downto 26)) = '0' else "0";
-    polar_angle_n395 <= 27x"3ffffff" when polar_angle_n395_over(0) = '1' else 27x"4000000" when polar_angle_n395_under(0) = '1' else polar_angle_n395_cut(26 downto 0);
-    polar_angle_n396_cut <= polar_angle_n392(36 downto 9);
-    polar_angle_n396_over <= "1" when polar_angle_n396_cut(27) = '0' and (or polar_angle_n396_cut(26 downto 26)) = '1' else "0";
-    polar_angle_n396_under <= "1" when polar_angle_n396_cut(27) = '1' and (and polar_angle_n396_cut(26 downto 26)) = '0' else "0";
-    polar_angle_n396 <= 27x"3ffffff" when polar_angle_n396_over(0) = '1' else 27x"4000000" when polar_angle_n396_under(0) = '1' else polar_angle_n396_cut(26 downto 0);
-    polar_angle_n397 <= unsigned(polar_angle_n396(26 downto 26));
-    polar_angle_n398 <= polar_angle_n397 xor azimuth_n72;
-    polar_angle_n399 <= polar_angle_n396;
-    polar_angle_n400 <= polar_angle_n395;
-    polar_angle_n401_term <= unsigned(resize(polar_angle_n399, 38)) xor (37 downto 0 => polar_angle_n397(0));
-    polar_angle_n401 <= shift_left(resize(polar_angle_n395, 38), 10) + signed(polar_angle_n401_term) + polar_angle_n397(0);
-    polar_angle_n402_term <= unsigned(resize(polar_angle_n400, 38)) xor (37 downto 0 => polar_angle_n398(0));
-    polar_angle_n402 <= shift_left(resize(polar_angle_n396, 38), 10) + signed(polar_angle_n402_term) + polar_angle_n398(0);
-    polar_angle_n403_term <= unsigned(resize(azimuth_n188, 25)) xor (24 downto 0 => polar_angle_n397(0));
-    polar_angle_n403 <= resize(polar_angle_n394, 25) + signed(polar_angle_n403_term) + polar_angle_n397(0);
-    polar_angle_n404_over <= "1" when polar_angle_n403(24) = '0' and (or polar_angle_n403(23 downto 23)) = '1' else "0";
-    polar_angle_n404_under <= "1" when polar_angle_n403(24) = '1' and (and polar_angle_n403(23 downto 23)) = '0' else "0";
-    polar_angle_n404 <= 24x"7fffff" when polar_angle_n404_over(0) = '1' else 24x"800000" when polar_angle_n404_under(0) = '1' else polar_angle_n403(23 downto 0);
-    polar_angle_n405_cut <= polar_angle_n401(37 downto 10);
+    polar_angle_n401_term <= unsigned(resize(polar_angle_n399_s21, 37)) xor (36 downto 0 => polar_angle_n397_s21(0));
+    polar_angle_n401 <= shift_left(resize(polar_angle_n395_s21, 37), 9) + signed(polar_angle_n401_term) + polar_angle_n397_s21(0);
+    polar_angle_n402_term <= unsigned(resize(polar_angle_n400_s21, 37)) xor (36 downto 0 => polar_angle_n398_s21(0));
+    polar_angle_n402 <= shift_left(resize(polar_angle_n396_s21, 37), 9) + signed(polar_angle_n402_term) + polar_angle_n398_s21(0);
+    polar_angle_n404_over <= "1" when polar_angle_n403_s21(24) = '0' and (or polar_angle_n403_s21(23 downto 23)) = '1' else "0";
+    polar_angle_n404_under <= "1" when polar_angle_n403_s21(24) = '1' and (and polar_angle_n403_s21(23 downto 23)) = '0' else "0";
+    polar_angle_n404 <= 24x"7fffff" when polar_angle_n404_over(0) = '1' else 24x"800000" when polar_angle_n404_under(0) = '1' else polar_angle_n403_s21(23 downto 0);
+    polar_angle_n405_cut <= polar_angle_n401(36 downto 9);
     polar_angle_n405_over <= "1" when polar_angle_n405_cut(27) = '0' and (or polar_angle_n405_cut(26 downto 26)) = '1' else "0";
     polar_angle_n405_under <= "1" when polar_angle_n405_cut(27) = '1' and (and polar_angle_n405_cut(26 downto 26)) = '0' else "0";
     polar_angle_n405 <= 27x"3ffffff" when polar_angle_n405_over(0) = '1' else 27x"4000000" when polar_angle_n405_under(0) = '1' else polar_angle_n405_cut(26 downto 0);
+    polar_angle_n406_cut <= polar_angle_n402(36 downto 9);
+    polar_angle_n406_over <= "1" when polar_angle_n406_cut(27) = '0' and (or polar_angle_n406_cut(26 downto 26)) = '1' else "0";
+    polar_angle_n406_under <= "1" when polar_angle_n406_cut(27) = '1' and (and polar_angle_n406_cut(26 downto 26)) = '0' else "0";
+    polar_angle_n406 <= 27x"3ffffff" when polar_angle_n406_over(0) = '1' else 27x"4000000" when polar_angle_n406_under(0) = '1' else polar_angle_n406_cut(26 downto 0);
+    polar_angle_n407 <= unsigned(polar_angle_n406(26 downto 26));
+    polar_angle_n408 <= polar_angle_n407 xor azimuth_n76;
+    polar_angle_n409 <= polar_angle_n406;
     polar_angle_n410 <= polar_angle_n405;
+    polar_angle_n411_term <= unsigned(resize(polar_angle_n409, 38)) xor (37 downto 0 => polar_angle_n407(0));
+    polar_angle_n411 <= shift_left(resize(polar_angle_n405, 38), 10) + signed(polar_angle_n411_term) + polar_angle_n407(0);
+    polar_angle_n412_term <= unsigned(resize(polar_angle_n410, 38)) xor (37 downto 0 => polar_angle_n408(0));
+    polar_angle_n412 <= shift_left(resize(polar_angle_n406, 38), 10) + signed(polar_angle_n412_term) + polar_angle_n408(0);
+    polar_angle_n413_term <= unsigned(resize(azimuth_n194, 25)) xor (24 downto 0 => polar_angle_n407(0));
+    polar_angle_n413 <= resize(polar_angle_n404, 25) + signed(polar_angle_n413_term) + polar_angle_n407(0);
+    polar_angle_n414_over <= "1" when polar_angle_n413(24) = '0' and (or polar_angle_n413(23 downto 23)) = '1' else "0";
+    polar_angle_n414_under <= "1" when polar_angle_n413(24) = '1' and (and polar_angle_n413(23 downto 23)) = '0' else "0";
+    polar_angle_n414 <= 24x"7fffff" when polar_angle_n414_over(0) = '1' else 24x"800000" when polar_angle_n414_under(0) = '1' else polar_angle_n413(23 downto 0);
+    polar_angle_n415_cut <= polar_angle_n411(37 downto 10);
+    polar_angle_n415_over <= "1" when polar_angle_n415_cut(27) = '0' and (or polar_angle_n415_cut(26 downto 26)) = '1' else "0";
+    polar_angle_n415_under <= "1" when polar_angle_n415_cut(27) = '1' and (and polar_angle_n415_cut(26 downto 26)) = '0' else "0";
+    polar_angle_n415 <= 27x"3ffffff" when polar_angle_n415_over(0) = '1' else 27x"4000000" when polar_angle_n415_under(0) = '1' else polar_angle_n415_cut(26 downto 0);
+    polar_angle_n420 <= polar_angle_n415;
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                polar_angle_n292_s22 <= polar_angle_n292_s21;
-                polar_angle_n402_s22 <= polar_angle_n402;
-                polar_angle_n404_s22 <= polar_angle_n404;
-                polar_angle_n405_s22 <= polar_angle_n405;
-                polar_angle_n410_s22 <= polar_angle_n410;
+                polar_angle_n301_s22 <= polar_angle_n301_s21;
+                polar_angle_n412_s22 <= polar_angle_n412;
+                polar_angle_n414_s22 <= polar_angle_n414;
+                polar_angle_n415_s22 <= polar_angle_n415;
+                polar_angle_n420_s22 <= polar_angle_n420;
                 phi_next_s22 <= phi_next_s21;
             end if;
             if rst = '1' then
@@ -2749,49 +2791,49 @@ begin
 
     -- ---- stage 22 ----
     -- polar_angle
-    polar_angle_n406_cut <= polar_angle_n402_s22(37 downto 10);
-    polar_angle_n406_over <= "1" when polar_angle_n406_cut(27) = '0' and (or polar_angle_n406_cut(26 downto 26)) = '1' else "0";
-    polar_angle_n406_under <= "1" when polar_angle_n406_cut(27) = '1' and (and polar_angle_n406_cut(26 downto 26)) = '0' else "0";
-    polar_angle_n406 <= 27x"3ffffff" when polar_angle_n406_over(0) = '1' else 27x"4000000" when polar_angle_n406_under(0) = '1' else polar_angle_n406_cut(26 downto 0);
-    polar_angle_n407 <= unsigned(polar_angle_n406(26 downto 26));
-    polar_angle_n408 <= polar_angle_n407 xor azimuth_n72;
-    polar_angle_n409 <= polar_angle_n406;
-    polar_angle_n411_term <= unsigned(resize(polar_angle_n409, 39)) xor (38 downto 0 => polar_angle_n407(0));
-    polar_angle_n411 <= shift_left(resize(polar_angle_n405_s22, 39), 11) + signed(polar_angle_n411_term) + polar_angle_n407(0);
-    polar_angle_n412_term <= unsigned(resize(polar_angle_n410_s22, 39)) xor (38 downto 0 => polar_angle_n408(0));
-    polar_angle_n412 <= shift_left(resize(polar_angle_n406, 39), 11) + signed(polar_angle_n412_term) + polar_angle_n408(0);
-    polar_angle_n413_term <= unsigned(resize(azimuth_n199, 25)) xor (24 downto 0 => polar_angle_n407(0));
-    polar_angle_n413 <= resize(polar_angle_n404_s22, 25) + signed(polar_angle_n413_term) + polar_angle_n407(0);
-    polar_angle_n414_over <= "1" when polar_angle_n413(24) = '0' and (or polar_angle_n413(23 downto 23)) = '1' else "0";
-    polar_angle_n414_under <= "1" when polar_angle_n413(24) = '1' and (and polar_angle_n413(23 downto 23)) = '0' else "0";
-    polar_angle_n414 <= 24x"7fffff" when polar_angle_n414_over(0) = '1' else 24x"800000" when polar_angle_n414_under(0) = '1' else polar_angle_n413(23 downto 0);
-    polar_angle_n415_cut <= polar_angle_n411(38 downto 11);
-    polar_angle_n415_over <= "1" when polar_angle_n415_cut(27) = '0' and (or polar_angle_n415_cut(26 downto 26)) = '1' else "0";
-    polar_angle_n415_under <= "1" when polar_angle_n415_cut(27) = '1' and (and polar_angle_n415_cut(26 downto 26)) = '0' else "0";
-    polar_angle_n415 <= 27x"3ffffff" when polar_angle_n415_over(0) = '1' else 27x"4000000" when polar_angle_n415_under(0) = '1' else polar_angle_n415_cut(26 downto 0);
-    polar_angle_n416_cut <= polar_angle_n412(38 downto 11);
+    polar_angle_n416_cut <= polar_angle_n412_s22(37 downto 10);
     polar_angle_n416_over <= "1" when polar_angle_n416_cut(27) = '0' and (or polar_angle_n416_cut(26 downto 26)) = '1' else "0";
     polar_angle_n416_under <= "1" when polar_angle_n416_cut(27) = '1' and (and polar_angle_n416_cut(26 downto 26)) = '0' else "0";
     polar_angle_n416 <= 27x"3ffffff" when polar_angle_n416_over(0) = '1' else 27x"4000000" when polar_angle_n416_under(0) = '1' else polar_angle_n416_cut(26 downto 0);
     polar_angle_n417 <= unsigned(polar_angle_n416(26 downto 26));
-    polar_angle_n418 <= polar_angle_n417 xor azimuth_n72;
+    polar_angle_n418 <= polar_angle_n417 xor azimuth_n76;
     polar_angle_n419 <= polar_angle_n416;
-    polar_angle_n420 <= polar_angle_n415;
-    polar_angle_n423_term <= unsigned(resize(azimuth_n210, 25)) xor (24 downto 0 => polar_angle_n417(0));
-    polar_angle_n423 <= resize(polar_angle_n414, 25) + signed(polar_angle_n423_term) + polar_angle_n417(0);
+    polar_angle_n421_term <= unsigned(resize(polar_angle_n419, 39)) xor (38 downto 0 => polar_angle_n417(0));
+    polar_angle_n421 <= shift_left(resize(polar_angle_n415_s22, 39), 11) + signed(polar_angle_n421_term) + polar_angle_n417(0);
+    polar_angle_n422_term <= unsigned(resize(polar_angle_n420_s22, 39)) xor (38 downto 0 => polar_angle_n418(0));
+    polar_angle_n422 <= shift_left(resize(polar_angle_n416, 39), 11) + signed(polar_angle_n422_term) + polar_angle_n418(0);
+    polar_angle_n423_term <= unsigned(resize(azimuth_n205, 25)) xor (24 downto 0 => polar_angle_n417(0));
+    polar_angle_n423 <= resize(polar_angle_n414_s22, 25) + signed(polar_angle_n423_term) + polar_angle_n417(0);
+    polar_angle_n424_over <= "1" when polar_angle_n423(24) = '0' and (or polar_angle_n423(23 downto 23)) = '1' else "0";
+    polar_angle_n424_under <= "1" when polar_angle_n423(24) = '1' and (and polar_angle_n423(23 downto 23)) = '0' else "0";
+    polar_angle_n424 <= 24x"7fffff" when polar_angle_n424_over(0) = '1' else 24x"800000" when polar_angle_n424_under(0) = '1' else polar_angle_n423(23 downto 0);
+    polar_angle_n425_cut <= polar_angle_n421(38 downto 11);
+    polar_angle_n425_over <= "1" when polar_angle_n425_cut(27) = '0' and (or polar_angle_n425_cut(26 downto 26)) = '1' else "0";
+    polar_angle_n425_under <= "1" when polar_angle_n425_cut(27) = '1' and (and polar_angle_n425_cut(26 downto 26)) = '0' else "0";
+    polar_angle_n425 <= 27x"3ffffff" when polar_angle_n425_over(0) = '1' else 27x"4000000" when polar_angle_n425_under(0) = '1' else polar_angle_n425_cut(26 downto 0);
+    polar_angle_n426_cut <= polar_angle_n422(38 downto 11);
+    polar_angle_n426_over <= "1" when polar_angle_n426_cut(27) = '0' and (or polar_angle_n426_cut(26 downto 26)) = '1' else "0";
+    polar_angle_n426_under <= "1" when polar_angle_n426_cut(27) = '1' and (and polar_angle_n426_cut(26 downto 26)) = '0' else "0";
+    polar_angle_n426 <= 27x"3ffffff" when polar_angle_n426_over(0) = '1' else 27x"4000000" when polar_angle_n426_under(0) = '1' else polar_angle_n426_cut(26 downto 0);
+    polar_angle_n427 <= unsigned(polar_angle_n426(26 downto 26));
+    polar_angle_n428 <= polar_angle_n427 xor azimuth_n76;
+    polar_angle_n429 <= polar_angle_n426;
+    polar_angle_n430 <= polar_angle_n425;
+    polar_angle_n433_term <= unsigned(resize(azimuth_n216, 25)) xor (24 downto 0 => polar_angle_n427(0));
+    polar_angle_n433 <= resize(polar_angle_n424, 25) + signed(polar_angle_n433_term) + polar_angle_n427(0);
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                polar_angle_n292_s23 <= polar_angle_n292_s22;
-                polar_angle_n415_s23 <= polar_angle_n415;
-                polar_angle_n416_s23 <= polar_angle_n416;
-                polar_angle_n417_s23 <= polar_angle_n417;
-                polar_angle_n418_s23 <= polar_angle_n418;
-                polar_angle_n419_s23 <= polar_angle_n419;
-                polar_angle_n420_s23 <= polar_angle_n420;
-                polar_angle_n423_s23 <= polar_angle_n423;
+                polar_angle_n301_s23 <= polar_angle_n301_s22;
+                polar_angle_n425_s23 <= polar_angle_n425;
+                polar_angle_n426_s23 <= polar_angle_n426;
+                polar_angle_n427_s23 <= polar_angle_n427;
+                polar_angle_n428_s23 <= polar_angle_n428;
+                polar_angle_n429_s23 <= polar_angle_n429;
+                polar_angle_n430_s23 <= polar_angle_n430;
+                polar_angle_n433_s23 <= polar_angle_n433;
                 phi_next_s23 <= phi_next_s22;
             end if;
             if rst = '1' then
@@ -2804,49 +2846,49 @@ begin
 
     -- ---- stage 23 ----
     -- polar_angle
-    polar_angle_n421_term <= unsigned(resize(polar_angle_n419_s23, 40)) xor (39 downto 0 => polar_angle_n417_s23(0));
-    polar_angle_n421 <= shift_left(resize(polar_angle_n415_s23, 40), 12) + signed(polar_angle_n421_term) + polar_angle_n417_s23(0);
-    polar_angle_n422_term <= unsigned(resize(polar_angle_n420_s23, 40)) xor (39 downto 0 => polar_angle_n418_s23(0));
-    polar_angle_n422 <= shift_left(resize(polar_angle_n416_s23, 40), 12) + signed(polar_angle_n422_term) + polar_angle_n418_s23(0);
-    polar_angle_n424_over <= "1" when polar_angle_n423_s23(24) = '0' and (or polar_angle_n423_s23(23 downto 23)) = '1' else "0";
-    polar_angle_n424_under <= "1" when polar_angle_n423_s23(24) = '1' and (and polar_angle_n423_s23(23 downto 23)) = '0' else "0";
-    polar_angle_n424 <= 24x"7fffff" when polar_angle_n424_over(0) = '1' else 24x"800000" when polar_angle_n424_under(0) = '1' else polar_angle_n423_s23(23 downto 0);
-    polar_angle_n425_cut <= polar_angle_n421(39 downto 12);
-    polar_angle_n425_over <= "1" when polar_angle_n425_cut(27) = '0' and (or polar_angle_n425_cut(26 downto 26)) = '1' else "0";
-    polar_angle_n425_under <= "1" when polar_angle_n425_cut(27) = '1' and (and polar_angle_n425_cut(26 downto 26)) = '0' else "0";
-    polar_angle_n425 <= 27x"3ffffff" when polar_angle_n425_over(0) = '1' else 27x"4000000" when polar_angle_n425_under(0) = '1' else polar_angle_n425_cut(26 downto 0);
-    polar_angle_n426_cut <= polar_angle_n422(39 downto 12);
-    polar_angle_n426_over <= "1" when polar_angle_n426_cut(27) = '0' and (or polar_angle_n426_cut(26 downto 26)) = '1' else "0";
-    polar_angle_n426_under <= "1" when polar_angle_n426_cut(27) = '1' and (and polar_angle_n426_cut(26 downto 26)) = '0' else "0";
-    polar_angle_n426 <= 27x"3ffffff" when polar_angle_n426_over(0) = '1' else 27x"4000000" when polar_angle_n426_under(0) = '1' else polar_angle_n426_cut(26 downto 0);
-    polar_angle_n427 <= unsigned(polar_angle_n426(26 downto 26));
-    polar_angle_n428 <= polar_angle_n427 xor azimuth_n72;
-    polar_angle_n429 <= polar_angle_n426;
-    polar_angle_n430 <= polar_angle_n425;
-    polar_angle_n431_term <= unsigned(resize(polar_angle_n429, 41)) xor (40 downto 0 => polar_angle_n427(0));
-    polar_angle_n431 <= shift_left(resize(polar_angle_n425, 41), 13) + signed(polar_angle_n431_term) + polar_angle_n427(0);
-    polar_angle_n432_term <= unsigned(resize(polar_angle_n430, 41)) xor (40 downto 0 => polar_angle_n428(0));
-    polar_angle_n432 <= shift_left(resize(polar_angle_n426, 41), 13) + signed(polar_angle_n432_term) + polar_angle_n428(0);
-    polar_angle_n433_term <= unsigned(resize(azimuth_n221, 25)) xor (24 downto 0 => polar_angle_n427(0));
-    polar_angle_n433 <= resize(polar_angle_n424, 25) + signed(polar_angle_n433_term) + polar_angle_n427(0);
-    polar_angle_n434_over <= "1" when polar_angle_n433(24) = '0' and (or polar_angle_n433(23 downto 23)) = '1' else "0";
-    polar_angle_n434_under <= "1" when polar_angle_n433(24) = '1' and (and polar_angle_n433(23 downto 23)) = '0' else "0";
-    polar_angle_n434 <= 24x"7fffff" when polar_angle_n434_over(0) = '1' else 24x"800000" when polar_angle_n434_under(0) = '1' else polar_angle_n433(23 downto 0);
-    polar_angle_n435_cut <= polar_angle_n431(40 downto 13);
+    polar_angle_n431_term <= unsigned(resize(polar_angle_n429_s23, 40)) xor (39 downto 0 => polar_angle_n427_s23(0));
+    polar_angle_n431 <= shift_left(resize(polar_angle_n425_s23, 40), 12) + signed(polar_angle_n431_term) + polar_angle_n427_s23(0);
+    polar_angle_n432_term <= unsigned(resize(polar_angle_n430_s23, 40)) xor (39 downto 0 => polar_angle_n428_s23(0));
+    polar_angle_n432 <= shift_left(resize(polar_angle_n426_s23, 40), 12) + signed(polar_angle_n432_term) + polar_angle_n428_s23(0);
+    polar_angle_n434_over <= "1" when polar_angle_n433_s23(24) = '0' and (or polar_angle_n433_s23(23 downto 23)) = '1' else "0";
+    polar_angle_n434_under <= "1" when polar_angle_n433_s23(24) = '1' and (and polar_angle_n433_s23(23 downto 23)) = '0' else "0";
+    polar_angle_n434 <= 24x"7fffff" when polar_angle_n434_over(0) = '1' else 24x"800000" when polar_angle_n434_under(0) = '1' else polar_angle_n433_s23(23 downto 0);
+    polar_angle_n435_cut <= polar_angle_n431(39 downto 12);
     polar_angle_n435_over <= "1" when polar_angle_n435_cut(27) = '0' and (or polar_angle_n435_cut(26 downto 26)) = '1' else "0";
     polar_angle_n435_under <= "1" when polar_angle_n435_cut(27) = '1' and (and polar_angle_n435_cut(26 downto 26)) = '0' else "0";
     polar_angle_n435 <= 27x"3ffffff" when polar_angle_n435_over(0) = '1' else 27x"4000000" when polar_angle_n435_under(0) = '1' else polar_angle_n435_cut(26 downto 0);
+    polar_angle_n436_cut <= polar_angle_n432(39 downto 12);
+    polar_angle_n436_over <= "1" when polar_angle_n436_cut(27) = '0' and (or polar_angle_n436_cut(26 downto 26)) = '1' else "0";
+    polar_angle_n436_under <= "1" when polar_angle_n436_cut(27) = '1' and (and polar_angle_n436_cut(26 downto 26)) = '0' else "0";
+    polar_angle_n436 <= 27x"3ffffff" when polar_angle_n436_over(0) = '1' else 27x"4000000" when polar_angle_n436_under(0) = '1' else polar_angle_n436_cut(26 downto 0);
+    polar_angle_n437 <= unsigned(polar_angle_n436(26 downto 26));
+    polar_angle_n438 <= polar_angle_n437 xor azimuth_n76;
+    polar_angle_n439 <= polar_angle_n436;
     polar_angle_n440 <= polar_angle_n435;
+    polar_angle_n441_term <= unsigned(resize(polar_angle_n439, 41)) xor (40 downto 0 => polar_angle_n437(0));
+    polar_angle_n441 <= shift_left(resize(polar_angle_n435, 41), 13) + signed(polar_angle_n441_term) + polar_angle_n437(0);
+    polar_angle_n442_term <= unsigned(resize(polar_angle_n440, 41)) xor (40 downto 0 => polar_angle_n438(0));
+    polar_angle_n442 <= shift_left(resize(polar_angle_n436, 41), 13) + signed(polar_angle_n442_term) + polar_angle_n438(0);
+    polar_angle_n443_term <= unsigned(resize(azimuth_n227, 25)) xor (24 downto 0 => polar_angle_n437(0));
+    polar_angle_n443 <= resize(polar_angle_n434, 25) + signed(polar_angle_n443_term) + polar_angle_n437(0);
+    polar_angle_n444_over <= "1" when polar_angle_n443(24) = '0' and (or polar_angle_n443(23 downto 23)) = '1' else "0";
+    polar_angle_n444_under <= "1" when polar_angle_n443(24) = '1' and (and polar_angle_n443(23 downto 23)) = '0' else "0";
+    polar_angle_n444 <= 24x"7fffff" when polar_angle_n444_over(0) = '1' else 24x"800000" when polar_angle_n444_under(0) = '1' else polar_angle_n443(23 downto 0);
+    polar_angle_n445_cut <= polar_angle_n441(40 downto 13);
+    polar_angle_n445_over <= "1" when polar_angle_n445_cut(27) = '0' and (or polar_angle_n445_cut(26 downto 26)) = '1' else "0";
+    polar_angle_n445_under <= "1" when polar_angle_n445_cut(27) = '1' and (and polar_angle_n445_cut(26 downto 26)) = '0' else "0";
+    polar_angle_n445 <= 27x"3ffffff" when polar_angle_n445_over(0) = '1' else 27x"4000000" when polar_angle_n445_under(0) = '1' else polar_angle_n445_cut(26 downto 0);
+    polar_angle_n450 <= polar_angle_n445;
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                polar_angle_n292_s24 <= polar_angle_n292_s23;
-                polar_angle_n432_s24 <= polar_angle_n432;
-                polar_angle_n434_s24 <= polar_angle_n434;
-                polar_angle_n435_s24 <= polar_angle_n435;
-                polar_angle_n440_s24 <= polar_angle_n440;
+                polar_angle_n301_s24 <= polar_angle_n301_s23;
+                polar_angle_n442_s24 <= polar_angle_n442;
+                polar_angle_n444_s24 <= polar_angle_n444;
+                polar_angle_n445_s24 <= polar_angle_n445;
+                polar_angle_n450_s24 <= polar_angle_n450;
                 phi_next_s24 <= phi_next_s23;
             end if;
             if rst = '1' then
@@ -2859,47 +2901,47 @@ begin
 
     -- ---- stage 24 ----
     -- polar_angle
-    polar_angle_n436_cut <= polar_angle_n432_s24(40 downto 13);
-    polar_angle_n436_over <= "1" when polar_angle_n436_cut(27) = '0' and (or polar_angle_n436_cut(26 downto 26)) = '1' else "0";
-    polar_angle_n436_under <= "1" when polar_angle_n436_cut(27) = '1' and (and polar_angle_n436_cut(26 downto 26)) = '0' else "0";
-    polar_angle_n436 <= 27x"3ffffff" when polar_angle_n436_over(0) = '1' else 27x"4000000" when polar_angle_n436_under(0) = '1' else polar_angle_n436_cut(26 downto 0);
-    polar_angle_n437 <= unsigned(polar_angle_n436(26 downto 26));
-    polar_angle_n438 <= polar_angle_n437 xor azimuth_n72;
-    polar_angle_n439 <= polar_angle_n436;
-    polar_angle_n441_term <= unsigned(resize(polar_angle_n439, 42)) xor (41 downto 0 => polar_angle_n437(0));
-    polar_angle_n441 <= shift_left(resize(polar_angle_n435_s24, 42), 14) + signed(polar_angle_n441_term) + polar_angle_n437(0);
-    polar_angle_n442_term <= unsigned(resize(polar_angle_n440_s24, 42)) xor (41 downto 0 => polar_angle_n438(0));
-    polar_angle_n442 <= shift_left(resize(polar_angle_n436, 42), 14) + signed(polar_angle_n442_term) + polar_angle_n438(0);
-    polar_angle_n443_term <= unsigned(resize(azimuth_n232, 25)) xor (24 downto 0 => polar_angle_n437(0));
-    polar_angle_n443 <= resize(polar_angle_n434_s24, 25) + signed(polar_angle_n443_term) + polar_angle_n437(0);
-    polar_angle_n444_over <= "1" when polar_angle_n443(24) = '0' and (or polar_angle_n443(23 downto 23)) = '1' else "0";
-    polar_angle_n444_under <= "1" when polar_angle_n443(24) = '1' and (and polar_angle_n443(23 downto 23)) = '0' else "0";
-    polar_angle_n444 <= 24x"7fffff" when polar_angle_n444_over(0) = '1' else 24x"800000" when polar_angle_n444_under(0) = '1' else polar_angle_n443(23 downto 0);
-    polar_angle_n445_cut <= polar_angle_n441(41 downto 14);
-    polar_angle_n445_over <= "1" when polar_angle_n445_cut(27) = '0' and (or polar_angle_n445_cut(26 downto 26)) = '1' else "0";
-    polar_angle_n445_under <= "1" when polar_angle_n445_cut(27) = '1' and (and polar_angle_n445_cut(26 downto 26)) = '0' else "0";
-    polar_angle_n445 <= 27x"3ffffff" when polar_angle_n445_over(0) = '1' else 27x"4000000" when polar_angle_n445_under(0) = '1' else polar_angle_n445_cut(26 downto 0);
-    polar_angle_n446_cut <= polar_angle_n442(41 downto 14);
+    polar_angle_n446_cut <= polar_angle_n442_s24(40 downto 13);
     polar_angle_n446_over <= "1" when polar_angle_n446_cut(27) = '0' and (or polar_angle_n446_cut(26 downto 26)) = '1' else "0";
     polar_angle_n446_under <= "1" when polar_angle_n446_cut(27) = '1' and (and polar_angle_n446_cut(26 downto 26)) = '0' else "0";
     polar_angle_n446 <= 27x"3ffffff" when polar_angle_n446_over(0) = '1' else 27x"4000000" when polar_angle_n446_under(0) = '1' else polar_angle_n446_cut(26 downto 0);
     polar_angle_n447 <= unsigned(polar_angle_n446(26 downto 26));
-    polar_angle_n448 <= polar_angle_n447 xor azimuth_n72;
+    polar_angle_n448 <= polar_angle_n447 xor azimuth_n76;
     polar_angle_n449 <= polar_angle_n446;
-    polar_angle_n450 <= polar_angle_n445;
+    polar_angle_n451_term <= unsigned(resize(polar_angle_n449, 42)) xor (41 downto 0 => polar_angle_n447(0));
+    polar_angle_n451 <= shift_left(resize(polar_angle_n445_s24, 42), 14) + signed(polar_angle_n451_term) + polar_angle_n447(0);
+    polar_angle_n452_term <= unsigned(resize(polar_angle_n450_s24, 42)) xor (41 downto 0 => polar_angle_n448(0));
+    polar_angle_n452 <= shift_left(resize(polar_angle_n446, 42), 14) + signed(polar_angle_n452_term) + polar_angle_n448(0);
+    polar_angle_n453_term <= unsigned(resize(azimuth_n238, 25)) xor (24 downto 0 => polar_angle_n447(0));
+    polar_angle_n453 <= resize(polar_angle_n444_s24, 25) + signed(polar_angle_n453_term) + polar_angle_n447(0);
+    polar_angle_n454_over <= "1" when polar_angle_n453(24) = '0' and (or polar_angle_n453(23 downto 23)) = '1' else "0";
+    polar_angle_n454_under <= "1" when polar_angle_n453(24) = '1' and (and polar_angle_n453(23 downto 23)) = '0' else "0";
+    polar_angle_n454 <= 24x"7fffff" when polar_angle_n454_over(0) = '1' else 24x"800000" when polar_angle_n454_under(0) = '1' else polar_angle_n453(23 downto 0);
+    polar_angle_n455_cut <= polar_angle_n451(41 downto 14);
+    polar_angle_n455_over <= "1" when polar_angle_n455_cut(27) = '0' and (or polar_angle_n455_cut(26 downto 26)) = '1' else "0";
+    polar_angle_n455_under <= "1" when polar_angle_n455_cut(27) = '1' and (and polar_angle_n455_cut(26 downto 26)) = '0' else "0";
+    polar_angle_n455 <= 27x"3ffffff" when polar_angle_n455_over(0) = '1' else 27x"4000000" when polar_angle_n455_under(0) = '1' else polar_angle_n455_cut(26 downto 0);
+    polar_angle_n456_cut <= polar_angle_n452(41 downto 14);
+    polar_angle_n456_over <= "1" when polar_angle_n456_cut(27) = '0' and (or polar_angle_n456_cut(26 downto 26)) = '1' else "0";
+    polar_angle_n456_under <= "1" when polar_angle_n456_cut(27) = '1' and (and polar_angle_n456_cut(26 downto 26)) = '0' else "0";
+    polar_angle_n456 <= 27x"3ffffff" when polar_angle_n456_over(0) = '1' else 27x"4000000" when polar_angle_n456_under(0) = '1' else polar_angle_n456_cut(26 downto 0);
+    polar_angle_n457 <= unsigned(polar_angle_n456(26 downto 26));
+    polar_angle_n458 <= polar_angle_n457 xor azimuth_n76;
+    polar_angle_n459 <= polar_angle_n456;
+    polar_angle_n460 <= polar_angle_n455;
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                polar_angle_n292_s25 <= polar_angle_n292_s24;
-                polar_angle_n444_s25 <= polar_angle_n444;
-                polar_angle_n445_s25 <= polar_angle_n445;
-                polar_angle_n446_s25 <= polar_angle_n446;
-                polar_angle_n447_s25 <= polar_angle_n447;
-                polar_angle_n448_s25 <= polar_angle_n448;
-                polar_angle_n449_s25 <= polar_angle_n449;
-                polar_angle_n450_s25 <= polar_angle_n450;
+                polar_angle_n301_s25 <= polar_angle_n301_s24;
+                polar_angle_n454_s25 <= polar_angle_n454;
+                polar_angle_n455_s25 <= polar_angle_n455;
+                polar_angle_n456_s25 <= polar_angle_n456;
+                polar_angle_n457_s25 <= polar_angle_n457;
+                polar_angle_n458_s25 <= polar_angle_n458;
+                polar_angle_n459_s25 <= polar_angle_n459;
+                polar_angle_n460_s25 <= polar_angle_n460;
                 phi_next_s25 <= phi_next_s24;
             end if;
             if rst = '1' then
@@ -2912,41 +2954,41 @@ begin
 
     -- ---- stage 25 ----
     -- polar_angle
-    polar_angle_n451_term <= unsigned(resize(polar_angle_n449_s25, 43)) xor (42 downto 0 => polar_angle_n447_s25(0));
-    polar_angle_n451 <= shift_left(resize(polar_angle_n445_s25, 43), 15) + signed(polar_angle_n451_term) + polar_angle_n447_s25(0);
-    polar_angle_n452_term <= unsigned(resize(polar_angle_n450_s25, 43)) xor (42 downto 0 => polar_angle_n448_s25(0));
-    polar_angle_n452 <= shift_left(resize(polar_angle_n446_s25, 43), 15) + signed(polar_angle_n452_term) + polar_angle_n448_s25(0);
-    polar_angle_n453_term <= unsigned(resize(azimuth_n243, 25)) xor (24 downto 0 => polar_angle_n447_s25(0));
-    polar_angle_n453 <= resize(polar_angle_n444_s25, 25) + signed(polar_angle_n453_term) + polar_angle_n447_s25(0);
-    polar_angle_n454_over <= "1" when polar_angle_n453(24) = '0' and (or polar_angle_n453(23 downto 23)) = '1' else "0";
-    polar_angle_n454_under <= "1" when polar_angle_n453(24) = '1' and (and polar_angle_n453(23 downto 23)) = '0' else "0";
-    polar_angle_n454 <= 24x"7fffff" when polar_angle_n454_over(0) = '1' else 24x"800000" when polar_angle_n454_under(0) = '1' else polar_angle_n453(23 downto 0);
-    polar_angle_n455_cut <= polar_angle_n451(42 downto 15);
-    polar_angle_n455_over <= "1" when polar_angle_n455_cut(27) = '0' and (or polar_angle_n455_cut(26 downto 26)) = '1' else "0";
-    polar_angle_n455_under <= "1" when polar_angle_n455_cut(27) = '1' and (and polar_angle_n455_cut(26 downto 26)) = '0' else "0";
-    polar_angle_n455 <= 27x"3ffffff" when polar_angle_n455_over(0) = '1' else 27x"4000000" when polar_angle_n455_under(0) = '1' else polar_angle_n455_cut(26 downto 0);
-    polar_angle_n456_cut <= polar_angle_n452(42 downto 15);
-    polar_angle_n456_over <= "1" when polar_angle_n456_cut(27) = '0' and (or polar_angle_n456_cut(26 downto 26)) = '1' else "0";
-    polar_angle_n456_under <= "1" when polar_angle_n456_cut(27) = '1' and (and polar_angle_n456_cut(26 downto 26)) = '0' else "0";
-    polar_angle_n456 <= 27x"3ffffff" when polar_angle_n456_over(0) = '1' else 27x"4000000" when polar_angle_n456_under(0) = '1' else polar_angle_n456_cut(26 downto 0);
-    polar_angle_n457 <= unsigned(polar_angle_n456(26 downto 26));
-    polar_angle_n458 <= polar_angle_n457 xor azimuth_n72;
-    polar_angle_n459 <= polar_angle_n455;
-    polar_angle_n460_term <= unsigned(resize(polar_angle_n459, 44)) xor (43 downto 0 => polar_angle_n458(0));
-    polar_angle_n460 <= shift_left(resize(polar_angle_n456, 44), 16) + signed(polar_angle_n460_term) + polar_angle_n458(0);
-    polar_angle_n461_term <= unsigned(resize(azimuth_n254, 25)) xor (24 downto 0 => polar_angle_n457(0));
-    polar_angle_n461 <= resize(polar_angle_n454, 25) + signed(polar_angle_n461_term) + polar_angle_n457(0);
-    polar_angle_n462_over <= "1" when polar_angle_n461(24) = '0' and (or polar_angle_n461(23 downto 23)) = '1' else "0";
-    polar_angle_n462_under <= "1" when polar_angle_n461(24) = '1' and (and polar_angle_n461(23 downto 23)) = '0' else "0";
-    polar_angle_n462 <= 24x"7fffff" when polar_angle_n462_over(0) = '1' else 24x"800000" when polar_angle_n462_under(0) = '1' else polar_angle_n461(23 downto 0);
+    polar_angle_n461_term <= unsigned(resize(polar_angle_n459_s25, 43)) xor (42 downto 0 => polar_angle_n457_s25(0));
+    polar_angle_n461 <= shift_left(resize(polar_angle_n455_s25, 43), 15) + signed(polar_angle_n461_term) + polar_angle_n457_s25(0);
+    polar_angle_n462_term <= unsigned(resize(polar_angle_n460_s25, 43)) xor (42 downto 0 => polar_angle_n458_s25(0));
+    polar_angle_n462 <= shift_left(resize(polar_angle_n456_s25, 43), 15) + signed(polar_angle_n462_term) + polar_angle_n458_s25(0);
+    polar_angle_n463_term <= unsigned(resize(azimuth_n249, 25)) xor (24 downto 0 => polar_angle_n457_s25(0));
+    polar_angle_n463 <= resize(polar_angle_n454_s25, 25) + signed(polar_angle_n463_term) + polar_angle_n457_s25(0);
+    polar_angle_n464_over <= "1" when polar_angle_n463(24) = '0' and (or polar_angle_n463(23 downto 23)) = '1' else "0";
+    polar_angle_n464_under <= "1" when polar_angle_n463(24) = '1' and (and polar_angle_n463(23 downto 23)) = '0' else "0";
+    polar_angle_n464 <= 24x"7fffff" when polar_angle_n464_over(0) = '1' else 24x"800000" when polar_angle_n464_under(0) = '1' else polar_angle_n463(23 downto 0);
+    polar_angle_n465_cut <= polar_angle_n461(42 downto 15);
+    polar_angle_n465_over <= "1" when polar_angle_n465_cut(27) = '0' and (or polar_angle_n465_cut(26 downto 26)) = '1' else "0";
+    polar_angle_n465_under <= "1" when polar_angle_n465_cut(27) = '1' and (and polar_angle_n465_cut(26 downto 26)) = '0' else "0";
+    polar_angle_n465 <= 27x"3ffffff" when polar_angle_n465_over(0) = '1' else 27x"4000000" when polar_angle_n465_under(0) = '1' else polar_angle_n465_cut(26 downto 0);
+    polar_angle_n466_cut <= polar_angle_n462(42 downto 15);
+    polar_angle_n466_over <= "1" when polar_angle_n466_cut(27) = '0' and (or polar_angle_n466_cut(26 downto 26)) = '1' else "0";
+    polar_angle_n466_under <= "1" when polar_angle_n466_cut(27) = '1' and (and polar_angle_n466_cut(26 downto 26)) = '0' else "0";
+    polar_angle_n466 <= 27x"3ffffff" when polar_angle_n466_over(0) = '1' else 27x"4000000" when polar_angle_n466_under(0) = '1' else polar_angle_n466_cut(26 downto 0);
+    polar_angle_n467 <= unsigned(polar_angle_n466(26 downto 26));
+    polar_angle_n468 <= polar_angle_n467 xor azimuth_n76;
+    polar_angle_n469 <= polar_angle_n465;
+    polar_angle_n470_term <= unsigned(resize(polar_angle_n469, 44)) xor (43 downto 0 => polar_angle_n468(0));
+    polar_angle_n470 <= shift_left(resize(polar_angle_n466, 44), 16) + signed(polar_angle_n470_term) + polar_angle_n468(0);
+    polar_angle_n471_term <= unsigned(resize(azimuth_n260, 25)) xor (24 downto 0 => polar_angle_n467(0));
+    polar_angle_n471 <= resize(polar_angle_n464, 25) + signed(polar_angle_n471_term) + polar_angle_n467(0);
+    polar_angle_n472_over <= "1" when polar_angle_n471(24) = '0' and (or polar_angle_n471(23 downto 23)) = '1' else "0";
+    polar_angle_n472_under <= "1" when polar_angle_n471(24) = '1' and (and polar_angle_n471(23 downto 23)) = '0' else "0";
+    polar_angle_n472 <= 24x"7fffff" when polar_angle_n472_over(0) = '1' else 24x"800000" when polar_angle_n472_under(0) = '1' else polar_angle_n471(23 downto 0);
 
     process (clk)
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                polar_angle_n292_s26 <= polar_angle_n292_s25;
-                polar_angle_n460_s26 <= polar_angle_n460;
-                polar_angle_n462_s26 <= polar_angle_n462;
+                polar_angle_n301_s26 <= polar_angle_n301_s25;
+                polar_angle_n470_s26 <= polar_angle_n470;
+                polar_angle_n472_s26 <= polar_angle_n472;
                 phi_next_s26 <= phi_next_s25;
             end if;
             if rst = '1' then
@@ -2959,24 +3001,24 @@ begin
 
     -- ---- stage 26 ----
     -- polar_angle
-    polar_angle_n463_cut <= polar_angle_n460_s26(43 downto 16);
-    polar_angle_n463_over <= "1" when polar_angle_n463_cut(27) = '0' and (or polar_angle_n463_cut(26 downto 26)) = '1' else "0";
-    polar_angle_n463_under <= "1" when polar_angle_n463_cut(27) = '1' and (and polar_angle_n463_cut(26 downto 26)) = '0' else "0";
-    polar_angle_n463 <= 27x"3ffffff" when polar_angle_n463_over(0) = '1' else 27x"4000000" when polar_angle_n463_under(0) = '1' else polar_angle_n463_cut(26 downto 0);
-    polar_angle_n464 <= unsigned(polar_angle_n463(26 downto 26));
-    polar_angle_n465_term <= unsigned(resize(azimuth_n262, 25)) xor (24 downto 0 => polar_angle_n464(0));
-    polar_angle_n465 <= resize(polar_angle_n462_s26, 25) + signed(polar_angle_n465_term) + polar_angle_n464(0);
-    polar_angle_n466_over <= "1" when polar_angle_n465(24) = '0' and (or polar_angle_n465(23 downto 23)) = '1' else "0";
-    polar_angle_n466_under <= "1" when polar_angle_n465(24) = '1' and (and polar_angle_n465(23 downto 23)) = '0' else "0";
-    polar_angle_n466 <= 24x"7fffff" when polar_angle_n466_over(0) = '1' else 24x"800000" when polar_angle_n466_under(0) = '1' else polar_angle_n465(23 downto 0);
-    polar_angle_n467 <= unsigned(polar_angle_n466);
-    polar_angle_n468 <= polar_angle_n467 xor azimuth_n267;
-    polar_angle_n469 <= polar_angle_n468 when polar_angle_n292_s26(0) = '1' else polar_angle_n467;
+    polar_angle_n473_cut <= polar_angle_n470_s26(43 downto 16);
+    polar_angle_n473_over <= "1" when polar_angle_n473_cut(27) = '0' and (or polar_angle_n473_cut(26 downto 26)) = '1' else "0";
+    polar_angle_n473_under <= "1" when polar_angle_n473_cut(27) = '1' and (and polar_angle_n473_cut(26 downto 26)) = '0' else "0";
+    polar_angle_n473 <= 27x"3ffffff" when polar_angle_n473_over(0) = '1' else 27x"4000000" when polar_angle_n473_under(0) = '1' else polar_angle_n473_cut(26 downto 0);
+    polar_angle_n474 <= unsigned(polar_angle_n473(26 downto 26));
+    polar_angle_n475_term <= unsigned(resize(azimuth_n268, 25)) xor (24 downto 0 => polar_angle_n474(0));
+    polar_angle_n475 <= resize(polar_angle_n472_s26, 25) + signed(polar_angle_n475_term) + polar_angle_n474(0);
+    polar_angle_n476_over <= "1" when polar_angle_n475(24) = '0' and (or polar_angle_n475(23 downto 23)) = '1' else "0";
+    polar_angle_n476_under <= "1" when polar_angle_n475(24) = '1' and (and polar_angle_n475(23 downto 23)) = '0' else "0";
+    polar_angle_n476 <= 24x"7fffff" when polar_angle_n476_over(0) = '1' else 24x"800000" when polar_angle_n476_under(0) = '1' else polar_angle_n475(23 downto 0);
+    polar_angle_n477 <= unsigned(polar_angle_n476);
+    polar_angle_n478 <= polar_angle_n477 xor azimuth_n273;
+    polar_angle_n479 <= polar_angle_n478 when polar_angle_n301_s26(0) = '1' else polar_angle_n477;
     -- (unit)
-    n472_sum <= resize(polar_angle_n469, 25) + 25x"0000080";
-    n472_cut <= n472_sum(24 downto 8);
-    n472 <= n472_cut;
-    theta_next <= n472(15 downto 0);
+    n482_sum <= resize(polar_angle_n479, 25) + 25x"0000080";
+    n482_cut <= n482_sum(24 downto 8);
+    n482 <= n482_cut;
+    theta_next <= n482(15 downto 0);
 
     process (clk)
     begin

@@ -36,7 +36,9 @@ enum Kind {
     #[error(
         "node `{node}` needs {given_bits} bits and words have at most {limit_bits}: lower the widths or guard bits that feed it"
     )]
-    NodeTooWide { node: String, given_bits: u32, limit_bits: u32 },
+    NodeTooWide { node: String, place: usize, given_bits: u32, limit_bits: u32 },
+    #[error("{part} needs {bits} bits and words have at most 63: {remedy}")]
+    TooWide { part: String, bits: u32, remedy: String },
     #[error("node `{node}`: {problem}")]
     Node { node: String, problem: String },
     #[error(
@@ -77,7 +79,7 @@ constructors! {
     not_exact(raw: i64, format: String, given_bits: u32) = Kind::NotExact { raw, format, given_bits };
     not_finite(value: f64, format: String) = Kind::NotFinite { value, format };
     value_overflow(value: String, format: String) = Kind::ValueOverflow { value, format };
-    node_too_wide(node: String, given_bits: u32, limit_bits: u32) = Kind::NodeTooWide { node, given_bits, limit_bits };
+    node_too_wide(node: String, place: usize, given_bits: u32, limit_bits: u32) = Kind::NodeTooWide { node, place, given_bits, limit_bits };
     node(node: String, problem: String) = Kind::Node { node, problem };
     node_overflow(node: String, count: u64) = Kind::NodeOverflow { node, count };
     parameter_value(name: &str, value: &str, legal: String) = Kind::ParameterValue { name: name.to_owned(), value: value.to_owned(), legal };
@@ -104,6 +106,31 @@ impl Error {
             given: given.to_owned(),
             hint: nearest(given, known),
         }))
+    }
+
+    /// If this is about a format's bits: the node without its number, how many nodes were built
+    /// before, and the bits; of a format by itself the bits alone.
+    pub(crate) fn bits_needed(&self) -> Option<(&str, usize, u32)> {
+        if let Kind::NodeTooWide { node, place, given_bits, .. } = &*self.0 {
+            return Some((
+                node.trim_end_matches(|c: char| c.is_ascii_digit()),
+                *place,
+                *given_bits,
+            ));
+        }
+        let Kind::FormatBits { bits } = *self.0 else { return None };
+        Some(("", 0, bits))
+    }
+
+    /// The same error of a word that is too wide, with what to do.
+    pub(crate) fn with_remedy(self, remedy: String) -> Self {
+        let Some((_, _, bits)) = self.bits_needed() else { return self };
+        let part = if let Kind::NodeTooWide { node, .. } = &*self.0 {
+            format!("node `{node}`")
+        } else {
+            "a word".to_owned()
+        };
+        Self(Box::new(Kind::TooWide { part, bits, remedy }))
     }
 
     /// True if the run was stopped by a failed check (exit code 1) and not by wrong input (2).

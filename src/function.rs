@@ -141,15 +141,15 @@ impl Function {
             Self::Cos => cos_turns(x),
             Self::HalfRecipSin => 0.5 / sin_turns(x),
             Self::HalfRecipCos => 0.5 / cos_turns(x),
-            Self::Asin => x.clamp(-1.0, 1.0).asin() / TAU,
-            Self::Atan => x.atan() / TAU,
-            Self::Prop => x.clamp(-1.0, 1.0).asin() * (4.0 / TAU),
+            Self::Asin => libm::asin(x.clamp(-1.0, 1.0)) / TAU,
+            Self::Atan => libm::atan(x) / TAU,
+            Self::Prop => libm::asin(x.clamp(-1.0, 1.0)) * (4.0 / TAU),
             Self::Recip => 1.0 / x,
             Self::Secant => x.mul_add(x, 1.0).sqrt(),
             Self::Sqrt => x.max(0.0).sqrt(),
             Self::RecipSqrt => 1.0 / x.max(0.0).sqrt(),
             Self::Light { offset, factor, exponent } => {
-                offset.0 + factor.0 * x.max(0.0).powf(f64::from(exponent))
+                offset.0 + factor.0 * libm::pow(x.max(0.0), exponent.into())
             }
         }
     }
@@ -217,10 +217,10 @@ pub fn sin_turns(x: f64) -> f64 {
     let (r, quadrant) = quarter(x);
     let r = r * TAU + 0.0; // -0 becomes +0
     match quadrant {
-        0 => r.sin(),
-        1 => r.cos(),
-        2 => -r.sin(),
-        _ => -r.cos(),
+        0 => libm::sin(r),
+        1 => libm::cos(r),
+        2 => -libm::sin(r),
+        _ => -libm::cos(r),
     }
 }
 
@@ -230,10 +230,10 @@ pub fn cos_turns(x: f64) -> f64 {
     let (r, quadrant) = quarter(x);
     let r = r * TAU + 0.0; // -0 becomes +0
     match quadrant {
-        0 => r.cos(),
-        1 => -r.sin(),
-        2 => -r.cos(),
-        _ => r.sin(),
+        0 => libm::cos(r),
+        1 => -libm::sin(r),
+        2 => -libm::cos(r),
+        _ => libm::sin(r),
     }
 }
 

@@ -41,6 +41,10 @@
 //! # Ok::<(), fixpath::error::Error>(())
 //! ```
 #![deny(unsafe_code)]
+#![cfg_attr(
+    test,
+    allow(clippy::disallowed_methods, reason = "goldens of tests may round otherwise")
+)]
 
 mod cast;
 pub mod cli;

@@ -266,7 +266,7 @@ impl Meaning {
                     f64::from(top - 1 - exponent(a))
                 }
             }
-            Self::Scaled { more, .. } => a * (b + f64::from(more)).exp2(),
+            Self::Scaled { more, .. } => a * libm::exp2(b + f64::from(more)),
             Self::Tilted { polar, .. } => {
                 let (phi, theta) = tilted(a, b, c);
                 if polar { theta } else { phi }

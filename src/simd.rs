@@ -2,7 +2,7 @@
 //!
 //! This module holds the only `unsafe` of the crate. What runs is safe Rust; the compiler may
 //! only use wider instructions for it. It fuses no multiplication with an addition unless code says
-//! so, so all sets give the same floats.
+//! `mul_add`, which rounds once on every processor, so all sets give the same floats.
 
 use std::sync::OnceLock;
 
@@ -37,7 +37,10 @@ impl Features {
     /// The widest set that this processor has.
     #[must_use]
     pub fn best() -> Self {
-        Self::here().last().copied().unwrap_or(Self::Portable)
+        let best = Self::here().last().copied().unwrap_or(Self::Portable);
+        #[cfg(test)]
+        let best = best.min(limit::get());
+        best
     }
 }
 
@@ -145,4 +148,26 @@ fn with_avx512<B: Body>(body: B) {
 #[cfg(test)]
 pub(crate) fn portable<B: Body>(body: B) {
     body.run();
+}
+
+/// The most that tests let [`Features::best`] be, in all threads: other tests may run meanwhile, as
+/// results don't depend on it.
+#[cfg(test)]
+pub(crate) mod limit {
+    use super::Features;
+    use std::sync::Mutex;
+
+    static LIMIT: Mutex<Features> = Mutex::new(Features::Avx512);
+
+    pub(super) fn get() -> Features {
+        *LIMIT.lock().unwrap()
+    }
+
+    /// Does the work with no wider instructions than these.
+    pub(crate) fn to<R>(features: Features, work: impl FnOnce() -> R) -> R {
+        *LIMIT.lock().unwrap() = features;
+        let result = work();
+        *LIMIT.lock().unwrap() = Features::Avx512;
+        result
+    }
 }

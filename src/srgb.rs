@@ -4,7 +4,7 @@
 /// Linear light, 0 to 1, from an sRGB code value, 0 to 1 (IEC 61966-2-1).
 #[must_use]
 pub fn from_srgb(code: f64) -> f64 {
-    if code <= 0.04045 { code / 12.92 } else { ((code + 0.055) / 1.055).powf(2.4) }
+    if code <= 0.04045 { code / 12.92 } else { libm::pow((code + 0.055) / 1.055, 2.4) }
 }
 
 #[cfg(test)]

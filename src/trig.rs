@@ -4,9 +4,13 @@
 //! The polynomials are those of fdlibm. For sin and cos the reduction to the nearest quarter turn is exact and
 //! the largest error is 2 ulp of the result, or 2^-53 absolute where that is more; the inverses
 //! are within 4 ulp (tested against a high-precision evaluation). Tables don't use these: they are rounded
-//! from the standard library and from the high-precision evaluation of [`crate::function`].
+//! from `libm` and from the high-precision evaluation of [`crate::function`].
+//!
+//! No figure may depend on the processor. The system's library takes other roundings where it has fused
+//! multiply-add, so nothing here or elsewhere calls it: other functions are those of the crate `libm`.
 
 use crate::simd::{Body, vectorised};
+use glam::{DQuat, DVec3};
 use num_traits::{Float, FloatConst};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
@@ -23,7 +27,7 @@ impl Real for f32 {
     fn sin_cos_turns(turns: &[Self], sin: &mut [Self], cos: &mut [Self]) {
         assert!(turns.len() == sin.len() && turns.len() == cos.len(), "bug: columns differ");
         for ((turns, sin), cos) in turns.iter().zip(sin).zip(cos) {
-            (*sin, *cos) = (turns * Self::TAU()).sin_cos();
+            (*sin, *cos) = libm::sincosf(turns * Self::TAU());
         }
     }
 }
@@ -87,6 +91,13 @@ fn sin_cos(turns: f64) -> (f64, f64) {
 #[must_use]
 pub fn sin_cos_turns(turns: f64) -> (f64, f64) {
     sin_cos(turns)
+}
+
+/// The rotation about a unit vector by an angle in turns.
+#[must_use]
+pub fn rotation(axis: DVec3, turns: f64) -> DQuat {
+    let (sin, cos) = sin_cos(0.5 * turns);
+    DQuat::from_vec4((axis * sin).extend(cos))
 }
 
 /// Largest error of [`Real::sin_cos_turns`] for `f64`, relative to the larger of the result and 1/2.

@@ -107,7 +107,7 @@ fn words_past_63_bits_are_refused_with_the_node() {
     let args = ["-p", "variant=corrected", "-p", "frac_bits=32", "-p", "guard_bits=8"];
     refused(
         &[&["show", "rotation"], &args[..]].concat(),
-        "words have at most 63: lower the widths",
+        "words have at most 63: lower `frac_bits` or `guard_bits` or `recip_int_bits`",
     );
 }
 
@@ -870,4 +870,22 @@ fn a_render_that_is_wrong_writes_nothing() {
     command.current_dir(folder.path()).args(["render", "plane", "--out", "good.toml"]);
     let stderr = String::from_utf8(command.output().unwrap().stderr).unwrap();
     assert!(stderr.contains("good.toml: is no folder"), "{stderr}");
+}
+
+/// Figures of different machines are set side by side. The system's library takes other paths where the
+/// processor has fused multiply-add; told that it has none, nothing may change.
+#[test]
+fn figures_do_not_depend_on_fused_multiply_add() {
+    for unit in ["illumination", "bump", "kim", "kugler", "basis", "emboss", "tangent"] {
+        let sim = |tunables: &str| {
+            let args = ["sim", unit, "--samples", "20000", "--json"];
+            let output = fixpath().args(args).env("GLIBC_TUNABLES", tunables).output().unwrap();
+            let text = String::from_utf8(output.stdout).unwrap();
+            let (figures, _) = text.split_once("\"speed\"").unwrap();
+            figures.to_owned()
+        };
+        let with = sim("");
+        let without = sim("glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2,-AVX512F");
+        assert!(with == without, "{unit}: {with}\n{without}");
+    }
 }

@@ -173,6 +173,7 @@ const SETS: &[(&str, &[&str])] = &[
     ("normalise", &["v_bits=20", "norm_bits=24", "rounding=half-even"]),
     ("rsqrt", &[]),
     ("rsqrt", &["root_scheme=direct", "root_frac_bits=10", "rounding=floor"]),
+    ("rsqrt", &["input_frac_bits=8", "input_bits=21", "root_int_bits=5"]),
     ("rsqrt", &["root_scheme=newton", "root_addr_bits=6"]),
     ("rsqrt", &["root_scheme=newton", "root_addr_bits=2", "root_frac_bits=2", "input_bits=2"]),
     ("rsqrt", &["root_scheme=newton", "root_addr_bits=11", "root_frac_bits=22", "input_bits=32"]),
@@ -527,4 +528,27 @@ fn sweeps_are_in_texels_and_see_what_inputs_are() {
         let told = sweep(axis, &[axis]);
         assert!(told.contains("ds_texels (end-to-end error)"), "{told}");
     }
+}
+
+/// Where results are below 1, the last rounding is a larger share of them: a relative bound says so.
+#[test]
+fn relative_errors_of_small_results_are_relative() {
+    let design = design("rsqrt", &["input_frac_bits=8", "input_bits=21", "root_int_bits=5"]);
+    let bounds = BoundCheck::new(&design).unwrap();
+    let bound = |of: &str| bounds.stated.iter().find(|bound| bound.of.contains(&of)).unwrap();
+    let r = design.netlist.outputs()[0].node.index();
+    let off = |word: i64| {
+        let (is, should) = (design.netlist.eval(&[word]).0[r], (256.0 / word as f64).sqrt());
+        (is as f64 / f64::from(1 << 18) - should).abs() / should
+    };
+    // a = 7668.8125
+    let word = 7668 * 256 + 208;
+    assert!(off(word) > 1e-4 && bound("r_scaled").bound < 2e-5);
+    // Large words are those of small results.
+    let worst = ((1i64 << 21) - 60_000..1 << 21).map(off).fold(0.0, f64::max);
+    let stated = bound("r_relative").bound;
+    assert!(worst <= stated && stated <= 2.0 * worst, "{worst:e} {stated:e}");
+    assert_eq!(bound("r_relative").over, Some("the result"));
+    assert_eq!(bound("r_scaled").over, Some("the result, or 1 where it is less"));
+    assert_eq!(bound("r").over, None);
 }

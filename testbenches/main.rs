@@ -4,7 +4,8 @@
     clippy::cast_possible_truncation,
     clippy::cast_possible_wrap,
     clippy::cast_precision_loss,
-    clippy::cast_sign_loss
+    clippy::cast_sign_loss,
+    clippy::disallowed_methods
 )]
 
 mod cli;
@@ -39,5 +40,6 @@ mod tangent;
 mod texgen;
 mod texture;
 mod texture_space;
+mod units;
 mod verify;
 mod wave;

@@ -67,7 +67,7 @@ fn highlight(dot: f64, exponent: u32) -> f64 {
 struct Limits {
     /// N'·L and N'·H, by the words of the inputs.
     inputs: f64,
-    /// N'·L and N'·H besides, and one step of the light tables' index.
+    /// N'·L and N'·H besides.
     dot: f64,
     /// Diffuse light, of the same input words.
     diffuse: f64,
@@ -80,7 +80,7 @@ impl Limits {
         let check = BoundCheck::new(design).unwrap();
         let bound = |what: &str| check.stated.iter().find(|b| b.quantity == what).unwrap().bound;
         let bits = |name: &str| i32::try_from(design.values.int(name).unwrap()).unwrap();
-        let (dot, exponent) = (bound("dot") + 2f64.powi(-bits("frac_bits")), bits("exponent"));
+        let (dot, exponent) = (bound("dot"), bits("exponent"));
         let slope = if exponent == 0 { 1.0 } else { 1.0 - (1.0 - dot.min(1.0)).powi(exponent) };
         let half_of = |name: &str| 2f64.powi(-bits(name) - 1);
         // A component is off by half a word, and angles too: a direction by √2 of that, and the

@@ -380,3 +380,24 @@ mod commands {
         }
     }
 }
+
+/// The bounds of the Cartesian set-up are for vectors of about a unit's length, and say so.
+#[test]
+fn bounds_of_the_set_up_name_the_vectors_that_they_hold_for() {
+    let design = design("peercy", &[]);
+    let check = BoundCheck::new(&design).unwrap();
+    assert_eq!(check.inputs, Some("L and H in the texture frame, and N', from 1/2 to 2 long"));
+    // L' along x from the frame's own axes, by its length in units of 2^-16.
+    let one = 1i64 << 16;
+    let off = |length: i64| {
+        let l = [length, length / 3, 0];
+        let frame = [[0, 0, one], [one, 0, 0], [0, one, 0], [0, 0, one]];
+        let words: Vec<i64> = [l, l].into_iter().chain(frame).flatten().collect();
+        let is = design.netlist.eval(&words).0[design.netlist.outputs()[0].node.index()];
+        let should = l[0] as f64 / (l[0] as f64).hypot(l[1] as f64);
+        (is as f64 / one as f64 - should).abs()
+    };
+    let worst = |lengths: std::ops::Range<i64>| lengths.map(off).fold(0.0, f64::max);
+    assert!(worst(one / 2..one / 2 + 300) <= check.stated[0].bound);
+    assert!(worst(3..300) > check.stated[0].bound, "else it would hold for all");
+}

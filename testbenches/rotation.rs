@@ -517,3 +517,29 @@ fn corners_of_the_legal_ranges_build_or_say_why_not() {
     }
     assert!(built > 350 && refused > 0, "{built} built, {refused} refused");
 }
+
+/// A vector of zeros on both axes has no azimuth: it is 0 by every conversion, as the golden's.
+#[test]
+fn on_a_pole_the_azimuth_is_0() {
+    for output in ["output=polar-cordic", "output=polar-table"] {
+        for more in ["quarter_wave=off", "quarter_wave=on", "cordic_iterations=3"] {
+            let design = design(&[output, "scheme=linear", more]);
+            let half = 1i64 << 15;
+            // A and N on poles, and A parallel to N.
+            for [phi_a, theta_a, phi_n, theta_n] in [
+                [0, 0, 0, 0],
+                [0, half, 0, 0],
+                [22391, 0, 14017, 0],
+                [0, half / 2, 0, half / 2],
+                [0, 0, 0, half],
+                [5, half, 9, half],
+            ] {
+                let (words, _) = design.netlist.eval(&[phi_a, theta_a, phi_n, theta_n]);
+                let [phi, theta] = [0, 1].map(|i| words[design.netlist.outputs()[i].node.index()]);
+                let is_up = (theta_a == half) == (theta_n == half);
+                assert_eq!(phi, 0, "{output} {more}: {phi_a} {theta_a} {phi_n} {theta_n}");
+                assert!((theta - if is_up { 0 } else { half }).abs() <= 1 || more.contains("=3"));
+            }
+        }
+    }
+}

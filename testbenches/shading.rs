@@ -295,3 +295,38 @@ fn designs_with_other_light_have_their_own_golden() {
         assert_eq!(alone.figures, together.figures);
     }
 }
+
+/// In the middle of a highlight the dot product is 1, and light is what the formula says, in tables of
+/// any size and scheme.
+#[test]
+fn light_in_the_middle_of_a_highlight_is_the_formula_s() {
+    let one = 1i64 << 16;
+    let [x, y, z] = [[one, 0, 0], [0, one, 0], [0, 0, one]];
+    let units: [(&str, &[&str], Vec<i64>); 5] = [
+        ("illumination", &["variant=cartesian"], [x, x, x].concat()),
+        ("illumination", &["scheme=linear"], vec![7, 9, 7, 9, 7, 9]),
+        // Angles of 0: all vectors along z.
+        ("bump", &["scheme=linear"], vec![0; 9]),
+        ("kim", &["scheme=linear"], vec![0; 9]),
+        // L = H = N = x, T = y, B = z: L' is along z, as N'.
+        ("ernst", &[], [x, x, x, y, z, z].concat()),
+    ];
+    for (unit, set, words) in units {
+        for light in ["light_scheme=direct", "light_scheme=linear", "light_scheme=bipartite"] {
+            for size in ["specular_addr_bits=4", "specular_addr_bits=12"] {
+                let more = [light, size, "exponent=255", "specular=0.9"];
+                let design = design(unit, &[set, &more].concat());
+                let (values, _) = design.netlist.eval(&words);
+                let outputs = design.netlist.outputs();
+                let port = |name: &str| outputs.iter().find(|output| output.name == name).unwrap();
+                let light = |name: &str| values[port(name).node.index()];
+                // 0.9 and 0.1 + 0.6 times 2^16.
+                assert_eq!(light("specular"), 58982, "{unit} {more:?}");
+                if unit != "ernst" {
+                    // There it is a product of rounded factors.
+                    assert_eq!(light("diffuse"), 45875, "{unit} {more:?}");
+                }
+            }
+        }
+    }
+}

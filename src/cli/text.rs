@@ -362,7 +362,7 @@ pub(super) fn sim(sim: &Sim) -> String {
     let mut text = format!("{} {}\n", design.values.unit().name, parameter_line(&design.values));
     let _ = writeln!(
         text,
-        "{} samples, sampler {}{}; errors are absolute, with the input words of the worst\n",
+        "{} samples, sampler {}{}; errors are absolute but where told, with the input words of the worst\n",
         report.samples,
         sim.inputs.sampler.name(),
         if sim.inputs.sampler.is_random() {
@@ -378,6 +378,9 @@ pub(super) fn sim(sim: &Sim) -> String {
     }
     if sim.design.groups.iter().any(|group| group.shape.is_direction()) {
         text.push_str("  dot: of any unit vector with the result\n");
+    }
+    for (quantity, what) in sim.design.scales() {
+        let _ = writeln!(text, "  {quantity}: over {what}");
     }
     text.push_str("  percentiles are known to 1.6 %; 0 means below 2^-44\n");
     text.push_str(&overflows(report));
@@ -395,6 +398,9 @@ pub(super) fn sim(sim: &Sim) -> String {
             number(bound.bound),
             number(bound.seen(report))
         );
+    }
+    if let Some(inputs) = sim.bounds.inputs {
+        let _ = writeln!(text, "bounds hold for {inputs}");
     }
     if let Some(why) = sim.bounds.why_none {
         let _ = writeln!(text, "no bound is stated: {why}");
@@ -590,6 +596,7 @@ pub(super) fn sim_json(sim: &Sim) -> Value {
         json!({
             "quantity": bound.quantity,
             "of": bound.of,
+            "over": bound.over,
             "bound": bound.bound,
             "seen": bound.seen(report),
             "holds": bound.holds(report),
@@ -612,9 +619,10 @@ pub(super) fn sim_json(sim: &Sim) -> Value {
         "overflows": report.overflows,
         // The first on its own too, as units with one bound have always told it.
         "bound": stated.first().map_or_else(|| json!({
-            "quantity": null, "of": [], "bound": null, "seen": null, "holds": null,
+            "quantity": null, "of": [], "over": null, "bound": null, "seen": null, "holds": null,
         }), Clone::clone),
         "bounds": stated,
+        "bounds_hold_for": sim.bounds.inputs,
         "why_no_bound": sim.bounds.why_none,
     });
     let fields: &mut Map<String, Value> = value.as_object_mut().expect("bug: an object");

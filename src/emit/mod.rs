@@ -207,5 +207,6 @@ fn error_figures(design: &Design) -> Result<Vec<String>> {
         "angle" => format!("stated bound on the angle: {:.2e} rad", bound.bound),
         _ => format!("stated bound on {}: {:.2e}", bound.subject(), bound.bound),
     }));
+    lines.extend(bounds.inputs.map(|inputs| format!("bounds hold for {inputs}")));
     Ok(lines)
 }

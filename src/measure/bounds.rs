@@ -17,14 +17,18 @@ pub struct StatedBound {
     pub of: &'static [&'static str],
     /// The bound, in the unit of those.
     pub bound: f64,
+    /// What it is told over, if it isn't absolute.
+    pub over: Option<&'static str>,
 }
 
 impl StatedBound {
-    /// What it is a bound on: each of its quantity, also where that says so itself.
+    /// What it is a bound on: each of its quantity, also where that says so itself, and what that is
+    /// told over.
     #[must_use]
     pub fn subject(&self) -> String {
         let each = if self.quantity.starts_with("each ") { "" } else { "each " };
-        format!("{each}{}", self.quantity)
+        let over = self.over.map_or_else(String::new, |what| format!(" (over {what})"));
+        format!("{each}{}{over}", self.quantity)
     }
 
     /// The largest total error of the bounded quantities in a report.
@@ -47,6 +51,8 @@ impl StatedBound {
 pub struct BoundCheck {
     /// Each of them.
     pub stated: Vec<StatedBound>,
+    /// The inputs that they hold for, if not for all.
+    pub inputs: Option<&'static str>,
     /// Why there is none.
     pub why_none: Option<&'static str>,
 }
@@ -60,8 +66,9 @@ impl BoundCheck {
     /// # Panics
     /// If a bound asks for a table that the design doesn't have: that is wrong code.
     pub fn new(design: &Design) -> Result<Self> {
-        let bounds = match &design.bounds {
-            Bounds::Stated(bounds) => bounds,
+        let (bounds, inputs) = match &design.bounds {
+            Bounds::Stated(bounds) => (bounds, None),
+            Bounds::Within(inputs, bounds) => (bounds, Some(*inputs)),
             Bounds::Unstated(why) => return Ok(Self::unstated(why)),
         };
         let mut worst: Vec<(&str, f64)> = Vec::new();
@@ -79,16 +86,22 @@ impl BoundCheck {
             assert!(most >= 0.0, "bug: no table `{name}`");
             most
         };
+        let scales = design.scales();
+        let over = |bound: &Bound| {
+            let of = scales.iter().find(|(name, _)| bound.quantities.contains(&name.as_str()));
+            of.map(|(_, what)| *what)
+        };
         let evaluated = |bound: &Bound| StatedBound {
             quantity: bound.what,
             of: bound.quantities,
             bound: (bound.bound)(&design.values, &worst_of),
+            over: over(bound),
         };
-        Ok(Self { stated: bounds.iter().map(evaluated).collect(), why_none: None })
+        Ok(Self { stated: bounds.iter().map(evaluated).collect(), inputs, why_none: None })
     }
 
     fn unstated(why: &'static str) -> Self {
-        Self { stated: Vec::new(), why_none: Some(why) }
+        Self { stated: Vec::new(), inputs: None, why_none: Some(why) }
     }
 
     /// True unless one is broken.

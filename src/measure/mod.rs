@@ -16,6 +16,8 @@ mod cone;
 mod inputs;
 mod stream;
 mod tables;
+#[cfg(test)]
+mod tests;
 
 pub use bounds::{
     BoundCheck, HardResult, HardVerdict, StatedBound, hard_columns, hard_results, hard_verdicts,
@@ -33,7 +35,7 @@ use crate::sim::batch::{Program, Runner, check_overflows};
 use crate::sim::real;
 use crate::simd::vectorised;
 use crate::trig::Real;
-use crate::units::{Design, Group, Shape};
+use crate::units::{Design, Group, Scale, Shape};
 use inputs::CHUNK;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -133,11 +135,13 @@ impl Measurand {
                     all.push(Self { name: named(part), kind, column, ulp: None });
                 }
             }
-            if let Shape::Scaled { texels } = group.shape {
+            if let Shape::Scaled { scales, texels } = group.shape {
                 let own = |part: &str, kind| Self { name: named(part), kind, column, ulp: None };
                 all.extend(texels.map(|texels| own("texels", Kind::Texels(texels))));
-                all.push(own("relative", Kind::Relative(scale)));
-                scale += 1;
+                for Scale { name, .. } in scales {
+                    all.push(own(name, Kind::Relative(scale)));
+                    scale += 1;
+                }
             }
             for (i, name) in group.columns().into_iter().enumerate() {
                 let ulp = |i: usize| design.netlist.node(group.nodes[i]).format.ulp();
@@ -272,7 +276,7 @@ pub struct Figures {
     /// product with any unit vector: the length of the difference) and each component; a number
     /// by its own name.
     pub quantity: String,
-    /// `rad`, `texel`, `rel` over the golden's scale, or `1` for absolute errors.
+    /// `rad`, `texel`, `rel` over a scale of the golden ([`Design::scales`]), or `1` for absolute errors.
     pub unit: &'static str,
     /// Against what.
     pub basis: Basis,

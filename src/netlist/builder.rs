@@ -103,9 +103,10 @@ impl Builder {
                 let operand =
                     operands.first().map(|id| self.netlist.label(*id)).unwrap_or_default();
                 let node = format!("{} of {operand}", op.name());
+                let place = self.netlist.nodes.len();
                 self.fail(match why {
                     FormatProblem::TooWide(bits) => {
-                        Error::node_too_wide(node, bits, Format::MAX_BITS)
+                        Error::node_too_wide(node, place, bits, Format::MAX_BITS)
                     }
                     FormatProblem::Mismatch(problem) => Error::node(node, problem),
                 });

@@ -153,7 +153,7 @@ impl Difference {
                 max: all.max[i],
                 mean: all.absolute[i] / pixels,
             }),
-            psnr_db: -10.0 * square.log10(),
+            psnr_db: -10.0 * libm::log10(square),
             srgb8_differing: cast::f64_of_count(all.differing) / pixels,
             srgb8_max_codes: all.max_codes,
             ssim: or_nan(&|| ssim(&codes[0], &codes[1])),

@@ -70,7 +70,11 @@ fn opponent([x, y, z]: Colour) -> Colour {
 fn hunt_lab(rgb: Colour) -> Colour {
     const DELTA: f64 = 6.0 / 29.0;
     let root = |t: f64| {
-        if t > DELTA * DELTA * DELTA { t.cbrt() } else { t / (3.0 * DELTA * DELTA) + 4.0 / 29.0 }
+        if t > DELTA * DELTA * DELTA {
+            libm::cbrt(t)
+        } else {
+            t / (3.0 * DELTA * DELTA) + 4.0 / 29.0
+        }
     };
     let [l, a, b] = opponent(relative_xyz(rgb).map(root));
     [l, 0.01 * l * a, 0.01 * l * b]
@@ -117,7 +121,7 @@ impl Filters {
             let parts: Vec<(f64, Vec<f64>)> = gaussians
                 .iter()
                 .map(|(a, b)| {
-                    let bell = |x: f64| (-PI * PI * (x / pixels_per_degree).powi(2) / b).exp();
+                    let bell = |x: f64| libm::exp(-PI * PI * (x / pixels_per_degree).powi(2) / b);
                     (a * (PI / b).sqrt(), within(colour_reach, &bell))
                 })
                 .collect();
@@ -130,7 +134,7 @@ impl Filters {
             parts.iter().map(scaled).collect()
         });
 
-        let bell = |x: f64| (-0.5 * (x / deviation).powi(2)).exp();
+        let bell = |x: f64| libm::exp(-0.5 * (x / deviation).powi(2));
         let scaled = |kernel: Vec<f64>| -> Vec<f64> {
             let sum = |sign: f64| kernel.iter().map(|value| (sign * value).max(0.0)).sum::<f64>();
             let (above, below) = (sum(1.0), sum(-1.0));
@@ -143,8 +147,10 @@ impl Filters {
             smooth: scaled(within(feature_reach, &bell)),
             edge: scaled(within(feature_reach, &|x| -x * bell(x))),
             point: scaled(within(feature_reach, &|x| ((x / deviation).powi(2) - 1.0) * bell(x))),
-            largest: hyab(hunt_lab([0.0, 1.0, 0.0]), hunt_lab([0.0, 0.0, 1.0]))
-                .powf(COLOUR_EXPONENT),
+            largest: libm::pow(
+                hyab(hunt_lab([0.0, 1.0, 0.0]), hunt_lab([0.0, 0.0, 1.0])),
+                COLOUR_EXPONENT,
+            ),
         }
     }
 }
@@ -207,11 +213,11 @@ pub(super) fn flip(a: &Srgb8, b: &Srgb8, pixels_per_degree: f64) -> f64 {
         let b = Seen::new(b, rows, &filters);
         (0..a.colours.len())
             .map(|i| {
-                let colour = hyab(a.colours[i], b.colours[i]).powf(COLOUR_EXPONENT);
+                let colour = libm::pow(hyab(a.colours[i], b.colours[i]), COLOUR_EXPONENT);
                 let edge = (a.edges[i] - b.edges[i]).abs();
                 let point = (a.points[i] - b.points[i]).abs();
-                let feature = (FRAC_1_SQRT_2 * edge.max(point)).powf(FEATURE_EXPONENT).min(1.0);
-                spread(colour, filters.largest).powf(1.0 - feature)
+                let feature = libm::pow(FRAC_1_SQRT_2 * edge.max(point), FEATURE_EXPONENT).min(1.0);
+                libm::pow(spread(colour, filters.largest), 1.0 - feature)
             })
             .sum()
     });

@@ -29,7 +29,7 @@ impl Amplify {
             Self::Fit => {
                 let finite = differences.filter(|difference| difference.is_finite());
                 let max = finite.fold(0.0, f64::max);
-                Ok(if max > 0.0 { (-max.log2().ceil()).exp2() } else { 1.0 })
+                Ok(if max > 0.0 { libm::exp2(-libm::log2(max).ceil()) } else { 1.0 })
             }
         }
     }

@@ -51,7 +51,7 @@ fn luma(codes: &[u8; 3]) -> f64 {
 fn window(side_px: usize) -> Vec<f64> {
     let len = side_px.min(WINDOW_PX);
     let centre = 0.5 * cast::f64_of_len(len - 1);
-    let weight = |i| (-0.5 * ((cast::f64_of_len(i) - centre) / SIGMA_PX).powi(2)).exp();
+    let weight = |i| libm::exp(-0.5 * ((cast::f64_of_len(i) - centre) / SIGMA_PX).powi(2));
     let weights: Vec<f64> = (0..len).map(weight).collect();
     let sum: f64 = weights.iter().sum();
     weights.iter().map(|weight| weight / sum).collect()

@@ -218,7 +218,7 @@ impl Setup {
             // All in one place still have a scale.
             let half = (0.5 * (high - low)).max_element().max(1e-18);
             // A power of two, so that scaling rounds nothing.
-            let scale = (stage.reach(port) / half).log2().floor().exp2();
+            let scale = libm::exp2(libm::log2(stage.reach(port) / half).floor());
             Place { middle: 0.5 * (low + high), scale }
         };
         let places = |[positions, uvs]: [[DVec3; 2]; 2]| {

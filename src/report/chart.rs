@@ -129,8 +129,8 @@ impl Scale {
     ) -> Self {
         let place = |x: f64| match along {
             Along::Linear => x,
-            Along::Log2 => x.log2(),
-            Along::Log10 => x.log10(),
+            Along::Log2 => libm::log2(x),
+            Along::Log10 => libm::log10(x),
         };
         let placed = numbers.clone().map(place).filter(|x| x.is_finite());
         let lo = placed.clone().fold(f64::INFINITY, f64::min);
@@ -156,8 +156,8 @@ impl Scale {
     fn at(&self, x: f64) -> i32 {
         let placed = match self.along {
             Along::Linear => x,
-            Along::Log2 => x.log2(),
-            Along::Log10 => x.log10(),
+            Along::Log2 => libm::log2(x),
+            Along::Log10 => libm::log10(x),
         };
         // The logarithm of 0 is -∞ and of negative numbers NaN: both go to the lower edge.
         let placed = if placed.is_nan() { self.lo } else { placed.clamp(self.lo, self.hi) };
@@ -170,14 +170,14 @@ impl Scale {
         let most = ((self.to_px - self.from_px).abs() / room_px).max(2.0);
         let numbers: Vec<f64> = match self.along {
             Along::Linear => {
-                let step = 10f64.powf(step_above(((self.hi - self.lo) / most).log10()));
+                let step = libm::exp10(step_above(libm::log10((self.hi - self.lo) / most)));
                 let (first, last) = (whole(self.lo / step, true), whole(self.hi / step, false));
                 (first..=last).map(|i| cast::f64_of(i) * step).collect()
             }
             Along::Log2 => {
                 let (first, last) = (whole(self.lo, true), whole(self.hi, false));
                 let stride = 1 + cast::usize_of(cast::f64_of(last - first) / most);
-                (first..=last).step_by(stride).map(|i| cast::f64_of(i).exp2()).collect()
+                (first..=last).step_by(stride).map(|i| libm::exp2(cast::f64_of(i))).collect()
             }
             Along::Log10 => {
                 let (first, last) = (whole(self.lo, false), whole(self.hi, true));
@@ -191,7 +191,7 @@ impl Scale {
                     // Through text, so that 0.002 is the nearest to 0.002.
                     .filter_map(|(m, decade)| format!("{m}e{decade}").parse::<f64>().ok())
                     .filter(|x| {
-                        let placed = x.log10();
+                        let placed = libm::log10(*x);
                         placed >= self.lo - CLOSE && placed <= self.hi + CLOSE
                     })
                     .collect()
@@ -294,7 +294,7 @@ impl<'a> Canvas<'a> {
         let mut phase = 0.0;
         for pair in points.windows(2) {
             let [a, b] = [pair[0], pair[1]].map(|(x, y)| (f64::from(x), f64::from(y)));
-            let length = (b.0 - a.0).hypot(b.1 - a.1);
+            let length = libm::hypot(b.0 - a.0, b.1 - a.1);
             let at = |along: f64| {
                 let share = along / length;
                 let x = a.0 + share * (b.0 - a.0);
@@ -467,7 +467,7 @@ impl Chart {
 /// A place on the way from `a` to `b`, `px` from `a`.
 fn toward(a: Place, b: Place, px: i32) -> Place {
     let (dx, dy) = (f64::from(b.0 - a.0), f64::from(b.1 - a.1));
-    let share = f64::from(px) / dx.hypot(dy).max(1.0);
+    let share = f64::from(px) / libm::hypot(dx, dy).max(1.0);
     (a.0 + cast::pixel_of(share * dx), a.1 + cast::pixel_of(share * dy))
 }
 

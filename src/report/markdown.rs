@@ -245,7 +245,7 @@ pub(super) fn short(x: f64) -> String {
     if x == 0.0 || !x.is_finite() {
         return x.to_string();
     }
-    let exponent = x.abs().log10().floor();
+    let exponent = libm::log10(x.abs()).floor();
     if (-4.0..6.0).contains(&exponent) {
         let digits = crate::cast::usize_of(3.0 - exponent);
         format!("{x:.digits$}")

@@ -163,7 +163,7 @@ fn error_vs_axis(record: &Record, rows: &[Row<'_>]) -> Option<(&'static str, Cha
     let is_table = table.is_some();
     let x_of = |row: &Row<'_>| {
         let number = row.point.number(&axis.key)?;
-        Some(if is_table { number.exp2() } else { number })
+        Some(if is_table { libm::exp2(number) } else { number })
     };
     let (file, title, x) = if is_table {
         let what = format!("table size before folding (2^{} entries)", axis.key);

@@ -150,7 +150,7 @@ impl TextureTransform {
     /// Where it moves (u, v), v down: scaled, turned, then moved. The matrix that the extension's text prints turns
     /// the other way than its words, its example and every viewer do (KhronosGroup/glTF issue 1563).
     fn apply(&self, uv: DVec2) -> DVec2 {
-        let (sin, cos) = self.rotation.sin_cos();
+        let (sin, cos) = libm::sincos(self.rotation);
         let turn = DMat2::from_cols_array(&[cos, -sin, sin, cos]);
         turn * (DVec2::from_array(self.scale) * uv) + DVec2::from_array(self.offset)
     }

@@ -122,10 +122,10 @@ pub use trace::{CURVED, Fragments};
 
 use crate::error::{Error, Result};
 use crate::input;
-use glam::{DQuat, DVec3};
+use crate::trig::rotation;
+use glam::DVec3;
 use normals::Normals;
 use serde::Deserialize;
-use std::f64::consts::TAU;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -467,7 +467,7 @@ impl Scene {
         let mut scene = self.clone();
         if let Some(orbit) = scene.orbit.take() {
             let part = f64::from(number) / f64::from(orbit.frames);
-            let turned = DQuat::from_axis_angle(orbit.axis, TAU * orbit.turns * part);
+            let turned = rotation(orbit.axis, orbit.turns * part);
             let place = &mut scene.lights[orbit.light].place;
             *place = match *place {
                 Place::Direction(direction) => Place::Direction((turned * direction).normalize()),

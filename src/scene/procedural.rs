@@ -153,8 +153,8 @@ fn brick(u: f64, v: f64) -> (DVec3, f64) {
 
 /// A world by noise on the sphere.
 fn earth(u: f64, v: f64) -> (DVec3, f64) {
-    let (sin_az, cos_az) = (TAU * u).sin_cos();
-    let (sin_theta, cos_theta) = (PI * (1.0 - v)).sin_cos();
+    let (sin_az, cos_az) = libm::sincos(TAU * u);
+    let (sin_theta, cos_theta) = libm::sincos(PI * (1.0 - v));
     let p = DVec3::new(sin_theta * cos_az, sin_theta * sin_az, cos_theta);
     // Coasts fray because the place where land is looked up is itself moved by noise.
     let moved = |seed| fbm(2.1 * p + DVec3::splat(3.7), FREE, 4, seed);

@@ -184,7 +184,7 @@ impl Rays {
         let right = forward.cross(camera.up.normalize()).normalize();
         let top = right.cross(forward);
         let (reach, perspective) = match camera.projection {
-            Projection::Perspective { fov_degrees } => ((fov_degrees * PI / 360.0).tan(), true),
+            Projection::Perspective { fov_degrees } => (libm::tan(fov_degrees * PI / 360.0), true),
             Projection::Orthographic { height } => (0.5 * height, false),
         };
         let (width, height) = (f64::from(image.width), f64::from(image.height));
@@ -726,16 +726,16 @@ impl Ball {
     fn at(&self, ray: &Ray, t: f64) -> Seen {
         let met = self.inverse * (ray.origin + t * ray.direction - self.offset);
         let p = met.normalize();
-        let rho = p.x.hypot(p.y);
+        let rho = libm::hypot(p.x, p.y);
         // On a pole the azimuth is 0, whatever the signs of its zeros.
         let (azimuth, east) = if rho == 0.0 {
             (0.0, DVec3::Y)
         } else {
-            (p.y.atan2(p.x), DVec3::new(-p.y / rho, p.x / rho, 0.0))
+            (libm::atan2(p.y, p.x), DVec3::new(-p.y / rho, p.x / rho, 0.0))
         };
         let turns = azimuth / TAU;
         let u = if turns < 0.0 { turns + 1.0 } else { turns };
-        let v = 1.0 - rho.atan2(p.z) / PI;
+        let v = 1.0 - libm::atan2(rho, p.z) / PI;
         self.seen(p, east, DVec2::new(u, v))
     }
 

@@ -226,7 +226,7 @@ fn stated(values: &Values) -> Bounds {
         let last = bounds.last_mut().expect("bug: it was put there");
         last.quantities = if polar { &["lt_angle"] } else { &["lt_x", "lt_y", "lt_z"] };
     }
-    illumination::restricted(values, bounds)
+    Bounds::Stated(illumination::restricted(values, bounds))
 }
 
 fn angle_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {

@@ -214,7 +214,7 @@ pub(super) fn draw_words(
             let value = if evenly {
                 low + (high - low) * uniform.draw()
             } else {
-                let size = high * (-uniform.draw() * f64::from(format.bits())).exp2();
+                let size = high * libm::exp2(-uniform.draw() * f64::from(format.bits()));
                 if uniform.draw() < 0.5 && format.is_signed() { -size } else { size }
             };
             column.push(value);

@@ -32,16 +32,17 @@ use super::normalise::{Block, NORM_BITS, block, direction_error, narrowed, unit_
 use super::plan::{self, number, rounding_ulp};
 use super::rsqrt::{ROOT_ADDR_BITS, ROOT_FRAC_BITS, ROOT_SCHEME, Root, length_error};
 use super::{
-    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Shape, Uniform, Unit,
-    Values,
+    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Scale, Shape, Uniform,
+    Unit, Values,
 };
 use crate::cast;
 use crate::error::Result;
 use crate::format::{Format, Overflow, Round, quantize};
 use crate::netlist::{Builder, Netlist, NodeId, Quantity};
 use crate::schedule::{Binding, BoundOperation, BoundUnit, Kind as Shared};
-use crate::trig::Real;
-use glam::{DMat3, DQuat, DVec3};
+use crate::trig::{Real, rotation, sin_cos_turns};
+use glam::{DMat3, DVec3};
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// The unit.
@@ -497,7 +498,7 @@ fn build(values: &Values) -> Result<Design> {
     }
     let mut groups = Group::ports(&netlist, &names);
     for group in &mut groups[..2] {
-        group.shape = Shape::Scaled { texels: Some(values.bits("texture_size")) };
+        group.shape = Shape::Scaled { scales: SCALES, texels: Some(values.bits("texture_size")) };
     }
     let mut hard = hard_cases(&netlist);
     hard.extend(extremes(&netlist));
@@ -714,6 +715,11 @@ fn bounds(values: &Values, switches: Switches) -> Bounds {
     Bounds::Stated(bounds)
 }
 
+const SCALES: &[Scale] = &[Scale {
+    name: "relative",
+    what: "the vector's length times its factor, each 1/4 where it is less",
+}];
+
 /// The least vector, and the least factor, that a relative error is told of; below, it is told of
 /// this.
 const LEAST: f64 = 0.25;
@@ -753,7 +759,7 @@ impl Errors {
                 (unit_error(values, worst), vector_rounding(values), longest())
             }
             (Frame::Matrix, false) => {
-                let limit = 2.0 * f64::from(values.bits("matrix_int_bits")).exp2();
+                let limit = 2.0 * libm::exp2(values.bits("matrix_int_bits").into());
                 (0.0, vector_rounding(values), 3.0 * 3f64.sqrt() * limit)
             }
             (Frame::Given, false) => (0.0, 0.0, longest()),
@@ -824,7 +830,7 @@ impl Errors {
 
 /// Texture coordinates are below this in magnitude.
 fn texture_limit(values: &Values) -> f64 {
-    f64::from(values.bits("texture_int_bits")).exp2()
+    libm::exp2(values.bits("texture_int_bits").into())
 }
 
 /// The golden model. Scales are |v| and |k|, each no less than ¼, in product.
@@ -966,13 +972,13 @@ impl Vertex {
     fn random(uniform: &mut Uniform) -> Self {
         let mut sphere = || {
             let (z, turns) = (1.0 - 2.0 * uniform.draw(), uniform.draw());
-            let (sin, cos) = (turns * std::f64::consts::TAU).sin_cos();
+            let (sin, cos) = sin_cos_turns(turns);
             let across = (1.0 - z * z).sqrt();
             DVec3::new(across * cos, across * sin, z)
         };
         let (axis, tangent, other, direction) = (sphere(), sphere(), sphere(), sphere());
-        let rotation = DQuat::from_axis_angle(axis, std::f64::consts::TAU * uniform.draw());
-        let scale = (2.0 * uniform.draw() - 1.0).exp2();
+        let rotation = rotation(axis, uniform.draw());
+        let scale = libm::exp2(2.0 * uniform.draw() - 1.0);
         let mirror = if uniform.draw() < 0.5 { DVec3::new(1.0, 1.0, -1.0) } else { DVec3::ONE };
         let right = tangent.cross(other).normalize_or(tangent.any_orthonormal_vector());
         let (mut tangent, mut binormal) = (tangent, right);
@@ -982,7 +988,7 @@ impl Vertex {
             tangent *= 0.75 + 0.5 * uniform.draw();
         }
         let vertex = DVec3::from_array([(); 3].map(|()| 2000.0 * uniform.draw() - 1000.0));
-        let distance = (16.0 * uniform.draw() - 6.0).exp2();
+        let distance = libm::exp2(16.0 * uniform.draw() - 6.0);
         Self {
             matrix: DMat3::from_quat(rotation) * DMat3::from_diagonal(mirror) * scale,
             tangent,
@@ -1038,7 +1044,7 @@ pub(super) fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
         port.map(|port| netlist.node(netlist.inputs()[port]).format.ulp())
     };
     let far = 1e9; // past every position
-    let turn = DMat3::from_quat(DQuat::from_axis_angle(DVec3::new(0.6, 0.0, 0.8), 1.0));
+    let turn = DMat3::from_quat(rotation(DVec3::new(0.6, 0.0, 0.8), 1.0 / TAU));
     let vertex = Vertex {
         matrix: turn,
         tangent: DVec3::new(0.48, 0.6, 0.64),
@@ -1068,7 +1074,7 @@ pub(super) fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
             [at(*axis * far + tiny, DVec3::ZERO), at(-*axis * far - tiny, DVec3::ZERO)]
         });
         list.push(cases("L with one huge and two tiny components", uneven.collect()));
-        let distances = (-6..=10).map(|k| f64::from(k).exp2());
+        let distances = (-6..=10).map(|k| libm::exp2(k.into()));
         let direction = DVec3::new(0.48, -0.6, 0.64);
         list.push(cases(
             "lights from 2^-6 to 2^10 away",

@@ -8,7 +8,7 @@ use super::illumination::{
     intensity_bound, light_ports, specular_bound,
 };
 use super::plan::{Plan, rounding_ulp};
-use super::{Bound, BoundFn, Design, Group, Param, Shape, Unit, Values, fragment, setup};
+use super::{Bound, BoundFn, Bounds, Design, Group, Param, Shape, Unit, Values, fragment, setup};
 use crate::cast;
 use crate::error::Result;
 use crate::format::{Format, Overflow, Round, quantize};
@@ -93,7 +93,7 @@ fn build(values: &Values) -> Result<Design> {
         netlist: Arc::new(netlist),
         golden: golden::<f64>,
         golden_f32: golden::<f32>,
-        bounds: illumination::restricted(values, bounds),
+        bounds: Bounds::Within(setup::INPUTS, illumination::restricted(values, bounds)),
         tabulated,
         draw: fragment::draw,
         binding: None,

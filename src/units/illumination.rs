@@ -8,7 +8,7 @@
 //! - `kim`: eqs (3), (4), as Kim et al. 2001: 5 sines and cosines and 3 multipliers;
 //! - `cartesian`: the plain dot product of components, 3 multipliers.
 //!
-//! A rounded dot product can pass 1, so it has a guard bit, and saturates where it indexes a light
+//! A rounded dot product can pass 1, so it has a guard bit; from 1 on, light is a constant beside the
 //! table. Where it is negative there is ambient light alone.
 
 use super::plan::{self, Plan, angle, number, rounding_ulp, scheme_of};
@@ -22,7 +22,7 @@ use crate::function::Function;
 use crate::lut;
 use crate::netlist::{Builder, Netlist, NodeId, Quantity};
 use crate::op::Meaning;
-use crate::trig::Real;
+use crate::trig::{Real, acos_turns};
 use std::sync::Arc;
 
 /// The unit.
@@ -283,15 +283,18 @@ pub(super) fn table(
         b.xor(towards, one)
     };
     let index = b.mux(away, zero, dot);
-    // 1.0 has no code; 0 <= index < 1.
     let frac = cast::signed_count(plan.frac_bits);
     let index = b.narrow(
         index,
-        Format::unsigned(plan.frac_bits, frac)?,
-        Round::Floor, // there is nothing to round
+        Format::unsigned(plan.frac_bits + 1, frac)?, // 0 <= index < 2
+        Round::Floor,                                // there is nothing to round
         Overflow::Saturate,
     );
     b.name(index, &format!("{name}_index"));
+    // The table ends below 1: light at 1, the middle of a highlight, is a constant of its own.
+    let facing = b.slice(index, plan.frac_bits, 1);
+    let fraction = b.slice(index, 0, plan.frac_bits);
+    let fraction = b.shift(fraction, -frac);
     let tabulated = Tabulated {
         name,
         functions: vec![function],
@@ -301,12 +304,17 @@ pub(super) fn table(
         origin: 0.0,
         output,
         round: plan.round,
-        argument: b.format(index),
+        argument: b.format(fraction),
     };
-    let light = lut::emit(b, &tabulated.spec(), index)[0];
+    let light = lut::emit(b, &tabulated.spec(), fraction)[0];
     plan.tabulated.push(tabulated);
-    let dark = quantize(offset.get(), output, Round::HalfEven, Overflow::Saturate)?.0;
-    let dark = b.constant(dark, output);
+    let constant = |b: &mut Builder, value: f64| -> Result<NodeId> {
+        let word = quantize(value, output, Round::HalfEven, Overflow::Saturate)?.0;
+        Ok(b.constant(word, output))
+    };
+    let (bright, dark) = (constant(b, function.eval(1.0))?, constant(b, offset.get())?);
+    let light = b.mux(facing, bright, light);
+    b.means(light, Meaning::Apply(function, index));
     let light = b.mux(away, dark, light);
     if exponent > 0 {
         // The function is its offset there, to more places than the constant.
@@ -405,11 +413,11 @@ fn light_bounds(values: &Values) -> Bounds {
     ];
     let mut bounds = vec![DOT_BOUND];
     bounds.extend_from_slice(light);
-    restricted(values, bounds)
+    Bounds::Stated(restricted(values, bounds))
 }
 
 /// Bounds of what there is without the highlight.
-pub(super) fn restricted(values: &Values, mut bounds: Vec<Bound>) -> Bounds {
+pub(super) fn restricted(values: &Values, mut bounds: Vec<Bound>) -> Vec<Bound> {
     if values.choice("highlight") == "off" {
         for bound in &mut bounds {
             if bound.quantities == DOTS {
@@ -418,7 +426,7 @@ pub(super) fn restricted(values: &Values, mut bounds: Vec<Bound>) -> Bounds {
         }
         bounds.retain(|bound| bound.what != "specular");
     }
-    Bounds::Stated(bounds)
+    bounds
 }
 
 fn ulp(bits: u32) -> f64 {
@@ -451,21 +459,19 @@ pub(super) fn corrected_dot_bound(worst: &dyn Fn(&str) -> f64) -> f64 {
     e + e + (1.0 + e) * e
 }
 
-/// Of the diffuse light, from the dot product's bound: its slope is kd. An index of 1 saturates one
+/// Of the diffuse light, from the dot product's bound: its slope is kd. Light of 1 saturates one
 /// place lower.
 pub(super) fn diffuse_bound(values: &Values, worst: &dyn Fn(&str) -> f64, dot: f64) -> f64 {
-    let index = dot + ulp(values.bits("frac_bits"));
-    worst("diffuse") + values.real("diffuse") * index + ulp(values.bits("light_bits"))
+    worst("diffuse") + values.real("diffuse") * dot + ulp(values.bits("light_bits"))
 }
 
 /// Of the specular light: what the dot product's bound makes of its power, and all of it ks. With
 /// an exponent of 0 it jumps at a right angle.
 pub(super) fn specular_bound(values: &Values, worst: &dyn Fn(&str) -> f64, dot: f64) -> f64 {
-    let index = dot + ulp(values.bits("frac_bits"));
     let slope = match values.bits("exponent") {
         0 => 1.0,
         // (x + d)^n - x^n is largest where x + d = 1.
-        n => 1.0 - (1.0 - index.min(1.0)).powi(i32::try_from(n).expect("bug: at most 255")),
+        n => 1.0 - (1.0 - dot.min(1.0)).powi(i32::try_from(n).expect("bug: at most 255")),
     };
     worst("specular") + values.real("specular") * slope + ulp(values.bits("light_bits"))
 }
@@ -565,7 +571,7 @@ fn hard_cases(values: &Values, cartesian: bool) -> Vec<HardCase> {
         let cells = 1i64 << values.bits(size).min(12);
         for cell in 0..=cells {
             let cosine = cast::f64_of(cell) / cast::f64_of(cells);
-            let angle = cosine.acos() / std::f64::consts::TAU * cast::f64_of(turn);
+            let angle = acos_turns(cosine) * cast::f64_of(turn);
             let word = cast::i64_of(angle.round());
             joints.extend(near(word).map(|t| [(0, t), (0, t), (0, 0)]));
         }

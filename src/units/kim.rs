@@ -12,7 +12,7 @@ use super::illumination::{
 };
 use super::plan::{self, Plan, angle, number, rounding_ulp};
 use super::rotation::{converted_bound, to_polar};
-use super::{Bound, BoundFn, Design, Group, Kind, Param, Shape, Unit, Values, fragment};
+use super::{Bound, BoundFn, Bounds, Design, Group, Kind, Param, Shape, Unit, Values, fragment};
 use crate::cast;
 use crate::error::Result;
 use crate::format::{Format, Overflow};
@@ -111,7 +111,7 @@ fn build(values: &Values) -> Result<Design> {
         netlist: Arc::new(netlist),
         golden: golden::<f64>,
         golden_f32: golden::<f32>,
-        bounds: illumination::restricted(values, bounds),
+        bounds: Bounds::Stated(illumination::restricted(values, bounds)),
         tabulated,
         draw: fragment::draw,
         binding: None,

@@ -304,8 +304,8 @@ fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
     // Sines and cosines of the polar form of N; at a pole its azimuth is 0, and so is that of 0.
     let mut world = [vec![zero; len], vec![zero; len], vec![zero; len]];
     for i in 0..len {
-        let across = nx[i].hypot(ny[i]);
-        let length = across.hypot(nz[i]);
+        let across = (nx[i] * nx[i] + ny[i] * ny[i]).sqrt();
+        let length = (across * across + nz[i] * nz[i]).sqrt();
         let (cos_phi, sin_phi) =
             if across > zero { (nx[i] / across, ny[i] / across) } else { (one, zero) };
         let (cos_theta, sin_theta) =

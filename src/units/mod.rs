@@ -409,7 +409,46 @@ impl Values {
     /// # Errors
     /// If these values don't go together, or a word would be wider than 63 bits.
     pub fn build(&self) -> Result<Design> {
-        (self.unit.build)(self)
+        (self.unit.build)(self).map_err(|error| self.with_remedy(error))
+    }
+
+    /// An error of a word that is too wide, with the parameters that make it narrower.
+    fn with_remedy(&self, error: Error) -> Error {
+        let (node, place, needed) = match error.bits_needed() {
+            Some((node, place, bits)) if bits > Format::MAX_BITS => (node, place, bits),
+            Some(_) | None => return error,
+        };
+        let narrower = |step: i64, (index, param): (usize, &Param)| -> Option<String> {
+            let (Kind::Int { min, max, .. }, Value::Int(number)) = (param.kind, self.values[index])
+            else {
+                return None;
+            };
+            let changed = (number + step).clamp(min, max);
+            let mut other = self.clone();
+            other.values[index] = Value::Int(changed);
+            let helps = changed != number
+                && match (self.unit.build)(&other) {
+                    Ok(_) => true,
+                    // Another node is the next one that is too wide: the first one isn't any more.
+                    Err(other) => other.bits_needed().is_some_and(|(other, later, bits)| {
+                        bits < needed || (other != node && later > place)
+                    }),
+                };
+            helps.then(|| format!("`{}`", param.name))
+        };
+        let all = |step| -> Vec<String> {
+            self.unit.params.iter().enumerate().filter_map(|param| narrower(step, param)).collect()
+        };
+        // Where one bit shows nothing, many may: sums of many terms pass the limit at another term.
+        let steps = [(-1, "lower"), (-64, "lower"), (1, "raise")];
+        let mut remedies = steps.into_iter().filter_map(|(step, verb)| {
+            let names = all(step);
+            (!names.is_empty()).then(|| format!("{verb} {}", names.join(" or ")))
+        });
+        match remedies.next() {
+            Some(remedy) => error.with_remedy(remedy),
+            None => error,
+        }
     }
 }
 
@@ -423,9 +462,18 @@ impl Design {
     /// Number of the golden model's columns: those of all groups, then the scales.
     #[must_use]
     pub fn golden_columns(&self) -> usize {
-        let scaled = |group: &&Group| matches!(group.shape, Shape::Scaled { .. });
-        self.groups.iter().map(|group| group.shape.columns().len()).sum::<usize>()
-            + self.groups.iter().filter(scaled).count()
+        let columns = |shape: Shape| shape.columns().len() + shape.scales().len();
+        self.groups.iter().map(|group| columns(group.shape)).sum()
+    }
+
+    /// What the errors of some quantities are told over, by the quantities' names.
+    #[must_use]
+    pub fn scales(&self) -> Vec<(String, &'static str)> {
+        let of = |group: &Group| -> Vec<(String, &'static str)> {
+            let scales = group.shape.scales().iter();
+            scales.map(|scale| (prefixed(group.name, scale.name), scale.what)).collect()
+        };
+        self.groups.iter().flat_map(of).collect()
     }
 
     /// Values that a row of golden columns means for the judged nodes.
@@ -521,16 +569,36 @@ pub enum Shape {
     Polar,
     /// A number; the golden gives it.
     Scalar,
-    /// A number whose error counts beside a scale of its own: absolute and, as `NAME_relative`, over
-    /// the scale. The golden gives it, and its scale in
-    /// a column of its own after those of all groups.
+    /// A number whose error counts beside scales of its own: absolute and, as `NAME_SCALE`, over
+    /// each of them. The golden gives it, and its scales in
+    /// columns of their own after those of all groups.
     Scaled {
+        /// The scales.
+        scales: &'static [Scale],
         /// Texels of a texture whose coordinate it moves: the error is also told in them.
         texels: Option<u32>,
     },
 }
 
+/// What an error is told over.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Scale {
+    /// Name after the quantity's.
+    pub name: &'static str,
+    /// What it is, in words: errors are told over that.
+    pub what: &'static str,
+}
+
 impl Shape {
+    /// Its scales.
+    #[must_use]
+    pub fn scales(self) -> &'static [Scale] {
+        match self {
+            Self::Scaled { scales, .. } => scales,
+            Self::Cartesian | Self::Polar | Self::Scalar => &[],
+        }
+    }
+
     /// How many nodes it takes.
     #[must_use]
     pub fn nodes(self) -> usize {
@@ -561,8 +629,8 @@ impl Shape {
     pub fn of_golden(self, golden: &[f64]) -> Vec<f64> {
         match (self, golden) {
             (Self::Polar, [x, y, z]) => {
-                let phi = (y.atan2(*x) / TAU).rem_euclid(1.0) + 0.0; // -0 becomes 0
-                vec![phi, x.hypot(*y).atan2(*z) / TAU]
+                let phi = (libm::atan2(*y, *x) / TAU).rem_euclid(1.0) + 0.0; // -0 becomes 0
+                vec![phi, libm::atan2(libm::hypot(*x, *y), *z) / TAU]
             }
             (Self::Cartesian | Self::Scalar | Self::Scaled { .. } | Self::Polar, _) => {
                 golden.to_vec()
@@ -660,6 +728,8 @@ impl fmt::Debug for Bound {
 pub enum Bounds {
     /// These.
     Stated(Vec<Bound>),
+    /// These, for such inputs only.
+    Within(&'static str, Vec<Bound>),
     /// Nothing, and why.
     Unstated(&'static str),
 }

@@ -49,7 +49,7 @@ fn build(values: &Values) -> Result<Design> {
         netlist: Arc::new(netlist),
         golden: golden::<f64>,
         golden_f32: golden::<f32>,
-        bounds: Bounds::Stated(vec![setup::bound(QUANTITIES)]),
+        bounds: Bounds::Within(setup::INPUTS, vec![setup::bound(QUANTITIES)]),
         tabulated,
         draw: fragment::draw,
         binding: None,

@@ -37,7 +37,7 @@ pub(crate) fn opposite(b: &mut Builder, angle: NodeId) -> NodeId {
 /// Angle and length of (x, y) by CORDIC in vectoring mode: adders and wires only.
 ///
 /// |x|, |y| < 2 with |(x, y)| * gain < 4; steps drop bits toward minus infinity. Works
-/// with `work_bits` fraction bits, and `angle_bits` of them in the angle.
+/// with `work_bits` fraction bits, and `angle_bits` of them in the angle. (0, 0) gives angle 0.
 pub(crate) fn cordic(
     b: &mut Builder,
     y: NodeId,
@@ -50,6 +50,9 @@ pub(crate) fn cordic(
     let work = b.checked(work); // -4 <= word < 4
     let fit = |b: &mut Builder, node| b.narrow(node, work, Round::Floor, Overflow::Saturate);
     let (mut cx, mut cy) = (fit(b, x), fit(b, y));
+    let zero = b.constant(0, Format::FLAG);
+    let (no_x, no_y) = (b.equal(cx, zero), b.equal(cy, zero));
+    let nowhere = b.and(no_x, no_y);
     let behind = b.negative(cx);
     let (minus_x, minus_y) = (b.neg(cx), b.neg(cy));
     cx = b.mux(behind, minus_x, cx);
@@ -59,14 +62,20 @@ pub(crate) fn cordic(
 
     let turns = b.checked(Format::signed_turns(angle_bits)); // -½ <= angle < ½; the sum of all steps is below 0.28
     let one = b.constant(1, Format::FLAG);
-    let mut angle = b.constant(0, turns);
+    let step_of = |i: i32| {
+        let turns = libm::atan(2f64.powi(-i)) / TAU;
+        cast::i64_of((turns * 2f64.powi(cast::signed_count(angle_bits))).round())
+    };
+    // No step turns the zero vector, so each adds its angle: that one starts as far back.
+    let all_steps: i64 = (0..cast::signed_count(iterations)).map(step_of).sum();
+    let (back, start) = (b.constant(-all_steps, turns), b.constant(0, turns));
+    let mut angle = b.mux(nowhere, back, start);
     for i in 0..cast::signed_count(iterations) {
         let below = b.negative(cy);
         let above = b.xor(below, one);
         let (dx, dy) = (b.shift(cy, -i), b.shift(cx, -i));
         let (next_x, next_y) = (b.addsub(below, cx, dx), b.addsub(above, cy, dy));
-        let step = (2f64.powi(-i).atan() / TAU * 2f64.powi(cast::signed_count(angle_bits))).round();
-        let step = b.constant(cast::i64_of(step), turns);
+        let step = b.constant(step_of(i), turns);
         let sum = b.addsub(below, angle, step);
         angle = b.narrow(sum, turns, Round::Floor, Overflow::Saturate);
         cx = fit(b, next_x);

@@ -20,7 +20,7 @@ use crate::function::Function;
 use crate::netlist::{Builder, NodeId, Quantity};
 use crate::op::Meaning;
 use crate::simd::{Body, vectorised};
-use crate::trig::{Real, acos_turns, sin_cos_turns};
+use crate::trig::{Real, acos_turns, asin_turns, atan_turns, sin_cos_turns};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -520,7 +520,7 @@ pub(super) fn converted_bound(
     // a plane vector of length s turns it by asin(plane / s) where plane < s, and else by anything.
     // For the polar angle s is the vector's length; for the azimuth it is sin theta times that, but
     // the azimuth turns the vector by sin theta times as much only: by twice `plane` at most.
-    let turned = |plane: f64| (plane / length).min(1.0).asin();
+    let turned = |plane: f64| libm::asin((plane / length).min(1.0));
     let (azimuth, polar) = if cordic {
         // x, y and the angle keep `cordic_frac_bits`, so all dropped bits stay below one ulp of
         // what they stand for. The last step leaves at most its own angle undone.
@@ -528,7 +528,7 @@ pub(super) fn converted_bound(
         let rest = 2f64.powi(1 - cast::signed_count(iterations));
         let dropped = 2.0 * turned(2.0 * work_ulp) + TAU * work_angle_ulp;
         // That rest also shortens the length that the polar angle starts from, by 1 - cos of it.
-        (rest + dropped, rest + dropped + turned(1.0 - rest.cos()))
+        (rest + dropped, rest + dropped + turned(1.0 - libm::cos(rest)))
     } else {
         // The ratio is off by the reciprocal's error, one rounding, and one ulp where it saturates
         // below 1; atan has a slope of at most 1 rad.
@@ -539,7 +539,7 @@ pub(super) fn converted_bound(
     };
     // Both angles are rounded to the port's words.
     let port = rounding * TAU * ulp(values.bits("angle_bits"));
-    (vector.asin() + azimuth + polar + 2.0 * port).min(std::f64::consts::PI)
+    (libm::asin(vector) + azimuth + polar + 2.0 * port).min(std::f64::consts::PI)
 }
 
 /// The golden model: the rotation in plain floating point, angles in turns.
@@ -698,7 +698,7 @@ fn hard_cases(values: &Values) -> Vec<HardCase> {
     // phi', whose tangent is atan's index; at theta_a = ¼ turn sin delta is y_k. The exact unit's
     // tables take the larger component, ½ to 1, and the ratio of two, 0 to 1.
     let exact = values.choice("variant") == "exact";
-    let arc = |sine: f64| at(sine.asin() / TAU);
+    let arc = |sine: f64| at(asin_turns(sine));
     let sincos_joints = joints("sincos_addr_bits", &|x| (at(x), [0; 4], 1));
     let recip_joints = joints("recip_addr_bits", &|x| {
         let angle = if exact { arc(0.5 + 0.5 * x) } else { at(x) };
@@ -708,7 +708,7 @@ fn hard_cases(values: &Values) -> Vec<HardCase> {
     let limit = 2f64.powi(cast::signed_count(atan_int_bits(values)));
     let atan_joints = joints("atan_addr_bits", &|x| {
         let tangent = if exact { x } else { limit * (2.0 * x - 1.0) };
-        (at(tangent.atan() / TAU), [0, eighth, 0, 0], 0)
+        (at(atan_turns(tangent)), [0, eighth, 0, 0], 0)
     });
     let prop_joints = joints("prop_addr_bits", &|x| {
         let sine = if values.choice("variant") == "printed" { 2.0 * x - 1.0 } else { x };

@@ -3,7 +3,8 @@
 use super::plan::{self, rounding_ulp};
 use super::root::{self, newton_error, reciprocal_root};
 use super::{
-    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Shape, Tabulated, Unit, Values,
+    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Scale, Shape, Tabulated, Unit,
+    Values,
 };
 use crate::cast;
 use crate::error::Result;
@@ -190,7 +191,7 @@ fn build(values: &Values) -> Result<Design> {
     let tabulated = root.tabulated;
     let netlist = b.build()?;
     let mut groups = Group::ports(&netlist, &["r", "degenerate"]);
-    groups[0].shape = Shape::Scaled { texels: None };
+    groups[0].shape = Shape::Scaled { scales: SCALES, texels: None };
     let bound = |what, quantities, bound: BoundFn| Bound { what, quantities, bound };
     Ok(Design {
         values: values.clone(),
@@ -200,7 +201,8 @@ fn build(values: &Values) -> Result<Design> {
         golden: golden::<f64>,
         golden_f32: golden::<f32>,
         bounds: Bounds::Stated(vec![
-            bound("relative", &["r_relative"], |v, w| root_error(v, w) + last(v)),
+            bound("relative", &["r_relative"], |v, w| root_error(v, w) + last(v) / least(v)),
+            bound("scaled", &["r_scaled"], |v, w| root_error(v, w) + last(v)),
             bound("absolute", &["r"], |v, w| root_error(v, w) * largest(v) + last(v)),
             bound("flag", &["degenerate"], |_, _| 0.0),
         ]),
@@ -210,7 +212,12 @@ fn build(values: &Values) -> Result<Design> {
     })
 }
 
-/// The last rounding; relative to 1 or more.
+const SCALES: &[Scale] = &[
+    Scale { name: "relative", what: "the result" },
+    Scale { name: "scaled", what: "the result, or 1 where it is less" },
+];
+
+/// The last rounding.
 fn last(values: &Values) -> f64 {
     rounding_ulp(values) * 2f64.powi(-cast::signed_count(values.bits("root_frac_bits")))
 }
@@ -218,10 +225,17 @@ fn last(values: &Values) -> f64 {
 /// The largest result.
 fn largest(values: &Values) -> f64 {
     let of_one_lsb = 0.5 * f64::from(values.bits("input_frac_bits"));
-    of_one_lsb.min(f64::from(values.bits("root_int_bits"))).exp2()
+    libm::exp2(of_one_lsb.min(values.bits("root_int_bits").into()))
 }
 
-/// The golden; its scale is the result, or 1 where that is less.
+/// No result but that of 0 is less.
+fn least(values: &Values) -> f64 {
+    let whole_bits =
+        f64::from(values.bits("input_bits")) - f64::from(values.bits("input_frac_bits"));
+    libm::exp2(-0.5 * whole_bits)
+}
+
+/// The golden and its scales. The error of a result of 0 is 0 over anything.
 fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
     let two = F::one() + F::one();
     let int_bits = cast::signed_count(values.bits("root_int_bits"));
@@ -232,7 +246,8 @@ fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
         let r = if zero { F::zero() } else { (F::one() / a.sqrt()).min(most) };
         outputs[0][i] = r;
         outputs[1][i] = if zero { F::one() } else { F::zero() };
-        outputs[2][i] = r.max(F::one());
+        outputs[2][i] = r;
+        outputs[3][i] = r.max(F::one());
     }
 }
 

@@ -106,7 +106,8 @@ fn normalised(b: &mut Builder, plan: &mut Plan<'_>, v: [NodeId; 3]) -> Result<[N
     let sum = b.add(x, y);
     let sum = b.add(sum, z);
     let squares = b.format(sum); // signed as all products of signed words, but never negative
-    let unsigned = Format::unsigned(squares.bits() - 1, squares.frac_bits())?;
+    let unsigned = Format::unsigned(squares.bits() - 1, squares.frac_bits());
+    let unsigned = b.checked(unsigned);
     let square = b.narrow(sum, unsigned, Round::Floor, Overflow::Saturate);
     b.name(square, "square");
     let output = number(1, plan.frac_bits)?;
@@ -166,12 +167,15 @@ fn kept_bits(work_bits: u32) -> u32 {
     (work_bits + 2).max(4)
 }
 
+/// What the bounds hold for.
+pub(super) const INPUTS: &str = "L and H in the texture frame, and N', from 1/2 to 2 long";
+
 /// The bound on each component of the unit vectors.
 pub(super) fn bound(quantities: &'static [&'static str]) -> Bound {
     Bound { what: "component", quantities, bound: component_bound as BoundFn }
 }
 
-/// Each component of L', H' and N', for vectors from ½ to 2 long after the transform.
+/// Each component of L', H' and N', for [`INPUTS`].
 pub(super) fn component_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
     let ulp = |bits: u32| 2f64.powi(-cast::signed_count(bits));
     let work_bits = values.bits("frac_bits") + values.bits("guard_bits");

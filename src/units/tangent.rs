@@ -64,9 +64,8 @@ use crate::cast;
 use crate::error::Result;
 use crate::format::{Format, Overflow, Round, quantize};
 use crate::netlist::{Builder, Netlist, NodeId, Quantity};
-use crate::trig::Real;
+use crate::trig::{Real, sin_cos_turns};
 use glam::{DVec2, DVec3};
-use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// The unit.
@@ -680,7 +679,7 @@ fn row_errors(values: &Values, worst: &dyn Fn(&str) -> f64) -> [f64; 3] {
 /// rounding.
 fn mapped_error(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
     let rows = row_errors(values, worst).iter().map(|error| error * error).sum::<f64>().sqrt();
-    let longest = 3f64.sqrt() * f64::from(values.bits("vector_int_bits")).exp2();
+    let longest = 3f64.sqrt() * libm::exp2(values.bits("vector_int_bits").into());
     let ulp = 2f64.powi(-cast::signed_count(values.bits("out_frac_bits")));
     rows * longest + 3f64.sqrt() * rounding_ulp(values) * ulp
 }
@@ -835,11 +834,11 @@ impl Triangle {
     /// texture, the normal is no more than 45° off the face's, and view and lights are on its side, ⅛ to 1 of
     /// the longest along an axis; else corners and normal are anywhere, and so are view and lights, of any word.
     fn random(values: &Values, lit: bool, uniform: &mut Uniform) -> Self {
-        let range = |name: &str| f64::from(values.bits(name)).exp2();
+        let range = |name: &str| libm::exp2(values.bits(name).into());
         let limits = ["position_int_bits", "uv_int_bits", "vector_int_bits"].map(range);
         let mut sphere = || {
             let (z, turns) = (1.0 - 2.0 * uniform.draw(), uniform.draw());
-            let (sin, cos) = (turns * TAU).sin_cos();
+            let (sin, cos) = sin_cos_turns(turns);
             let across = (1.0 - z * z).sqrt();
             DVec3::new(across * cos, across * sin, z)
         };
@@ -851,7 +850,8 @@ impl Triangle {
             let first = within(0.0, 1.0);
             [0.0, 1.0, 2.0].map(|k| {
                 let turns = sign * (first + k / 3.0 + within(-1.0, 1.0) / 12.0);
-                DVec2::from_angle(turns * TAU)
+                let (sin, cos) = sin_cos_turns(turns);
+                DVec2::new(cos, sin)
             })
         };
         let (flat, regular) = (circle(1.0), circle(1.0));
@@ -859,7 +859,7 @@ impl Triangle {
         let mut within = |low: f64, high: f64| low + (high - low) * uniform.draw();
         // Half the range for the size, half for the place.
         let [size, uv_size] =
-            [limits[0], limits[1]].map(|limit| 0.5 * limit * within(-8.0, 0.0).exp2());
+            [limits[0], limits[1]].map(|limit| 0.5 * limit * libm::exp2(within(-8.0, 0.0)));
         let mut place = |limit: f64| within(-0.5 * limit, 0.5 * limit);
         let center = DVec3::from_array([(); 3].map(|()| place(limits[0])));
         let uv_center = DVec2::from_array([(); 2].map(|()| place(limits[1])));
@@ -876,7 +876,7 @@ impl Triangle {
         let mut vectors = directions.map(|v| {
             // Without `lit` up to the corners of the words' cube, √3 of the longest along an axis away.
             let v = if lit { v } else { [(); 3].map(|()| within(-1.0, 1.0)).into() };
-            v * limits[2] * within(-3.0, 0.0).exp2()
+            v * limits[2] * libm::exp2(within(-3.0, 0.0))
         });
         let mut normal = normal;
         if lit {
@@ -1069,7 +1069,7 @@ fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
         cases("positions and textures over eight octaves of scale", {
             (0..=8)
                 .flat_map(|octave| {
-                    let scale = f64::from(-octave).exp2();
+                    let scale = libm::exp2((-octave).into());
                     let uv = [uv0, uv0 + (uv1 - uv0) * scale, uv0 + (uv2 - uv0) * scale];
                     let p = corners(e1 * scale, e2 * scale);
                     [Triangle { p, ..usual }, Triangle { uv, ..usual }, Triangle { p, uv, ..usual }]

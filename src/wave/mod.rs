@@ -397,7 +397,7 @@ impl<'a> Wave<'a> {
         let cycles = f64::from(schedule.latency() + FIRST_SAMPLES * schedule.interval());
         let width = (WAVES_WIDTH / cycles).min(CYCLE_WIDTH);
         // GTKWave draws 2^-zoom units of time in 200 pixels.
-        let zoom = -(cast::f64_of_count(self.period_ps) * 200.0 / width).log2();
+        let zoom = -libm::log2(cast::f64_of_count(self.period_ps) * 200.0 / width);
         writeln!(to, "*{zoom:.6} 0 {}", "-1 ".repeat(26).trim_end())?;
         writeln!(to, "@28\n{unit}.clk\n{unit}.rst\n{unit}.valid_in\n{unit}.valid_out")?;
         self.write_units(to)?;

@@ -27,7 +27,7 @@
 // stated bound on each dot: 2.73e-2
 // stated bound on each diffuse: 1.67e-2
 // stated bound on each specular: 1.81e-1
-// stated bound on each intensity: 1.98e-1
+// stated bound on each intensity: 1.97e-1
 // stated bound on the angle: 1.82e-2 rad
 //
 // Self-checking testbench of bump. It reads bump_vectors.txt: per line the words of the

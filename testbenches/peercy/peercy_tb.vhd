@@ -22,6 +22,7 @@
 --   np_y: mean 1.36e-6, largest seen 8.80e-6 (0.6 ulp) at l_x=1647 l_y=28987 l_z=-58754 h_x=19397 h_y=-15505 h_z=-60649 n_x=8309 n_y=10136 n_z=-64212 t_x=58689 t_y=26669 t_z=11804 b_x=27956 b_y=-59000 b_z=-5696 p_x=-9330 p_y=43692 p_z=47948
 --   np_z: mean 2.89e-6, largest seen 9.12e-6 (0.6 ulp) at l_x=-20101 l_y=-58433 l_z=21828 h_x=17471 h_y=-54069 h_z=-32654 n_x=35033 n_y=-55386 n_z=-98 t_x=46038 t_y=29056 t_z=36486 b_x=-30792 b_y=-19573 b_z=54440 p_x=13763 p_y=-11159 p_z=63096
 -- stated bound on each component: 1.81e-5
+-- bounds hold for L and H in the texture frame, and N', from 1/2 to 2 long
 --
 -- Self-checking testbench of peercy. It reads peercy_vectors.txt: per line the words of the
 -- inputs, then of the expected outputs, in hexadecimal. First all vectors go straight through,

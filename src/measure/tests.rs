@@ -1,0 +1,22 @@
+use super::*;
+use crate::simd::{Features, limit};
+use crate::units::{Sampler, UNITS};
+
+/// Inputs, words, reals, goldens and sums of every unit, bit for bit.
+#[test]
+fn figures_are_the_same_with_every_set_of_processor_features() {
+    let inputs = Inputs { sampler: Sampler::Lit, samples: 2000, seed: 7 };
+    for unit in UNITS {
+        let design = unit.defaults().build().unwrap();
+        // As text, in which each float has a text of its own and a NaN is like another.
+        let figures = |features: &Features| {
+            let measured = || measure(&[&design], &inputs, &|_| {}).unwrap();
+            format!("{:#?}", limit::to(*features, measured)[0].figures)
+        };
+        let mut of_each = Features::here().iter().map(figures);
+        let portable = of_each.next().unwrap();
+        for other in of_each {
+            assert!(other == portable, "{}:\n{portable}\n{other}", unit.name);
+        }
+    }
+}
