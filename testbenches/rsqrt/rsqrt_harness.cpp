@@ -5,10 +5,10 @@
 // latency 6 cycles, interval 1 cycle; tables read on the clock
 // absolute errors against the golden of the quantised inputs, over 65536 random inputs
 // (sampler sphere, seed 1), and the input words of the worst:
-//   r_relative: mean 1.23e-6, at most 4.83e-6 at a=269281
-//   r_scaled: mean 9.98e-7, at most 4.76e-6 at a=269281
-//   r: mean 5.17e-5, at most 1.46e-3 (383.0 ulp) at a=1
-//   degenerate: mean 0.00e0, at most 0.00e0 (0.0 ulp) at a=155754
+//   r_relative: mean 1.23e-6, largest seen 4.83e-6 at a=269281
+//   r_scaled: mean 9.98e-7, largest seen 4.76e-6 at a=269281
+//   r: mean 5.17e-5, largest seen 1.46e-3 (383.0 ulp) at a=1
+//   degenerate: mean 0.00e0, largest seen 0.00e0 (0.0 ulp) at a=155754
 // stated bound on each relative (over the result): 1.37e-5
 // stated bound on each scaled (over the result, or 1 where it is less): 1.18e-5
 // stated bound on each absolute: 5.08e-3
