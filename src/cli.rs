@@ -15,9 +15,12 @@ mod text;
 mod verify;
 
 use crate::cast;
+use crate::columns::{self, Field};
 use crate::error::{Error, Result};
+use crate::escape;
 use crate::eval;
 use crate::input;
+use crate::json;
 use crate::measure::{self, Basis, BoundCheck, Cone, Inputs, Profile, Report};
 use crate::netlist::Netlist;
 use crate::output::{self, Draft};
@@ -41,6 +44,7 @@ const MAX_THREADS: u64 = 1024;
 #[derive(Parser)]
 #[command(
     name = "fixpath",
+    bin_name = "fixpath",
     version,
     max_term_width = 100,
     after_help = "Examples:\n  \
@@ -234,6 +238,11 @@ enum Command {
     /// Check calls of a texture-coordinate interface: GXSetTexCoordGen, GL_NV_texgen_emboss.
     #[command(after_help = texgen::HELP)]
     Texgen(texgen::TexgenArgs),
+    /// Print the JSON Schema of everything that is told or written as JSON.
+    #[command(
+        after_help = "A document says what it is: its first fields are tool, version, document and schema_version.\n\nExample:\n  fixpath schema > fixpath.schema.json"
+    )]
+    Schema,
     /// Measure, waves, hardware and a sweep of built-in settings, in under half a minute.
     #[command(after_help = "Example:\n  fixpath demo --out demo_out")]
     Demo {
@@ -394,7 +403,7 @@ impl TableArgs {
 /// Tells what doesn't stop a command, and doesn't belong to its result.
 fn note(text: &str) {
     // A lost stderr changes nothing.
-    let _ = writeln!(io::stderr(), "note: {text}");
+    let _ = writeln!(io::stderr(), "note: {}", escape::message(text));
 }
 
 /// Tells of values of a table that were clipped.
@@ -445,7 +454,8 @@ fn refuse(error: &clap::Error) -> ExitCode {
     let ends = |line: &str| line.starts_with("Usage:") || line.starts_with("For more info");
     let lines = text.lines().take_while(|line| !ends(line));
     let parts: Vec<&str> = lines.map(str::trim).filter(|line| !line.is_empty()).collect();
-    let _ = writeln!(io::stderr(), "{}: `fixpath --help` tells more", parts.join(" "));
+    let told = escape::message(&parts.join(" "));
+    let _ = writeln!(io::stderr(), "{told}: `fixpath --help` tells more");
     ExitCode::from(2)
 }
 
@@ -484,14 +494,14 @@ fn run(command: &Command) -> Result<bool> {
                 Some(name) => vec![Unit::find(name)?],
                 None => UNITS.to_vec(),
             };
-            print(&if *json { pretty(&text::list_json(&units)) } else { text::list(&units) })?;
+            print(&if *json { json::text(&text::list_json(&units)) } else { text::list(&units) })?;
         }
         Command::Show { unit, json, dot } => {
             let design = unit.design()?;
             print(&if *dot {
                 design.netlist.to_dot()
             } else if *json {
-                pretty(&text::show_json(&design)?)
+                json::text(&text::show_json(&design)?)
             } else {
                 text::show(&design)?
             })?;
@@ -507,7 +517,7 @@ fn run(command: &Command) -> Result<bool> {
             bar.finish_and_clear();
             let times = profile.then_some(&measured.report.speed.profile);
             print(&if *json {
-                pretty(&with_profile(text::cone_json(&design, &cone, &measured), times))
+                json::text(&with_profile(text::cone_json(&design, &cone, &measured), times))
             } else {
                 text::cone(&design, &cone, &measured)
                     + &times.map(text::profile).unwrap_or_default()
@@ -525,7 +535,7 @@ fn run(command: &Command) -> Result<bool> {
             }
             let times = profile.then_some(&sim.report.speed.profile);
             print(&if *json {
-                pretty(&with_profile(text::sim_json(&sim), times))
+                json::text(&with_profile(text::sim_json(&sim), times))
             } else {
                 text::sim(&sim) + &times.map(text::profile).unwrap_or_default()
             })?;
@@ -605,14 +615,16 @@ fn run(command: &Command) -> Result<bool> {
             print(&told)?;
             return broken.map_or(Ok(true), Err);
         }
+        Command::Schema => print(json::SCHEMA)?,
         Command::Demo { out } => return demo::run(out),
     }
     Ok(true)
 }
 
-/// Writes to the standard output. A reader that went away is no error, and changes no verdict.
+/// Writes to the standard output, and nothing that a terminal would act on. A reader that went away is no error, and
+/// changes no verdict.
 fn print(text: &str) -> Result<()> {
-    printed(io::stdout().lock().write_all(text.as_bytes()))
+    printed(io::stdout().lock().write_all(escape::lines(text).as_bytes()))
 }
 
 /// Whether all of what was written to the standard output got there.
@@ -625,12 +637,6 @@ fn printed(written: io::Result<()>) -> Result<()> {
     }
 }
 
-fn pretty(value: &serde_json::Value) -> String {
-    let mut text = serde_json::to_string_pretty(value).expect("bug: JSON values can be written");
-    text.push('\n');
-    text
-}
-
 /// A bar on a terminal, nothing elsewhere.
 fn progress_bar(total: u64, what: &str) -> ProgressBar {
     let style = ProgressStyle::with_template(
@@ -638,7 +644,7 @@ fn progress_bar(total: u64, what: &str) -> ProgressBar {
     );
     let bar = ProgressBar::new(total);
     bar.set_style(style.expect("bug: the template is right").progress_chars("=> "));
-    bar.set_prefix(what.to_owned());
+    bar.set_prefix(escape::short(what));
     bar
 }
 
@@ -703,31 +709,31 @@ impl Sim {
 /// Every hard case, one row each.
 fn write_cases(sim: &Sim, to: &mut dyn Write, path: &Path) -> Result<()> {
     let netlist = &sim.design.netlist;
-    let mut writer = csv::Writer::from_writer(to);
-    let mut header = vec!["case".to_owned()];
-    header.extend((0..netlist.inputs().len()).map(|i| format!("{}_raw", netlist.input_name(i))));
-    let columns = measure::hard_columns(&sim.design);
+    let mut heading = vec!["case".to_owned()];
+    heading.extend((0..netlist.inputs().len()).map(|i| format!("{}_raw", netlist.input_name(i))));
+    let names = measure::hard_columns(&sim.design);
     for result in ["fixed", "f32", "f64"] {
-        header.extend(columns.iter().map(|column| format!("{column}_{result}")));
+        heading.extend(names.iter().map(|name| format!("{name}_{result}")));
     }
-    header.extend(["error", "f32_error", "bound", "holds", "quantity"].map(str::to_owned));
-    let fail = output::csv_at(path);
-    writer.write_record(&header).map_err(fail)?;
-    for group in &sim.design.hard {
-        for case in measure::hard_results(&sim.design, group, &sim.bounds) {
-            let mut row = vec![group.name.to_owned()];
-            row.extend(case.words.iter().map(ToString::to_string));
-            for numbers in [&case.fixed, &case.float32, &case.float64] {
-                row.extend(numbers.iter().map(ToString::to_string));
-            }
-            row.extend([case.error.to_string(), case.float32_error.to_string()]);
-            row.push(case.bound.map(|bound| bound.to_string()).unwrap_or_default());
-            row.push(case.holds().map(|holds| holds.to_string()).unwrap_or_default());
-            row.push(case.quantity.clone());
-            writer.write_record(&row).map_err(fail)?;
+    heading.extend(["error", "f32_error", "bound", "holds", "quantity"].map(str::to_owned));
+    let results = |group| measure::hard_results(&sim.design, group, &sim.bounds);
+    let row = |case: measure::HardResult, group: &str| {
+        let mut row = vec![Field::from(group)];
+        row.extend(case.words.iter().map(|word| Field::Word(*word)));
+        for numbers in [&case.fixed, &case.float32, &case.float64] {
+            row.extend(numbers.iter().map(|number| Field::Real(*number)));
         }
-    }
-    writer.flush().map_err(output::at(path))
+        row.extend([case.error.into(), case.float32_error.into(), case.bound.into()]);
+        row.push(case.holds().map(|holds| holds.to_string()).into());
+        row.push(case.quantity.into());
+        row
+    };
+    let rows = sim
+        .design
+        .hard
+        .iter()
+        .flat_map(|group| results(group).into_iter().map(move |case| row(case, group.name)));
+    columns::write(to, path, &heading, rows)
 }
 
 /// The most samples of a wave, which are held at once.

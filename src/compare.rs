@@ -11,11 +11,12 @@ use crate::error::{Error, Result};
 use crate::measure::{self, Basis, Inputs, Report};
 use crate::netlist::{Netlist, Part, ScopeId};
 use crate::op::Op;
-use crate::picture::{self, PIXELS_PER_DEGREE};
-use crate::render::{MATERIAL, Pipeline, render, set_material};
+use crate::picture::PIXELS_PER_DEGREE;
+use crate::render::{MATERIAL, Pipeline, check_view, render, set_material};
+use crate::report::record::assigned;
 use crate::scene::Scene;
 use crate::units::{Design, Unit};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use std::collections::BTreeSet;
 
 /// Where the paper's figures are.
@@ -409,7 +410,8 @@ pub struct Row {
     pub name: &'static str,
     /// Its unit.
     pub unit: &'static str,
-    /// Parameters that differ from the unit's defaults.
+    /// Parameters that differ from the unit's defaults, as `key=value`; in JSON as everywhere.
+    #[serde(serialize_with = "as_parameters")]
     pub parameters: Vec<String>,
     /// The paper's column.
     pub paper: Paper,
@@ -437,6 +439,11 @@ pub struct Row {
     pub images: Vec<ImageError>,
     /// Each count that is not the paper's.
     pub differences: Vec<Difference>,
+}
+
+/// Writes `key=value` as parameters by name.
+fn as_parameters<S: Serializer>(assignments: &[String], to: S) -> Result<S::Ok, S::Error> {
+    assigned(assignments).serialize(to)
 }
 
 /// How far a scene's picture is from the golden one, in linear light.
@@ -510,6 +517,19 @@ pub struct Comparison {
     pub rows: Vec<Row>,
     /// Both readings of the claim for each pipeline of the paper's authors and of this project.
     pub claims: Vec<Claim>,
+    /// Scenes that were rendered.
+    pub scenes: Vec<SceneRendered>,
+}
+
+/// A scene that was rendered.
+#[derive(Debug, Serialize)]
+pub struct SceneRendered {
+    /// Its name.
+    pub scene: String,
+    /// Pixels that see an object: what means of pictures are over.
+    pub covered_px: u64,
+    /// The other pixels.
+    pub background_px: u64,
 }
 
 /// Builds, counts and measures every architecture; `set` are `key=value` for those that have the
@@ -568,7 +588,14 @@ pub fn compare(
             paper: [LEE, KIM].map(|paper| whole(paper).map_or(0, |whole| whole.multipliers)),
         });
     }
-    Ok(Comparison { source: SOURCE, samples: inputs.samples, seed: inputs.seed, rows, claims })
+    Ok(Comparison {
+        source: SOURCE,
+        samples: inputs.samples,
+        seed: inputs.seed,
+        rows,
+        claims,
+        scenes: Vec::new(),
+    })
 }
 
 impl Comparison {
@@ -597,10 +624,15 @@ impl Comparison {
             pipelines.push(Pipeline::of_unit(row.name, unit, &row.parameters));
             of.push(at);
         }
+        check_view(&scene)?;
         let rendered = render(&scene, &pipelines, false, progress)?;
+        self.scenes.push(SceneRendered {
+            scene: name.to_owned(),
+            covered_px: rendered.covered,
+            background_px: scene.image.pixels() - rendered.covered,
+        });
         for (at, shot) in of.into_iter().zip(&rendered.shots) {
-            let d =
-                picture::Difference::between(&shot.picture, &rendered.golden, PIXELS_PER_DEGREE)?;
+            let d = rendered.difference(&shot.picture, &rendered.golden, PIXELS_PER_DEGREE)?;
             self.rows[at].images.push(ImageError {
                 scene: name.to_owned(),
                 max: d.max.difference,

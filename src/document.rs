@@ -2,6 +2,7 @@
 
 use crate::cast;
 use crate::error::{Error, Result};
+use crate::escape;
 use crate::input;
 use serde::de::{DeserializeOwned, Error as _};
 use serde::{Deserialize, Deserializer};
@@ -163,11 +164,9 @@ impl Document<'_> {
         Error::line(self.path, self.line(span), problem)
     }
 
-    /// The line around a byte, not too long, nothing in it that a terminal would act on.
+    /// The line around a byte.
     fn line_text(&self, at: usize) -> String {
         let number = self.text.bytes().take(at).filter(|byte| *byte == b'\n').count();
-        let line = self.text.lines().nth(number).unwrap_or_default().trim();
-        let end = if line.chars().nth(60).is_some() { "…" } else { "" };
-        line.chars().take(60).filter(|c| !c.is_control()).collect::<String>() + end
+        escape::short(self.text.lines().nth(number).unwrap_or_default().trim())
     }
 }

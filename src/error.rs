@@ -5,15 +5,29 @@
 //! with a message that starts with `bug:`. Every message names what was given,
 //! what is legal, and what to do.
 
+use crate::escape;
+use std::fmt;
 use std::path::{Path, PathBuf};
 
 /// What every fallible function of this crate returns.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
-/// An error in what the caller gave: data, parameters or files.
-#[derive(Debug, thiserror::Error)]
-#[error(transparent)]
+/// An error in what the caller gave: data, parameters or files. Its message is one line that ends in time and acts
+/// on no terminal, whatever was given.
+#[derive(Debug)]
 pub struct Error(Box<Kind>);
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&escape::message(&self.0.to_string()))
+    }
+}
+
+impl std::error::Error for Error {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        self.0.source()
+    }
+}
 
 #[derive(Debug, thiserror::Error)]
 enum Kind {
@@ -74,7 +88,7 @@ macro_rules! constructors {
 constructors! {
     format_bits(bits: u32) = Kind::FormatBits { bits };
     format_frac(frac_bits: i32) = Kind::FormatFrac { frac_bits };
-    format_text(text: &str) = Kind::FormatText { text: text.to_owned() };
+    format_text(text: &str) = Kind::FormatText { text: escape::short(text) };
     word_range(raw: i64, format: String, min: i64, max: i64) = Kind::WordRange { raw, format, min, max };
     not_exact(raw: i64, format: String, given_bits: u32) = Kind::NotExact { raw, format, given_bits };
     not_finite(value: f64, format: String) = Kind::NotFinite { value, format };
@@ -82,8 +96,8 @@ constructors! {
     node_too_wide(node: String, place: usize, given_bits: u32, limit_bits: u32) = Kind::NodeTooWide { node, place, given_bits, limit_bits };
     node(node: String, problem: String) = Kind::Node { node, problem };
     node_overflow(node: String, count: u64) = Kind::NodeOverflow { node, count };
-    parameter_value(name: &str, value: &str, legal: String) = Kind::ParameterValue { name: name.to_owned(), value: value.to_owned(), legal };
-    form(given: &str, form: &str) = Kind::Form { given: given.to_owned(), form: form.to_owned() };
+    parameter_value(name: &str, value: &str, legal: String) = Kind::ParameterValue { name: name.to_owned(), value: escape::short(value), legal };
+    form(given: &str, form: &str) = Kind::Form { given: escape::short(given), form: form.to_owned() };
     file(path: &Path, problem: String) = Kind::File { path: path.to_owned(), problem };
     csv(path: &Path, line: u64, column: Option<&str>, problem: String) = Kind::Csv { path: path.to_owned(), line, column: column.map(str::to_owned), problem };
     line(path: &Path, line: u64, problem: String) = Kind::Csv { path: path.to_owned(), line, column: None, problem };
@@ -93,7 +107,10 @@ constructors! {
 
 impl Error {
     pub(crate) fn unknown_unit<'a>(given: &str, known: impl Iterator<Item = &'a str>) -> Self {
-        Self(Box::new(Kind::UnknownUnit { given: given.to_owned(), hint: nearest(given, known) }))
+        Self(Box::new(Kind::UnknownUnit {
+            given: escape::short(given),
+            hint: nearest(given, known),
+        }))
     }
 
     pub(crate) fn unknown_parameter<'a>(
@@ -103,7 +120,7 @@ impl Error {
     ) -> Self {
         Self(Box::new(Kind::UnknownParameter {
             unit: unit.to_owned(),
-            given: given.to_owned(),
+            given: escape::short(given),
             hint: nearest(given, known),
         }))
     }
@@ -146,8 +163,14 @@ impl Error {
     }
 }
 
+/// The longest text that may be meant for a name: looking for the nearest takes time with its length.
+const LONGEST_NAME: usize = 200;
+
 /// `, did you mean …` for the closest known name, or nothing if none is close.
 pub(crate) fn nearest<'a>(given: &str, known: impl Iterator<Item = &'a str>) -> String {
+    if given.len() > LONGEST_NAME {
+        return String::new();
+    }
     known
         .map(|name| (strsim::damerau_levenshtein(given, name), name))
         .min()

@@ -8,6 +8,7 @@
 //! written in blocks, and what was read is written before more is waited for.
 
 use crate::cast;
+use crate::columns::Field;
 use crate::error::Result;
 use crate::measure::values_of;
 use crate::netlist::NodeId;
@@ -70,15 +71,15 @@ pub fn eval(
         for row in 0..count {
             let mut fields = Vec::with_capacity(header.len());
             for (i, id) in netlist.inputs().iter().enumerate() {
-                fields.push((quantised[i][row] * scale(id)).to_string());
+                fields.push(Field::Real(quantised[i][row] * scale(id)).to_string());
                 fields.push(block.words[i][row].to_string());
             }
             let golden: Vec<f64> = golden.iter().map(|column| column[row]).collect();
             let ports = design.of_golden(&golden);
             for (i, id) in outputs.iter().enumerate() {
-                fields.push((out_values[i][row] * scale(id)).to_string());
+                fields.push(Field::Real(out_values[i][row] * scale(id)).to_string());
                 fields.push(out_words[i][row].to_string());
-                fields.push((ports[i] * scale(id) + 0.0).to_string()); // -0 becomes 0
+                fields.push(Field::Real(ports[i] * scale(id) + 0.0).to_string()); // -0 becomes 0
             }
             let mut names = Vec::new();
             while let Some((_, port)) = clipped.next_if(|(at, _)| *at == row) {

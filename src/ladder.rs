@@ -8,10 +8,10 @@
 pub mod emboss;
 
 use crate::error::{Error, Result};
-use crate::render::{Pipeline, Shader, set_material, shots_together};
+use crate::render::{Pipeline, Shader, check_view, set_material, shots_together};
 use crate::report;
 use crate::report::ladder::{Header, LightPoint, Record, Rung};
-use crate::report::record::{Point, SceneId, parameters_of};
+use crate::report::record::{Point, SceneId, assigned, parameters_of};
 use crate::scene::Scene;
 use crate::units::Value;
 use rayon::prelude::*;
@@ -86,9 +86,8 @@ fn with(pipeline: &Pipeline, weak: &[(&str, String)], strong: &[(&str, String)])
 
 /// A rung that can't be built.
 fn failed(pipeline: &Pipeline, why: &Error) -> Point {
-    let pairs = pipeline.assignments.iter().filter_map(|set| set.split_once('='));
     Point {
-        parameters: pairs.map(|(key, value)| (key.to_owned(), value.into())).collect(),
+        parameters: assigned(&pipeline.assignments),
         error: Some(why.to_string()),
         measured: None,
     }
@@ -122,7 +121,7 @@ impl Ladder {
     /// Renders all of it; `progress` gets the pictures done.
     ///
     /// # Errors
-    /// If every rung fails, or FLIP can't look that finely.
+    /// If nothing is in view, every rung fails, or FLIP can't look that finely.
     pub fn climb(
         &self,
         scene: &Scene,
@@ -141,7 +140,9 @@ impl Ladder {
             }
         }
         let pipelines: Vec<Pipeline> = rungs.iter().map(|(_, pipeline)| pipeline.clone()).collect();
-        let (points, covered_px) = self.points(scene, &pipelines, progress)?;
+        check_view(scene)?;
+        let points = self.points(scene, &pipelines, progress)?;
+        let picture = points.iter().find_map(|point| point.measured.as_ref()?.picture);
         if let Some(first) = points.iter().find_map(|point| point.error.as_deref())
             && points.iter().all(|point| point.measured.is_none())
         {
@@ -162,7 +163,8 @@ impl Ladder {
         let header = Header {
             crate_version: env!("CARGO_PKG_VERSION").to_owned(),
             scene: SceneId::new(name, scene),
-            covered_px,
+            covered_px: picture.map_or(0, |picture| picture.covered_px),
+            background_px: picture.map_or(0, |picture| picture.background_px),
             lights: scene.lights.len(),
             pixels_per_degree: self.pixels_per_degree,
             rung: RUNG.map(|(key, less)| (key.to_owned(), less)).to_vec(),
@@ -198,7 +200,7 @@ impl Ladder {
         for exponent in &self.exponents {
             set_material(&mut scene, "exponent", Value::Int((*exponent).into()));
             let before = all.len();
-            let (points, _) = self.points(&scene, &pipelines, &|done| progress(before + done))?;
+            let points = self.points(&scene, &pipelines, &|done| progress(before + done))?;
             all.extend(settings.iter().zip(points).map(|((scheme, addr_bits, _), point)| {
                 LightPoint {
                     exponent: *exponent,
@@ -211,14 +213,13 @@ impl Ladder {
         Ok(all)
     }
 
-    /// Pictures of a scene, as many as there is room for with one golden; and the number of pixels
-    /// that see an object.
+    /// Pictures of a scene, as many as there is room for with one golden.
     fn points(
         &self,
         scene: &Scene,
         pipelines: &[Pipeline],
         progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<(Vec<Point>, u64)> {
+    ) -> Result<Vec<Point>> {
         let mut points: Vec<Option<Point>> = vec![None; pipelines.len()];
         let mut group: Vec<(usize, Shader)> = Vec::new();
         let (mut rom_bits, mut done) = (0, 0);
@@ -262,9 +263,6 @@ impl Ladder {
                 rom_bits = 0;
             }
         }
-        let points: Vec<Point> = points.into_iter().flatten().collect();
-        let samples = points.iter().find_map(|point| Some(point.measured.as_ref()?.samples));
-        let lights = u64::try_from(scene.lights.len()).unwrap_or(1).max(1);
-        Ok((points, samples.unwrap_or(0) / lights))
+        Ok(points.into_iter().flatten().collect())
     }
 }

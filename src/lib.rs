@@ -48,16 +48,19 @@
 
 mod cast;
 pub mod cli;
+pub mod columns;
 pub mod compare;
 pub mod cost;
 mod document;
 pub mod emit;
 pub mod error;
+pub mod escape;
 pub mod eval;
 pub mod format;
 pub mod function;
 pub mod hdl;
 mod input;
+pub mod json;
 pub mod ladder;
 pub mod lut;
 pub mod measure;

@@ -24,12 +24,13 @@ pub use specialised::{SeenPort, SpecialisedStage, specialise_to};
 use crate::cast;
 use crate::error::{Error, Result, nearest};
 use crate::format::Format;
+use crate::json;
 use crate::measure::{
     BINS, Basis, Figures, Histograms, OverflowCount, Report, Speed, Stream, angle_between,
     as_golden, overflow_counts, quantize_inputs, run_golden,
 };
 use crate::netlist::NodeId;
-use crate::picture::{Difference, Picture};
+use crate::picture::{Difference, Picture, nothing_in_view};
 use crate::scene::{Fragments, Light, Material, Scene};
 use crate::sim::batch::{Program, Runner, check_overflows};
 use crate::units::fragment::{Fragment, Port};
@@ -404,16 +405,22 @@ impl Shader {
 #[derive(Clone, Copy, PartialEq, Debug, Default, Serialize)]
 pub struct VectorError {
     /// The largest, in rad.
+    #[serde(serialize_with = "json::real")]
     pub max_rad: f64,
     /// The mean, in rad.
+    #[serde(serialize_with = "json::real")]
     pub mean_rad: f64,
     /// The root of the mean square, in rad.
+    #[serde(serialize_with = "json::real")]
     pub rms_rad: f64,
     /// The median, in rad, to 1.6 %; 0 means below 2^-44.
+    #[serde(serialize_with = "json::real")]
     pub p50_rad: f64,
     /// The 99th percentile, likewise.
+    #[serde(serialize_with = "json::real")]
     pub p99_rad: f64,
     /// The 99.9th percentile, likewise.
+    #[serde(serialize_with = "json::real")]
     pub p999_rad: f64,
 }
 
@@ -498,6 +505,8 @@ pub struct Rendered {
     pub blinn: Option<f64>,
     /// Pixels that see an object.
     pub covered: u64,
+    /// Which they are, row after row.
+    pub covers: Vec<bool>,
     /// The pipelines' pictures.
     pub shots: Vec<Shot>,
     /// Wall-clock time of all of it.
@@ -511,8 +520,28 @@ impl Rendered {
         shot.golden.as_deref().unwrap_or(&self.golden)
     }
 
+    /// Pixels that see no object.
+    #[must_use]
+    pub fn background(&self) -> u64 {
+        cast::count_of(self.covers.len()) - self.covered
+    }
+
+    /// How far one picture of the scene is from another, over the pixels that see an object;
+    /// `pixels_per_degree` is FLIP's.
+    ///
+    /// # Errors
+    /// If no pixel does, or FLIP can't look that finely.
+    pub fn difference(
+        &self,
+        picture: &Picture,
+        golden: &Picture,
+        pixels_per_degree: f64,
+    ) -> Result<Difference> {
+        Difference::over(&self.covers, picture, golden, pixels_per_degree)
+    }
+
     /// A shot as a measurement, end to end: `picture`, the difference to the golden in linear light of
-    /// every channel of every pixel, and `lt_angle`, if it was judged. The difference is that of
+    /// every channel of every covered pixel, and `lt_angle`, if it was judged. The difference is that of
     /// the shot's picture.
     #[must_use]
     pub fn report(&self, shot: &Shot, difference: &Difference) -> Report {
@@ -521,8 +550,9 @@ impl Rendered {
         let width = self.golden.width_px();
         let golden = self.golden_of(shot);
         let rows = shot.picture.pixels().chunks(width).zip(golden.pixels().chunks(width));
-        for (is, should) in rows {
-            let pairs = is.iter().flatten().zip(should.iter().flatten());
+        for ((is, should), covers) in rows.zip(self.covers.chunks(width)) {
+            let pixels = is.iter().zip(should).zip(covers).filter(|(_, covered)| **covered);
+            let pairs = pixels.flat_map(|((is, should), _)| is.iter().zip(should));
             let errors: Vec<f64> = pairs.map(|(a, b)| f64::from(*a) - f64::from(*b)).collect();
             stream.merge(&Stream::of(&errors, 0, &mut histogram));
             histograms.take(&mut histogram);
@@ -672,6 +702,24 @@ pub fn shots_together(scene: &Scene) -> usize {
     usize::try_from(TOGETHER_PIXELS / scene.image.pixels()).unwrap_or(1).max(1)
 }
 
+/// How many are true.
+fn count(covers: &[bool]) -> u64 {
+    cast::count_of(covers.iter().filter(|covered| **covered).count())
+}
+
+/// Fails if no pixel of a scene sees an object, which takes no picture to know.
+///
+/// # Errors
+/// So it does.
+pub fn check_view(scene: &Scene) -> Result<()> {
+    let sees = |fragments: &mut Fragments, rows: Range<u32>| {
+        scene.trace(rows, fragments);
+        !fragments.is_empty()
+    };
+    let seen = blocks(scene.image.height).into_par_iter().map_init(Fragments::default, sees);
+    if seen.any(|seen| seen) { Ok(()) } else { Err(nothing_in_view()) }
+}
+
 /// Renders a scene by shaders made for it, all at once: the golden is computed for all of them.
 /// `progress` gets the rows done.
 ///
@@ -698,7 +746,7 @@ pub fn shoot(
         block
     };
     let totals = shaders.iter().map(|shader| BlockShot::new(shader)).collect();
-    let Gathered { golden, blinn, covered, pictures, totals, mut rates } =
+    let Gathered { golden, blinn, covers, pictures, totals, mut rates } =
         gather(scene, totals, lanes, shade_rows, progress)?;
     let mut shots = Vec::new();
     for (index, ((shader, picture), total)) in shaders.iter().zip(pictures).zip(totals).enumerate()
@@ -721,14 +769,22 @@ pub fn shoot(
             overflows: overflows(stages, &total.overflows)?,
         });
     }
-    Ok(Rendered { golden, blinn: Some(blinn), covered, shots, elapsed: start.elapsed() })
+    Ok(Rendered {
+        golden,
+        blinn: Some(blinn),
+        covered: count(&covers),
+        covers,
+        shots,
+        elapsed: start.elapsed(),
+    })
 }
 
 /// Pictures put together of blocks of rows.
 struct Gathered {
     golden: Picture,
     blinn: f64,
-    covered: u64,
+    /// Which pixels see an object.
+    covers: Vec<bool>,
     pictures: Vec<Picture>,
     totals: Vec<BlockShot>,
     /// Time and samples of each block, by picture.
@@ -757,7 +813,7 @@ fn gather<L: Send>(
     let blank = vec![background; width * height];
     let mut golden = blank.clone();
     let mut blinn = 0f64;
-    let mut covered = 0;
+    let mut covers = vec![false; width * height];
     let mut pictures = vec![blank; totals.len()];
     let mut rates: Vec<Vec<(Duration, u64)>> = vec![Vec::new(); totals.len()];
     // Some blocks at a time: beside the pictures, memory doesn't grow with their height.
@@ -767,7 +823,9 @@ fn gather<L: Send>(
     });
     for block in results {
         let block = block?;
-        covered += cast::count_of(block.pixels.len());
+        for pixel in &block.pixels {
+            covers[cast::index_of_u32(*pixel)] = true;
+        }
         blinn = blinn.max(block.blinn);
         let write = |pixels: &mut [[f32; 3]], colours: &[[f64; 3]]| {
             for (pixel, colour) in block.pixels.iter().zip(colours) {
@@ -787,7 +845,7 @@ fn gather<L: Send>(
     Ok(Gathered {
         golden: picture(golden)?,
         blinn,
-        covered,
+        covers,
         pictures: pictures.into_iter().map(picture).collect::<Result<_>>()?,
         totals,
         rates,

@@ -14,11 +14,14 @@ use crate::error::{Error, Result};
 use crate::measure::{self, Inputs};
 use crate::output::{self, Set};
 use crate::picture::PIXELS_PER_DEGREE;
-use crate::render::{MATERIAL, Pipeline, Shader, set_material, shots_together};
+use crate::render::{
+    EMBOSS_PIPELINES, MATERIAL, Pipeline, Shader, TANGENT_PIPELINES, check_view, set_material,
+    shots_together,
+};
 use crate::report;
 use crate::report::record::{self, Header, Measured, Point, RankBy, Record, SceneId};
 use crate::scene::Scene;
-use crate::units::{Design, Kind, Param, Sampler, Unit, Value, Values};
+use crate::units::{Design, Kind, Param, Sampler, UNITS, Unit, Value, Values};
 use std::collections::HashMap;
 use std::fs;
 use std::io;
@@ -166,6 +169,27 @@ pub struct View {
     pub error: RankBy,
 }
 
+/// What measures a unit over a scene, where a sweep can't.
+fn instead_of_a_scene(unit: &Unit) -> String {
+    let named = |names: [&str; 2]| format!("fixpath render SCENE --pipelines {}", names.join(","));
+    match unit.name {
+        "emboss" => format!(
+            "`{} --ladder` climbs its widths, tables and fractions over a scene",
+            named(EMBOSS_PIPELINES)
+        ),
+        "tangent" => format!(
+            "`{} -p key=value` renders a scene by one setting of it",
+            named(TANGENT_PIPELINES)
+        ),
+        _ => {
+            let pipelines = Pipeline::names();
+            let shades = |name: &&str| *name == "bump" || pipelines.contains(name);
+            let names: Vec<&str> = UNITS.iter().map(|unit| unit.name).filter(shades).collect();
+            format!("leave --scene out, or take one of {}", names.join(", "))
+        }
+    }
+}
+
 /// Where inputs come from.
 #[derive(Clone, Debug)]
 enum Source {
@@ -217,8 +241,9 @@ impl Sweep {
             MATERIAL.iter().find(|name| unit.params.iter().all(|param| param.name != **name))
         {
             return Err(Error::usage(format!(
-                "unit `{}` can't shade a scene: it has no parameter `{name}`",
-                unit.name
+                "unit `{}` can't shade a scene: it has no parameter `{name}`; {}",
+                unit.name,
+                instead_of_a_scene(unit)
             )));
         }
         let is_given =
@@ -318,13 +343,16 @@ impl Sweep {
     /// `fresh`. Points that can't be built or fail a check are recorded with the reason.
     ///
     /// # Errors
-    /// If the folder holds another sweep, a file can't be read or written, or every point fails.
+    /// If nothing is in view, the folder holds another sweep, a file can't be read or written, or every point fails.
     pub fn run(
         &self,
         folder: &Path,
         fresh: bool,
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Record> {
+        if let Source::Scene { view, .. } = &self.source {
+            check_view(&view.scene)?;
+        }
         let set = Set::open(folder, "sweep")?;
         let header = self.header();
         let mut run = Run {

@@ -156,12 +156,12 @@ fn eval_writes_words_values_and_golden() {
          x,x_raw,x_golden,y,y_raw,y_golden,z,z_raw,z_golden,clipped"
     );
     let row: Vec<&str> = lines.next().unwrap().split(',').collect();
-    assert_eq!(row[..4], ["90", "16384", "90", "16384"]);
+    assert_eq!(row[..4], ["90.0", "16384", "90.0", "16384"]);
     let number = |i: usize| row[i].parse::<f64>().unwrap();
     assert!((number(11) - 1.0).abs() < 2e-5 && (number(13) - 1.0).abs() < 1e-15, "y is 1: {row:?}");
     assert_eq!(number(11), number(12) / 65536.0);
     let row: Vec<&str> = lines.next().unwrap().split(',').collect();
-    assert_eq!(row[..2], ["0", "0"], "a whole turn is none");
+    assert_eq!(row[..2], ["0.0", "0"], "a whole turn is none");
     assert_eq!(lines.next(), None);
 }
 

@@ -2,13 +2,22 @@
 
 use super::{number, text};
 use crate::cast;
-use crate::compare::{self, COUNTS, Comparison, Hardware, Row, Spread, Stage, saved_percent};
+use crate::columns::{self, Field};
+use crate::compare::{
+    self, COUNTS, Comparison, Hardware, Row, SceneRendered, Spread, Stage, saved_percent,
+};
 use crate::error::{Error, Result};
+use crate::escape;
+use crate::json;
 use crate::measure::Inputs;
 use crate::output;
+use crate::picture::coverage;
+use crate::render::check_view;
+use crate::report::ladder::{Table, markdown_table};
 use crate::units::Sampler;
 use clap::Args;
 use std::fmt::Write as _;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 #[derive(Args)]
@@ -50,7 +59,7 @@ pub(super) fn run(args: &CompareArgs) -> Result<String> {
     let inputs = Inputs { sampler: Sampler::Lit, samples: args.samples, seed: args.seed };
     let bar = super::progress_bar(inputs.samples, "fragments");
     let progress = |name: &str, done| {
-        bar.set_prefix(name.to_owned());
+        bar.set_prefix(escape::short(name));
         bar.set_position(done);
     };
     let scenes = match &args.scenes[..] {
@@ -61,22 +70,27 @@ pub(super) fn run(args: &CompareArgs) -> Result<String> {
             .collect::<Result<_>>()?,
     };
     args.out.as_deref().map_or(Ok(()), output::check)?;
+    for (_, scene) in &scenes {
+        check_view(scene)?;
+    }
     let mut comparison = compare::compare(&args.params, &inputs, &progress)?;
     bar.finish_and_clear();
     for (name, scene) in &scenes {
         let bar = super::progress_bar(u64::from(scene.image.height), name);
         let name = Path::new(name).file_stem().and_then(|stem| stem.to_str()).unwrap_or(name);
-        comparison.add_scene(name, scene, &|rows| bar.set_position(rows))?;
+        comparison.add_scene(&escape::short(name), scene, &|rows| bar.set_position(rows))?;
         bar.finish_and_clear();
     }
     if let Some(path) = &args.out {
         let markdown = ending.flatten() == Some("md");
-        let text = if markdown { markdown_of(&comparison) } else { csv_of(&comparison) };
-        output::write_text(path, &text)?;
+        if markdown {
+            output::write_text(path, &markdown_of(&comparison))?;
+        } else {
+            output::write_file(path, |to| write_csv(&comparison, to, path))?;
+        }
     }
     if args.json {
-        let value = serde_json::to_value(&comparison).expect("bug: it can be written");
-        return Ok(super::pretty(&value));
+        return Ok(json::text(&json::document("compare", &comparison)));
     }
     let mut told = String::new();
     for section in sections(&comparison).into_iter().filter(|section| !section.rows.is_empty()) {
@@ -240,12 +254,7 @@ fn sections(comparison: &Comparison) -> Vec<Section> {
 
 /// Image errors, three columns for each scene.
 fn images(comparison: &Comparison) -> Section {
-    let scenes: Vec<&str> = comparison
-        .rows
-        .iter()
-        .max_by_key(|row| row.images.len())
-        .map(|row| row.images.iter().map(|image| image.scene.as_str()).collect())
-        .unwrap_or_default();
+    let scenes: Vec<&str> = comparison.scenes.iter().map(|scene| scene.scene.as_str()).collect();
     let mut headings = vec!["architecture".to_owned()];
     for scene in &scenes {
         headings.extend([format!(">{scene}: max/255"), ">mean/255".to_owned(), ">FLIP".to_owned()]);
@@ -267,84 +276,67 @@ fn images(comparison: &Comparison) -> Section {
         } else {
             comparison.rows.iter().map(row).collect()
         },
-        notes: vec!["peercy has no illumination; `fixpath render` shows the pictures".to_owned()],
+        notes: comparison
+            .scenes
+            .iter()
+            .map(|of| format!("{}: {}", of.scene, coverage(of.covered_px, of.background_px)))
+            .chain(["peercy has no illumination; `fixpath render` shows the pictures".to_owned()])
+            .collect(),
     }
 }
 
 fn markdown_of(comparison: &Comparison) -> String {
     let mut text = "# Table 1 rebuilt\n".to_owned();
     for section in sections(comparison).into_iter().filter(|section| !section.rows.is_empty()) {
-        let heads: Vec<&str> = section.headings.iter().map(|h| h.trim_start_matches('>')).collect();
-        let rule: Vec<&str> = section
-            .headings
-            .iter()
-            .map(|h| if h.starts_with('>') { "---:" } else { "---" })
-            .collect();
-        let _ = writeln!(
-            text,
-            "\n## {}\n\n| {} |\n|{}|",
-            section.title,
-            heads.join(" | "),
-            rule.join("|")
-        );
-        for row in &section.rows {
-            let _ = writeln!(text, "| {} |", row.join(" | "));
-        }
+        let _ = writeln!(text, "\n## {}\n", escape::markdown(&section.title));
+        let table = Table { headings: section.headings, rows: section.rows };
+        text.push_str(&markdown_table(&table));
         for note in &section.notes {
-            let _ = writeln!(text, "\n{note}.");
+            let _ = writeln!(text, "\n{}.", escape::markdown(note));
         }
     }
     text
 }
 
 /// One line per architecture and stage.
-fn csv_of(comparison: &Comparison) -> String {
-    let mut text = "architecture,stage".to_owned();
+fn write_csv(comparison: &Comparison, to: &mut dyn Write, path: &Path) -> Result<()> {
+    let mut heading = ["architecture", "stage"].map(str::to_owned).to_vec();
     for count in COUNTS {
         let name = count.replace([' ', '-'], "_");
-        let _ = write!(text, ",{name},{name}_paper");
+        heading.extend([name.clone(), format!("{name}_paper")]);
     }
-    text.push_str(",tables,rom_bits,latency_cycles");
+    heading.extend(["tables", "rom_bits", "latency_cycles"].map(str::to_owned));
     for quantity in ["angle_rad", "dot", "intensity"] {
-        for figure in ["mean", "p99", "max"] {
-            let _ = write!(text, ",{quantity}_{figure}");
+        heading.extend(["mean", "p99", "max"].map(|figure| format!("{quantity}_{figure}")));
+    }
+    for SceneRendered { scene, .. } in &comparison.scenes {
+        heading.extend(["max", "mean", "flip"].map(|figure| format!("{scene}_{figure}")));
+    }
+    let row = |row: &Row, stage: &str, ours: Option<Hardware>, paper: Option<Hardware>| {
+        let mut fields = [row.name, stage].map(Field::from).to_vec();
+        for i in 0..COUNTS.len() {
+            fields.extend([ours, paper].map(|counts| Field::from(counts.map(|c| c.counts()[i]))));
         }
-    }
-    let most = comparison.rows.iter().max_by_key(|row| row.images.len());
-    let scenes: Vec<&str> =
-        most.iter().flat_map(|row| row.images.iter().map(|image| image.scene.as_str())).collect();
-    for scene in &scenes {
-        let _ = write!(text, ",{scene}_max,{scene}_mean,{scene}_flip");
-    }
-    text.push('\n');
-    for row in &comparison.rows {
-        let (set_up, illumination) = (row.stage(Stage::SetUp), row.stage(Stage::Illumination));
-        let whole = (Some(row.whole), compare::whole(row.paper));
-        for (stage, (ours, paper)) in
-            [("set-up", set_up), ("illumination", illumination), ("whole", whole)]
-        {
-            let _ = write!(text, "{},{stage}", row.name);
-            for i in 0..COUNTS.len() {
-                for hardware in [ours, paper] {
-                    let count = hardware.map(|hardware| hardware.counts()[i].to_string());
-                    let _ = write!(text, ",{}", count.unwrap_or_default());
-                }
+        if stage == "whole" {
+            fields.extend([row.tables.into(), row.rom_bits.into(), row.latency_cycles.into()]);
+            for spread in [row.angle, row.dot, row.intensity] {
+                fields.extend([
+                    spread.map(|s| s.mean).into(),
+                    spread.map(|s| s.p99).into(),
+                    spread.map(|s| s.max).into(),
+                ]);
             }
-            if stage == "whole" {
-                let _ = write!(text, ",{},{},{}", row.tables, row.rom_bits, row.latency_cycles);
-                for spread in [row.angle, row.dot, row.intensity] {
-                    let figures = spread.map(|s| format!(",{},{},{}", s.mean, s.p99, s.max));
-                    text.push_str(&figures.unwrap_or_else(|| ",,,".to_owned()));
-                }
-                for image in &row.images {
-                    let _ = write!(text, ",{},{},{}", image.max, image.mean, image.flip);
-                }
-                text.push_str(&",".repeat(3 * (scenes.len() - row.images.len())));
-            } else {
-                text.push_str(&",".repeat(12 + 3 * scenes.len()));
-            }
-            text.push('\n');
+            let images = row.images.iter().flat_map(|image| [image.max, image.mean, image.flip]);
+            fields.extend(images.map(Field::Real));
         }
-    }
-    text
+        fields.resize(heading.len(), Field::Missing);
+        fields
+    };
+    let rows = comparison.rows.iter().flat_map(|of| {
+        let (set_up, illumination) = (of.stage(Stage::SetUp), of.stage(Stage::Illumination));
+        let whole = (Some(of.whole), compare::whole(of.paper));
+        [("set-up", set_up), ("illumination", illumination), ("whole", whole)]
+            .map(|(stage, (ours, paper))| row(of, stage, ours, paper))
+    });
+    columns::write(to, path, &heading, rows)
 }

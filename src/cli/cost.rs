@@ -7,6 +7,7 @@ use crate::cost::{
 };
 use crate::error::{Error, Result};
 use crate::hdl::{Module, Options};
+use crate::json;
 use crate::outside::{self, Limits};
 use crate::rtl::Rtl;
 use crate::units::Design;
@@ -96,7 +97,7 @@ pub(super) fn run(args: &CostArgs) -> Result<String> {
     let rows = rows?;
     let yosys = outside::YOSYS.version().unwrap_or_default();
     Ok(if args.json {
-        super::pretty(&json_of(&design, &rows, &yosys))
+        json::text(&json_of(&design, &rows, &yosys))
     } else {
         told(&design, &rows, &yosys)
     })
@@ -147,14 +148,15 @@ fn json_of(design: &Design, rows: &[Row], yosys: &str) -> Value {
             "clock": row.clock,
         })
     };
-    json!({
-        "tool": "fixpath",
-        "version": env!("CARGO_PKG_VERSION"),
-        "unit": design.values.unit().name,
-        "parameters": text::parameters(&design.values),
-        "yosys": yosys,
-        "targets": rows.iter().map(row).collect::<Vec<_>>(),
-    })
+    json::document(
+        "cost",
+        json!({
+            "unit": design.values.unit().name,
+            "parameters": text::parameters(&design.values),
+            "yosys": yosys,
+            "targets": rows.iter().map(row).collect::<Vec<_>>(),
+        }),
+    )
 }
 
 /// True for the unit that [`DEVIATIONS`] were measured over.

@@ -1,10 +1,11 @@
 //! `fixpath demo`: what takes no outside tool, on built-in settings, into one folder.
 
 use super::render::{self, RenderArgs};
-use super::{Sim, pretty, print, run_sweep, stimulus, text, write_wave};
+use super::{Sim, print, run_sweep, stimulus, text, write_wave};
 use crate::emit::{Package, Settings};
 use crate::error::Result;
 use crate::eval;
+use crate::json;
 use crate::measure::{Basis, Inputs};
 use crate::output::{self, Set};
 use crate::render::EMBOSS_PIPELINES;
@@ -58,7 +59,7 @@ pub(super) fn run(out: &Path) -> Result<bool> {
         let design = || unit.values(assignments)?.build();
         let sim = Sim::run(design()?, &inputs, &Basis::ALL)?;
         write(&out.join(format!("sim/{name}.txt")), &text::sim(&sim))?;
-        write(&out.join(format!("sim/{name}.json")), &pretty(&text::sim_json(&sim)))?;
+        write(&out.join(format!("sim/{name}.json")), &json::text(&text::sim_json(&sim)))?;
         let counts = sim.design.netlist.counts();
         let line = |basis| text::angle_line(&sim.report, basis);
         let _ = writeln!(
@@ -112,8 +113,9 @@ pub(super) fn run(out: &Path) -> Result<bool> {
 
     story.push_str(
         "\n# Scenes\n\nThe seed's three pictures by whole bump mapping pipelines, and letters by emboss, against the float golden of each: the largest and the mean\n\
-         difference in linear light, in 1/255, and the part of pixels that differ in 8 bits.\n\n\
-         | scene | pipeline | max | mean | differing |\n|---|---|---|---|---|\n",
+         difference in linear light, in 1/255, and the part of covered\n\
+         pixels that differ in 8 bits; means are over covered pixels, those that see an object.\n\n\
+         | scene | pipeline | max | mean | differing | covered pixels |\n|---|---|---|---|---|---|\n",
     );
     let scenes = SCENES.map(|name| (name, &[][..]));
     for (name, pipelines) in scenes.into_iter().chain([(EMBOSSED, &EMBOSS_PIPELINES[..])]) {

@@ -1,10 +1,12 @@
 //! `fixpath render --ladder`: whole pipelines over widths, and light tables over exponents.
 
-use super::{number, pretty, progress_bar, text};
+use super::{number, progress_bar, text};
 use crate::cast;
 use crate::error::{Error, Result};
+use crate::json;
 use crate::ladder::{self, EXPONENTS, LEGAL_EXPONENTS, LEGAL_WIDTHS, Ladder, WIDTHS};
 use crate::output::Set;
+use crate::picture::coverage;
 use crate::render::Pipeline;
 use crate::report::ladder::{Record, Table};
 use crate::scene::Scene;
@@ -60,7 +62,7 @@ pub(super) fn run(
     scene: &Scene,
     name: &str,
     out: &Path,
-    json: bool,
+    as_json: bool,
 ) -> Result<String> {
     let set = Set::open(out, SET)?;
     let bar = progress_bar(cast::count_of(ladder.pictures(scene)), "pictures");
@@ -68,8 +70,8 @@ pub(super) fn run(
     bar.finish_and_clear();
     record.write(&set.path())?;
     set.commit()?;
-    if json {
-        return Ok(pretty(&serde_json::to_value(&record).expect("bug: figures are plain values")));
+    if as_json {
+        return Ok(json::text(&record.json()));
     }
     Ok(told(&record, out))
 }
@@ -80,7 +82,7 @@ pub(super) fn run_emboss(
     widths: &str,
     pixels_per_degree: f64,
     (scene, name): (&Scene, &str),
-    (out, json): (&Path, bool),
+    (out, as_json): (&Path, bool),
 ) -> Result<String> {
     use ladder::emboss::{self, LEGAL_WIDTHS, WIDTHS};
     let widths = match widths {
@@ -96,39 +98,41 @@ pub(super) fn run_emboss(
     bar.finish_and_clear();
     record.write(&set.path())?;
     set.commit()?;
-    if json {
-        return Ok(pretty(&serde_json::to_value(&record).expect("bug: figures are plain values")));
+    if as_json {
+        return Ok(json::text(&record.json()));
     }
-    let mut told = shown(&record.table());
+    let mut told = format!(
+        "scene {}: {}; differences to the golden, in linear light\n{}",
+        record.scene,
+        coverage(record.covered_px, record.background_px),
+        shown(&record.table())
+    );
     let _ = writeln!(told, "see {}", out.join("ladder.md").display());
     Ok(told)
 }
 
 fn shown(table: &Table) -> String {
-    let heading = |(column, heading): (usize, &String)| {
-        if column < table.left { heading.clone() } else { format!(">{heading}") }
-    };
-    let headings: Vec<String> = table.headings.iter().enumerate().map(heading).collect();
-    let headings: Vec<&str> = headings.iter().map(String::as_str).collect();
+    let headings: Vec<&str> = table.headings.iter().map(String::as_str).collect();
     text::table(&headings, &table.rows)
 }
 
 fn told(record: &Record, out: &Path) -> String {
     let header = &record.header;
     let mut told = format!(
-        "scene {}, {} pixels covered; differences to the golden, in linear light\n",
-        header.scene, header.covered_px
+        "scene {}: {}; differences to the golden, in linear light\n",
+        header.scene,
+        coverage(header.covered_px, header.background_px)
     );
     told.push_str(&shown(&record.pipelines_table()));
-    if let Some(first) = record.rungs.iter().find_map(|rung| rung.point.error.as_ref()) {
-        let _ = writeln!(told, "some rungs failed, the first because {first}");
-    }
     if let (Some(table), Some(pipeline)) = (record.exponents_table(), &header.light_pipeline) {
         let _ = writeln!(
             told,
             "\nmax/255 by exponent n of the highlight and light tables, pipeline {pipeline}, else fine"
         );
         told.push_str(&shown(&table));
+        for refused in record.refused_tables() {
+            let _ = writeln!(told, "{refused}");
+        }
     }
     if let Some(remedy) = record.remedy() {
         let _ = writeln!(told, "{remedy}");

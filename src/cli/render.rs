@@ -1,17 +1,19 @@
 //! `fixpath render`: a scene by pipelines, its golden, differences and figures.
 
-use super::{ladder, number, pretty, progress_bar, text};
+use super::{ladder, number, progress_bar, text};
 use crate::cast;
 use crate::error::{Error, Result};
+use crate::escape;
+use crate::json;
 use crate::netlist::Counts;
 use crate::output::{self, Set};
 use crate::picture::{
     Amplify, Difference, PIXELS_PER_DEGREE, Panel, Picture, Srgb8, absolute_map,
-    check_pixels_per_degree, sheet, signed_map,
+    check_pixels_per_degree, coverage, sheet, signed_map,
 };
 use crate::render::{
-    EMBOSS_PIPELINES, Frames, Pipeline, Rendered, Shot, SpecialisedStage, mixed, render,
-    specialise_to,
+    EMBOSS_PIPELINES, Frames, Pipeline, Rendered, Shot, SpecialisedStage, check_view, mixed,
+    render, specialise_to,
 };
 use crate::report::record::RankBy;
 use crate::scene::{Scene, Sharing};
@@ -90,15 +92,17 @@ impl RenderArgs {
 pub(super) fn demo_rows(args: &RenderArgs) -> Result<Vec<String>> {
     let made = render_and_write(args, scene_of(&args.scene)?)?;
     let value = figures(&made.rendered, &made.differences, &parts(&made.rendered, args)?);
-    output::write_text(&made.set.path().join("figures.json"), &pretty(&value))?;
+    output::write_text(&made.set.path().join("figures.json"), &json::text(&value))?;
     made.set.commit()?;
     let row = |(shot, d): (&Shot, &Difference)| {
         format!(
-            "{} | {} | {} | {:.1} %",
+            "{} | {} | {} | {:.1} % | {} of {}",
             shot.pipeline.name,
             text::number(d.max.difference * 255.0),
             text::number(d.mean * 255.0),
-            d.srgb8_differing * 100.0
+            d.srgb8_differing * 100.0,
+            d.covered_px,
+            d.covered_px + d.background_px
         )
     };
     Ok(made.rendered.shots.iter().zip(&made.differences).map(row).collect())
@@ -138,7 +142,9 @@ pub(super) fn view_of(path: &Path, error: RankBy) -> Result<View> {
 
 /// The name of a scene in reports.
 fn name_of(path: &Path) -> String {
-    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
+    // A file's name can be anything; in reports it stays on its line.
+    let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
+    escape::short(&name)
 }
 
 /// A scene, how it was rendered, and how far each pipeline is from the golden.
@@ -158,7 +164,14 @@ const SET: &str = "render";
 fn pipelines_of(args: &RenderArgs, scene: &Scene) -> Result<Vec<Pipeline>> {
     let mut pipelines = Vec::new();
     let names: Vec<&str> = match (&args.pipelines[..], &args.ladder) {
-        ([], _) if scene.emboss.asked && !args.specialise => EMBOSS_PIPELINES.to_vec(),
+        ([], _) if scene.emboss.asked && args.specialise => {
+            let text = format!(
+                "--specialise is for pipelines that shade bumps, and the scene has an [emboss] section: name some that shade bumps, as --pipelines {}",
+                PIPELINES.join(",")
+            );
+            return Err(Error::usage(text));
+        }
+        ([], _) if scene.emboss.asked => EMBOSS_PIPELINES.to_vec(),
         ([], None) => PIPELINES.to_vec(),
         ([], Some(_)) => Pipeline::names(),
         (names, _) => names.iter().map(String::as_str).collect(),
@@ -181,6 +194,7 @@ fn pipelines_of(args: &RenderArgs, scene: &Scene) -> Result<Vec<Pipeline>> {
     }
     Pipeline::set(&mut pipelines, &args.params)?;
     // Before the work, not after it.
+    check_view(scene)?;
     check_pixels_per_degree(args.pixels_per_degree)?;
     if args.out.exists() && !args.out.is_dir() {
         return Err(Error::file(&args.out, "is no folder, and pictures go into one".to_owned()));
@@ -212,7 +226,8 @@ fn rendered(
         .shots
         .iter()
         .map(|shot| {
-            Difference::between(&shot.picture, rendered.golden_of(shot), args.pixels_per_degree)
+            let golden = rendered.golden_of(shot);
+            rendered.difference(&shot.picture, golden, args.pixels_per_degree)
         })
         .collect::<Result<Vec<_>>>()?;
     Ok((rendered, differences))
@@ -239,6 +254,7 @@ fn run_frames(args: &RenderArgs, scene: &Scene) -> Result<(String, bool)> {
     // A row of the sheet for each picture, and below it one of differences.
     let mut rows: Vec<Vec<Srgb8>> = vec![Vec::new(); 2 * names.len() - 1];
     let (mut values, mut told, mut held) = (Vec::new(), Vec::new(), true);
+    let mut view = String::new();
     for number in 0..scene.frames() {
         let before = u64::from(number) * height;
         let (rendered, differences) = rendered(&scene.frame(number), &pipelines, args, &|done| {
@@ -263,6 +279,8 @@ fn run_frames(args: &RenderArgs, scene: &Scene) -> Result<(String, bool)> {
                 Amplify::Fit,
             )?);
         }
+        // The camera stands still: each frame sees the same pixels.
+        view = covered(&rendered);
         held &= bounds_hold(&rendered, &differences);
         values.push(figures(&rendered, &differences, &parts(&rendered, args)?));
         for (shot, difference) in rendered.shots.iter().zip(&differences) {
@@ -287,23 +305,24 @@ fn run_frames(args: &RenderArgs, scene: &Scene) -> Result<(String, bool)> {
     }
     let columns = rows[0].len().div_ceil(step);
     sheet(&panels, columns)?.save_png(&out.join("sheet.png"))?;
-    let value = json!({
-        "tool": "fixpath",
-        "version": env!("CARGO_PKG_VERSION"),
-        "frames": values,
-    });
+    let value = json::document("render-frames", json!({ "frames": values }));
     let headings = [">frame", "pipeline", ">max/255", ">bound/255", ">mean/255", ">SSIM", ">FLIP"];
-    let mut told = text::table(&headings, &told);
+    let mut told = format!("{view}\n{}", text::table(&headings, &told));
     if !held {
         told.push_str(BROKEN);
     }
     write_figures(set, &value, &(told.clone() + &notes(scene)))?;
-    Ok((if args.json { pretty(&value) } else { told }, held))
+    Ok((if args.json { json::text(&value) } else { told }, held))
+}
+
+/// How much of the pictures means are over, in words.
+fn covered(rendered: &Rendered) -> String {
+    coverage(rendered.covered, rendered.background())
 }
 
 /// Writes the figures of pictures that are complete, and puts all into their places.
 fn write_figures(set: Set, value: &Value, told: &str) -> Result<()> {
-    output::write_text(&set.path().join("figures.json"), &pretty(value))?;
+    output::write_text(&set.path().join("figures.json"), &json::text(value))?;
     output::write_text(&set.path().join("figures.txt"), told)?;
     set.commit()
 }
@@ -395,7 +414,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<(String, bool)> {
         told.push_str(&savings(&reduced));
     }
     write_figures(set, &value, &(told.clone() + &notes(&scene)))?;
-    Ok((if args.json { pretty(&value) } else { told }, same))
+    Ok((if args.json { json::text(&value) } else { told }, same))
 }
 
 /// What specialised pipelines save, a row for each design.
@@ -509,7 +528,7 @@ fn write_pictures(out: &Path, rendered: &Rendered) -> Result<()> {
 type Parts = Option<[Difference; 2]>;
 
 fn parts(rendered: &Rendered, args: &RenderArgs) -> Result<Vec<Parts>> {
-    let between = |a: &Picture, b: &Picture| Difference::between(a, b, args.pixels_per_degree);
+    let between = |a: &Picture, b: &Picture| rendered.difference(a, b, args.pixels_per_degree);
     let of = |shot: &Shot| match &shot.setup {
         None => Ok(None),
         Some(setup) => Ok(Some([
@@ -633,9 +652,7 @@ fn setups(rendered: &Rendered, differences: &[Difference], parts: &[Parts]) -> S
 }
 
 fn figures(rendered: &Rendered, differences: &[Difference], parts: &[Parts]) -> Value {
-    let parameters = |design: &Design| -> serde_json::Map<_, _> {
-        design.values.iter().map(|(k, v)| (k.to_owned(), json!(v.to_string()))).collect()
-    };
+    let parameters = |design: &Design| text::parameters(&design.values);
     let shot = |((shot, difference), parts): ((&Shot, &Difference), &Parts)| {
         json!({
             "pipeline": shot.pipeline.name,
@@ -657,17 +674,19 @@ fn figures(rendered: &Rendered, differences: &[Difference], parts: &[Parts]) -> 
             "engine_samples_per_second_per_thread": shot.samples_per_second,
         })
     };
-    json!({
-        "tool": "fixpath",
-        "version": env!("CARGO_PKG_VERSION"),
-        "width_px": rendered.golden.width_px(),
-        "height_px": rendered.golden.height_px(),
-        "covered_px": rendered.covered,
-        "blinn_max": rendered.blinn,
-        "pixels_per_second":
-            cast::f64_of_len(rendered.golden.pixels().len()) / rendered.elapsed.as_secs_f64(),
-        "pipelines": rendered.shots.iter().zip(differences).zip(parts).map(shot).collect::<Vec<_>>(),
-    })
+    json::document(
+        "render",
+        json!({
+            "width_px": rendered.golden.width_px(),
+            "height_px": rendered.golden.height_px(),
+            "covered_px": rendered.covered,
+            "background_px": rendered.background(),
+            "blinn_max": rendered.blinn,
+            "pixels_per_second":
+                cast::f64_of_len(rendered.golden.pixels().len()) / rendered.elapsed.as_secs_f64(),
+            "pipelines": rendered.shots.iter().zip(differences).zip(parts).map(shot).collect::<Vec<_>>(),
+        }),
+    )
 }
 
 fn table(rendered: &Rendered, differences: &[Difference]) -> String {
@@ -694,10 +713,10 @@ fn table(rendered: &Rendered, differences: &[Difference]) -> String {
         })
         .collect();
     let mut told = format!(
-        "{} x {} pixels, {} of them covered; differences to the golden, in linear light\n",
+        "{} x {} pixels: {}; differences to the golden, in linear light\n",
         rendered.golden.width_px(),
         rendered.golden.height_px(),
-        rendered.covered
+        covered(rendered)
     );
     let headings = [
         "pipeline",

@@ -1,7 +1,8 @@
 //! `fixpath schedule`: a time-shared schedule in the layout of the table in seed 000 (US 6,980,218).
 
-use super::{UnitArgs, pretty, text};
+use super::{UnitArgs, text};
 use crate::error::Result;
+use crate::json;
 use crate::netlist::Counts;
 use crate::rtl::{HardwareCounts, Rtl};
 use crate::timetable::Timetable;
@@ -24,7 +25,7 @@ pub(super) fn run(args: &ScheduleArgs) -> Result<String> {
     let rtl = design.rtl()?;
     let table = Timetable::new(&rtl, design.printed());
     Ok(if args.json {
-        pretty(&as_json(&design, &rtl, &table))
+        json::text(&as_json(&design, &rtl, &table))
     } else {
         as_text(&design, &rtl, &table)
     })
@@ -259,20 +260,21 @@ fn as_json(design: &Design, rtl: &Rtl, table: &Timetable) -> Value {
     let fifos = fifos(rtl)
         .into_iter()
         .map(|(word, depth, bits)| json!({"word": word, "depth": depth, "bits": bits}));
-    json!({
-        "tool": "fixpath",
-        "version": env!("CARGO_PKG_VERSION"),
-        "unit": design.values.unit().name,
-        "parameters": text::parameters(&design.values),
-        "interval_cycles": schedule.interval(),
-        "shortest_interval_cycles": schedule.shortest_interval(),
-        "latency_cycles": schedule.latency(),
-        "model_period_ps": schedule.period_ps(),
-        "table": {"units": table.titles, "rows": table.rows},
-        "units": units,
-        "one_more_unit": more.collect::<Vec<_>>(),
-        "hardware": counts,
-        "operators": operators(&counts.operators),
-        "fifos": fifos.collect::<Vec<_>>(),
-    })
+    json::document(
+        "schedule",
+        json!({
+            "unit": design.values.unit().name,
+            "parameters": text::parameters(&design.values),
+            "interval_cycles": schedule.interval(),
+            "shortest_interval_cycles": schedule.shortest_interval(),
+            "latency_cycles": schedule.latency(),
+            "model_period_ps": schedule.period_ps(),
+            "table": {"units": table.titles, "rows": table.rows},
+            "units": units,
+            "one_more_unit": more.collect::<Vec<_>>(),
+            "hardware": counts,
+            "operators": operators(&counts.operators),
+            "fifos": fifos.collect::<Vec<_>>(),
+        }),
+    )
 }

@@ -3,6 +3,7 @@
 use super::text;
 use crate::document::{self, Document, Lines};
 use crate::error::{Error, Result};
+use crate::json;
 use crate::texgen::{Calls, Outcome, Setting};
 use clap::Args;
 use serde_json::{Value, json};
@@ -83,7 +84,7 @@ pub(super) fn run(args: &TexgenArgs) -> Result<(String, Option<Error>)> {
     }
     let outcome = calls.run();
     let told =
-        if args.json { super::pretty(&json_of(&lines, &outcome)) } else { told(&lines, &outcome) };
+        if args.json { json::text(&json_of(&lines, &outcome)) } else { told(&lines, &outcome) };
     let problems = outcome.problems();
     let wrong = (problems > 0).then(|| {
         let what = if problems == 1 { "problem" } else { "problems" };
@@ -184,15 +185,16 @@ fn json_of(lines: &Lines, outcome: &Outcome) -> Value {
             })
         })
         .collect();
-    json!({
-        "tool": "fixpath",
-        "version": env!("CARGO_PKG_VERSION"),
-        "calls": calls,
-        "unfinished": outcome.unfinished.as_ref().map(ToString::to_string),
-        "notes": outcome.advice.iter().map(ToString::to_string).collect::<Vec<_>>(),
-        "registers": outcome.registers,
-        "emboss": outcome.emboss,
-        "undefined": undefined,
-        "problems": outcome.problems(),
-    })
+    json::document(
+        "texgen",
+        json!({
+            "calls": calls,
+            "unfinished": outcome.unfinished.as_ref().map(ToString::to_string),
+            "notes": outcome.advice.iter().map(ToString::to_string).collect::<Vec<_>>(),
+            "registers": outcome.registers,
+            "emboss": outcome.emboss,
+            "undefined": undefined,
+            "problems": outcome.problems(),
+        }),
+    )
 }

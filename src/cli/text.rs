@@ -3,12 +3,14 @@
 use super::Sim;
 use crate::cast;
 use crate::error::Result;
+use crate::escape;
+use crate::json;
 use crate::measure::{
     self, Basis, Cone, ConeReport, Figures, Profile, Report, TableFigures, Witness,
 };
 use crate::netlist::{Netlist, Operators, Quantity};
 use crate::report::pareto;
-use crate::report::record::{Measured, Point, Record, parameters_of};
+use crate::report::record::{Measured, Point, Record, json_of, parameters_of};
 use crate::schedule::stage_sizes;
 use crate::units::{Design, Kind, PIPELINE, Param, Unit, Values};
 use serde_json::{Map, Value, json};
@@ -17,8 +19,10 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// Rows under headings, columns padded to their widest cell; columns whose heading starts with
-/// `>` are flush right.
+/// `>` are flush right. A cell stays on its line.
 pub(super) fn table(headings: &[&str], rows: &[Vec<String>]) -> String {
+    let cells = |row: &Vec<String>| row.iter().map(|cell| escape::message(cell)).collect();
+    let rows: Vec<Vec<String>> = rows.iter().map(cells).collect();
     let right: Vec<bool> = headings.iter().map(|heading| heading.starts_with('>')).collect();
     let headings: Vec<String> =
         headings.iter().map(|heading| heading.trim_start_matches('>').to_owned()).collect();
@@ -28,7 +32,7 @@ pub(super) fn table(headings: &[&str], rows: &[Vec<String>]) -> String {
     };
     let widths: Vec<usize> = (0..headings.len()).map(width).collect();
     let mut text = String::new();
-    for row in std::iter::once(&headings).chain(rows) {
+    for row in std::iter::once(&headings).chain(&rows) {
         let mut line = String::from(" ");
         for ((cell, width), right) in row.iter().zip(&widths).zip(&right) {
             let _ = if *right {
@@ -93,8 +97,9 @@ pub(super) fn list(units: &[&'static Unit]) -> String {
 
 pub(super) fn list_json(units: &[&'static Unit]) -> Value {
     let param = |param: &Param| {
+        let default = json_of(param.parse(param.default).expect("bug: a default is legal"));
         let mut entry = json!({
-            "name": param.name, "default": param.default, "legal": param.kind.legal(), "help": param.help,
+            "name": param.name, "default": default, "legal": param.kind.legal(), "help": param.help,
         });
         let extra = match param.kind {
             Kind::Int { min, max, auto } => json!({"min": min, "max": max, "auto": auto.is_some()}),
@@ -106,14 +111,17 @@ pub(super) fn list_json(units: &[&'static Unit]) -> Value {
         entry
     };
     let unit = |unit: &&'static Unit| {
-        json!({
-            "name": unit.name,
-            "summary": unit.summary,
-            "source": unit.source,
-            "inputs": unit.inputs,
-            "outputs": unit.outputs,
-            "parameters": unit.all_params().map(param).collect::<Vec<_>>(),
-        })
+        json::document(
+            "unit",
+            json!({
+                "name": unit.name,
+                "summary": unit.summary,
+                "source": unit.source,
+                "inputs": unit.inputs,
+                "outputs": unit.outputs,
+                "parameters": unit.all_params().map(param).collect::<Vec<_>>(),
+            }),
+        )
     };
     Value::Array(units.iter().map(unit).collect())
 }
@@ -325,28 +333,29 @@ pub(super) fn show_json(design: &Design) -> Result<Value> {
             "stage": schedule.stage(id),
         })
     };
-    Ok(json!({
-        "tool": "fixpath",
-        "version": env!("CARGO_PKG_VERSION"),
-        "unit": design.values.unit().name,
-        "parameters": parameters(&design.values),
-        "ports": ports(netlist).1,
-        "counts": netlist.counts(),
-        "tables": netlist.tables().iter().map(table).collect::<Vec<_>>(),
-        "table_schemes": tables(design)?,
-        "pipeline": {
-            "latency_cycles": schedule.latency(),
-            "interval_cycles": schedule.interval(),
-            "flip_flops": rtl.register_bits(),
-            "model_period_ps": schedule.period_ps(),
-            "rom": schedule.rom().to_string(),
-            "nodes_per_stage": stage_sizes(netlist, schedule),
-        },
-        "hardware": rtl.counts(),
-        "cost_estimate": super::cost::estimates_json(&rtl),
-        "nodes": netlist.ids().map(node).collect::<Vec<_>>(),
-        "outputs": netlist.outputs().iter().map(|o| json!({"name": o.name, "node": o.node.index()})).collect::<Vec<_>>(),
-    }))
+    Ok(json::document(
+        "show",
+        json!({
+            "unit": design.values.unit().name,
+            "parameters": parameters(&design.values),
+            "ports": ports(netlist).1,
+            "counts": netlist.counts(),
+            "tables": netlist.tables().iter().map(table).collect::<Vec<_>>(),
+            "table_schemes": tables(design)?,
+            "pipeline": {
+                "latency_cycles": schedule.latency(),
+                "interval_cycles": schedule.interval(),
+                "flip_flops": rtl.register_bits(),
+                "model_period_ps": schedule.period_ps(),
+                "rom": schedule.rom().to_string(),
+                "nodes_per_stage": stage_sizes(netlist, schedule),
+            },
+            "hardware": rtl.counts(),
+            "cost_estimate": super::cost::estimates_json(&rtl),
+            "nodes": netlist.ids().map(node).collect::<Vec<_>>(),
+            "outputs": netlist.outputs().iter().map(|o| json!({"name": o.name, "node": o.node.index()})).collect::<Vec<_>>(),
+        }),
+    ))
 }
 
 /// `phi_a=12 (0.0012), …` of a witness.
@@ -494,24 +503,25 @@ pub(super) fn cone(design: &Design, cone: &Cone, measured: &ConeReport) -> Strin
 /// The same as JSON.
 pub(super) fn cone_json(design: &Design, cone: &Cone, measured: &ConeReport) -> Value {
     let (netlist, report) = (&design.netlist, &measured.report);
-    json!({
-        "tool": "fixpath",
-        "version": env!("CARGO_PKG_VERSION"),
-        "unit": design.values.unit().name,
-        "parameters": parameters(&design.values),
-        "cone": netlist.label(cone.node),
-        "inputs": {
-            "sampler": "exhaustive",
-            "samples": report.samples,
-            "left_out_past_format": measured.past_format,
-            // The fastest first; a witness has words of all ports of the unit.
-            "counted": cone.ports.iter().map(|port| netlist.input_name(*port)).collect::<Vec<_>>(),
-            "ports": (0..netlist.inputs().len()).map(|i| netlist.input_name(i)).collect::<Vec<_>>(),
-        },
-        "figures": report.figures,
-        "overflows": report.overflows,
-        "speed": report.speed,
-    })
+    json::document(
+        "cone",
+        json!({
+            "unit": design.values.unit().name,
+            "parameters": parameters(&design.values),
+            "cone": netlist.label(cone.node),
+            "inputs": {
+                "sampler": "exhaustive",
+                "samples": report.samples,
+                "left_out_past_format": measured.past_format,
+                // The fastest first; a witness has words of all ports of the unit.
+                "counted": cone.ports.iter().map(|port| netlist.input_name(*port)).collect::<Vec<_>>(),
+                "ports": (0..netlist.inputs().len()).map(|i| netlist.input_name(i)).collect::<Vec<_>>(),
+            },
+            "figures": report.figures,
+            "overflows": report.overflows,
+            "speed": report.speed,
+        }),
+    )
 }
 
 /// Where the time of a measurement went.
@@ -597,34 +607,35 @@ pub(super) fn sim_json(sim: &Sim) -> Value {
             "quantity": bound.quantity,
             "of": bound.of,
             "over": bound.over,
-            "bound": bound.bound,
-            "seen": bound.seen(report),
+            "bound": json::number(bound.bound),
+            "seen": json::number(bound.seen(report)),
             "holds": bound.holds(report),
         })
     });
     let stated: Vec<Value> = stated.collect();
-    let mut value = json!({
-        "tool": "fixpath",
-        "version": env!("CARGO_PKG_VERSION"),
-        "unit": design.values.unit().name,
-        "parameters": parameters(&design.values),
-        "inputs": {
-            "sampler": sim.inputs.sampler.name(),
-            "samples": report.samples,
-            "seed": sim.inputs.seed,
-            "ports": (0..design.netlist.inputs().len()).map(|i| design.netlist.input_name(i)).collect::<Vec<_>>(),
-        },
-        "counts": design.netlist.counts(),
-        "figures": report.figures,
-        "overflows": report.overflows,
-        // The first on its own too, as units with one bound have always told it.
-        "bound": stated.first().map_or_else(|| json!({
-            "quantity": null, "of": [], "over": null, "bound": null, "seen": null, "holds": null,
-        }), Clone::clone),
-        "bounds": stated,
-        "bounds_hold_for": sim.bounds.inputs,
-        "why_no_bound": sim.bounds.why_none,
-    });
+    let mut value = json::document(
+        "sim",
+        json!({
+            "unit": design.values.unit().name,
+            "parameters": parameters(&design.values),
+            "inputs": {
+                "sampler": sim.inputs.sampler.name(),
+                "samples": report.samples,
+                "seed": sim.inputs.seed,
+                "ports": (0..design.netlist.inputs().len()).map(|i| design.netlist.input_name(i)).collect::<Vec<_>>(),
+            },
+            "counts": design.netlist.counts(),
+            "figures": report.figures,
+            "overflows": report.overflows,
+            // The first on its own too, as units with one bound have always told it.
+            "bound": stated.first().map_or_else(|| json!({
+                "quantity": null, "of": [], "over": null, "bound": null, "seen": null, "holds": null,
+            }), Clone::clone),
+            "bounds": stated,
+            "bounds_hold_for": sim.bounds.inputs,
+            "why_no_bound": sim.bounds.why_none,
+        }),
+    );
     let fields: &mut Map<String, Value> = value.as_object_mut().expect("bug: an object");
     if !sim.hard.is_empty() {
         fields.insert("hard_cases".to_owned(), json!(sim.hard));
@@ -648,6 +659,9 @@ pub(super) fn sweep(record: &Record, out: &Path) -> String {
     let mut text = format!("{} points, {failed} failed\n", record.points.len());
     if let Some(error) = record.points.iter().find_map(|point| point.error.as_ref()) {
         let _ = writeln!(text, "the first failure: {error}");
+    }
+    if let Some(coverage) = record.coverage() {
+        let _ = writeln!(text, "{coverage}");
     }
     let rom = |m: &Measured| cast::f64_of_count(m.count("rom_bits_dual_port").unwrap_or_default());
     let (basis, lead) = (record.ranking(), record.lead());

@@ -3,6 +3,7 @@
 use super::hardware::TablesArg;
 use super::{UnitArgs, note_unused, number, text};
 use crate::error::{Error, Result};
+use crate::json;
 use crate::outside;
 use crate::units::Design;
 use crate::verify::{self, Decoded, Mismatch, Request, Row, Simulator, Verdict};
@@ -99,8 +100,7 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(String, Result<bool>)> {
     } else {
         Ok(true)
     };
-    let told =
-        if args.json { super::pretty(&json_of(&design, &rows)) } else { told(&design, &rows) };
+    let told = if args.json { json::text(&json_of(&design, &rows)) } else { told(&design, &rows) };
     Ok((told, ended))
 }
 
@@ -165,11 +165,12 @@ fn told_mismatch(tool: &str, mismatch: &Mismatch) -> String {
 }
 
 fn json_of(design: &Design, rows: &[Row]) -> Value {
-    json!({
-        "tool": "fixpath",
-        "version": env!("CARGO_PKG_VERSION"),
-        "unit": design.values.unit().name,
-        "parameters": text::parameters(&design.values),
-        "rows": rows,
-    })
+    json::document(
+        "verify",
+        json!({
+            "unit": design.values.unit().name,
+            "parameters": text::parameters(&design.values),
+            "rows": rows,
+        }),
+    )
 }

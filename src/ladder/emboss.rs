@@ -2,13 +2,16 @@
 //! narrower words, smaller tables of the reciprocal root, and coarser fractions between texels.
 
 use super::with;
+use crate::columns::{self, Field};
 use crate::error::{Error, Result};
+use crate::escape;
+use crate::json;
 use crate::netlist::Counts;
 use crate::output;
-use crate::picture::Difference;
-use crate::render::{Pipeline, Rendered, Shot, render, shots_together};
-use crate::report::ladder::{Table, markdown_table};
-use crate::report::record::SceneId;
+use crate::picture::{Difference, coverage};
+use crate::render::{Pipeline, Rendered, Shot, check_view, render, shots_together};
+use crate::report::ladder::{Table, markdown_table, refusals};
+use crate::report::record::{Parameters, SceneId, assigned};
 use crate::scene::Scene;
 use serde::Serialize;
 use std::path::Path;
@@ -27,9 +30,21 @@ pub struct Rung {
     pub pipeline: String,
     /// What differs from the parameters that all have.
     pub setting: String,
+    /// The same by name.
+    pub parameters: Parameters,
     /// Figures, or why there are none.
     #[serde(flatten)]
     pub outcome: Outcome,
+}
+
+impl Rung {
+    /// Why it has no figures.
+    fn refused(&self) -> Option<&str> {
+        match &self.outcome {
+            Outcome::Measured(_) => None,
+            Outcome::Error(why) => Some(why),
+        }
+    }
 }
 
 /// Figures of a rung, or why there are none.
@@ -64,6 +79,10 @@ pub struct Record {
     pub crate_version: String,
     /// The scene.
     pub scene: SceneId,
+    /// Pixels that see an object.
+    pub covered_px: u64,
+    /// The other pixels.
+    pub background_px: u64,
     /// Parameters that every rung has: those that were given.
     pub given: Vec<String>,
     /// All rungs.
@@ -98,7 +117,7 @@ pub fn pictures(pipelines: &[Pipeline], widths: &[u32]) -> usize {
 /// Renders all of it; `progress` gets the pictures done.
 ///
 /// # Errors
-/// If the scene can't be embossed, every rung fails, or FLIP can't look that finely.
+/// If the scene can't be embossed, nothing is in view, every rung fails, or FLIP can't look that finely.
 pub fn climb(
     scene: &Scene,
     name: &str,
@@ -107,6 +126,7 @@ pub fn climb(
     pixels_per_degree: f64,
     progress: &dyn Fn(usize),
 ) -> Result<Record> {
+    check_view(scene)?;
     let mut wanted = Vec::new();
     for pipeline in pipelines {
         for setting in settings(widths) {
@@ -140,6 +160,9 @@ pub fn climb(
         for ((pipeline, setting), outcome) in group.iter().zip(outcomes) {
             rungs.push(Rung {
                 pipeline: pipeline.name.clone(),
+                parameters: assigned(
+                    &setting.split_whitespace().map(str::to_owned).collect::<Vec<_>>(),
+                ),
                 setting: if setting.is_empty() { "defaults".to_owned() } else { setting.clone() },
                 outcome: match outcome {
                     Ok(figures) => Outcome::Measured(Box::new(figures)),
@@ -149,16 +172,18 @@ pub fn climb(
         }
         progress(rungs.len());
     }
-    let failed = |rung: &Rung| match &rung.outcome {
-        Outcome::Measured(_) => None,
-        Outcome::Error(why) => Some(why.clone()),
-    };
-    if let Some(first) = rungs.iter().find_map(failed)
-        && rungs.iter().all(|rung| failed(rung).is_some())
+    if let Some(first) = rungs.iter().find_map(Rung::refused)
+        && rungs.iter().all(|rung| rung.refused().is_some())
     {
         return Err(Error::usage(format!("every rung failed, the first because {first}")));
     }
+    let difference = rungs.iter().find_map(|rung| match &rung.outcome {
+        Outcome::Measured(figures) => Some(&figures.difference),
+        Outcome::Error(_) => None,
+    });
     Ok(Record {
+        covered_px: difference.map_or(0, |difference| difference.covered_px),
+        background_px: difference.map_or(0, |difference| difference.background_px),
         crate_version: env!("CARGO_PKG_VERSION").to_owned(),
         scene: SceneId::new(name, scene),
         given: pipelines
@@ -183,7 +208,7 @@ fn measured(rendered: &Rendered, shot: &Shot, pixels_per_degree: f64) -> Result<
     };
     let known = shot.emboss.expect("bug: an emboss knows that");
     Ok(Figures {
-        difference: Difference::between(&shot.picture, golden, pixels_per_degree)?,
+        difference: rendered.difference(&shot.picture, golden, pixels_per_degree)?,
         bound: known.bound,
         displacement_max_texels: known.displacement_max_texels,
         multipliers: counts().map(multipliers).sum(),
@@ -192,7 +217,9 @@ fn measured(rendered: &Rendered, shot: &Shot, pixels_per_degree: f64) -> Result<
 }
 
 /// Figures of a rung in columns, differences in linear light, 0 to 1.
-pub const COLUMNS: [&str; 10] = [
+pub const COLUMNS: [&str; 12] = [
+    "picture_covered_px",
+    "picture_background_px",
     "picture_max_abs",
     "picture_bound_abs",
     "picture_mean_abs",
@@ -209,21 +236,21 @@ impl Record {
     /// The rungs, differences in 1/255.
     #[must_use]
     pub fn table(&self) -> Table {
-        let headings = [
+        let mut headings = vec![
             "pipeline",
             "what differs",
-            "max/255",
-            "bound/255",
-            "mean/255",
-            "FLIP",
-            "displacement max, texels",
-            "multipliers",
-            "ROM bits",
+            ">max/255",
+            ">bound/255",
+            ">mean/255",
+            ">FLIP",
+            ">displacement max, texels",
+            ">multipliers",
+            ">ROM bits",
         ];
         let row = |rung: &Rung| {
             let mut row = vec![rung.pipeline.clone(), rung.setting.clone()];
-            match &rung.outcome {
-                Outcome::Measured(of) => row.extend([
+            if let Outcome::Measured(of) = &rung.outcome {
+                row.extend([
                     format!("{:.3}", of.difference.max.difference * 255.0),
                     of.bound.map(|bound| format!("{:.3}", bound * 255.0)).unwrap_or_default(),
                     format!("{:.4}", of.difference.mean * 255.0),
@@ -231,71 +258,68 @@ impl Record {
                     format!("{:.1e}", of.displacement_max_texels),
                     of.multipliers.to_string(),
                     of.rom_bits.to_string(),
-                ]),
-                Outcome::Error(_) => row.extend([const { String::new() }; 7]),
+                ]);
             }
             row
         };
-        Table {
-            headings: headings.map(str::to_owned).to_vec(),
-            left: 2,
-            rows: self.rungs.iter().map(row).collect(),
-        }
+        let mut rows: Vec<Vec<String>> = self.rungs.iter().map(row).collect();
+        refusals(&mut headings, &mut rows, self.rungs.iter().map(Rung::refused));
+        Table { headings: headings.into_iter().map(str::to_owned).collect(), rows }
+    }
+
+    /// As JSON.
+    #[must_use]
+    pub fn json(&self) -> serde_json::Value {
+        json::document("emboss-ladder", self)
     }
 
     /// Writes `ladder.json`, `ladder.csv` and `ladder.md` into a folder.
     ///
     /// # Errors
     /// If a file can't be written.
-    ///
-    /// # Panics
-    /// Never: figures are plain values.
     pub fn write(&self, folder: &Path) -> Result<()> {
         output::make_folder(folder)?;
-        let json = serde_json::to_string_pretty(self).expect("bug: figures are plain values");
-        output::write_text(&folder.join("ladder.json"), &(json + "\n"))?;
-        let mut csv = csv::Writer::from_writer(Vec::new());
-        let mut put = |fields: Vec<String>| csv.write_record(fields).expect("bug: into memory");
-        put(["pipeline", "setting"]
-            .iter()
-            .chain(&COLUMNS)
-            .map(|name| (*name).to_owned())
-            .collect());
-        for rung in &self.rungs {
-            let mut fields = vec![rung.pipeline.clone(), rung.setting.clone()];
+        output::write_text(&folder.join("ladder.json"), &json::text(&self.json()))?;
+        let names = ["pipeline", "setting"].iter().chain(&COLUMNS);
+        let heading: Vec<String> = names.map(|name| (*name).to_owned()).collect();
+        let rows = self.rungs.iter().map(|rung| {
+            let mut fields: Vec<Field> =
+                vec![rung.pipeline.as_str().into(), rung.setting.as_str().into()];
             match &rung.outcome {
                 Outcome::Measured(of) => fields.extend([
-                    of.difference.max.difference.to_string(),
-                    of.bound.map(|bound| bound.to_string()).unwrap_or_default(),
-                    of.difference.mean.to_string(),
-                    of.difference.ssim.to_string(),
-                    of.difference.flip.to_string(),
-                    of.difference.srgb8_differing.to_string(),
-                    of.displacement_max_texels.to_string(),
-                    of.multipliers.to_string(),
-                    of.rom_bits.to_string(),
-                    String::new(),
+                    of.difference.covered_px.into(),
+                    of.difference.background_px.into(),
+                    of.difference.max.difference.into(),
+                    of.bound.into(),
+                    of.difference.mean.into(),
+                    of.difference.ssim.into(),
+                    of.difference.flip.into(),
+                    of.difference.srgb8_differing.into(),
+                    of.displacement_max_texels.into(),
+                    of.multipliers.into(),
+                    of.rom_bits.into(),
+                    Field::Missing,
                 ]),
                 Outcome::Error(why) => {
-                    fields.extend([const { String::new() }; COLUMNS.len() - 1]);
-                    fields.push(why.clone());
+                    fields.extend([const { Field::Missing }; COLUMNS.len() - 1]);
+                    fields.push(why.as_str().into());
                 }
             }
-            put(fields);
-        }
-        let bytes = csv.into_inner().expect("bug: into memory");
-        let text = String::from_utf8(bytes).expect("bug: fields are text");
-        output::write_text(&folder.join("ladder.csv"), &text)?;
+            fields
+        });
+        let csv = folder.join("ladder.csv");
+        output::write_file(&csv, |to| columns::write(to, &csv, &heading, rows))?;
         let mut told = format!(
             "# Emboss of scene {}, one parameter at a time\n\nEvery rung has the defaults{} but for what it names. Differences are to the \
              golden picture, in linear light; *displacement* is the largest error of a displaced texture coordinate of \
-             any vertex under any light, in texels.\n\n",
-            self.scene,
+             any vertex under any light, in texels. {}.\n\n",
+            escape::markdown(&self.scene.to_string()),
             if self.given.is_empty() {
                 String::new()
             } else {
-                format!(" with `{}`", self.given.join(" "))
+                format!(" with {}", escape::markdown(&self.given.join(" ")))
             },
+            coverage(self.covered_px, self.background_px),
         );
         told.push_str(&markdown_table(&self.table()));
         output::write_text(&folder.join("ladder.md"), &told)

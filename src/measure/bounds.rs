@@ -2,6 +2,7 @@
 
 use crate::cast;
 use crate::error::Result;
+use crate::json;
 use crate::measure::inputs::values_of;
 use crate::measure::{Basis, Measurand, Report, as_golden, run_golden, table_figures};
 use crate::sim::batch::Program;
@@ -117,19 +118,25 @@ pub struct HardResult {
     /// Input words.
     pub words: Vec<i64>,
     /// Bit-true results, as the golden has them: directions as x, y, z.
+    #[serde(serialize_with = "json::reals")]
     pub fixed: Vec<f64>,
     /// Results of the golden in `f32`.
+    #[serde(serialize_with = "json::reals")]
     pub float32: Vec<f64>,
     /// Results of the golden in `f64`.
+    #[serde(serialize_with = "json::reals")]
     pub float64: Vec<f64>,
     /// The quantity that is nearest to its bound or furthest past it; without a bound, the first
     /// quantity of a direction, and else the one with the largest error.
     pub quantity: String,
     /// Its error, bit-true against `f64`.
+    #[serde(serialize_with = "json::real")]
     pub error: f64,
     /// The largest error of `f32` in the same quantities.
+    #[serde(serialize_with = "json::real")]
     pub float32_error: f64,
     /// Its bound.
+    #[serde(serialize_with = "json::known_real")]
     pub bound: Option<f64>,
 }
 
@@ -161,6 +168,7 @@ pub struct HardVerdict {
     #[serde(flatten)]
     pub worst: HardResult,
     /// The largest error of `f32` over the group.
+    #[serde(serialize_with = "json::real")]
     pub float32_worst: f64,
     /// Whether the bounds hold for every case of the group; `None` without a bound.
     pub holds: Option<bool>,

@@ -30,6 +30,7 @@ pub use tables::{TABLE_ARGUMENT_BITS, TableFigures, table_figures};
 
 use crate::cast;
 use crate::error::{Error, Result};
+use crate::json;
 use crate::netlist::{Netlist, NodeId};
 use crate::sim::batch::{Program, Runner, check_overflows};
 use crate::sim::real;
@@ -281,22 +282,30 @@ pub struct Figures {
     /// Against what.
     pub basis: Basis,
     /// Largest absolute value.
+    #[serde(serialize_with = "json::real")]
     pub max: f64,
     /// The same in ulp of the port or node, for numbers and Cartesian components.
+    #[serde(serialize_with = "json::known_real")]
     pub max_ulp: Option<f64>,
     /// Input that gave it.
     pub witness: Option<Witness>,
     /// Mean of the absolute value.
+    #[serde(serialize_with = "json::real")]
     pub mean: f64,
     /// Mean with sign.
+    #[serde(serialize_with = "json::real")]
     pub bias: f64,
     /// Root of the mean square.
+    #[serde(serialize_with = "json::real")]
     pub rms: f64,
     /// Median of the absolute value, to 1.6 %; 0 means below 2^-44.
+    #[serde(serialize_with = "json::real")]
     pub p50: f64,
     /// 99th percentile, likewise.
+    #[serde(serialize_with = "json::real")]
     pub p99: f64,
     /// 99.9th percentile, likewise.
+    #[serde(serialize_with = "json::real")]
     pub p999: f64,
 }
 

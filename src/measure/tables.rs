@@ -3,6 +3,7 @@
 use crate::cast;
 use crate::error::Result;
 use crate::function::Function;
+use crate::json;
 use crate::lut;
 use crate::netlist::{Builder, NodeId, Quantity};
 use crate::sim::batch::Program;
@@ -18,16 +19,20 @@ pub struct TableFigures {
     /// Function.
     pub function: &'static str,
     /// Largest absolute error against the function saturated to the output format.
+    #[serde(serialize_with = "json::real")]
     pub worst: f64,
     /// The same in ulp of the output.
+    #[serde(serialize_with = "json::real")]
     pub worst_ulp: f64,
     /// Argument word that gives it.
     pub witness_raw: i64,
     /// Its value.
+    #[serde(serialize_with = "json::real")]
     pub witness: f64,
     /// Neighbouring words between which the table goes against the function.
     pub not_monotone: u64,
     /// Largest jump between neighbouring words beyond the function's own step.
+    #[serde(serialize_with = "json::real")]
     pub jump: f64,
     /// Upper word of that jump.
     pub jump_raw: i64,

@@ -5,8 +5,9 @@ use super::ssim::ssim;
 use super::{Picture, Srgb8};
 use crate::cast;
 use crate::error::{Error, Result};
+use crate::json;
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
 /// Pixels per degree of the visual field that FLIP's authors suggest: a 4K display 0.7 m wide,
 /// seen from 0.7 m.
@@ -46,7 +47,7 @@ const CHANNELS: [Channel; 3] = [Channel::Red, Channel::Green, Channel::Blue];
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Extreme {
     /// Absolute difference in linear light.
-    #[serde(serialize_with = "real")]
+    #[serde(serialize_with = "json::real")]
     pub difference: f64,
     /// The channel.
     pub channel: Channel,
@@ -55,10 +56,10 @@ pub struct Extreme {
     /// Row, from the top.
     pub y_px: usize,
     /// Linear light in the picture.
-    #[serde(serialize_with = "real")]
+    #[serde(serialize_with = "json::real")]
     pub value: f64,
     /// Linear light in the golden picture.
-    #[serde(serialize_with = "real")]
+    #[serde(serialize_with = "json::real")]
     pub golden: f64,
 }
 
@@ -77,11 +78,15 @@ pub struct ChannelDifference {
     /// The largest absolute difference.
     pub max: Extreme,
     /// The mean absolute difference.
-    #[serde(serialize_with = "real")]
+    #[serde(serialize_with = "json::real")]
     pub mean: f64,
 }
 
 /// How far a picture is from a golden one.
+///
+/// Where a scene was rendered, figures of single pixels are over those that see an object: an empty background,
+/// which is the same in both, would make every mean as small as one likes. SSIM and FLIP look at neighbourhoods and
+/// are of the whole picture, as outside tools have them.
 ///
 /// In JSON, numbers that it can't write are the texts `NaN`, `inf` and `-inf`.
 ///
@@ -97,56 +102,79 @@ pub struct ChannelDifference {
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Difference {
+    /// Pixels that the figures of pixels are over: those that see an object.
+    pub covered_px: u64,
+    /// The other pixels.
+    pub background_px: u64,
     /// The largest absolute difference of any channel, in linear light.
     pub max: Extreme,
-    /// The mean absolute difference of all channels, in linear light.
-    #[serde(serialize_with = "real")]
+    /// The mean absolute difference of all channels of covered pixels, in linear light.
+    #[serde(serialize_with = "json::real")]
     pub mean: f64,
     /// The differences of red, green and blue.
     pub channels: [ChannelDifference; 3],
     /// Peak signal to noise ratio in dB: a peak of 1 in linear light over the mean squared
-    /// difference of all channels. Infinite if the pictures are equal.
-    #[serde(serialize_with = "real")]
+    /// difference of all channels of covered pixels. Infinite if the pictures are equal.
+    #[serde(serialize_with = "json::real")]
     pub psnr_db: f64,
-    /// Part of the pixels that differ in any of their 8-bit sRGB codes, 0..=1.
+    /// Part of the covered pixels that differ in any of their 8-bit sRGB codes, 0..=1.
     pub srgb8_differing: f64,
     /// The largest difference between 8-bit sRGB codes.
     pub srgb8_max_codes: u8,
     /// Mean structural similarity of the luma (BT.709) of the 8-bit pictures, -1..=1, 1 if they
     /// are equal: Wang et al. 2004, over 11 x 11 px windows that lie inside the picture. A
     /// window is no longer than a side.
-    #[serde(serialize_with = "real")]
+    #[serde(serialize_with = "json::real")]
     pub ssim: f64,
     /// Mean LDR-FLIP of the 8-bit pictures, 0..=1, 0 if they are equal: Andersson et al. 2020.
     /// Beyond its borders a picture goes on with its last pixels.
-    #[serde(serialize_with = "real")]
+    #[serde(serialize_with = "json::real")]
     pub flip: f64,
     /// Pixels per degree of the visual field that FLIP was told.
     pub pixels_per_degree: f64,
 }
 
-/// As text where JSON has no number for it.
-fn real<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
-    if value.is_finite() { serializer.serialize_f64(*value) } else { serializer.collect_str(value) }
-}
-
 impl Difference {
-    /// Compares a picture with a golden one. `pixels_per_degree` is FLIP's, 1..=1000; see
+    /// Compares all of a picture with a golden one. `pixels_per_degree` is FLIP's, 1..=1000; see
     /// [`PIXELS_PER_DEGREE`].
     ///
     /// # Errors
     /// If the pictures differ in size, or `pixels_per_degree` is outside its range.
     pub fn between(picture: &Picture, golden: &Picture, pixels_per_degree: f64) -> Result<Self> {
+        Self::over(&vec![true; picture.pixels().len()], picture, golden, pixels_per_degree)
+    }
+
+    /// Compares a picture of a scene with a golden one: `covered` says which pixels see an object.
+    ///
+    /// # Errors
+    /// As [`between`](Self::between), or if no pixel is covered: then there is nothing to compare.
+    pub fn over(
+        covered: &[bool],
+        picture: &Picture,
+        golden: &Picture,
+        pixels_per_degree: f64,
+    ) -> Result<Self> {
         check_equal_sizes(picture, golden)?;
         check_pixels_per_degree(pixels_per_degree)?;
+        if covered.len() != picture.pixels().len() {
+            let text = format!(
+                "{} pixels are told covered or not, and the picture has {}",
+                covered.len(),
+                picture.pixels().len()
+            );
+            return Err(Error::usage(text));
+        }
         let codes = [picture.to_srgb8(), golden.to_srgb8()];
-        let all = Sums::of(picture, golden, &codes);
-        let pixels = cast::f64_of_len(picture.pixels().len());
+        let all = Sums::of(covered, picture, golden, &codes).ok_or_else(nothing_in_view)?;
+        let covered_px = cast::count_of(covered.iter().filter(|covered| **covered).count());
+        let pixels = cast::f64_of_count(covered_px);
         let [r, g, b] = all.max;
         let square = all.square / (3.0 * pixels);
         // Codes can't tell what is no number.
         let or_nan = |figure: &dyn Fn() -> f64| if square.is_nan() { f64::NAN } else { figure() };
         Ok(Self {
+            covered_px,
+            background_px: cast::count_of(covered.len()) - covered_px,
             max: r.or_later(g).or_later(b),
             mean: all.absolute.iter().sum::<f64>() / (3.0 * pixels),
             channels: std::array::from_fn(|i| ChannelDifference {
@@ -163,6 +191,21 @@ impl Difference {
     }
 }
 
+/// How much of a picture means are over, in words.
+#[must_use]
+pub fn coverage(covered_px: u64, background_px: u64) -> String {
+    let all = covered_px + background_px;
+    format!(
+        "{covered_px} of {all} pixels are covered (see an object); means, PSNR and the differing part are over these, SSIM and FLIP over all"
+    )
+}
+
+/// The error for a picture without a covered pixel.
+pub(crate) fn nothing_in_view() -> Error {
+    let text = "nothing is in view: no pixel sees an object, so there is no error to tell; see to the [camera]'s eye and target, and that objects are seen from outside, where their normals point";
+    Error::usage(text.to_owned())
+}
+
 /// Fails if FLIP can't be told so, which takes no pictures to know.
 pub(crate) fn check_pixels_per_degree(pixels_per_degree: f64) -> Result<()> {
     if LEGAL_PIXELS_PER_DEGREE.contains(&pixels_per_degree) {
@@ -173,7 +216,7 @@ pub(crate) fn check_pixels_per_degree(pixels_per_degree: f64) -> Result<()> {
     Err(Error::parameter_value("pixels_per_degree", &given, legal))
 }
 
-/// What is known of some rows.
+/// What is known of the covered pixels of some rows.
 struct Sums {
     max: [Extreme; 3],
     absolute: [f64; 3],
@@ -183,49 +226,56 @@ struct Sums {
 }
 
 impl Sums {
-    fn of(picture: &Picture, golden: &Picture, codes: &[Srgb8; 2]) -> Self {
-        let row = |y| Self::of_row(picture, golden, codes, y);
-        let rows: Vec<Self> = (0..picture.height_px()).into_par_iter().map(row).collect();
+    /// `None` if no pixel is covered.
+    fn of(
+        covered: &[bool],
+        picture: &Picture,
+        golden: &Picture,
+        codes: &[Srgb8; 2],
+    ) -> Option<Self> {
+        let row = |y| Self::of_row(covered, picture, golden, codes, y);
+        let rows: Vec<Option<Self>> = (0..picture.height_px()).into_par_iter().map(row).collect();
         // From the top down, whatever thread summed a row.
-        rows.into_iter().reduce(Self::and).expect("bug: a picture without rows")
+        rows.into_iter().flatten().reduce(Self::and)
     }
 
-    fn of_row(picture: &Picture, golden: &Picture, codes: &[Srgb8; 2], y_px: usize) -> Self {
+    fn of_row(
+        covered: &[bool],
+        picture: &Picture,
+        golden: &Picture,
+        codes: &[Srgb8; 2],
+        y_px: usize,
+    ) -> Option<Self> {
         let width = picture.width_px();
-        let first = y_px * width;
-        let extreme = |x_px: usize, i: usize| {
-            let value = f64::from(picture.pixels()[first + x_px][i]);
-            let golden = f64::from(golden.pixels()[first + x_px][i]);
-            let difference = (value - golden).abs();
-            Extreme { difference, channel: CHANNELS[i], x_px, y_px, value, golden }
+        let pixel = |x_px: usize| {
+            let at = y_px * width + x_px;
+            let channels = std::array::from_fn(|i| {
+                let value = f64::from(picture.pixels()[at][i]);
+                let golden = f64::from(golden.pixels()[at][i]);
+                let difference = (value - golden).abs();
+                Extreme { difference, channel: CHANNELS[i], x_px, y_px, value, golden }
+            });
+            Self::of_pixel(channels, codes.each_ref().map(|picture| picture.codes()[at]))
         };
-        let mut sums = Self {
-            max: std::array::from_fn(|i| extreme(0, i)),
-            absolute: [0.0; 3],
-            square: 0.0,
-            differing: 0,
-            max_codes: 0,
-        };
-        for x in 0..width {
-            let mut number = true;
-            for i in 0..3 {
-                let here = extreme(x, i);
-                sums.max[i] = sums.max[i].or_later(here);
-                sums.absolute[i] += here.difference;
-                sums.square += here.difference * here.difference;
-                number &= !here.difference.is_nan();
-            }
-            let [a, b] = codes.each_ref().map(|picture| picture.codes()[first + x]);
-            let apart = |i: usize| a[i].abs_diff(b[i]);
-            // Codes can't tell what is no number: it differs from everything by everything.
-            let most = if number { apart(0).max(apart(1)).max(apart(2)) } else { u8::MAX };
-            sums.differing += u64::from(most > 0);
-            sums.max_codes = sums.max_codes.max(most);
-        }
-        sums
+        (0..width).filter(|x| covered[y_px * width + x]).map(pixel).reduce(Self::and)
     }
 
-    /// These rows and later ones.
+    fn of_pixel(channels: [Extreme; 3], [a, b]: [[u8; 3]; 2]) -> Self {
+        let absolute = channels.map(|channel| channel.difference);
+        let apart = |i: usize| a[i].abs_diff(b[i]);
+        // Codes can't tell what is no number: it differs from everything by everything.
+        let number = absolute.iter().all(|difference| !difference.is_nan());
+        let most = if number { apart(0).max(apart(1)).max(apart(2)) } else { u8::MAX };
+        Self {
+            max: channels,
+            absolute,
+            square: absolute.iter().map(|difference| difference * difference).sum(),
+            differing: u64::from(most > 0),
+            max_codes: most,
+        }
+    }
+
+    /// These pixels and later ones.
     fn and(self, later: Self) -> Self {
         Self {
             max: std::array::from_fn(|i| self.max[i].or_later(later.max[i])),

@@ -23,8 +23,8 @@ mod ssim;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use compare::check_pixels_per_degree;
-pub use compare::{Channel, ChannelDifference, Difference, Extreme, PIXELS_PER_DEGREE};
+pub use compare::{Channel, ChannelDifference, Difference, Extreme, PIXELS_PER_DEGREE, coverage};
+pub(crate) use compare::{check_pixels_per_degree, nothing_in_view};
 pub use draw::{Panel, sheet};
 pub use maps::{Amplify, absolute_map, signed_map};
 
@@ -32,8 +32,6 @@ use crate::cast;
 use crate::error::{Error, Result};
 use crate::output;
 use crate::srgb::from_srgb;
-use image::codecs::png::PngEncoder;
-use image::{ExtendedColorType, ImageEncoder, ImageError};
 use rayon::prelude::*;
 use std::array;
 use std::path::Path;
@@ -159,22 +157,38 @@ impl Srgb8 {
         Picture { width_px: self.width_px, pixels: self.codes.par_iter().map(decode).collect() }
     }
 
-    /// Writes the picture as PNG, whole or not at all.
+    /// Writes the picture as PNG, whole or not at all. It says that its codes are sRGB, so that colour-managed
+    /// viewers and tools take them for nothing else.
     ///
     /// # Errors
     /// If the file can't be written.
     pub fn save_png(&self, path: &Path) -> Result<()> {
         let (width, height) = (side(self.width_px), side(self.height_px()));
         output::write_file(path, |to| {
-            PngEncoder::new(to)
-                .write_image(self.codes.as_flattened(), width, height, ExtendedColorType::Rgb8)
-                .map_err(|why| {
-                    if let ImageError::IoError(why) = why {
-                        output::at(path)(why)
-                    } else {
-                        Error::file(path, why.to_string())
-                    }
-                })
+            let write = || {
+                let mut encoder = png::Encoder::new(to, width, height);
+                encoder.set_color(png::ColorType::Rgb);
+                encoder.set_depth(png::BitDepth::Eight);
+                encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+                // The same for programs that don't know sRGB, as the PNG specification has it.
+                encoder.set_source_gamma(png::ScaledFloat::from_scaled(45_455));
+                encoder.set_source_chromaticities(png::SourceChromaticities::new(
+                    (0.3127, 0.329),
+                    (0.64, 0.33),
+                    (0.3, 0.6),
+                    (0.15, 0.06),
+                ));
+                let mut writer = encoder.write_header()?;
+                writer.write_image_data(self.codes.as_flattened())?;
+                writer.finish()
+            };
+            write().map_err(|why: png::EncodingError| {
+                if let png::EncodingError::IoError(why) = why {
+                    output::at(path)(why)
+                } else {
+                    Error::file(path, why.to_string())
+                }
+            })
         })
     }
 }

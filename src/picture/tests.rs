@@ -202,6 +202,24 @@ fn equal_pictures_and_one_pixel() {
     assert!(apart.ssim < 1e-3 && apart.flip > 0.9, "{} {}", apart.ssim, apart.flip);
 }
 
+/// Only covered pixels count, wherever they are; what is beside them is not looked at.
+#[test]
+fn figures_are_over_what_is_covered() {
+    let golden = grey(3, &[0.0, 0.0, 0.0, 0.25, 0.5, 0.5]);
+    let picture = grey(3, &[1.0, 0.0, 0.0, 0.5, 0.5, f32::NAN]);
+    let covered = [false, true, true, true, true, false];
+    let over = Difference::over(&covered, &picture, &golden, 67.0).unwrap();
+    assert_eq!((over.covered_px, over.background_px), (4, 2));
+    assert_eq!((over.max.difference, over.max.x_px, over.max.y_px), (0.25, 0, 1));
+    assert_eq!((over.mean, over.channels[2].mean), (0.25 / 4.0, 0.25 / 4.0));
+    assert_eq!(over.psnr_db, -10.0 * (0.0625f64 / 4.0).log10());
+    assert_eq!((over.srgb8_differing, over.srgb8_max_codes), (0.25, 51));
+    let message = Difference::over(&[false; 6], &picture, &golden, 67.0).unwrap_err().to_string();
+    assert!(message.starts_with("nothing is in view"), "{message}");
+    let message = Difference::over(&[true; 5], &picture, &golden, 67.0).unwrap_err().to_string();
+    assert!(message.contains("5 pixels are told covered or not"), "{message}");
+}
+
 #[test]
 fn a_difference_below_a_code_is_in_linear_light_alone() {
     let difference = between(&grey(2, &[0.5, 0.5]), &grey(2, &[0.5, 0.500_01]));

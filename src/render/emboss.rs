@@ -37,7 +37,9 @@
 //! are compared with the golden's; interpolation makes no error larger.
 
 use super::named::Stage;
-use super::{Block, BlockShot, Gathered, Pipeline, Rendered, Shot, gather, median_rate, overflows};
+use super::{
+    Block, BlockShot, Gathered, Pipeline, Rendered, Shot, count, gather, median_rate, overflows,
+};
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::format::Format;
@@ -585,7 +587,7 @@ pub fn render(
     };
     let other_total = other.map(|_| BlockShot::of([].into_iter()));
     let totals = shaders.iter().map(nothing).chain(other_total).collect();
-    let Gathered { golden, covered, mut pictures, totals, mut rates, .. } =
+    let Gathered { golden, covers, mut pictures, totals, mut rates, .. } =
         gather(scene, totals, lanes, shade, progress)?;
     let other_golden = other.and_then(|_| pictures.pop()).map(Arc::new);
     let mut shots = Vec::new();
@@ -610,7 +612,14 @@ pub fn render(
             overflows: overflows(stages.into_iter(), &total.overflows)?,
         });
     }
-    Ok(Rendered { golden, blinn: None, covered, shots, elapsed: start.elapsed() })
+    Ok(Rendered {
+        golden,
+        blinn: None,
+        covered: count(&covers),
+        covers,
+        shots,
+        elapsed: start.elapsed(),
+    })
 }
 
 /// The golden colour of a pixel.

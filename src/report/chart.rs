@@ -4,6 +4,7 @@
 //! hold zeros and whose legends lie over the data.
 
 use crate::cast;
+use crate::escape;
 use plotters::coord::Shift;
 use plotters::element::{Drawable, PointCollection};
 use plotters::prelude::*;
@@ -274,13 +275,14 @@ impl<'a> Canvas<'a> {
     fn text(&self, text: &str, at: Place, size: f64, anchor: (HPos, VPos)) {
         // The SVG backend divides sizes by 1.24.
         let style = ("sans-serif", size * 1.24).into_font().color(&TEXT);
-        self.draw(&Text::new(text.to_owned(), at, style.pos(Pos::new(anchor.0, anchor.1))));
+        let text = escape::line(text).into_owned();
+        self.draw(&Text::new(text, at, style.pos(Pos::new(anchor.0, anchor.1))));
     }
 
     fn upright_text(&self, text: &str, at: Place, size: f64) {
         let font = ("sans-serif", size * 1.24).into_font().transform(FontTransform::Rotate270);
         let style = font.color(&TEXT).pos(Pos::new(HPos::Center, VPos::Center));
-        self.draw(&Text::new(text.to_owned(), at, style));
+        self.draw(&Text::new(escape::line(text).into_owned(), at, style));
     }
 
     fn line(&self, points: Vec<Place>, style: impl Into<ShapeStyle>) {
@@ -350,11 +352,40 @@ impl Chart {
         svg
     }
 
+    /// Points that have a place, series by series, and a word on those that an axis can't show: no number has no
+    /// place, infinity lies on the edge, and so does 0 where the axis is logarithmic.
+    fn placed(&self) -> (Vec<String>, Vec<Vec<(f64, f64)>>) {
+        let is_placed = |(x, y): &(f64, f64)| !x.is_nan() && !y.is_nan();
+        let kept = |series: &Series| series.points.iter().copied().filter(is_placed).collect();
+        let series: Vec<Vec<(f64, f64)>> = self.series.iter().map(kept).collect();
+        let any = |is: &dyn Fn(&(f64, f64)) -> bool| series.iter().flatten().any(is);
+        let none = |x: f64, along| along != Along::Linear && x <= 0.0;
+        let mut told = Vec::new();
+        for (there, text) in [
+            (any(&|p| none(p.1, self.y.1)), "Points on the lower edge have no error at all."),
+            (any(&|p| p.1 == f64::INFINITY), "Points on the upper edge are infinite."),
+            (any(&|p| none(p.0, self.x.1)), "Points on the left edge are at 0."),
+            (any(&|p| p.0 == f64::INFINITY), "Points on the right edge are infinite."),
+        ] {
+            if there {
+                told.push(text.to_owned());
+            }
+        }
+        let all: usize = self.series.iter().map(|series| series.points.len()).sum();
+        let left_out = all - series.iter().map(Vec::len).sum::<usize>();
+        if left_out > 0 {
+            told.push(format!("Left out: {left_out} without a number (NaN)."));
+        }
+        (told, series)
+    }
+
     fn draw(&self, canvas: &Canvas<'_>) {
         let (width_px, height_px) = (cast::pixel_of(WIDTH.into()), cast::pixel_of(HEIGHT.into()));
         let centre = width_px / 2;
         canvas.text(&self.title, (centre, 22), TITLE, (HPos::Center, VPos::Center));
-        let caption: Vec<String> = self.caption.iter().flat_map(|text| wrapped(text)).collect();
+        let (edges, series) = self.placed();
+        let caption = self.caption.iter().chain(&edges);
+        let caption: Vec<String> = caption.flat_map(|text| wrapped(text)).collect();
         let mut y = 48;
         for line in &caption {
             canvas.text(line, (centre, y), SMALL, (HPos::Center, VPos::Center));
@@ -364,15 +395,15 @@ impl Chart {
         let rows = legend.last().map_or(0, |(_, (_, row))| row + 1);
         let plot = Box4(92, y + 2, width_px - 32, height_px - 62 - rows * (LINE + 2));
         let front = self.front.iter().flat_map(|front| &front.points);
-        let all = self.series.iter().flat_map(|series| series.points.iter().copied());
+        let all = series.iter().flatten().copied();
         let all = all.chain(front.map(|(x, y, _)| (*x, *y)));
         let xs = Scale::fit(all.clone().map(|(x, _)| x), self.x.1, (plot.0, plot.2));
         let ys = Scale::fit(all.map(|(_, y)| y), self.y.1, (plot.3, plot.1));
         self.axes(canvas, &plot, &xs, &ys);
         let place = |&(x, y): &(f64, f64)| (xs.at(x), ys.at(y));
-        for series in &self.series {
+        for (series, points) in self.series.iter().zip(&series) {
             let colour = PALETTE[series.colour % PALETTE.len()];
-            let points: Vec<Place> = series.points.iter().map(place).collect();
+            let points: Vec<Place> = points.iter().map(place).collect();
             match series.style {
                 Style::Joined => canvas.line(points.clone(), colour.stroke_width(2)),
                 Style::Dashed => canvas.dashes(&points, colour.stroke_width(1)),
@@ -387,12 +418,12 @@ impl Chart {
                 front.points.iter().map(|(x, y, _)| place(&(*x, *y))).collect();
             canvas.line(points.clone(), BLACK.stroke_width(1));
             points.iter().for_each(|at| canvas.ring(*at));
-            let others: Vec<Place> =
-                self.series.iter().flat_map(|series| series.points.iter().map(place)).collect();
+            let others: Vec<Place> = series.iter().flatten().map(place).collect();
             // A label may lie beside a line of a series, not on it.
-            let joined = self.series.iter().filter(|series| series.style == Style::Joined);
+            let joined = self.series.iter().zip(&series);
+            let joined = joined.filter(|(series, _)| series.style == Style::Joined);
             let mut lines: Vec<Vec<Place>> =
-                joined.map(|series| series.points.iter().map(place).collect()).collect();
+                joined.map(|(_, points)| points.iter().map(place).collect()).collect();
             lines.push(points.clone());
             labels(canvas, &plot, &points, &others, &lines, front);
         }

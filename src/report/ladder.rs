@@ -7,13 +7,17 @@
 //! then `error`, why there are none.
 
 use super::chart::{Along, Chart, Front, Series, Style};
-use super::markdown::{short, table_head};
+use super::markdown::{self, short};
 use super::pareto;
 use super::record::{Measured, Point, SceneId};
 use crate::cast;
+use crate::columns::{self, Field};
 use crate::error::Result;
+use crate::escape;
+use crate::json;
 use crate::measure::Basis;
 use crate::output;
+use crate::picture::coverage;
 use serde::{Deserialize, Serialize};
 use std::fmt::Write as _;
 use std::path::Path;
@@ -27,6 +31,8 @@ pub struct Header {
     pub scene: SceneId,
     /// Pixels that see an object.
     pub covered_px: u64,
+    /// The other pixels.
+    pub background_px: u64,
     /// Lights of the scene: a pixel takes a sample for each.
     pub lights: usize,
     /// Pixels per degree of sight, for FLIP.
@@ -81,29 +87,31 @@ pub struct Record {
 }
 
 /// A figure of a point.
-type Pick = fn(&Header, &Measured) -> Option<f64>;
+type Pick = fn(&Header, &Measured) -> Field;
 
 /// Figures in columns of the CSV files: differences in linear light, 0 to 1; simulated pixels per second
 /// and thread are those of the bit-true engine alone.
-pub const FIGURES: [(&str, Pick); 18] = [
-    ("picture_max_abs", |_, m| figure(m, "picture", true)),
-    ("picture_mean_abs", |_, m| figure(m, "picture", false)),
-    ("picture_psnr_db", |_, m| Some(m.picture?.psnr_db.0)),
-    ("picture_ssim", |_, m| Some(m.picture?.ssim.0)),
-    ("picture_flip", |_, m| Some(m.picture?.flip.0)),
-    ("picture_srgb8_differing", |_, m| Some(m.picture?.srgb8_differing)),
-    ("picture_srgb8_max_codes", |_, m| Some(m.picture?.srgb8_max_codes.into())),
-    ("lt_angle_max_rad", |_, m| figure(m, "lt_angle", true)),
-    ("lt_angle_mean_rad", |_, m| figure(m, "lt_angle", false)),
-    ("multipliers", |_, m| Some(cast::f64_of_count(m.operators()[0]))),
-    ("adders", |_, m| Some(cast::f64_of_count(m.operators()[1]))),
-    ("tables", |_, m| count(m, "tables")),
-    ("rom_bits", |_, m| count(m, "rom_bits")),
-    ("rom_bits_dual_port", |_, m| count(m, "rom_bits_dual_port")),
-    ("latency_cycles", |_, m| count(m, "latency_cycles")),
-    ("flip_flops", |_, m| count(m, "flip_flops")),
-    ("overflows", |_, m| Some(cast::f64_of_count(m.overflows.iter().map(|o| o.count).sum()))),
-    ("pixels_per_second_per_thread", |h, m| Some(pixels_per_second(h, m))),
+pub const FIGURES: [(&str, Pick); 20] = [
+    ("picture_covered_px", |_, m| m.picture.map(|p| p.covered_px).into()),
+    ("picture_background_px", |_, m| m.picture.map(|p| p.background_px).into()),
+    ("picture_max_abs", |_, m| figure(m, "picture", true).into()),
+    ("picture_mean_abs", |_, m| figure(m, "picture", false).into()),
+    ("picture_psnr_db", |_, m| m.picture.map(|p| p.psnr_db.0).into()),
+    ("picture_ssim", |_, m| m.picture.map(|p| p.ssim.0).into()),
+    ("picture_flip", |_, m| m.picture.map(|p| p.flip.0).into()),
+    ("picture_srgb8_differing", |_, m| m.picture.map(|p| p.srgb8_differing).into()),
+    ("picture_srgb8_max_codes", |_, m| m.picture.map(|p| u32::from(p.srgb8_max_codes)).into()),
+    ("lt_angle_max_rad", |_, m| figure(m, "lt_angle", true).into()),
+    ("lt_angle_mean_rad", |_, m| figure(m, "lt_angle", false).into()),
+    ("multipliers", |_, m| m.operators()[0].into()),
+    ("adders", |_, m| m.operators()[1].into()),
+    ("tables", |_, m| m.count("tables").into()),
+    ("rom_bits", |_, m| m.count("rom_bits").into()),
+    ("rom_bits_dual_port", |_, m| m.count("rom_bits_dual_port").into()),
+    ("latency_cycles", |_, m| m.count("latency_cycles").into()),
+    ("flip_flops", |_, m| m.count("flip_flops").into()),
+    ("overflows", |_, m| m.overflows.iter().map(|o| o.count).sum::<u64>().into()),
+    ("pixels_per_second_per_thread", |h, m| pixels_per_second(h, m).into()),
 ];
 
 fn figure(measured: &Measured, quantity: &str, max: bool) -> Option<f64> {
@@ -111,8 +119,9 @@ fn figure(measured: &Measured, quantity: &str, max: bool) -> Option<f64> {
     Some(if max { figures.max.0 } else { figures.mean.0 })
 }
 
-fn count(measured: &Measured, name: &str) -> Option<f64> {
-    measured.count(name).map(cast::f64_of_count)
+/// A count for a chart; NaN if it isn't known.
+fn count(measured: &Measured, name: &str) -> f64 {
+    measured.count(name).map_or(f64::NAN, cast::f64_of_count)
 }
 
 fn pixels_per_second(header: &Header, measured: &Measured) -> f64 {
@@ -125,17 +134,21 @@ fn error(point: &Point) -> f64 {
     max.unwrap_or(f64::NAN) * 255.0
 }
 
-/// Rows under headings; the first `left` columns are flush left.
+/// Rows under headings.
 pub struct Table {
-    /// Headings.
+    /// Headings; those of columns that are flush right start with `>`.
     pub headings: Vec<String>,
-    /// How many columns are flush left.
-    pub left: usize,
     /// Rows.
     pub rows: Vec<Vec<String>>,
 }
 
 impl Record {
+    /// As JSON.
+    #[must_use]
+    pub fn json(&self) -> serde_json::Value {
+        json::document("ladder", self)
+    }
+
     /// Writes `ladder.json`, `ladder.csv`, `ladder.md`, `exponents.csv` and the plots into a folder.
     ///
     /// # Errors
@@ -143,14 +156,11 @@ impl Record {
     pub fn write(&self, folder: &Path) -> Result<()> {
         output::make_folder(folder)?;
         let json = folder.join("ladder.json");
-        output::write_file(&json, |to| {
-            let fail = output::at(&json);
-            serde_json::to_writer_pretty(&mut *to, self).map_err(|why| fail(why.into()))?;
-            to.write_all(b"\n").map_err(fail)
-        })?;
+        output::write_text(&json, &json::text(&self.json()))?;
         let rungs = self.rungs.iter().map(|rung| {
-            let told = [rung.pipeline.clone(), rung.unit.clone(), rung.width_bits.to_string()];
-            let own = self.header.rung.iter().map(|(key, _)| rung.point.text(key));
+            let told: [Field; 3] =
+                [rung.pipeline.as_str().into(), rung.unit.as_str().into(), rung.width_bits.into()];
+            let own = self.header.rung.iter().map(|(key, _)| rung.point.field(key));
             (told.into_iter().chain(own).collect(), &rung.point)
         });
         let mut names = vec!["pipeline", "unit", "width_bits"];
@@ -158,8 +168,8 @@ impl Record {
         self.write_csv(&folder.join("ladder.csv"), &names, rungs)?;
         let names = ["exponent", "light_scheme", "light_addr_bits"];
         let lights = self.exponents.iter().map(|light| {
-            let told =
-                [light.exponent.to_string(), light.scheme.clone(), light.addr_bits.to_string()];
+            let told: [Field; 3] =
+                [light.exponent.into(), light.scheme.as_str().into(), light.addr_bits.into()];
             (told.to_vec(), &light.point)
         });
         self.write_csv(&folder.join("exponents.csv"), &names, lights)?;
@@ -173,52 +183,44 @@ impl Record {
         &self,
         path: &Path,
         names: &[&str],
-        points: impl Iterator<Item = (Vec<String>, &'a Point)>,
+        points: impl Iterator<Item = (Vec<Field>, &'a Point)>,
     ) -> Result<()> {
-        output::write_file(path, |to| {
-            let fail = output::csv_at(path);
-            let mut writer = csv::Writer::from_writer(to);
-            let figures = FIGURES.map(|(name, _)| name);
-            writer
-                .write_record(names.iter().copied().chain(figures).chain(["error"]))
-                .map_err(fail)?;
-            for (mut row, point) in points {
-                row.extend(FIGURES.map(|(_, get)| {
-                    let number = point.measured.as_ref().and_then(|m| get(&self.header, m));
-                    number.map(|number| number.to_string()).unwrap_or_default()
-                }));
-                row.push(point.error.clone().unwrap_or_default());
-                writer.write_record(&row).map_err(fail)?;
-            }
-            writer.flush().map_err(output::at(path))
-        })
+        let figures = FIGURES.map(|(name, _)| name);
+        let heading = names.iter().copied().chain(figures).chain(["error"]);
+        let heading: Vec<String> = heading.map(str::to_owned).collect();
+        let rows = points.map(|(mut row, point)| {
+            row.extend(FIGURES.map(|(_, get)| match &point.measured {
+                Some(measured) => get(&self.header, measured),
+                None => Field::Missing,
+            }));
+            row.push(point.error.clone().into());
+            row
+        });
+        output::write_file(path, |to| columns::write(to, path, &heading, rows))
     }
 
     /// The pipelines at every width.
     #[must_use]
     pub fn pipelines_table(&self) -> Table {
-        let headings = [
+        let mut headings = vec![
             "pipeline",
-            "bits",
-            "max/255",
-            "mean/255",
-            "PSNR dB",
-            "FLIP",
-            "L' angle max °",
-            "mean °",
-            "mul",
-            "add",
-            "ROM bits",
-            "with copies",
-            "cycles",
-            "Mpixels/s a thread",
+            ">bits",
+            ">max/255",
+            ">mean/255",
+            ">PSNR dB",
+            ">FLIP",
+            ">L' angle max °",
+            ">mean °",
+            ">mul",
+            ">add",
+            ">ROM bits",
+            ">with copies",
+            ">cycles",
+            ">Mpixels/s a thread",
         ];
         let row = |rung: &Rung| {
             let mut row = vec![rung.pipeline.clone(), rung.width_bits.to_string()];
-            let Some(m) = &rung.point.measured else {
-                row.resize(headings.len(), "-".to_owned());
-                return row;
-            };
+            let Some(m) = &rung.point.measured else { return row };
             let shown = |number: Option<f64>, scale: f64| {
                 number.map_or_else(|| "-".to_owned(), |number| short(number * scale))
             };
@@ -236,11 +238,9 @@ impl Record {
             row.push(format!("{:.1}", pixels_per_second(&self.header, m) / 1e6));
             row
         };
-        Table {
-            headings: headings.map(str::to_owned).to_vec(),
-            left: 1,
-            rows: self.rungs.iter().map(row).collect(),
-        }
+        let mut rows: Vec<Vec<String>> = self.rungs.iter().map(row).collect();
+        refusals(&mut headings, &mut rows, self.rungs.iter().map(|r| r.point.error.as_deref()));
+        Table { headings: headings.into_iter().map(str::to_owned).collect(), rows }
     }
 
     /// Light tables with their points, exponent by exponent.
@@ -261,23 +261,48 @@ impl Record {
     pub fn exponents_table(&self) -> Option<Table> {
         let tables = self.light_tables();
         let (_, first) = tables.first()?;
-        let mut headings = vec!["light tables".to_owned(), "ROM bits".to_owned(), "mul".to_owned()];
-        headings.extend(first.iter().map(|light| format!("n = {}", light.exponent)));
+        let mut headings = ["light tables", ">ROM bits", ">mul"].map(str::to_owned).to_vec();
+        headings.extend(first.iter().map(|light| format!(">n = {}", light.exponent)));
         let row = |((scheme, addr_bits), lights): &((&str, u32), Vec<&LightPoint>)| {
             let mut row = vec![format!("{scheme}, 2^{addr_bits}")];
             // Tables grow a little with the exponent: slopes take more bits.
             let measured = lights.iter().filter_map(|light| light.point.measured.as_ref());
-            let most = |get: fn(&Measured) -> u64| measured.clone().map(get).max().unwrap_or(0);
-            row.push(most(|m| m.count("rom_bits").unwrap_or(0)).to_string());
-            row.push(most(|m| m.operators()[0]).to_string());
-            row.extend(lights.iter().map(|light| short(error(&light.point))));
+            let most = |get: fn(&Measured) -> u64| {
+                let most = measured.clone().map(get).max();
+                most.map_or_else(|| "-".to_owned(), |most| most.to_string())
+            };
+            row.push(most(|m| m.count("rom_bits").unwrap_or(0)));
+            row.push(most(|m| m.operators()[0]));
+            row.extend(lights.iter().map(|light| match light.point.measured {
+                Some(_) => short(error(&light.point)),
+                None => "refused".to_owned(),
+            }));
             row
         };
         let rows = tables.iter().map(row).collect();
-        Some(Table { headings, left: 1, rows })
+        Some(Table { headings, rows })
     }
 
-    /// What the light tables come to, in words; `None` if they weren't judged.
+    /// Why light tables were refused, a line for each reason.
+    #[must_use]
+    pub fn refused_tables(&self) -> Vec<String> {
+        let mut reasons: Vec<(&str, Vec<String>)> = Vec::new();
+        for light in &self.exponents {
+            let Some(why) = &light.point.error else { continue };
+            let LightPoint { exponent, scheme, addr_bits, .. } = light;
+            let name = format!("{scheme} 2^{addr_bits} at n = {exponent}");
+            match reasons.iter_mut().find(|(known, _)| known == why) {
+                Some((_, names)) => names.push(name),
+                None => reasons.push((why, vec![name])),
+            }
+        }
+        let line = |(why, names): (&str, Vec<String>)| {
+            format!("refused: {}, because {why}", names.join(", "))
+        };
+        reasons.into_iter().map(line).collect()
+    }
+
+    /// What the light tables come to, in words; `None` if they weren't judged, or one of these was refused.
     #[must_use]
     pub fn remedy(&self) -> Option<String> {
         let sharpest = self.exponents.iter().map(|light| light.exponent).max()?;
@@ -288,7 +313,10 @@ impl Record {
         };
         let sizes = self.exponents.iter().map(|light| light.addr_bits);
         let (least, most) = (sizes.clone().min()?, sizes.max()?);
-        let shown = |scheme, addr_bits| Some(short(error(&at(scheme, addr_bits)?.point)));
+        let shown = |scheme, addr_bits| {
+            let point = &at(scheme, addr_bits)?.point;
+            point.measured.is_some().then(|| short(error(point)))
+        };
         Some(format!(
             "At exponent {sharpest} the picture by direct tables of 2^{most} entries is up to {}/255 off; by linear ones (`light_scheme=linear`) of 2^{least} entries {}/255, of 2^{most} {}/255; by bipartite ones of 2^{most} entries {}/255.",
             shown("direct", most)?,
@@ -343,7 +371,7 @@ impl Record {
     }
 
     fn error_vs_rom(&self) -> Chart {
-        let rom = |measured: &Measured| count(measured, "rom_bits_dual_port").unwrap_or(f64::NAN);
+        let rom = |measured: &Measured| count(measured, "rom_bits_dual_port");
         let costs: Vec<(f64, f64)> = self
             .rungs
             .iter()
@@ -423,13 +451,16 @@ impl Record {
         let header = &self.header;
         writeln!(
             text,
-            "# Ladder on `{}`\n\nfixpath {}.\n",
-            header.scene.name, header.crate_version
+            "# Ladder on {}\n\nfixpath {}.\n",
+            escape::markdown(&header.scene.name),
+            header.crate_version
         )?;
         writeln!(
             text,
-            "- Scene {}, {} of its pixels covered, lights: {}.",
-            header.scene, header.covered_px, header.lights
+            "- Scene {}, lights: {}; {}.",
+            escape::markdown(&header.scene.to_string()),
+            header.lights,
+            coverage(header.covered_px, header.background_px)
         )?;
         let rung = |(key, less): &(String, u32)| match less {
             0 => format!("`{key}=w`"),
@@ -443,23 +474,20 @@ impl Record {
         )?;
         writeln!(
             text,
-            "- Differences are those to the golden picture (tangent-space bump mapping in `f64`) of every channel of every pixel, in linear light, here in 1/255. FLIP is of the 8-bit sRGB pictures. L' angle is the angle between the rotated light vector and that of the inputs before quantisation."
+            "- Differences are those to the golden picture (tangent-space bump mapping in `f64`) of every channel of those pixels, in linear light, here in 1/255. FLIP is of the 8-bit sRGB pictures. L' angle is the angle between the rotated light vector and that of the inputs before quantisation."
         )?;
         writeln!(
             text,
             "- Multipliers, adders, tables and cycles are those of one pass: a pixel under one light. Copies are those that each table needs for two ports a copy. Pixels per second are those of the bit-true engine alone, per thread; other load on the machine shows.\n"
         )?;
         writeln!(text, "## Pipelines\n")?;
-        table(text, &self.pipelines_table())?;
-        for rung in &self.rungs {
-            if let Some(error) = &rung.point.error {
-                writeln!(text, "- {} of {} bits failed: {error}", rung.pipeline, rung.width_bits)?;
-            }
-        }
+        text.push_str(&markdown_table(&self.pipelines_table()));
         let plot = |text: &mut String, file: &str| {
             let charts = self.charts();
             let found = charts.iter().find(|(known, _)| *known == file);
-            found.map_or(Ok(()), |(_, chart)| write!(text, "\n![{}]({file})\n", chart.title))
+            found.map_or(Ok(()), |(_, chart)| {
+                write!(text, "\n![{}]({file})\n", escape::markdown(&chart.title))
+            })
         };
         plot(text, "ladder_error_vs_rom.svg")?;
         plot(text, "ladder_error_vs_speed.svg")?;
@@ -474,7 +502,10 @@ impl Record {
             "\n## Light tables over exponents\n\nThe largest difference in 1/255 by pipeline {pipeline}, whose other parameters are so fine that the light tables show: {}, unless others were set. The exponent takes the place of the scene's, in the golden too; diffuse and specular table are of one size. ROM bits and multipliers are of the whole pipeline.\n",
             parameters.join(", ")
         )?;
-        table(text, &lights)?;
+        text.push_str(&markdown_table(&lights));
+        for refused in self.refused_tables() {
+            write!(text, "\n{}\n", escape::markdown(&refused))?;
+        }
         if let Some(remedy) = self.remedy() {
             writeln!(text, "\n{remedy}")?;
         }
@@ -482,20 +513,28 @@ impl Record {
     }
 }
 
+/// Fills rows that have no figures, and tells why in a column more, if there are any.
+pub fn refusals<'a>(
+    headings: &mut Vec<&str>,
+    rows: &mut [Vec<String>],
+    why: impl Iterator<Item = Option<&'a str>>,
+) {
+    let why: Vec<Option<&str>> = why.collect();
+    if why.iter().all(Option::is_none) {
+        return;
+    }
+    for (row, why) in rows.iter_mut().zip(why) {
+        row.resize(headings.len(), "-".to_owned());
+        row.push(why.unwrap_or_default().to_owned());
+    }
+    headings.push("refused because");
+}
+
 /// A table as Markdown.
 #[must_use]
 pub fn markdown_table(of: &Table) -> String {
     let mut text = String::new();
     // Writing to a string can't fail.
-    let _ = table(&mut text, of);
+    let _ = markdown::table(&mut text, &of.headings, of.rows.iter().cloned());
     text
-}
-
-fn table(text: &mut String, table: &Table) -> std::fmt::Result {
-    let headings: Vec<&str> = table.headings.iter().map(String::as_str).collect();
-    table_head(text, &headings, table.left)?;
-    for row in &table.rows {
-        writeln!(text, "| {} |", row.join(" | "))?;
-    }
-    Ok(())
 }

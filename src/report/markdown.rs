@@ -3,6 +3,7 @@
 use super::plot::Plot;
 use super::record::{Figures, Measured, PictureFigures, Record, plain};
 use super::{Row, against, axis_names, axis_values, best, inputs, rows};
+use crate::escape::markdown;
 use crate::measure::Basis;
 use std::fmt::Write;
 
@@ -17,7 +18,7 @@ pub(super) fn sweep(record: &Record, plots: &[Plot]) -> String {
     let _ = head(&mut text, record, rows.len());
     let _ = front(&mut text, record, &rows);
     for plot in plots {
-        let _ = write!(text, "![{}]({})\n\n", plot.title, plot.file);
+        let _ = write!(text, "![{}]({})\n\n", markdown(&plot.title), plot.file);
     }
     let _ = match record.header.scene {
         Some(_) => pictures(&mut text, record, &rows),
@@ -40,11 +41,14 @@ fn head(text: &mut String, record: &Record, measured: usize) -> std::fmt::Result
         header.base.iter().map(|(name, value)| format!("`{name}={}`", plain(value))).collect();
     writeln!(text, "\nFixed: {}.\n", base.join(", "))?;
     writeln!(text, "- Points: {} measured, {} failed.", measured, record.points.len() - measured)?;
-    writeln!(text, "- Inputs: {}.", inputs(record))?;
+    writeln!(text, "- Inputs: {}.", markdown(&inputs(record)))?;
+    if let Some(coverage) = record.coverage() {
+        writeln!(text, "- Pictures: {coverage}.")?;
+    }
     if header.scene.is_some() {
         writeln!(
             text,
-            "- The golden picture is tangent-space bump mapping in `f64`, with the same material. Differences are in linear light, of every channel of every pixel, here in 1/255 (`sweep.csv` and `sweep.json` have 0 to 1); SSIM, FLIP and codes are of the 8-bit sRGB pictures. L' angle is the angle between the rotated light vector and that of the inputs before quantisation."
+            "- The golden picture is tangent-space bump mapping in `f64`, with the same material. Differences are in linear light, of every channel of those pixels, here in 1/255 (`sweep.csv` and `sweep.json` have 0 to 1); SSIM, FLIP and codes are of the 8-bit sRGB pictures. L' angle is the angle between the rotated light vector and that of the inputs before quantisation."
         )?;
         writeln!(
             text,
@@ -157,14 +161,13 @@ fn pictures(text: &mut String, record: &Record, rows: &[Row<'_>]) -> std::fmt::R
     let mut headings = axes.clone();
     headings.extend(PICTURE_HEADINGS);
     headings.extend([
-        "ROM bits",
-        "multipliers",
-        "adders",
-        "latency (cycles)",
-        "engine (Msamples/s)",
+        ">ROM bits",
+        ">multipliers",
+        ">adders",
+        ">latency (cycles)",
+        ">engine (Msamples/s)",
     ]);
-    table_head(text, &headings, axes.len())?;
-    for row in rows.iter().take(MAX_ROWS) {
+    let cells = rows.iter().take(MAX_ROWS).map(|row| {
         let mut cells: Vec<String> = axes.iter().map(|key| row.point.text(key)).collect();
         cells.extend(picture_cells(row.measured));
         let [multipliers, adders] = row.measured.operators();
@@ -175,8 +178,9 @@ fn pictures(text: &mut String, record: &Record, rows: &[Row<'_>]) -> std::fmt::R
             row.measured.count("latency_cycles").unwrap_or(0).to_string(),
             short(row.speed / 1e6),
         ]);
-        writeln!(text, "| {} |", cells.join(" | "))?;
-    }
+        cells
+    });
+    table(text, &headings, cells)?;
     if rows.len() > MAX_ROWS {
         writeln!(text, "\n{} more points are in `sweep.csv`.", rows.len() - MAX_ROWS)?;
     }
@@ -185,15 +189,15 @@ fn pictures(text: &mut String, record: &Record, rows: &[Row<'_>]) -> std::fmt::R
 
 /// Headings of [`picture_cells`].
 pub(super) const PICTURE_HEADINGS: [&str; 9] = [
-    "max (1/255)",
-    "mean (1/255)",
-    "rms (1/255)",
-    "PSNR (dB)",
-    "SSIM",
-    "FLIP",
-    "8-bit differing (%)",
-    "L' angle max (deg)",
-    "L' angle mean (deg)",
+    ">max (1/255)",
+    ">mean (1/255)",
+    ">rms (1/255)",
+    ">PSNR (dB)",
+    ">SSIM",
+    ">FLIP",
+    ">8-bit differing (%)",
+    ">L' angle max (deg)",
+    ">L' angle mean (deg)",
 ];
 
 /// Figures of a picture as they are shown.
@@ -218,10 +222,22 @@ pub(super) fn picture_cells(measured: &Measured) -> Vec<String> {
     ]
 }
 
-/// Headings of a table whose first columns are flush left.
-pub(super) fn table_head(text: &mut String, headings: &[&str], left: usize) -> std::fmt::Result {
-    writeln!(text, "| {} |", headings.join(" | "))?;
-    writeln!(text, "{}{}|", "|---".repeat(left), "|---:".repeat(headings.len() - left))
+/// Rows under headings; columns whose heading starts with `>` are flush right.
+pub(super) fn table(
+    text: &mut String,
+    headings: &[impl AsRef<str>],
+    rows: impl Iterator<Item = Vec<String>>,
+) -> std::fmt::Result {
+    let headings = || headings.iter().map(AsRef::as_ref);
+    let row = |cells: Vec<String>| format!("| {} |", cells.join(" | "));
+    let rule = |heading: &str| if heading.starts_with('>') { "---:" } else { "---" }.to_owned();
+    let heading = |heading: &str| markdown(heading.trim_start_matches('>'));
+    writeln!(text, "{}", row(headings().map(heading).collect()))?;
+    writeln!(text, "{}", row(headings().map(rule).collect()))?;
+    for cells in rows {
+        writeln!(text, "{}", row(cells.iter().map(|cell| markdown(cell)).collect()))?;
+    }
+    Ok(())
 }
 
 fn failures(text: &mut String, record: &Record) -> std::fmt::Result {
@@ -231,8 +247,7 @@ fn failures(text: &mut String, record: &Record) -> std::fmt::Result {
     }
     writeln!(text, "## Failed points\n\n| {} | reason |\n|---|---|", axis_names(record))?;
     for (point, error) in failed.by_ref().take(MAX_ROWS) {
-        let error = error.replace('|', "\\|").replace('\n', " ");
-        writeln!(text, "| {} | {error} |", axis_values(record, point))?;
+        writeln!(text, "| {} | {} |", axis_values(record, point), markdown(error))?;
     }
     match failed.count() {
         0 => Ok(()),

@@ -13,7 +13,6 @@ use crate::cast;
 use crate::error::Result;
 use crate::measure::Basis;
 use crate::output;
-use crate::picture::Difference;
 use crate::render::{Shader, shoot};
 use crate::scene::Scene;
 use rayon::prelude::*;
@@ -49,7 +48,7 @@ pub fn write(folder: &Path, record: &Record) -> Result<()> {
 /// `progress` gets the rows done.
 ///
 /// # Errors
-/// If a `narrow` under overflow mode `error` overflowed, or FLIP can't look that finely.
+/// If a `narrow` under overflow mode `error` overflowed, no pixel sees an object, or FLIP can't look that finely.
 pub fn shots(
     scene: &Scene,
     shaders: &[&Shader],
@@ -58,7 +57,7 @@ pub fn shots(
 ) -> Result<Vec<Measured>> {
     let rendered = shoot(scene, shaders, progress)?;
     let measured = rendered.shots.par_iter().map(|shot| {
-        let difference = Difference::between(&shot.picture, &rendered.golden, pixels_per_degree)?;
+        let difference = rendered.difference(&shot.picture, &rendered.golden, pixels_per_degree)?;
         Ok(Measured::of_shot(&rendered, shot, &difference))
     });
     measured.collect()

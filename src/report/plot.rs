@@ -48,13 +48,9 @@ fn error_axis(record: &Record) -> (String, Along) {
     (format!("{} ({unit})", lead.what), Along::Log10)
 }
 
-/// What the errors of a plot are, and a word on those that a logarithmic axis can't hold.
-fn caption(record: &Record, rows: &[Row<'_>]) -> Vec<String> {
-    let mut caption = vec![format!("Bit-true against {}; {}.", against(record), inputs(record))];
-    if rows.iter().any(|row| row.error == 0.0) {
-        caption.push("Points on the lower edge have no error at all.".to_owned());
-    }
-    caption
+/// What the errors of a plot are.
+fn caption(record: &Record) -> Vec<String> {
+    vec![format!("Bit-true against {}; {}.", against(record), inputs(record))]
 }
 
 /// Axes that take more than one value.
@@ -132,7 +128,7 @@ impl<'a> Groups<'a> {
             .into_iter()
             .map(|(label, colour, mark)| Series { label, colour, mark, style, points: Vec::new() })
             .collect();
-        for row in rows.iter().filter(|row| !row.error.is_nan()) {
+        for row in rows {
             all[self.of(row)].points.extend(place(row));
         }
         all.retain(|series| !series.points.is_empty());
@@ -171,7 +167,7 @@ fn error_vs_axis(record: &Record, rows: &[Row<'_>]) -> Option<(&'static str, Cha
     } else {
         ("error_vs_axis.svg", axis.key.clone(), (axis.key.clone(), Along::Linear))
     };
-    let mut caption = caption(record, rows);
+    let mut caption = caption(record);
     let others = Groups { axes: varied(record).filter(|other| other.key != axis.key).collect() };
     let groups = if others.len() <= MAX_SERIES {
         others
@@ -232,7 +228,7 @@ fn error_vs_rom(record: &Record, rows: &[Row<'_>]) -> Chart {
     let front = best(rows).into_iter().map(|index| &rows[index]);
     let points: Vec<_> =
         front.map(|row| (row.rom_bits, row.error, axis_values(record, row.point))).collect();
-    let mut caption = caption(record, rows);
+    let mut caption = caption(record);
     let names = axis_names(record);
     if !names.is_empty() {
         caption.push(format!("Labels: {names}."));
@@ -253,7 +249,7 @@ fn error_vs_speed(record: &Record, rows: &[Row<'_>]) -> Chart {
     Chart {
         title: format!("{}: error against simulation speed", record.header.unit),
         caption: {
-            let mut caption = caption(record, rows);
+            let mut caption = caption(record);
             caption.push("Wall-clock time: other load on the machine shows.".to_owned());
             caption
         },

@@ -16,7 +16,7 @@
 //!   `scheme_multipliers`, `scheme_adders` … those inside table schemes; `tables`, `reads`,
 //!   `ports`, `input_bits`, `latency_cycles`, `flip_flops`, `model_period_ps`,
 //!   `rom_bits` (one copy of each table) and `rom_bits_dual_port` (as many copies as two
-//!   ports per copy ask for);
+//!   ports per copy ask for); one that a parameter has the name of is `counted_<name>`;
 //! - `samples`;
 //! - `<quantity>_<basis>_<figure>_<unit>`, for instance `angle_total_max_rad`: the quantity is
 //!   `angle`, `dot`, `x`, `y` or `z` of a direction (after the name of the direction, where a
@@ -28,17 +28,23 @@
 //! - `<quantity>_total_witness` of the leading quantity, which is the first: the input words that
 //!   gave its largest total error, as `phi_a=123;theta_a=…`;
 //!   over a scene `picture_witness` in its place, the pixel and channel of the largest difference,
-//!   and before it `picture_psnr_db`, `picture_ssim`, `picture_flip`, `picture_srgb8_differing`
-//!   (part of the pixels, 0 to 1) and `picture_srgb8_max_codes`;
+//!   and before it `picture_psnr_db`, `picture_ssim`, `picture_flip`, `picture_covered_px` (pixels that see
+//!   an object: the others, `picture_background_px`, count in no mean), `picture_srgb8_differing` (part
+//!   of the covered pixels, 0 to 1) and `picture_srgb8_max_codes`;
 //! - `overflows`: how often any `narrow` overflowed;
 //! - `samples_per_second`, `threads` and `engine_samples_per_second_per_thread`;
 //! - `error`: why a point has no figures; empty otherwise.
+//!
+//! [`crate::columns`] tells how fields are written, [`crate::json`] what documents have in common.
 
+use crate::cast;
+use crate::columns::{self, Field};
 use crate::error::{Error, Result};
+use crate::json;
 use crate::measure::{self, Basis, Speed, Witness};
 use crate::netlist::{Counts, Quantity};
 use crate::output;
-use crate::picture::{Channel, Difference};
+use crate::picture::{Channel, Difference, coverage};
 use crate::render::{Rendered, Shot};
 use crate::scene::Scene;
 use crate::units::{Design, Value, Values};
@@ -51,7 +57,7 @@ use std::io;
 use std::path::Path;
 
 /// Version of the form of `sweep.json`.
-pub const FORMAT_VERSION: u32 = 1;
+pub const FORMAT_VERSION: u32 = 2;
 
 /// A number that survives JSON even if it is not finite.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,11 +65,7 @@ pub struct Real(pub f64);
 
 impl Serialize for Real {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        if self.0.is_finite() {
-            serializer.serialize_f64(self.0)
-        } else {
-            serializer.collect_str(&self.0)
-        }
+        json::real(&self.0, serializer)
     }
 }
 
@@ -174,7 +176,7 @@ pub enum RankBy {
     Flip,
     /// 1 less SSIM.
     Ssim,
-    /// Part of the pixels whose 8-bit codes differ.
+    /// Part of the covered pixels whose 8-bit codes differ.
     Differing,
 }
 
@@ -289,7 +291,11 @@ pub struct PictureFigures {
     pub ssim: Real,
     /// Mean FLIP, 0 if they are equal.
     pub flip: Real,
-    /// Part of the pixels whose 8-bit codes differ, 0..=1.
+    /// Pixels that see an object: what means, quantiles, PSNR and the differing part are over.
+    pub covered_px: u64,
+    /// The other pixels.
+    pub background_px: u64,
+    /// Part of the covered pixels whose 8-bit codes differ, 0..=1.
     pub srgb8_differing: f64,
     /// The largest difference of 8-bit codes.
     pub srgb8_max_codes: u8,
@@ -307,6 +313,8 @@ impl From<&Difference> for PictureFigures {
             psnr_db: Real(difference.psnr_db),
             ssim: Real(difference.ssim),
             flip: Real(difference.flip),
+            covered_px: difference.covered_px,
+            background_px: difference.background_px,
             srgb8_differing: difference.srgb8_differing,
             srgb8_max_codes: difference.srgb8_max_codes,
             x_px: difference.max.x_px,
@@ -320,11 +328,15 @@ impl RankBy {
     /// All with their names on the command line and what they are.
     pub const ALL: [(Self, &'static str, &'static str); 6] = [
         (Self::Max, "max", "largest difference of any channel, in linear light"),
-        (Self::Mean, "mean", "mean difference, in linear light"),
-        (Self::Rms, "rms", "root of the mean square, in linear light; ranks as PSNR does"),
+        (Self::Mean, "mean", "mean difference over covered pixels, in linear light"),
+        (
+            Self::Rms,
+            "rms",
+            "root of the mean square over covered pixels, in linear light; ranks as PSNR does",
+        ),
         (Self::Flip, "flip", "mean FLIP"),
         (Self::Ssim, "ssim", "1 less SSIM"),
-        (Self::Differing, "differing", "part of the pixels whose 8-bit codes differ"),
+        (Self::Differing, "differing", "part of the covered pixels whose 8-bit codes differ"),
     ];
 
     /// How it is shown.
@@ -335,7 +347,7 @@ impl RankBy {
             Self::Rms => ("rms difference", 255.0, "1/255"),
             Self::Flip => ("FLIP", 1.0, "0 to 1"),
             Self::Ssim => ("1 - SSIM", 1.0, "0 to 2"),
-            Self::Differing => ("pixels with other 8-bit codes", 100.0, "%"),
+            Self::Differing => ("covered pixels with other 8-bit codes", 100.0, "%"),
         };
         Lead { quantity: "picture".to_owned(), what: what.to_owned(), scale, unit }
     }
@@ -528,6 +540,15 @@ impl Point {
         self.parameters.get(key).map(plain).unwrap_or_default()
     }
 
+    /// A parameter as a field of a CSV.
+    pub(crate) fn field(&self, key: &str) -> Field {
+        match self.parameters.get(key) {
+            None => Field::Missing,
+            // Whole numbers may be negative: as JSON writes them.
+            Some(value) => Field::Text(plain(value)),
+        }
+    }
+
     /// A parameter that is a number.
     #[must_use]
     pub fn number(&self, key: &str) -> Option<f64> {
@@ -558,6 +579,13 @@ pub struct Lead {
 }
 
 impl Record {
+    /// How much of the pictures means are over, in words; `None` without a picture.
+    #[must_use]
+    pub fn coverage(&self) -> Option<String> {
+        let picture = self.points.iter().find_map(|point| point.measured.as_ref()?.picture)?;
+        Some(coverage(picture.covered_px, picture.background_px))
+    }
+
     /// The leading quantity; angles are shown in degrees.
     #[must_use]
     pub fn lead(&self) -> Lead {
@@ -662,7 +690,11 @@ impl Record {
         output::write_file(path, |to| {
             let fail = output::at(path);
             let json = |why: serde_json::Error| fail(why.into());
-            write!(to, "{{\"header\": ").map_err(&fail)?;
+            to.write_all(b"{").map_err(&fail)?;
+            for (name, value) in json::head("sweep") {
+                write!(to, "\"{name}\": {value}, ").map_err(&fail)?;
+            }
+            write!(to, "\"header\": ").map_err(&fail)?;
             serde_json::to_writer_pretty(&mut *to, header).map_err(json)?;
             write!(to, ",\n\"points\": [").map_err(&fail)?;
             for (index, point) in points.enumerate() {
@@ -683,15 +715,8 @@ impl Record {
         points: impl Iterator<Item = &'a Point> + Clone,
     ) -> Result<()> {
         let columns = Columns::new(header, points.clone());
-        output::write_file(path, |to| {
-            let fail = output::csv_at(path);
-            let mut writer = csv::Writer::from_writer(to);
-            writer.write_record(columns.names()).map_err(fail)?;
-            for point in points {
-                writer.write_record(columns.row(point)).map_err(fail)?;
-            }
-            writer.flush().map_err(output::at(path))
-        })
+        let rows = points.map(|point| columns.row(point));
+        output::write_file(path, |to| columns::write(to, path, &columns.names(), rows))
     }
 }
 
@@ -709,15 +734,17 @@ struct Columns {
 }
 
 /// Picks one of a picture's figures.
-type PickOfPicture = fn(&PictureFigures) -> f64;
+type PickOfPicture = fn(&PictureFigures) -> Field;
 
 /// Figures of pictures in columns.
-const PICTURE_FIGURES: [(&str, PickOfPicture); 5] = [
-    ("picture_psnr_db", |p| p.psnr_db.0),
-    ("picture_ssim", |p| p.ssim.0),
-    ("picture_flip", |p| p.flip.0),
-    ("picture_srgb8_differing", |p| p.srgb8_differing),
-    ("picture_srgb8_max_codes", |p| p.srgb8_max_codes.into()),
+const PICTURE_FIGURES: [(&str, PickOfPicture); 7] = [
+    ("picture_psnr_db", |p| p.psnr_db.0.into()),
+    ("picture_ssim", |p| p.ssim.0.into()),
+    ("picture_flip", |p| p.flip.0.into()),
+    ("picture_covered_px", |p| p.covered_px.into()),
+    ("picture_background_px", |p| p.background_px.into()),
+    ("picture_srgb8_differing", |p| p.srgb8_differing.into()),
+    ("picture_srgb8_max_codes", |p| u32::from(p.srgb8_max_codes).into()),
 ];
 
 /// Picks one of the figures.
@@ -769,7 +796,11 @@ impl Columns {
 
     fn names(&self) -> Vec<String> {
         let mut names = self.parameters.clone();
-        names.extend_from_slice(&self.counts);
+        // Some units have a parameter of that name: two columns of one name are none to many readers.
+        names.extend(self.counts.iter().map(|name| match self.parameters.contains(name) {
+            true => format!("counted_{name}"),
+            false => name.clone(),
+        }));
         names.push("samples".to_owned());
         for (quantity, unit) in &self.quantities {
             for basis in &self.bases {
@@ -802,43 +833,40 @@ impl Columns {
         names
     }
 
-    fn row(&self, point: &Point) -> Vec<String> {
-        let mut row: Vec<String> = self.parameters.iter().map(|key| point.text(key)).collect();
+    fn row(&self, point: &Point) -> Vec<Field> {
+        let mut row: Vec<Field> = self.parameters.iter().map(|key| point.field(key)).collect();
         let measured = point.measured.as_ref();
-        row.extend(self.counts.iter().map(|name| {
-            measured.and_then(|m| m.count(name)).map(|n| n.to_string()).unwrap_or_default()
-        }));
-        row.push(measured.map(|m| m.samples.to_string()).unwrap_or_default());
+        row.extend(
+            self.counts.iter().map(|name| Field::from(measured.and_then(|m| m.count(name)))),
+        );
+        row.push(measured.map(|m| m.samples).into());
         for (quantity, _) in &self.quantities {
             for basis in &self.bases {
                 let figures = measured.and_then(|m| m.figures(quantity, *basis));
-                let number = |real: Option<Real>| real.map(|r| format!("{:e}", r.0));
-                for (_, get) in FIGURES {
-                    row.push(number(figures.map(get)).unwrap_or_default());
-                }
+                row.extend(FIGURES.map(|(_, get)| Field::from(figures.map(|f| get(f).0))));
                 if self.with_ulp.contains(quantity) {
-                    row.push(number(figures.and_then(|f| f.max_ulp)).unwrap_or_default());
+                    row.push(figures.and_then(|f| Some(f.max_ulp?.0)).into());
                 }
             }
         }
         if self.pictures {
             let picture = measured.and_then(|measured| measured.picture.as_ref());
-            row.extend(PICTURE_FIGURES.map(|(_, get)| {
-                picture.map(|picture| format!("{:e}", get(picture))).unwrap_or_default()
-            }));
+            row.extend(PICTURE_FIGURES.map(|(_, get)| picture.map_or(Field::Missing, get)));
         }
         match measured {
             Some(measured) => {
                 let speed = &measured.speed;
-                row.push(measured.witness());
-                row.push(measured.overflows.iter().map(|o| o.count).sum::<u64>().to_string());
-                row.push(format!("{:e}", speed.samples_per_second));
-                row.push(speed.threads.to_string());
-                row.push(format!("{:e}", speed.engine_samples_per_second_per_thread));
+                row.extend([
+                    measured.witness().into(),
+                    measured.overflows.iter().map(|o| o.count).sum::<u64>().into(),
+                    speed.samples_per_second.into(),
+                    cast::count_of(speed.threads).into(),
+                    speed.engine_samples_per_second_per_thread.into(),
+                ]);
             }
-            None => row.extend([const { String::new() }; 5]),
+            None => row.extend([const { Field::Missing }; 5]),
         }
-        row.push(point.error.clone().unwrap_or_default());
+        row.push(point.error.clone().into());
         row
     }
 }
@@ -877,6 +905,17 @@ pub fn json_of(value: Value) -> serde_json::Value {
 #[must_use]
 pub fn parameters_of(values: &Values) -> Parameters {
     values.iter().map(|(name, value)| (name.to_owned(), json_of(value))).collect()
+}
+
+/// Parameters for JSON of texts `key=value`.
+#[must_use]
+pub fn assigned(assignments: &[String]) -> Parameters {
+    let pairs = assignments.iter().filter_map(|set| set.split_once('='));
+    let value = |text: &str| match serde_json::from_str::<serde_json::Value>(text) {
+        Ok(number) if number.is_number() => number,
+        Ok(_) | Err(_) => text.into(),
+    };
+    pairs.map(|(key, text)| (key.to_owned(), value(text))).collect()
 }
 
 /// A parameter's value as one would write it.

@@ -132,6 +132,15 @@ fn reports_of_odd_numbers() {
         write(folder.path(), &record).unwrap();
         let text = std::fs::read_to_string(folder.path().join("report.md")).unwrap();
         assert!(text.contains(&format!("{} measured, 0 failed", errors.len())), "{text}");
+        let plot = std::fs::read_to_string(folder.path().join("error_vs_rom.svg")).unwrap();
+        for (there, word) in [
+            (errors.iter().any(|(error, _)| *error == 0.0), "lower edge have no error"),
+            (errors.iter().any(|(error, _)| *error == f64::INFINITY), "upper edge are infinite"),
+            (errors.iter().any(|(_, rom)| *rom == 0), "left edge are at 0"),
+            (errors.iter().any(|(error, _)| error.is_nan()), "Left out: 1 without a number"),
+        ] {
+            assert_eq!(plot.contains(word), there, "{errors:?}: {plot}");
+        }
         for file in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
             check(&std::fs::read_to_string(folder.path().join(file)).unwrap());
         }

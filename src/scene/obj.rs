@@ -304,7 +304,7 @@ fn pick(
 
 /// A word for a message: not too long, nothing that a terminal would act on.
 fn shown(word: &str) -> String {
-    word.chars().take(40).flat_map(char::escape_default).collect()
+    crate::escape::short(word)
 }
 
 #[cfg(test)]

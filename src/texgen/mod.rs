@@ -36,6 +36,7 @@ mod opengl;
 
 use crate::document::Document;
 use crate::error::Result;
+use crate::escape;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::ops::Range;
@@ -138,9 +139,9 @@ impl From<nv::Broken> for Refusal {
     }
 }
 
-/// A text from a file, with nothing in it that a terminal would act on.
+/// A text from a file as it is told: texts in calls can be long.
 fn printable(text: &str) -> String {
-    text.chars().filter(|c| !c.is_control()).collect()
+    escape::message(text)
 }
 
 /// What all calls together give.

@@ -257,7 +257,7 @@ fn hard_cases(format: Format) -> Vec<HardCase> {
     };
     let powers = (0..format.bits()).flat_map(|k| [(1 << k) - 1, 1i64 << k, (1 << k) + 1]);
     vec![
-        HardCase { name: "0", words: rows(vec![0]) },
+        HardCase { name: "zero", words: rows(vec![0]) },
         HardCase { name: "powers of two, and one beside", words: rows(powers.collect()) },
         HardCase {
             name: "the largest words",
