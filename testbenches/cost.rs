@@ -1,18 +1,20 @@
 //! Synthesis figures: what is read from tools, the estimate, and how far it is from Yosys.
 
 use crate::committed::COMMITTED;
+use crate::record::recorded;
 use fixpath::cost::{
-    Clock, Cost, DEVIATIONS, DEVIATIONS_SETTINGS, DEVIATIONS_YOSYS, Target, cells_of, estimate,
-    of_module, route, synthesize,
+    Cost, DEVIATIONS, DEVIATIONS_SETTINGS, DEVIATIONS_YOSYS, Target, cells_of, estimate, of_module,
+    route, synthesize,
 };
 use fixpath::format::{Format, Overflow, Round};
-use fixpath::hdl::{Module, Options, Tables};
+use fixpath::hdl::{Module, Options, Tables, Verilog};
 use fixpath::netlist::{Builder, Quantity};
 use fixpath::outside::{self, Limits};
 use fixpath::rtl::Rtl;
 use fixpath::schedule::{Depth, Rom, Schedule};
 use fixpath::units::Unit;
 use rayon::prelude::*;
+use serde_json::json;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
@@ -30,6 +32,39 @@ fn rtl_of(assignments: &[&str]) -> Arc<Rtl> {
 
 fn module_of(assignments: &[&str]) -> Module {
     Module::new(&rtl_of(assignments), &Options::default()).unwrap()
+}
+
+/// What a tool reads of a module.
+fn texts_of(module: &Module) -> Vec<String> {
+    let mut files = module.table_files();
+    files.push(module.file(&Verilog));
+    files.into_iter().map(|file| file.text).collect()
+}
+
+/// What Yosys makes of a module: its cells, from the record if there.
+fn cells_in(name: &str, module: &Module, target: Target) -> BTreeMap<String, u64> {
+    let mut texts = texts_of(module);
+    texts.push(target.command().to_owned());
+    let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+    let name = format!("{} {name}", target.name());
+    let made = || json!(synthesize(module, target, limits()).unwrap().cells);
+    serde_json::from_value(recorded(&name, &outside::YOSYS, &texts, made)).unwrap()
+}
+
+fn cost_in(name: &str, module: &Module, target: Target) -> Cost {
+    Cost::of_cells(&cells_in(name, module, target))
+}
+
+/// What nextpnr makes of a module on iCE40, from the record if there.
+fn clock_in(name: &str, module: &Module) -> serde_json::Value {
+    let mut texts = texts_of(module);
+    texts.extend(outside::YOSYS.version());
+    let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+    let made = || {
+        let cost = synthesize(module, Target::Ice40, limits()).unwrap().cost;
+        json!(route(module, Target::Ice40, cost, 5000, limits()).unwrap())
+    };
+    recorded(&format!("nextpnr {name}"), &outside::NEXTPNR_ICE40, &texts, made)
 }
 
 /// `a + b` and `a * b` of two words of these bits, rounded to half of them.
@@ -232,7 +267,7 @@ fn the_stated_deviations_are_true() {
     let cases: Vec<(Target, &[&str])> =
         DEVIATIONS.iter().flat_map(|(target, _)| fitted().map(|set| (*target, set))).collect();
     let far = |(target, set): &(Target, &[&str])| -> [u32; 4] {
-        let is = synthesize(&module_of(set), *target, limits()).unwrap().cost.columns();
+        let is = cost_in(&set.join(" "), &module_of(set), *target).columns();
         let guess = estimate(&rtl_of(set), *target).unwrap().columns();
         std::array::from_fn(|at| match (is[at], guess[at]) {
             (is, guess) if is == guess => 0,
@@ -255,13 +290,13 @@ fn tables_go_where_they_are_asked_and_nothing_latches() {
     for (target, name) in Target::ALL {
         for (rom, block) in [("rom=block", true), ("rom=distributed", false)] {
             let module = module_of(&[SMALL, &[rom]].concat());
-            let made = synthesize(&module, *target, limits()).unwrap();
-            assert_eq!(made.cost.block_rams > 0, block, "{name} {rom}: {made:?}");
+            let cells = cells_in(&format!("small {rom}"), &module, *target);
+            assert_eq!(Cost::of_cells(&cells).block_rams > 0, block, "{name} {rom}: {cells:?}");
             let latch = |cell: &String| {
                 let cell = cell.to_lowercase();
                 cell.contains("latch") || cell.starts_with("ld") || cell.starts_with('$')
             };
-            assert!(!made.cells.keys().any(latch), "{name} {rom}: {made:?}");
+            assert!(!cells.keys().any(latch), "{name} {rom}: {cells:?}");
         }
     }
 }
@@ -286,7 +321,7 @@ fn tables_as_cases_take_a_block_ram_for_each_read() {
     let of = |tables| {
         let module = Module::new(&rtl, &Options { tables: Some(tables), ..Options::default() });
         let module = module.unwrap();
-        let made = synthesize(&module, Target::Ecp5, limits()).unwrap().cost.block_rams;
+        let made = cost_in(&format!("{tables:?}"), &module, Target::Ecp5).block_rams;
         assert_eq!(made, of_module(&module, Target::Ecp5).unwrap().block_rams, "{tables:?}");
         made
     };
@@ -296,22 +331,17 @@ fn tables_as_cases_take_a_block_ram_for_each_read() {
 #[test]
 #[ignore = "needs yosys and nextpnr-ice40: testbenches/run installs them"]
 fn nextpnr_reaches_a_clock_or_says_what_does_not_fit() {
-    let small = module_of(SMALL);
-    let cost = synthesize(&small, Target::Ice40, limits()).unwrap().cost;
-    let clock = route(&small, Target::Ice40, cost, 5000, limits()).unwrap();
-    let Clock::Reached { device: "hx8k", mhz } = clock else { panic!("{clock:?}") };
+    let clock = clock_in("small", &module_of(SMALL));
+    assert_eq!(clock["reached"]["device"], "hx8k", "{clock}");
+    let mhz = clock["reached"]["mhz"].as_f64().unwrap();
     assert!((20.0..500.0).contains(&mhz), "{mhz}");
-    // 70 block RAMs.
-    let large = module_of(&[]);
-    let cost = synthesize(&large, Target::Ice40, limits()).unwrap().cost;
-    let clock = route(&large, Target::Ice40, cost, 5000, limits()).unwrap();
-    let Clock::TooLarge { device: "hx8k", why } = clock else { panic!("{clock:?}") };
-    assert_eq!(why, "70 of 32 block RAMs");
+    let clock = clock_in("large", &module_of(&[]));
+    assert_eq!(clock["too_large"]["device"], "hx8k", "{clock}");
+    assert_eq!(clock["too_large"]["why"], "70 of 32 block RAMs");
     // Without a clock of its own it is timed between the registers around it.
     let still = module_of(&[SMALL, &["rom=distributed", "stages=0"]].concat());
-    let cost = synthesize(&still, Target::Ice40, limits()).unwrap().cost;
-    let clock = route(&still, Target::Ice40, cost, 5000, limits()).unwrap();
-    assert!(matches!(clock, Clock::Reached { .. }), "{clock:?}");
+    let clock = clock_in("still", &still);
+    assert!(clock["reached"]["mhz"].is_f64(), "{clock}");
 }
 
 #[test]

@@ -3,6 +3,8 @@
 
 mod simulators;
 
+pub use simulators::Proof;
+
 use crate::emit::vectors::Vectors;
 use crate::emit::{Package, Settings};
 use crate::error::{Error, Result};
@@ -96,7 +98,7 @@ pub struct Request {
     pub limit: Duration,
     /// Largest memory of each process of a tool, in bytes.
     pub memory_bytes: u64,
-    /// Longest proof of Yosys's at one of the widths that it tries, within that.
+    /// Longest proof of Yosys's at one of the widths that it tries, within that; none is tried at 0.
     pub proof_limit: Duration,
     /// Folder to keep the files in; a scratch folder if `None`.
     pub keep: Option<PathBuf>,

@@ -4,7 +4,7 @@ use super::{Job, Row, Simulator, Verdict, mismatch};
 use crate::emit::vectors::Vectors;
 use crate::error::{Error, Result};
 use crate::hdl::testbench::{proof, reference_name};
-use crate::hdl::{Module, Options, Tables, Verilog};
+use crate::hdl::{File, Module, Options, Tables, Verilog};
 use crate::output::{Scratch, write_text};
 use crate::outside::{self, End, Limits, Outcome};
 use crate::rtl::Rtl;
@@ -216,13 +216,15 @@ fn yosys(job: &Job<'_>) -> Ended {
     step(job, "yosys", &["-q", &script])?;
     let time = job.request.proof_limit.min(job.request.limit);
     let limits = Limits { time, ..limits(job) };
-    for bits in PROOF_BITS {
-        let Some((design, shrunk)) = small(job.design, bits) else { continue };
-        let (outcome, latency) = prove(&design, limits).map_err(unusable)?;
+    for proof in Proof::all(job.design).map_err(unusable)? {
+        if time.is_zero() {
+            break;
+        }
+        let outcome = proof.run(limits).map_err(unusable)?;
         if matches!(outcome.end, End::OutOfTime | End::OutOfMemory) {
             continue;
         }
-        let at = format!("with a latency of {latency} cycles, at {shrunk}");
+        let at = format!("with a latency of {} cycles, at {}", proof.latency, proof.widths);
         if outcome.stderr.contains("proof did fail") {
             let text = format!("the pipeline is NOT equal to its combinational reference {at}");
             return Err(Verdict::Failed(text));
@@ -273,19 +275,45 @@ fn small(design: &Design, bits: i64) -> Option<(Design, String)> {
     Some((small, text))
 }
 
-/// Runs Yosys's proof for a design; also gives its latency.
-fn prove(design: &Design, limits: Limits) -> Result<(Outcome, u32)> {
-    let scratch = Scratch::new()?;
-    let inline = |name| Options { name, tables: Some(Tables::Inline), ..Options::default() };
-    let module = Module::new(&Arc::new(design.rtl()?), &inline(None))?;
-    let schedule = Schedule::pipeline(&design.netlist, Rom::Distributed, Depth::Stages(0))?;
-    let rtl = Arc::new(Rtl::new(Arc::clone(&design.netlist), schedule));
-    let reference = Module::new(&rtl, &inline(Some(reference_name(&module))))?;
-    let [comparison, script] = proof(&module);
-    let script_name = script.name.clone();
-    for file in [module.file(&Verilog), reference.file(&Verilog), comparison, script] {
-        write_text(&scratch.path().join(file.name), &file.text)?;
+/// What Yosys is given to prove a pipeline equal to its combinational reference.
+#[derive(Debug)]
+pub struct Proof {
+    /// Its files; the last is the script.
+    pub files: Vec<File>,
+    /// Cycles that the pipeline takes.
+    latency: u32,
+    /// At which widths.
+    widths: String,
+}
+
+impl Proof {
+    /// Those of a design: at larger widths first, at smaller ones for where those take too long.
+    /// None where no small widths are legal with the other parameters.
+    ///
+    /// # Errors
+    /// If the hardware can't be made.
+    pub fn all(design: &Design) -> Result<Vec<Self>> {
+        let widths = PROOF_BITS.iter().filter_map(|bits| small(design, *bits));
+        widths.map(|(design, widths)| Self::new(&design, widths)).collect()
     }
-    let outcome = outside::run("yosys", &["-Q", "-T", &script_name], scratch.path(), limits, None)?;
-    Ok((outcome, module.latency))
+
+    fn new(design: &Design, widths: String) -> Result<Self> {
+        let inline = |name| Options { name, tables: Some(Tables::Inline), ..Options::default() };
+        let module = Module::new(&Arc::new(design.rtl()?), &inline(None))?;
+        let schedule = Schedule::pipeline(&design.netlist, Rom::Distributed, Depth::Stages(0))?;
+        let rtl = Arc::new(Rtl::new(Arc::clone(&design.netlist), schedule));
+        let reference = Module::new(&rtl, &inline(Some(reference_name(&module))))?;
+        let [comparison, script] = proof(&module);
+        let files = vec![module.file(&Verilog), reference.file(&Verilog), comparison, script];
+        Ok(Self { files, latency: module.latency, widths })
+    }
+
+    fn run(&self, limits: Limits) -> Result<Outcome> {
+        let scratch = Scratch::new()?;
+        for file in &self.files {
+            write_text(&scratch.path().join(&file.name), &file.text)?;
+        }
+        let script = &self.files.last().expect("bug: a proof has a script").name;
+        outside::run("yosys", &["-Q", "-T", script], scratch.path(), limits, None)
+    }
 }
