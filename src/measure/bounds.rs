@@ -274,7 +274,7 @@ mod tests {
 
     #[test]
     fn each_is_said_once() {
-        let of = |quantity| StatedBound { quantity, of: &[], bound: 0.0 }.subject();
+        let of = |quantity| StatedBound { quantity, of: &[], over: None, bound: 0.0 }.subject();
         assert_eq!(of("part"), "each part");
         assert_eq!(of("each part"), "each part");
         assert_eq!(of("eachother"), "each eachother");
