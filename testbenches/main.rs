@@ -28,11 +28,8 @@ mod lower;
 mod lut;
 mod netlist;
 mod op;
-<<<<<<< HEAD
 mod readers;
-=======
 mod record;
->>>>>>> 689363c (Suite: results of slow tools are kept by the digest of their input)
 mod render;
 mod rivals;
 mod rotation;
