@@ -1,6 +1,7 @@
 //! Outside tools: whether they are there, what version they are, and running them within limits
 //! of time and memory.
 
+use crate::cast::f64_of_count;
 use crate::error::{Error, Result};
 use std::collections::BTreeSet;
 use std::io::{self, Read, Write};
@@ -195,7 +196,7 @@ impl Outcome {
             )),
             End::OutOfMemory => Some(format!(
                 "{program} ran out of memory at {:.1} GiB: raise --memory-limit, or take a smaller unit",
-                memory_bytes as f64 / f64::from(1 << 30)
+                f64_of_count(memory_bytes) / f64::from(1 << 30)
             )),
         }
     }
