@@ -84,6 +84,7 @@ impl Target {
                 rom_share: 0.27,
                 ram: &[(8, 16), (9, 8), (10, 4), (11, 2)],
                 ram_ports: 1,
+                lone_ram: &[],
                 dsp: Dsp {
                     long_bits: 16,
                     short_bits: 16,
@@ -103,6 +104,7 @@ impl Target {
                 rom_share: 0.26,
                 ram: EIGHTEEN,
                 ram_ports: 2,
+                lone_ram: &[(9, 36)],
                 dsp: Dsp {
                     long_bits: 18,
                     short_bits: 18,
@@ -122,6 +124,7 @@ impl Target {
                 rom_share: 0.75,
                 ram: EIGHTEEN,
                 ram_ports: 2,
+                lone_ram: &[(9, 36)],
                 dsp: Dsp {
                     long_bits: 25,
                     short_bits: 18,

@@ -317,7 +317,7 @@ fn tables_of_many_ports_are_synthesised() {
 #[test]
 #[ignore = "needs yosys and nextpnr-ice40: testbenches/run installs them"]
 fn tables_as_cases_take_a_block_ram_for_each_read() {
-    let rtl = rtl_of(&[SMALL, &["table_addr_bits=9", "rom=block"]].concat());
+    let rtl = rtl_of(&["angle_bits=11", "table_addr_bits=9", "frac_bits=8", "rom=block"]);
     let of = |tables| {
         let module = Module::new(&rtl, &Options { tables: Some(tables), ..Options::default() });
         let module = module.unwrap();

@@ -109,9 +109,11 @@ fn no_command_writes_over_what_it_reads() {
     }
 
     // What a scene reads: the file itself, its pictures, its meshes.
-    works(here, &["render", "plane", "--out", "first", "--pipelines", "printed"]);
-    let golden = fs::read(here.join("first/golden.png")).unwrap();
     let plane = "[image]\nwidth = 8\nheight = 8\n[[object]]\nshape = \"plane\"\n";
+    let grey = "[texture]\nsource = \"constant\"\ncolor = [0.5, 0.5, 0.5]\n";
+    write("grey.toml", &format!("{plane}{grey}"));
+    works(here, &["render", "grey.toml", "--out", "first", "--pipelines", "printed"]);
+    let golden = fs::read(here.join("first/golden.png")).unwrap();
     let mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\nf 1/1/1 2/2/1 3/3/1\n";
     write("first/mesh.obj", mesh);
     fs::create_dir(here.join("second")).unwrap();

@@ -167,7 +167,8 @@ fn the_readme_tells_where_every_file_is() {
         let name = entry.unwrap().file_name().into_string().unwrap();
         let module = name.trim_end_matches(".rs");
         let told = readme.contains(&format!("`src/{module}.rs`"))
-            || readme.contains(&format!("`src/{module}/`"));
+            || readme.contains(&format!("`src/{module}/`"))
+            || readme.contains(&format!("`src/{name}`"));
         assert!(told || name == "lib.rs", "README.md doesn't say what src/{name} holds");
     }
     for command in ["cargo run --release -- demo", "testbenches/run"] {

@@ -287,8 +287,13 @@ fn check_csv(text: &str, what: &str) {
     for (column, name) in names.iter().enumerate() {
         let types: BTreeSet<Type> = rows.iter().filter_map(|row| type_of(&row[column])).collect();
         assert!(types.len() < 2, "{what}: column `{name}` is {types:?}");
-        let real = ["_db", "_abs", "_rad", "_mean", "_max", "_flip", "ssim", "_golden", "_q"];
-        let said = real.iter().any(|end| name.ends_with(end)) && !types.is_empty();
+        let real = ["_db", "_abs", "_rad", "_mean", "_max", "_flip", "ssim", "_golden"];
+        // A quantised value stands beside its word; parameters have any names.
+        let quantised = name
+            .strip_suffix("_q")
+            .is_some_and(|port| names.iter().any(|other| other == format!("{port}_raw")));
+        let said = quantised || real.iter().any(|end| name.ends_with(end));
+        let said = said && !types.is_empty();
         assert!(!said || types == [Type::Real].into(), "{what}: column `{name}` is {types:?}");
         for end in ["_px", "_bits", "_raw", "_codes", "_cycles"] {
             let whole = types.is_empty() || types == [Type::Whole].into();
@@ -329,7 +334,9 @@ fn every_csv_has_a_type_for_each_column() {
     let ladder = ["render", scene, "--ladder=8", "--pipelines", "emboss-gx"];
     done(&[&ladder[..], &["--out", &path("e")]].concat());
     check_csv(&text("e/ladder.csv"), "ladder of an emboss");
-    let compare = ["compare", "--samples", "100", "--scenes", scene];
+    // Its list of scenes is split at commas.
+    let other = written(folder.path(), "a \"b\".toml", SMALL);
+    let compare = ["compare", "--samples", "100", "--scenes", other.to_str().unwrap()];
     done(&[&compare[..], &["--out", &path("t.csv")]].concat());
     check_csv(&text("t.csv"), "compare");
     assert!(text("t.csv").starts_with("architecture,stage,"));

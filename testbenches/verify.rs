@@ -159,8 +159,12 @@ fn committed_settings_agree_in_every_tool() {
     all_agree(COMMITTED.iter().map(design).collect());
 }
 
-/// A value for each parameter, legal alone: the ends of ranges, and any.
-fn random_assignments(unit: &'static Unit, random: &mut Random) -> Vec<String> {
+/// A value for each parameter, legal alone: the ends of ranges, and any; one may be given.
+fn random_assignments(
+    unit: &'static Unit,
+    given: Option<&str>,
+    random: &mut Random,
+) -> Vec<String> {
     let assignment = |param: &fixpath::units::Param| {
         let value = match param.kind {
             Kind::Choice(names) => names[random.below(names.len())].to_owned(),
@@ -188,6 +192,10 @@ fn random_assignments(unit: &'static Unit, random: &mut Random) -> Vec<String> {
         format!("{}={value}", param.name)
     };
     let mut set: Vec<String> = unit.all_params().map(assignment).collect();
+    if let Some((name, _)) = given.and_then(|given| given.split_once('=')) {
+        let is_it = |set: &&mut String| set.split_once('=').is_some_and(|(of, _)| of == name);
+        set.iter_mut().filter(is_it).for_each(|set| *set = given.unwrap().to_owned());
+    }
     // What is only for a schedule that isn't drawn would be refused.
     let shared = set.iter().any(|set| set == "schedule=shared");
     if !shared {
@@ -200,11 +208,19 @@ fn random_assignments(unit: &'static Unit, random: &mut Random) -> Vec<String> {
 }
 
 /// Legal sets of parameters that are drawn with a seed, each with its design.
-fn random_designs(unit: &'static Unit, count: usize, seed: u64) -> Vec<(Vec<String>, Design)> {
+fn random_designs(
+    unit: &'static Unit,
+    given: Option<&str>,
+    count: usize,
+    seed: u64,
+) -> Vec<(Vec<String>, Design)> {
     let mut random = Random::new(seed);
     let mut designs = Vec::new();
+    let mut draws = 0;
     while designs.len() < count {
-        let assignments = random_assignments(unit, &mut random);
+        draws += 1;
+        assert!(draws < 20_000, "{}: {given:?} is hardly ever legal", unit.name);
+        let assignments = random_assignments(unit, given, &mut random);
         let design = unit.values(&assignments).and_then(|values| values.build());
         // Widths that don't go together, or too few stages.
         if let Ok(design) = design
@@ -226,13 +242,21 @@ fn random_settings() -> Vec<(Vec<String>, Design)> {
     for (number, unit) in UNITS.iter().enumerate() {
         let least = if number == 0 { 12 } else { 1 };
         let mut own = 0;
-        for (set, design) in random_designs(unit, 40, SEED) {
-            let choices = choices_of(unit);
+        let choices = choices_of(unit);
+        for (set, design) in random_designs(unit, None, 40, SEED) {
             let added = set.iter().any(|c| choices.contains(c) && !seen.contains(c));
             if added || own < least {
                 seen.extend(set.iter().cloned());
                 settings.push((set, design));
                 own += 1;
+            }
+        }
+        // What few settings allow is drawn by itself.
+        for choice in choices {
+            if !seen.contains(&choice) {
+                let mut drawn = random_designs(unit, Some(&choice), 1, SEED);
+                seen.extend(drawn[0].0.iter().cloned());
+                settings.append(&mut drawn);
             }
         }
     }
@@ -321,7 +345,11 @@ mod commands {
             let name = path.file_name().unwrap().to_str().unwrap().to_owned();
             (name, fs::read_to_string(path).unwrap())
         };
-        fs::read_dir(folder).unwrap().map(file).collect()
+        // Beside them is a hidden folder, which says what was made.
+        let is_file = |entry: &std::io::Result<fs::DirEntry>| {
+            entry.as_ref().unwrap().file_type().unwrap().is_file()
+        };
+        fs::read_dir(folder).unwrap().filter(is_file).map(file).collect()
     }
 
     /// A program of our own in a folder that stands for all that is installed.
@@ -732,7 +760,7 @@ mod commands {
             }
             thread::sleep(Duration::from_millis(20));
         };
-        assert_eq!(status.code(), Some(130));
+        assert_eq!(status.code(), Some(143), "128 + SIGTERM");
         assert_eq!(entries(scratch.path()), 0, "files are left in TMPDIR");
         // A signal takes a moment to arrive.
         let start = Instant::now();

@@ -78,6 +78,9 @@ pub(super) fn run(args: &CostArgs) -> Result<String> {
     let mut targets: Vec<Target> = args.target.iter().map(|target| target.target()).collect();
     targets.sort_unstable();
     targets.dedup();
+    let tool = &outside::YOSYS;
+    let missing = || Error::usage(format!("{} is {}", tool.name, tool.missing()));
+    let yosys = tool.version().ok_or_else(missing)?;
     let bar = ProgressBar::new_spinner();
     let names: Vec<&str> = targets.iter().map(|target| target.name()).collect();
     bar.set_message(format!("synthesis for {}", names.join(", ")));
@@ -95,7 +98,6 @@ pub(super) fn run(args: &CostArgs) -> Result<String> {
     let rows: Result<Vec<Row>> = targets.par_iter().map(row).collect();
     bar.finish_and_clear();
     let rows = rows?;
-    let yosys = outside::YOSYS.version().unwrap_or_default();
     Ok(if args.json {
         json::text(&json_of(&design, &rows, &yosys))
     } else {

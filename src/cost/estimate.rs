@@ -452,6 +452,8 @@ pub(super) struct Rules {
     pub ram: &'static [(u32, u32)],
     /// Ports that a block RAM reads through.
     pub ram_ports: usize,
+    /// Shapes that it has besides where one port alone reads it.
+    pub lone_ram: &'static [(u32, u32)],
     /// Its multipliers.
     pub dsp: Dsp,
     /// Delays from this many cycles on are in LUTs.
@@ -760,7 +762,10 @@ impl<'a> Count<'a> {
             for shared in ports.chunks(ram_ports) {
                 let columns: BTreeSet<usize> = shared.iter().flatten().copied().collect();
                 let columns = cast::id_of(columns.len());
-                total += block_rams(self.rules.ram, self.module.tables[table].addr_bits, columns);
+                let of = |shapes| block_rams(shapes, self.module.tables[table].addr_bits, columns);
+                let lone = shared.len() == 1 && !self.rules.lone_ram.is_empty();
+                let any = of(self.rules.ram);
+                total += if lone { any.min(of(self.rules.lone_ram)) } else { any };
             }
         }
         total
