@@ -276,7 +276,8 @@ fn points_that_cannot_be_built_are_recorded() {
     assert_eq!(errors, [None, None, Some(why), None]);
     assert!(record.points.iter().all(|p| p.error.is_some() != p.measured.is_some()));
     let report = fs::read_to_string(folder.path().join("report.md")).unwrap();
-    assert!(report.contains(&format!("| cartesian, printed | {why} |")), "{report}");
+    let shown = why.replace('`', "\\`");
+    assert!(report.contains(&format!("| cartesian, printed | {shown} |")), "{report}");
     let csv = fs::read_to_string(folder.path().join("sweep.csv")).unwrap();
     assert!(csv.contains(why), "{csv}");
 }
