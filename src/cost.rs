@@ -192,7 +192,7 @@ impl Cost {
 pub const DEVIATIONS: &[(Target, [u32; 4])] = &[
     (Target::Ice40, [10, 2, 0, 0]),
     (Target::Ecp5, [12, 3, 0, 0]),
-    (Target::Xilinx, [23, 21, 0, 0]),
+    (Target::Xilinx, [20, 21, 0, 0]),
 ];
 
 /// How many settings [`DEVIATIONS`] are over.
