@@ -1,4 +1,5 @@
-//! The command line. Exit codes: 0 done, 1 a check failed, 2 wrong use or unreadable input.
+//! The command line. Exit codes: 0 done, 1 a check failed, 2 wrong use, unreadable
+//! input, or an outside tool that could not finish.
 
 mod compare;
 mod cost;

@@ -31,7 +31,7 @@ pub(super) struct CostArgs {
     time_limit: u64,
     /// Largest memory of a tool in GiB (Linux); if not given, 4, or half of the machine's where
     /// that is less.
-    #[arg(long, value_name = "GIB", value_parser = clap::value_parser!(u64).range(1..=4096))]
+    #[arg(long, value_name = "GIB", allow_negative_numbers = true, value_parser = number::whole(1..=4096))]
     memory_limit: Option<u64>,
     /// As JSON.
     #[arg(long)]

@@ -36,7 +36,7 @@ pub(super) struct VerifyArgs {
     time_limit: u64,
     /// Largest memory of each process of a tool, in GiB (Linux); if not given, 4, or half of the
     /// machine's where that is less.
-    #[arg(long, value_name = "GIB", value_parser = clap::value_parser!(u64).range(1..=4096))]
+    #[arg(long, value_name = "GIB", allow_negative_numbers = true, value_parser = number::whole(1..=4096))]
     memory_limit: Option<u64>,
     /// Keep the generated files in this folder.
     #[arg(long, value_name = "DIR")]
