@@ -12,10 +12,10 @@ use crate::measure::{self, Basis, Inputs, Report};
 use crate::netlist::{Netlist, Part, ScopeId};
 use crate::op::Op;
 use crate::picture::PIXELS_PER_DEGREE;
-use crate::render::{MATERIAL, Pipeline, check_view, render, set_material};
+use crate::render::{Pipeline, check_view, render, set_material};
 use crate::report::record::assigned;
 use crate::scene::Scene;
-use crate::units::{Design, Unit};
+use crate::units::{Design, Role, Unit};
 use serde::{Serialize, Serializer};
 use std::collections::BTreeSet;
 
@@ -532,6 +532,11 @@ pub struct SceneRendered {
     pub background_px: u64,
 }
 
+/// Name of the parameter that `key=value` sets.
+fn name_of(set: &String) -> Option<&str> {
+    set.split_once('=').map(|(name, _)| name)
+}
+
 /// Builds, counts and measures every architecture; `set` are `key=value` for those that have the
 /// parameter. `progress` gets the name of each before it is measured.
 ///
@@ -545,12 +550,10 @@ pub fn compare(
     inputs: &Inputs,
     progress: &(dyn Fn(&str, u64) + Sync),
 ) -> Result<Comparison> {
-    let name_of = |set: &String| set.split_once('=').map(|(name, _)| name.to_owned());
     for set in set {
         let name = name_of(set).ok_or_else(|| Error::form(set, "key=value"))?;
-        let known = |a: &Architecture| {
-            Unit::find(a.unit).is_ok_and(|unit| unit.all_params().any(|param| param.name == name))
-        };
+        let known =
+            |a: &Architecture| Unit::find(a.unit).is_ok_and(|unit| unit.param(name).is_some());
         if !ARCHITECTURES.iter().any(known) {
             let text = format!("no architecture has a parameter `{name}`");
             return Err(Error::usage(text));
@@ -560,9 +563,7 @@ pub fn compare(
         let unit = Unit::find(architecture.unit)?;
         let mut assignments: Vec<String> =
             architecture.params.iter().map(|&param| param.to_owned()).collect();
-        let has = |set: &&String| {
-            unit.all_params().any(|param| Some(param.name) == name_of(set).as_deref())
-        };
+        let has = |set: &&String| name_of(set).is_some_and(|name| unit.param(name).is_some());
         assignments.extend(set.iter().filter(has).cloned());
         let design = unit.values(&assignments)?.build()?;
         progress(architecture.name, 0);
@@ -615,10 +616,11 @@ impl Comparison {
         for (at, row) in self.rows.iter().enumerate().filter(|(_, row)| row.intensity.is_some()) {
             let unit = Unit::find(row.unit)?;
             let values = unit.values(&row.parameters)?;
-            for key in MATERIAL {
-                let is_set = |set: &String| set.split_once('=').is_some_and(|(k, _)| k == key);
+            for (param, value) in values.params() {
+                let Role::Material(part) = param.role else { continue };
+                let is_set = |set: &String| name_of(set) == Some(param.name);
                 if row.parameters.iter().any(is_set) {
-                    set_material(&mut scene, key, values.get(key));
+                    set_material(&mut scene, part, value);
                 }
             }
             pipelines.push(Pipeline::of_unit(row.name, unit, &row.parameters));

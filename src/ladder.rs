@@ -13,7 +13,7 @@ use crate::report;
 use crate::report::ladder::{Header, LightPoint, Record, Rung};
 use crate::report::record::{Point, SceneId, assigned, parameters_of};
 use crate::scene::Scene;
-use crate::units::Value;
+use crate::units::{Reflection, Value};
 use rayon::prelude::*;
 
 /// Widths of the rungs, if nothing else is asked for.
@@ -198,7 +198,7 @@ impl Ladder {
         let mut scene = scene.clone();
         let mut all = Vec::new();
         for exponent in &self.exponents {
-            set_material(&mut scene, "exponent", Value::Int((*exponent).into()));
+            set_material(&mut scene, Reflection::Exponent, Value::Int((*exponent).into()));
             let before = all.len();
             let points = self.points(&scene, &pipelines, &|done| progress(before + done))?;
             all.extend(settings.iter().zip(points).map(|((scheme, addr_bits, _), point)| {

@@ -34,7 +34,7 @@ use crate::picture::{Difference, Picture, nothing_in_view};
 use crate::scene::{Fragments, Light, Material, Scene};
 use crate::sim::batch::{Program, Runner, check_overflows};
 use crate::units::fragment::{Fragment, Port};
-use crate::units::{Design, Kind, Param, UNITS, Unit, Value, Values};
+use crate::units::{Design, Kind, Param, Reflection, Role, Shading, UNITS, Unit, Value, Values};
 use glam::DVec3;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -76,48 +76,55 @@ pub enum Frames {
     Setup,
 }
 
-/// Pipelines that are settings of the bump unit.
-const BUMP_PIPELINES: [&str; 4] = ["printed", "corrected", "exact-polar", "exact-cartesian"];
-
 /// Pipelines that are settings of the emboss unit.
 pub const EMBOSS_PIPELINES: [&str; 2] = ["emboss-gx", "emboss-nv"];
 
 /// Pipelines that are settings of the tangent-space set-up.
 pub const TANGENT_PIPELINES: [&str; 2] = ["tangent-smooth", "tangent-faceted"];
 
-/// Parameters that come from the scene.
-pub const MATERIAL: [&str; 4] = ["ambient", "diffuse", "specular", "exponent"];
-
-/// Sets a parameter of [`MATERIAL`] in every material of a scene, for the golden and for pipelines
+/// Sets a part of the reflection formula in every material of a scene, for the golden and for pipelines
 /// alike.
 ///
 /// # Panics
-/// If it is none of them, or the value is none of its kind: that is wrong code.
-pub fn set_material(scene: &mut Scene, name: &str, value: Value) {
+/// If the value is none of its kind: that is wrong code.
+pub fn set_material(scene: &mut Scene, part: Reflection, value: Value) {
     for material in &mut scene.materials {
-        match (name, value) {
-            ("ambient", Value::Real(number)) => material.ambient = number.get(),
-            ("diffuse", Value::Real(number)) => material.diffuse = number.get(),
-            ("specular", Value::Real(number)) => material.specular = number.get(),
-            ("exponent", Value::Int(number)) => {
+        match (part, value) {
+            (Reflection::Ambient, Value::Real(number)) => material.ambient = number.get(),
+            (Reflection::Diffuse, Value::Real(number)) => material.diffuse = number.get(),
+            (Reflection::Specular, Value::Real(number)) => material.specular = number.get(),
+            (Reflection::Exponent, Value::Int(number)) => {
                 material.exponent = u32::try_from(number).expect("bug: a legal exponent");
             }
-            _ => panic!("bug: `{name}={value}` is nothing of a material"),
+            _ => panic!("bug: {part:?} is not {value}"),
         }
     }
+}
+
+/// The units that are pipelines.
+pub(crate) fn pipeline_units() -> impl Iterator<Item = &'static Unit> {
+    UNITS.iter().copied().filter(|unit| unit.shades == Shading::Pipeline)
+}
+
+/// Names of the pipelines that a unit is.
+fn pipelines_of(unit: &Unit) -> Vec<&'static str> {
+    let choices = unit.params.iter().find(|param| param.role == Role::Pipeline);
+    match choices.map(|param| param.kind) {
+        Some(Kind::Choice(names)) => names.to_vec(),
+        Some(Kind::Int { .. } | Kind::Real { .. }) | None => vec![unit.name],
+    }
+}
+
+/// True if a parameter of a unit comes from a scene's material and lights.
+fn is_of_material(unit: &Unit, key: &str) -> bool {
+    unit.param(key).is_some_and(|param| matches!(param.role, Role::Material(_)))
 }
 
 impl Pipeline {
     /// Names of all pipelines that shade bumps.
     #[must_use]
     pub fn names() -> Vec<&'static str> {
-        let shades = |unit: &&&Unit| {
-            unit.name != "bump"
-                && unit.params.iter().any(|param| param.name == "exponent")
-                && unit.name != "illumination"
-        };
-        let units = UNITS.iter().filter(shades).map(|unit| unit.name);
-        BUMP_PIPELINES.into_iter().chain(units).collect()
+        pipeline_units().flat_map(pipelines_of).collect()
     }
 
     /// The pipeline of a name.
@@ -139,11 +146,11 @@ impl Pipeline {
             let assignments = vec![format!("frame={frame}")];
             return Ok(Self::with(name, Unit::find("tangent")?, assignments));
         }
-        let (unit, assignments) = match Unit::find(name) {
-            Ok(unit) => (unit, Vec::new()),
-            Err(_) => (Unit::find("bump")?, vec![format!("pipeline={name}")]),
-        };
-        Ok(Self::with(name, unit, assignments))
+        let unit = pipeline_units().find(|unit| pipelines_of(unit).contains(&name));
+        let unit = unit.expect("bug: it is among the names");
+        let choice = unit.params.iter().find(|param| param.role == Role::Pipeline);
+        let assignments = choice.map(|param| format!("{}={name}", param.name));
+        Ok(Self::with(name, unit, assignments.into_iter().collect()))
     }
 
     fn with(name: &str, unit: &'static Unit, assignments: Vec<String>) -> Self {
@@ -168,6 +175,17 @@ impl Pipeline {
         self.name != "tangent-faceted"
     }
 
+    /// What it sets beside the parameter that tells the unit's pipelines apart.
+    pub(crate) fn given(&self) -> impl Iterator<Item = &String> {
+        self.assignments.iter().filter(|set| !self.names_it(set))
+    }
+
+    /// True if an assignment says which of the unit's pipelines this is.
+    fn names_it(&self, set: &str) -> bool {
+        let param = set.split_once('=').and_then(|(key, _)| self.unit.param(key));
+        param.is_some_and(|param| param.role == Role::Pipeline)
+    }
+
     /// Parameters of all its units.
     pub fn params(&self) -> impl Iterator<Item = &'static Param> + use<> {
         let behind: &[&'static Unit] = match self.frames {
@@ -182,7 +200,7 @@ impl Pipeline {
     #[must_use]
     pub fn of_unit(name: &str, unit: &'static Unit, assignments: &[String]) -> Self {
         let from_scene =
-            |set: &&String| set.split_once('=').is_some_and(|(key, _)| MATERIAL.contains(&key));
+            |set: &&String| set.split_once('=').is_some_and(|(key, _)| is_of_material(unit, key));
         let assignments = assignments.iter().filter(|set| !from_scene(set)).cloned().collect();
         Self::with(name, unit, assignments)
     }
@@ -190,8 +208,8 @@ impl Pipeline {
     /// The pipeline of all parameters of a unit but those of the material.
     #[must_use]
     pub fn of_values(values: &Values) -> Self {
-        let given = values.iter().filter(|(key, _)| !MATERIAL.contains(key));
-        let assignments = given.map(|(key, value)| format!("{key}={value}")).collect();
+        let given = values.params().filter(|(p, _)| !matches!(p.role, Role::Material(_)));
+        let assignments = given.map(|(param, value)| format!("{}={value}", param.name)).collect();
         Self::with(values.unit().name, values.unit(), assignments)
     }
 
@@ -203,7 +221,7 @@ impl Pipeline {
         for assignment in assignments {
             let (key, _) =
                 assignment.split_once('=').ok_or_else(|| Error::form(assignment, "key=value"))?;
-            if MATERIAL.contains(&key) {
+            if pipelines.iter().any(|pipeline| is_of_material(pipeline.unit, key)) {
                 let text =
                     format!("parameter `{key}` comes from the scene's [material] and lights");
                 return Err(Error::usage(text));
@@ -220,10 +238,12 @@ impl Pipeline {
                 );
                 return Err(Error::usage(text));
             }
-            let own = |p: &Self| p.assignments.iter().any(|own| own.starts_with("pipeline="));
-            if key == "pipeline" && pipelines.iter().any(own) {
-                let text = "parameter `pipeline` comes from the names of the pipelines";
-                return Err(Error::usage(text.to_owned()));
+            let is_named = |p: &Self| {
+                p.names_it(assignment) && p.assignments.iter().any(|own| p.names_it(own))
+            };
+            if pipelines.iter().any(is_named) {
+                let text = format!("parameter `{key}` comes from the names of the pipelines");
+                return Err(Error::usage(text));
             }
             let mut known = false;
             for pipeline in pipelines.iter_mut() {
@@ -264,20 +284,20 @@ impl Pipeline {
             let text = "highlight=off leaves out specular light that the scene has: set specular = 0 in its [material]";
             return Err(Error::usage(text.to_owned()));
         }
-        let legal = |name: &str, value: f64| {
+        for param in self.unit.params {
+            let Role::Material(part) = param.role else { continue };
+            let value = match part {
+                Reflection::Ambient => ambient,
+                Reflection::Diffuse => light.intensity * material.diffuse,
+                Reflection::Specular => light.intensity * material.specular,
+                Reflection::Exponent => f64::from(material.exponent),
+            };
             // A product of numbers that are at most 1 each can be an ulp above.
-            match self.unit.params.iter().find(|param| param.name == name).map(|p| p.kind) {
-                Some(Kind::Real { min, max }) => value.clamp(min, max),
-                Some(Kind::Int { .. } | Kind::Choice(_)) | None => value,
-            }
-        };
-        for (name, value) in [
-            ("ambient", ambient),
-            ("diffuse", light.intensity * material.diffuse),
-            ("specular", light.intensity * material.specular),
-            ("exponent", f64::from(material.exponent)),
-        ] {
-            assignments.push(format!("{name}={}", legal(name, value)));
+            let legal = match param.kind {
+                Kind::Real { min, max } => value.clamp(min, max),
+                Kind::Int { .. } | Kind::Choice(_) => value,
+            };
+            assignments.push(format!("{}={legal}", param.name));
         }
         self.unit.values(&assignments)?.build()
     }
@@ -323,7 +343,9 @@ impl Stage {
 
     /// True unless its specular light is 0 everywhere.
     fn needs_specular(&self) -> bool {
-        self.has_specular && self.design.values.real("specular") > 0.0
+        let specular = self.design.values.reflection(Reflection::Specular);
+        let dark = matches!(specular, Some(Value::Real(number)) if number.get() <= 0.0);
+        self.has_specular && !dark
     }
 }
 

@@ -15,13 +15,13 @@ use crate::measure::{self, Inputs};
 use crate::output::{self, Set};
 use crate::picture::PIXELS_PER_DEGREE;
 use crate::render::{
-    EMBOSS_PIPELINES, MATERIAL, Pipeline, Shader, TANGENT_PIPELINES, check_view, set_material,
-    shots_together,
+    EMBOSS_PIPELINES, Pipeline, Shader, TANGENT_PIPELINES, check_view, pipeline_units,
+    set_material, shots_together,
 };
 use crate::report;
 use crate::report::record::{self, Header, Measured, Point, RankBy, Record, SceneId};
 use crate::scene::Scene;
-use crate::units::{Design, Kind, Param, Sampler, UNITS, Unit, Value, Values};
+use crate::units::{Design, Kind, Param, Reflection, Role, Sampler, Shading, Unit, Value, Values};
 use std::collections::HashMap;
 use std::fs;
 use std::io;
@@ -56,7 +56,7 @@ impl Axis {
             .split_once('=')
             .ok_or_else(|| Error::form(text, "key=v,v,… or key=a..b or key=a..b:step"))?;
         let key = key.trim();
-        let param = unit.all_params().find(|param| param.name == key).ok_or_else(|| {
+        let param = unit.param(key).ok_or_else(|| {
             Error::unknown_parameter(unit.name, key, unit.all_params().map(|param| param.name))
         })?;
         let mut values = Vec::new();
@@ -182,9 +182,7 @@ fn instead_of_a_scene(unit: &Unit) -> String {
             named(TANGENT_PIPELINES)
         ),
         _ => {
-            let pipelines = Pipeline::names();
-            let shades = |name: &&str| *name == "bump" || pipelines.contains(name);
-            let names: Vec<&str> = UNITS.iter().map(|unit| unit.name).filter(shades).collect();
+            let names: Vec<&str> = pipeline_units().map(|unit| unit.name).collect();
             format!("leave --scene out, or take one of {}", names.join(", "))
         }
     }
@@ -198,7 +196,7 @@ enum Source {
         view: Box<View>,
         id: SceneId,
         /// Parameters of the material that don't come from the scene.
-        given: Vec<&'static str>,
+        given: Vec<(&'static str, Reflection)>,
     },
 }
 
@@ -237,18 +235,20 @@ impl Sweep {
     pub fn over_scene(base: Values, set: &[&str], axes: Vec<Axis>, view: View) -> Result<Self> {
         Self::check(&base, &axes)?;
         let unit = base.unit();
-        if let Some(name) =
-            MATERIAL.iter().find(|name| unit.params.iter().all(|param| param.name != **name))
-        {
+        if unit.shades == Shading::None {
             return Err(Error::usage(format!(
-                "unit `{}` can't shade a scene: it has no parameter `{name}`; {}",
+                "unit `{}` can't shade a scene by itself: {}",
                 unit.name,
                 instead_of_a_scene(unit)
             )));
         }
         let is_given =
-            |name: &&str| set.contains(name) || axes.iter().any(|axis| axis.key() == *name);
-        let given = MATERIAL.into_iter().filter(is_given).collect();
+            |name: &str| set.contains(&name) || axes.iter().any(|axis| axis.key() == name);
+        let reflection = |param: &'static Param| match param.role {
+            Role::Material(part) if is_given(param.name) => Some((param.name, part)),
+            _ => None,
+        };
+        let given = unit.params.iter().filter_map(reflection).collect();
         let id = SceneId::new(&view.name, &view.scene);
         Ok(Self { base, axes, source: Source::Scene { view: Box::new(view), id, given } })
     }
@@ -300,9 +300,10 @@ impl Sweep {
     fn parameters(&self, values: &Values) -> record::Parameters {
         let mut parameters = record::parameters_of(values);
         if let Source::Scene { given, .. } = &self.source {
-            for (name, value) in &mut parameters {
-                if MATERIAL.contains(&name.as_str()) && !given.contains(&name.as_str()) {
-                    *value = "scene".into();
+            for param in values.unit().params {
+                let is_given = given.iter().any(|(name, _)| *name == param.name);
+                if matches!(param.role, Role::Material(_)) && !is_given {
+                    parameters.insert(param.name.to_owned(), "scene".into());
                 }
             }
         }
@@ -395,11 +396,11 @@ impl Sweep {
     }
 
     /// Parameters of the material of a point that don't come from the scene.
-    fn material(&self, point: &Values) -> Vec<(&'static str, Value)> {
+    fn material(&self, point: &Values) -> Vec<(Reflection, Value)> {
         match &self.source {
             Source::Drawn(_) => Vec::new(),
             Source::Scene { given, .. } => {
-                given.iter().map(|name| (*name, point.get(name))).collect()
+                given.iter().map(|(name, part)| (*part, point.get(name))).collect()
             }
         }
     }
@@ -531,7 +532,7 @@ impl Run<'_> {
     fn finish(&mut self) -> Result<()> {
         let shared = |index| {
             let point = self.sweep.point(index);
-            (self.sweep.material(&point), input_bits(&point))
+            (self.sweep.material(&point), widths(&point))
         };
         let mut missing: Vec<usize> =
             (0..self.points.len()).filter(|index| self.points[*index].is_none()).collect();
@@ -566,8 +567,8 @@ impl Run<'_> {
     /// Puts the material of a point into the scene, if there is one.
     fn set_material(&mut self, index: usize) {
         if let Some(scene) = &mut self.scene {
-            for (name, value) in self.sweep.material(&self.sweep.point(index)) {
-                set_material(scene, name, value);
+            for (part, value) in self.sweep.material(&self.sweep.point(index)) {
+                set_material(scene, part, value);
             }
         }
     }
@@ -681,9 +682,11 @@ fn key(parameters: &record::Parameters) -> String {
     serde_json::to_string(parameters).expect("bug: parameters are plain values")
 }
 
-/// The parameter that input formats hang on. A unit without it is only measured in another order.
-fn input_bits(values: &Values) -> Option<Value> {
-    values.iter().find(|(name, _)| *name == "angle_bits").map(|(_, value)| value)
+/// What input formats hang on. Those of the inputs stand first among a unit's widths; where one doesn't, points are
+/// only measured in another order.
+fn widths(values: &Values) -> Vec<Value> {
+    let widths = values.params().filter(|(param, _)| param.role == Role::Width);
+    widths.map(|(_, value)| value).collect()
 }
 
 #[cfg(test)]

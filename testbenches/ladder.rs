@@ -203,7 +203,7 @@ fn a_sweep_refuses_to_mix_scenes() {
     );
     refused(
         &["sweep", "rotation", "--scene", "plane", "--axis", "angle_bits=6,7", "--out", none],
-        "unit `rotation` can't shade a scene: it has no parameter `ambient`",
+        "unit `rotation` can't shade a scene by itself: leave --scene out",
     );
     assert!(!Path::new(none).exists());
 }

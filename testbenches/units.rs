@@ -1,6 +1,12 @@
 //! Parameters of all units together: what is refused, and whether its remedy is one.
 
-use fixpath::units::{Kind, Param, UNITS, Unit, Values};
+use fixpath::format::{Format, Overflow, Round};
+use fixpath::netlist::{Builder, Quantity};
+use fixpath::units::fragment::Port;
+use fixpath::units::{
+    Bounds, Design, Group, Kind, Param, Reflection, Role, Shading, Shape, UNITS, Unit, Values,
+};
+use fixpath::verify::Proof;
 use rand_core::{RngCore, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -9,7 +15,7 @@ fn legal(param: &Param, random: &mut Pcg64Mcg) -> String {
     let mut below = |n: u64| random.next_u64() % n;
     match param.kind {
         Kind::Int { min, max, .. } => {
-            let is_table = param.name.ends_with("addr_bits");
+            let is_table = param.role == Role::TableSize;
             let max = if is_table { max.min(min.max(7)) } else { max };
             // Wide words are refused, so every other value is the greatest.
             let value = min + i64::try_from(below((max - min + 1).unsigned_abs())).unwrap();
@@ -85,4 +91,130 @@ fn the_first_word_that_is_too_wide_is_told() {
             assert!(lower.iter().any(|known| known == name), "{message}");
         }
     }
+}
+
+#[test]
+fn every_parameter_has_a_role_that_fits_its_kind_and_its_name() {
+    for unit in UNITS {
+        for param in unit.all_params() {
+            let context = format!("{}: {} is {:?}", unit.name, param.name, param.role);
+            let fits = match param.role {
+                Role::Width
+                | Role::TableSize
+                | Role::MapSize
+                | Role::Iterations
+                | Role::Count
+                | Role::Label
+                | Role::Share(_) => matches!(param.kind, Kind::Int { .. }),
+                Role::Variant
+                | Role::Pipeline
+                | Role::Scheme
+                | Role::Rounding
+                | Role::Overflow
+                | Role::Switch
+                | Role::Schedule => matches!(param.kind, Kind::Choice(_)),
+                Role::Constant | Role::Material(_) => !matches!(param.kind, Kind::Choice(_)),
+                Role::Timing | Role::Sharing => !matches!(param.kind, Kind::Real { .. }),
+            };
+            assert!(fits, "{context}: {:?}", param.kind);
+            // Names are for people, who go by these ends.
+            let by_name = match param.name {
+                name if name.ends_with("_addr_bits") => Some(Role::TableSize),
+                name if name.ends_with("_bits") => Some(Role::Width),
+                name if name.ends_with("_iterations") => Some(Role::Iterations),
+                name if name.ends_with("scheme") => Some(Role::Scheme),
+                _ => None,
+            };
+            let spelled = [Role::TableSize, Role::Width, Role::Iterations, Role::Scheme];
+            assert!(by_name.is_some() || !spelled.contains(&param.role), "{context}");
+            assert!(by_name.is_none_or(|role| role == param.role), "{context}");
+        }
+        // One parameter at most says which datapath it is, and each part of a formula is one.
+        let variants = |param: &&Param| matches!(param.role, Role::Variant | Role::Pipeline);
+        assert!(unit.params.iter().filter(variants).count() <= 1, "{}", unit.name);
+        let count = |role| unit.all_params().filter(|param| param.role == role).count();
+        let lit = unit.params.iter().any(|param| matches!(param.role, Role::Material(_)));
+        use Reflection::{Ambient, Diffuse, Exponent, Specular};
+        for part in [Ambient, Diffuse, Specular, Exponent] {
+            assert_eq!(count(Role::Material(part)), usize::from(lit), "{}: {part:?}", unit.name);
+        }
+        for (kind, name) in fixpath::schedule::Kind::ALL {
+            let share = unit.param(&format!("share_{name}")).unwrap();
+            assert_eq!((share.role, count(share.role)), (Role::Share(*kind), 1));
+        }
+    }
+}
+
+#[test]
+fn the_units_that_shade_take_fragments_and_give_light() {
+    for unit in UNITS {
+        let netlist = unit.defaults().build().unwrap().netlist;
+        let mut inputs = (0..netlist.inputs().len()).map(|at| netlist.input_name(at));
+        let takes = inputs.clone().all(|name| Port::of(name).is_some());
+        let gives = netlist.outputs().iter().any(|output| output.name == "diffuse");
+        let shades = match takes && gives {
+            false => Shading::None,
+            true if inputs.any(|name| name.ends_with("_lt")) => Shading::Part,
+            true => Shading::Pipeline,
+        };
+        assert_eq!(unit.shades, shades, "{}", unit.name);
+    }
+}
+
+/// A unit whose parameters aren't named as those of others are.
+static ODD: Unit = Unit {
+    name: "odd",
+    summary: "",
+    source: "",
+    params: &[
+        Param {
+            name: "breadth",
+            role: Role::Width,
+            kind: Kind::Int { min: 2, max: 12, auto: None },
+            default: "12",
+            help: "",
+        },
+        Param {
+            name: "only_told_bits",
+            role: Role::Label,
+            kind: Kind::Int { min: 0, max: 99, auto: None },
+            default: "99",
+            help: "",
+        },
+    ],
+    golden_params: &[],
+    inputs: "",
+    outputs: "",
+    shades: Shading::None,
+    build: |values| {
+        assert_eq!(values.int("only_told_bits"), Some(99), "told alone, it is no width");
+        let mut b = Builder::new("odd");
+        let input = b.input("a", Format::unsigned(values.bits("breadth"), 0)?, Quantity::Number);
+        let sum = b.add(input, input);
+        let word = b.narrow(sum, b.format(input), Round::Floor, Overflow::Saturate);
+        b.output("x", word);
+        let netlist = b.build()?;
+        Ok(Design {
+            values: values.clone(),
+            groups: vec![Group { name: "x", shape: Shape::Scalar, nodes: vec![word] }],
+            netlist: netlist.into(),
+            golden: |_, _, _| (),
+            golden_f32: |_, _, _| (),
+            bounds: Bounds::Unstated(""),
+            tabulated: Vec::new(),
+            hard: Vec::new(),
+            draw: |_, _, _, _, _| (),
+            binding: None,
+        })
+    },
+};
+
+#[test]
+fn a_proof_shrinks_widths_whatever_they_are_called() {
+    let proofs = Proof::all(&ODD.defaults().build().unwrap()).unwrap();
+    for (proof, port) in proofs.iter().zip(["[3:0] a", "[2:0] a"]) {
+        let text = &proof.files[0].text;
+        assert!(text.contains(port), "{text}");
+    }
+    assert_eq!(proofs.len(), 2);
 }

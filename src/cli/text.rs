@@ -99,7 +99,8 @@ pub(super) fn list_json(units: &[&'static Unit]) -> Value {
     let param = |param: &Param| {
         let default = json_of(param.parse(param.default).expect("bug: a default is legal"));
         let mut entry = json!({
-            "name": param.name, "default": default, "legal": param.kind.legal(), "help": param.help,
+            "name": param.name, "role": param.role.name(), "default": default,
+            "legal": param.kind.legal(), "help": param.help,
         });
         let extra = match param.kind {
             Kind::Int { min, max, auto } => json!({"min": min, "max": max, "auto": auto.is_some()}),

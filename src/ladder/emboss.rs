@@ -186,12 +186,7 @@ pub fn climb(
         background_px: difference.map_or(0, |difference| difference.background_px),
         crate_version: env!("CARGO_PKG_VERSION").to_owned(),
         scene: SceneId::new(name, scene),
-        given: pipelines
-            .iter()
-            .flat_map(|pipeline| &pipeline.assignments)
-            .filter(|set| !set.starts_with("setting="))
-            .cloned()
-            .collect(),
+        given: pipelines.iter().flat_map(Pipeline::given).cloned().collect(),
         rungs,
     })
 }

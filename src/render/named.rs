@@ -13,7 +13,7 @@ use std::time::Instant;
 /// True if an assignment is to a parameter of a unit.
 pub(super) fn knows(unit: &'static Unit, set: &str) -> bool {
     let key = set.split_once('=').map_or("", |(key, _)| key);
-    unit.all_params().any(|param| param.name == key)
+    unit.param(key).is_some()
 }
 
 /// A design with its program.

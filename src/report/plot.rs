@@ -4,12 +4,10 @@ use super::chart::{Along, Chart, Front, Series, Style};
 use super::record::{Axis, Record, plain};
 use super::{Row, against, axis_names, axis_values, best, inputs, rows};
 use crate::measure::Basis;
+use crate::units::{Role, Unit};
 
 /// The most series that are told apart in one plot.
 const MAX_SERIES: usize = 8;
-/// Parameters that get colours and marks first.
-const COLOUR_KEYS: [&str; 2] = ["variant", "pipeline"];
-const MARK_KEY: &str = "scheme";
 /// Algorithm errors up to here are rounding of the golden itself; rad, or absolute.
 const LEAST_ALGORITHM: f64 = 1e-9;
 
@@ -58,21 +56,39 @@ fn varied(record: &Record) -> impl Iterator<Item = &Axis> + Clone {
     record.header.axes.iter().filter(|axis| axis.values.len() > 1)
 }
 
-/// True if values of an axis are told apart by colour.
-fn is_coloured(axis: &Axis) -> bool {
-    COLOUR_KEYS.contains(&axis.key.as_str())
+/// What the parameter of an axis is for.
+fn role(record: &Record, axis: &Axis) -> Option<Role> {
+    Some(Unit::find(&record.header.unit).ok()?.param(&axis.key)?.role)
+}
+
+/// The axis whose values are told apart by colour: a unit has one such parameter at most.
+fn coloured(record: &Record) -> Option<&Axis> {
+    let is_variant = |role| matches!(role, Some(Role::Variant | Role::Pipeline));
+    varied(record).find(|axis| is_variant(role(record, axis)))
+}
+
+/// The axis whose values are told apart by marks, before others.
+fn marked(record: &Record) -> Option<&Axis> {
+    varied(record).find(|axis| role(record, axis) == Some(Role::Scheme))
 }
 
 /// A way to put points into series: by the values of some axes.
 struct Groups<'a> {
     axes: Vec<&'a Axis>,
+    coloured: Option<&'a Axis>,
+    marked: Option<&'a Axis>,
 }
 
 impl<'a> Groups<'a> {
+    fn new(record: &'a Record, axes: Vec<&'a Axis>) -> Self {
+        Self { axes, coloured: coloured(record), marked: marked(record) }
+    }
+
     /// By colour and mark alone.
     fn few(record: &'a Record) -> Self {
-        let axes = varied(record).filter(|axis| is_coloured(axis) || axis.key == MARK_KEY);
-        Self { axes: axes.collect() }
+        let [coloured, marked] = [coloured(record), marked(record)];
+        let axes = varied(record).filter(|axis| [coloured, marked].contains(&Some(axis)));
+        Self { axes: axes.collect(), coloured, marked }
     }
 
     fn len(&self) -> usize {
@@ -90,7 +106,7 @@ impl<'a> Groups<'a> {
 
     /// A name, a colour and a mark for each group.
     fn looks(&self) -> Vec<(String, usize, usize)> {
-        let coloured = self.axes.iter().any(|axis| is_coloured(axis));
+        let coloured = self.axes.iter().any(|axis| Some(*axis) == self.coloured);
         (0..self.len())
             .map(|group| {
                 let (mut rest, mut colour, mut mark, mut scale) = (group, 0, 0, 1);
@@ -99,13 +115,13 @@ impl<'a> Groups<'a> {
                     let index = rest % axis.values.len();
                     rest /= axis.values.len();
                     let value = plain(&axis.values[index]);
-                    if is_coloured(axis) {
+                    if Some(*axis) == self.coloured {
                         colour = index;
                     } else {
                         mark += index * scale;
                         scale *= axis.values.len();
                     }
-                    let told_by_value = is_coloured(axis) || axis.key == MARK_KEY;
+                    let told_by_value = [self.coloured, self.marked].contains(&Some(*axis));
                     names.push(if told_by_value { value } else { format!("{}={value}", axis.key) });
                 }
                 names.reverse();
@@ -152,9 +168,7 @@ fn one_per_x(points: &mut Vec<(f64, f64)>, keep: fn(f64, f64) -> f64) {
 fn error_vs_axis(record: &Record, rows: &[Row<'_>]) -> Option<(&'static str, Chart)> {
     let numeric =
         || varied(record).filter(|axis| axis.values.iter().any(|value| value.is_number()));
-    let table = numeric()
-        .find(|axis| axis.key == "table_addr_bits")
-        .or_else(|| numeric().find(|axis| axis.key.ends_with("_addr_bits")));
+    let table = numeric().find(|axis| role(record, axis) == Some(Role::TableSize));
     let axis = table.or_else(|| numeric().next())?;
     let is_table = table.is_some();
     let x_of = |row: &Row<'_>| {
@@ -168,7 +182,8 @@ fn error_vs_axis(record: &Record, rows: &[Row<'_>]) -> Option<(&'static str, Cha
         ("error_vs_axis.svg", axis.key.clone(), (axis.key.clone(), Along::Linear))
     };
     let mut caption = caption(record);
-    let others = Groups { axes: varied(record).filter(|other| other.key != axis.key).collect() };
+    let others =
+        Groups::new(record, varied(record).filter(|other| other.key != axis.key).collect());
     let groups = if others.len() <= MAX_SERIES {
         others
     } else {
@@ -176,8 +191,8 @@ fn error_vs_axis(record: &Record, rows: &[Row<'_>]) -> Option<(&'static str, Cha
         let over: Vec<&str> = others
             .axes
             .iter()
+            .filter(|axis| !few.axes.contains(axis))
             .map(|axis| axis.key.as_str())
-            .filter(|key| !COLOUR_KEYS.contains(key) && *key != MARK_KEY)
             .collect();
         if !over.is_empty() {
             caption.push(format!("Each point is the best over {}.", over.join(", ")));
@@ -204,7 +219,7 @@ fn algorithm_errors(
     x_of: impl Fn(&Row<'_>) -> Option<f64>,
 ) -> Vec<Series> {
     let scale = record.lead().scale;
-    let variants = Groups { axes: varied(record).filter(|axis| is_coloured(axis)).collect() };
+    let variants = Groups::new(record, coloured(record).into_iter().collect());
     let mut series = variants.series(rows, Style::Dashed, |row| {
         let error = row.measured.lead_max(Basis::Algorithm);
         (!error.is_nan()).then_some((x_of(row)?, error * scale))

@@ -289,6 +289,7 @@ static TIGHT: Unit = Unit {
     source: "",
     params: &[Param {
         name: "bits",
+        role: Role::Width,
         kind: Kind::Int { min: 1, max: 8, auto: None },
         default: "8",
         help: "",
@@ -296,6 +297,7 @@ static TIGHT: Unit = Unit {
     golden_params: &[],
     inputs: "",
     outputs: "",
+    shades: Shading::None,
     build: |values| {
         let mut b = Builder::new("tight");
         let input = b.input("a", Format::unsigned(8, 8)?, Quantity::Turns);

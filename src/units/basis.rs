@@ -11,7 +11,8 @@ use super::normalise::{NORM_BITS, direction_error, unit_vector};
 use super::plan::{self, rounding_ulp};
 use super::rsqrt::{ROOT_ADDR_BITS, ROOT_FRAC_BITS, ROOT_SCHEME, Root, length_error};
 use super::{
-    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Shape, Unit, Values, emboss,
+    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Role, Shading, Shape, Unit,
+    Values, emboss,
 };
 use crate::cast;
 use crate::error::Result;
@@ -38,11 +39,13 @@ pub static BASIS: Unit = Unit {
     golden_params: &[],
     inputs: "normal_x … normal_z: N in eye space; ct_x … ct_z: CT there, of any length; all from -2 to 2",
     outputs: "t_x … t_z: T; bn_x … bn_z: BN; degenerate: 1 where N is parallel to CT, and T and BN are 0",
+    shades: Shading::None,
     build,
 };
 
 pub(super) const COMPONENT_BITS: Param = Param {
     name: "component_bits",
+    role: Role::Width,
     kind: Kind::Int { min: 2, max: 24, auto: None },
     default: "16",
     help: "bits of the components of vectors, signed, from -2 to 2",
@@ -50,6 +53,7 @@ pub(super) const COMPONENT_BITS: Param = Param {
 
 pub(super) const GUARD_BITS: Param = Param {
     name: "guard_bits",
+    role: Role::Width,
     kind: Kind::Int { min: 0, max: 8, auto: None },
     default: "4",
     help: "extra fraction bits of the vectors that come of them",
@@ -57,6 +61,7 @@ pub(super) const GUARD_BITS: Param = Param {
 
 pub(super) const DOT_FRAC_BITS: Param = Param {
     name: "dot_frac_bits",
+    role: Role::Width,
     kind: Kind::Int { min: 2, max: 24, auto: None },
     default: "20",
     help: "fraction bits of dot products, where the exact ones have more",

@@ -18,7 +18,8 @@ use super::illumination::{
 use super::plan::{self, Plan, angle, number, rounding_ulp};
 use super::rotation::{self, Form, rotate};
 use super::{
-    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Shape, Unit, Values, fragment,
+    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Role, Shading, Shape, Unit,
+    Values, fragment,
 };
 use crate::cast;
 use crate::error::Result;
@@ -36,18 +37,21 @@ pub static BUMP: Unit = Unit {
     golden_params: &["pipeline", "highlight", "ambient", "diffuse", "specular", "exponent"],
     inputs: "phi_l, theta_l, phi_h, theta_h, phi_n, theta_n, psi: angles in the world; phi_p, theta_p or p_x, p_y, p_z (exact-cartesian): the bump vector in the texture frame",
     outputs: "intensity, diffuse (with the ambient light), specular: 0 to 1",
+    shades: Shading::Pipeline,
     build,
 };
 
 static PARAMS: &[Param] = &[
     Param {
         name: "pipeline",
+        role: Role::Pipeline,
         kind: Kind::Choice(&["printed", "corrected", "exact-polar", "exact-cartesian"]),
         default: "exact-polar",
         help: "the seed letter for letter, mended, or the exact rotation with polar or Cartesian dot products",
     },
     Param {
         name: "conversion",
+        role: Role::Switch,
         kind: Kind::Choice(&["table", "cordic"]),
         default: "table",
         help: "how exact-polar goes from components to angles",

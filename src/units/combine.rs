@@ -13,7 +13,10 @@
 
 use super::plan::{self, rounding_ulp};
 use super::sampler::{FILTER, FRACTION_BITS, clamped};
-use super::{Bound, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Uniform, Unit, Values};
+use super::{
+    Bound, Bounds, Design, Group, HardCase, Kind, Param, Role, Sampler, Shading, Uniform, Unit,
+    Values,
+};
 use crate::cast;
 use crate::error::Result;
 use crate::format::{Format, Overflow, Round};
@@ -30,6 +33,7 @@ pub static COMBINE: Unit = Unit {
     golden_params: &["filter", "lights", "difference", "channel_bits", "gain_log2"],
     inputs: "h and d0 … d7: texels of the undisplaced sample and of each light's displaced one (nearest); or h_00, h_10, h_01, h_11 (column 0 or 1, then row), h_a, h_b (fractions), and likewise d0_00 … d7_b (bilinear); r, g, b: diffuse light",
     outputs: "out_r, out_g, out_b: codes like those of the texels, clamped",
+    shades: Shading::None,
     build,
 };
 
@@ -40,18 +44,21 @@ static PARAMS: &[Param] = &[
     FILTER,
     Param {
         name: "lights",
+        role: Role::Count,
         kind: Kind::Int { min: 1, max: MAX_LIGHTS, auto: None },
         default: "1",
         help: "displaced samples, one for each light",
     },
     Param {
         name: "difference",
+        role: Role::Switch,
         kind: Kind::Choice(&["undisplaced-displaced", "displaced-undisplaced"]),
         default: "undisplaced-displaced",
         help: "which sample is taken from which: the first for displacements toward the light, the other for those away from it",
     },
     Param {
         name: "channel_bits",
+        role: Role::Width,
         kind: Kind::Int { min: 1, max: 16, auto: None },
         default: "8",
         help: "bits of texels and of the channels of light, in and out",
@@ -59,12 +66,14 @@ static PARAMS: &[Param] = &[
     FRACTION_BITS,
     Param {
         name: "guard_bits",
+        role: Role::Width,
         kind: Kind::Int { min: 0, max: 16, auto: None },
         default: "4",
         help: "fraction bits that an interpolated height keeps (bilinear)",
     },
     Param {
         name: "gain_log2",
+        role: Role::Constant,
         kind: Kind::Int { min: -8, max: 8, auto: None },
         default: "0",
         help: "differences count 2^gain_log2 times",

@@ -3,7 +3,7 @@
 use super::dot::{
     PARAM_NAMES, PARAMS, draw_words, ended, extremes, result, rounding_bounds, signed, vector_ports,
 };
-use super::{Design, Group, Unit, Values};
+use super::{Design, Group, Shading, Unit, Values};
 use crate::error::Result;
 use crate::netlist::{Builder, NodeId, Quantity};
 use crate::trig::Real;
@@ -18,6 +18,7 @@ pub static CROSS: Unit = Unit {
     golden_params: &PARAM_NAMES,
     inputs: "v_x, v_y, v_z, w_x, w_y, w_z: two vectors",
     outputs: "x, y, z: v x w, rounded; past their format as overflow says",
+    shades: Shading::None,
     build,
 };
 

@@ -2,7 +2,8 @@
 
 use super::plan::{self, rounding_ulp};
 use super::{
-    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Uniform, Unit, Values,
+    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Role, Sampler, Shading, Uniform,
+    Unit, Values,
 };
 use crate::cast;
 use crate::error::Result;
@@ -22,11 +23,13 @@ pub static DOT: Unit = Unit {
     golden_params: &PARAM_NAMES,
     inputs: "v_x, v_y, v_z, w_x, w_y, w_z: two vectors",
     outputs: "dot_product: v·w, rounded; past its format as overflow says",
+    shades: Shading::None,
     build,
 };
 
 pub(super) const V_BITS: Param = Param {
     name: "v_bits",
+    role: Role::Width,
     kind: Kind::Int { min: 2, max: 26, auto: None },
     default: "16",
     help: "bits of the components of v, signed",
@@ -34,6 +37,7 @@ pub(super) const V_BITS: Param = Param {
 
 pub(super) const V_FRAC_BITS: Param = Param {
     name: "v_frac_bits",
+    role: Role::Width,
     kind: Kind::Int { min: 0, max: 28, auto: None },
     default: "14",
     help: "fraction bits of those",
@@ -41,6 +45,7 @@ pub(super) const V_FRAC_BITS: Param = Param {
 
 pub(super) const W_BITS: Param = Param {
     name: "w_bits",
+    role: Role::Width,
     kind: Kind::Int { min: 2, max: 26, auto: None },
     default: "16",
     help: "bits of the components of w, signed",
@@ -48,6 +53,7 @@ pub(super) const W_BITS: Param = Param {
 
 pub(super) const W_FRAC_BITS: Param = Param {
     name: "w_frac_bits",
+    role: Role::Width,
     kind: Kind::Int { min: 0, max: 28, auto: None },
     default: "14",
     help: "fraction bits of those",
@@ -55,6 +61,7 @@ pub(super) const W_FRAC_BITS: Param = Param {
 
 pub(super) const OUT_BITS: Param = Param {
     name: "out_bits",
+    role: Role::Width,
     kind: Kind::Int { min: 2, max: 63, auto: None },
     default: "24",
     help: "bits of each result, signed",
@@ -62,6 +69,7 @@ pub(super) const OUT_BITS: Param = Param {
 
 pub(super) const OUT_FRAC_BITS: Param = Param {
     name: "out_frac_bits",
+    role: Role::Width,
     kind: Kind::Int { min: 0, max: 56, auto: None },
     default: "18",
     help: "fraction bits of those",
@@ -69,6 +77,7 @@ pub(super) const OUT_FRAC_BITS: Param = Param {
 
 pub(super) const OUT_OVERFLOW: Param = Param {
     name: "overflow",
+    role: Role::Overflow,
     kind: Kind::Choice(&["saturate", "symmetric", "wrap", "error"]),
     default: "saturate",
     help: "overflow of results; with the first two the golden ends where the format does",

@@ -32,8 +32,8 @@ use super::normalise::{Block, NORM_BITS, block, direction_error, narrowed, unit_
 use super::plan::{self, number, rounding_ulp};
 use super::rsqrt::{ROOT_ADDR_BITS, ROOT_FRAC_BITS, ROOT_SCHEME, Root, length_error};
 use super::{
-    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Scale, Shape, Uniform,
-    Unit, Values,
+    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Role, Sampler, Scale, Shading,
+    Shape, Uniform, Unit, Values,
 };
 use crate::cast;
 use crate::error::Result;
@@ -73,72 +73,84 @@ pub static EMBOSS: Unit = Unit {
              with scale_q=on q0, r0; with constants=ports ks, kt",
     outputs: "ds, dt: displacements; s1, t1: displaced coordinates; degenerate: 1 where L (or a vector that is normalised) \
               is 0, which displaces nothing; with scale_q=on q1, r1, passed",
+    shades: Shading::None,
     build,
 };
 
 static PARAMS: &[Param] = &[
     Param {
         name: "setting",
+        role: Role::Pipeline,
         kind: Kind::Choice(&["gx", "nv"]),
         default: "gx",
         help: "what every switch that is auto stands at",
     },
     Param {
         name: "frame",
+        role: Role::Switch,
         kind: Kind::Choice(&["auto", "matrix", "normal", "given"]),
         default: "auto",
         help: "T and B by the matrix (gx), from N and CT (nv), or as they are",
     },
     Param {
         name: "normalise_basis",
+        role: Role::Switch,
         kind: Kind::Choice(&["auto", "off", "on"]),
         default: "auto",
         help: "T and B (of N x CT: B) over their lengths (gx: off; nv: on)",
     },
     Param {
         name: "s_vector",
+        role: Role::Switch,
         kind: Kind::Choice(&["auto", "tangent", "binormal"]),
         default: "auto",
         help: "the vector that displaces s (gx: tangent; nv: binormal); the other one displaces t",
     },
     Param {
         name: "l_sign",
+        role: Role::Switch,
         kind: Kind::Choice(&["light-vertex", "vertex-light"]),
         default: "light-vertex",
         help: "L = light - vertex, or as the patents print it (from the light to the vertex), from which the default departs; turns what looks raised",
     },
     Param {
         name: "t_sign",
+        role: Role::Switch,
         kind: Kind::Choice(&["auto", "plus", "minus"]),
         default: "auto",
         help: "sign of the displacement of t (gx: plus; nv: minus)",
     },
     Param {
         name: "scale_q",
+        role: Role::Switch,
         kind: Kind::Choice(&["auto", "off", "on"]),
         default: "auto",
         help: "displacements times q (gx: off; nv: on)",
     },
     Param {
         name: "constants",
+        role: Role::Switch,
         kind: Kind::Choice(&["auto", "off", "parameters", "ports"]),
         default: "auto",
         help: "displacements times Ks and Kt (gx: off; nv: parameters)",
     },
     Param {
         name: "ks",
+        role: Role::Constant,
         kind: Kind::Real { min: -MAX_CONSTANT, max: MAX_CONSTANT },
         default: "1",
         help: "Ks, any number that its format holds (constants=parameters)",
     },
     Param {
         name: "kt",
+        role: Role::Constant,
         kind: Kind::Real { min: -MAX_CONSTANT, max: MAX_CONSTANT },
         default: "1",
         help: "Kt, any number that its format holds (constants=parameters)",
     },
     Param {
         name: "input20",
+        role: Role::Switch,
         kind: Kind::Choice(&["off", "on"]),
         default: "off",
         help: "light and matrix come as floats of 20 bits: 12 significant bits, toward zero",
@@ -146,24 +158,28 @@ static PARAMS: &[Param] = &[
     COMPONENT_BITS,
     Param {
         name: "matrix_bits",
+        role: Role::Width,
         kind: Kind::Int { min: 2, max: 24, auto: None },
         default: "16",
         help: "bits of the matrix, signed (frame=matrix)",
     },
     Param {
         name: "matrix_int_bits",
+        role: Role::Width,
         kind: Kind::Int { min: 0, max: 6, auto: None },
         default: "2",
         help: "it is from -2^matrix_int_bits to 2^matrix_int_bits (frame=matrix)",
     },
     Param {
         name: "position_bits",
+        role: Role::Width,
         kind: Kind::Int { min: 2, max: 30, auto: None },
         default: "28",
         help: "bits of positions, signed",
     },
     Param {
         name: "position_frac_bits",
+        role: Role::Width,
         kind: Kind::Int { min: 0, max: 28, auto: None },
         default: "15",
         help: "fraction bits of positions",
@@ -176,6 +192,7 @@ static PARAMS: &[Param] = &[
     ROOT_FRAC_BITS,
     Param {
         name: "constant_int_bits",
+        role: Role::Width,
         kind: Kind::Int {
             min: 0,
             max: MAX_CONSTANT_INT_BITS as i64,
@@ -186,6 +203,7 @@ static PARAMS: &[Param] = &[
     },
     Param {
         name: "constant_frac_bits",
+        role: Role::Width,
         kind: Kind::Int {
             min: 2,
             max: 24,
@@ -196,18 +214,21 @@ static PARAMS: &[Param] = &[
     },
     Param {
         name: "texture_int_bits",
+        role: Role::Width,
         kind: Kind::Int { min: 0, max: 8, auto: None },
         default: "6",
         help: "texture coordinates are from -2^texture_int_bits to 2^texture_int_bits",
     },
     Param {
         name: "texture_frac_bits",
+        role: Role::Width,
         kind: Kind::Int { min: 2, max: 24, auto: None },
         default: "18",
         help: "fraction bits of texture coordinates and displacements",
     },
     Param {
         name: "overflow",
+        role: Role::Overflow,
         kind: Kind::Choice(&["saturate", "symmetric", "wrap", "error"]),
         default: "saturate",
         help: "overflow of s1 and t1; with the first two the golden ends where they do",
@@ -215,24 +236,28 @@ static PARAMS: &[Param] = &[
     plan::ROUNDING,
     Param {
         name: "texture_size",
+        role: Role::MapSize,
         kind: Kind::Int { min: 1, max: 65_536, auto: None },
         default: "256",
         help: "texels along the texture: only for errors in texels",
     },
     Param {
         name: "light",
+        role: Role::Label,
         kind: Kind::Int { min: 0, max: 31, auto: None },
         default: "0",
         help: "the light that port `light` is the place of: only told",
     },
     Param {
         name: "source",
+        role: Role::Label,
         kind: Kind::Int { min: 0, max: 31, auto: None },
         default: "0",
         help: "the coordinate (gx) or texture unit (nv) that s0 and t0 are of: only told",
     },
     Param {
         name: "destination",
+        role: Role::Label,
         kind: Kind::Int { min: 0, max: 31, auto: None },
         default: "1",
         help: "the coordinate (gx) or texture unit (nv) that s1 and t1 are of: only told",

@@ -8,7 +8,9 @@ use super::illumination::{
     intensity_bound, light_ports, specular_bound,
 };
 use super::plan::{Plan, rounding_ulp};
-use super::{Bound, BoundFn, Bounds, Design, Group, Param, Shape, Unit, Values, fragment, setup};
+use super::{
+    Bound, BoundFn, Bounds, Design, Group, Param, Shading, Shape, Unit, Values, fragment, setup,
+};
 use crate::cast;
 use crate::error::Result;
 use crate::format::{Format, Overflow, Round, quantize};
@@ -27,6 +29,7 @@ pub static ERNST: Unit = Unit {
     golden_params: &["highlight", "ambient", "diffuse", "specular", "exponent"],
     inputs: "l_x … p_z: components of L, H, N, T, B in the world and of N' in the texture frame, from ½ to 2 long after the transform",
     outputs: "intensity, diffuse (with the ambient light), specular: 0 to 1",
+    shades: Shading::Pipeline,
     build,
 };
 

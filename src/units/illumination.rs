@@ -13,7 +13,8 @@
 
 use super::plan::{self, Plan, angle, number, rounding_ulp, scheme_of};
 use super::{
-    Bound, Bounds, Design, Group, HardCase, Kind, Param, Shape, Tabulated, Unit, Values, fragment,
+    Bound, Bounds, Design, Group, HardCase, Kind, Param, Reflection, Role, Shading, Shape,
+    Tabulated, Unit, Values, fragment,
 };
 use crate::cast;
 use crate::error::Result;
@@ -34,12 +35,14 @@ pub static ILLUMINATION: Unit = Unit {
     golden_params: &["variant", "highlight", "ambient", "diffuse", "specular", "exponent"],
     inputs: "phi_lt, theta_lt, phi_ht, theta_ht, phi_p, theta_p: angles; or lt_x, lt_y, lt_z and so on (variant=cartesian)",
     outputs: "intensity, diffuse (with the ambient light), specular: 0 to 1",
+    shades: Shading::Part,
     build,
 };
 
 static PARAMS: &[Param] = &[
     Param {
         name: "variant",
+        role: Role::Variant,
         kind: Kind::Choice(&["printed", "corrected", "kim", "cartesian"]),
         default: "corrected",
         help: "(24) and (25) letter for letter, mended, Kim's (3) and (4), or the dot product of components",
@@ -66,6 +69,7 @@ static PARAMS: &[Param] = &[
 
 pub(super) const COS_ADDR_BITS: Param = Param {
     name: "cos_addr_bits",
+    role: Role::TableSize,
     kind: Kind::Int { min: 2, max: 20, auto: Some("table_addr_bits") },
     default: "auto",
     help: "address bits of the cos table of the dot products",
@@ -73,6 +77,7 @@ pub(super) const COS_ADDR_BITS: Param = Param {
 
 pub(super) const HIGHLIGHT: Param = Param {
     name: "highlight",
+    role: Role::Switch,
     kind: Kind::Choice(&["on", "off"]),
     default: "on",
     help: "off leaves out the halfway vector and all that comes of it",
@@ -80,6 +85,7 @@ pub(super) const HIGHLIGHT: Param = Param {
 
 pub(super) const DIFFUSE_ADDR_BITS: Param = Param {
     name: "diffuse_addr_bits",
+    role: Role::TableSize,
     kind: Kind::Int { min: 2, max: 20, auto: None },
     default: "10",
     help: "address bits of the diffuse light table",
@@ -87,6 +93,7 @@ pub(super) const DIFFUSE_ADDR_BITS: Param = Param {
 
 pub(super) const SPECULAR_ADDR_BITS: Param = Param {
     name: "specular_addr_bits",
+    role: Role::TableSize,
     kind: Kind::Int { min: 2, max: 20, auto: None },
     default: "10",
     help: "address bits of the specular light table",
@@ -94,6 +101,7 @@ pub(super) const SPECULAR_ADDR_BITS: Param = Param {
 
 pub(super) const LIGHT_SCHEME: Param = Param {
     name: "light_scheme",
+    role: Role::Scheme,
     kind: Kind::Choice(&["direct", "linear", "bipartite"]),
     default: "direct",
     help: "how the light tables approximate; sharp highlights ask for linear",
@@ -101,6 +109,7 @@ pub(super) const LIGHT_SCHEME: Param = Param {
 
 pub(super) const LIGHT_BITS: Param = Param {
     name: "light_bits",
+    role: Role::Width,
     kind: Kind::Int { min: 2, max: 24, auto: None },
     default: "16",
     help: "bits of the light tables' words and of the light; all of them fraction bits",
@@ -108,6 +117,7 @@ pub(super) const LIGHT_BITS: Param = Param {
 
 pub(super) const AMBIENT: Param = Param {
     name: "ambient",
+    role: Role::Material(Reflection::Ambient),
     kind: Kind::Real { min: 0.0, max: 1.0 },
     default: "0.1",
     help: "ambient light, Ia ka",
@@ -115,6 +125,7 @@ pub(super) const AMBIENT: Param = Param {
 
 pub(super) const DIFFUSE: Param = Param {
     name: "diffuse",
+    role: Role::Material(Reflection::Diffuse),
     kind: Kind::Real { min: 0.0, max: 1.0 },
     default: "0.6",
     help: "light by the diffuse reflection of a surface that faces it, Ii kd",
@@ -122,6 +133,7 @@ pub(super) const DIFFUSE: Param = Param {
 
 pub(super) const SPECULAR: Param = Param {
     name: "specular",
+    role: Role::Material(Reflection::Specular),
     kind: Kind::Real { min: 0.0, max: 1.0 },
     default: "0.3",
     help: "light in the middle of the highlight, Ii ks",
@@ -129,6 +141,7 @@ pub(super) const SPECULAR: Param = Param {
 
 pub(super) const EXPONENT: Param = Param {
     name: "exponent",
+    role: Role::Material(Reflection::Exponent),
     kind: Kind::Int { min: 0, max: 255, auto: None },
     default: "32",
     help: "exponent n of the specular reflection",

@@ -12,7 +12,10 @@ use super::illumination::{
 };
 use super::plan::{self, Plan, angle, number, rounding_ulp};
 use super::rotation::{converted_bound, to_polar};
-use super::{Bound, BoundFn, Bounds, Design, Group, Kind, Param, Shape, Unit, Values, fragment};
+use super::{
+    Bound, BoundFn, Bounds, Design, Group, Kind, Param, Role, Shading, Shape, Unit, Values,
+    fragment,
+};
 use crate::cast;
 use crate::error::Result;
 use crate::format::{Format, Overflow};
@@ -29,12 +32,14 @@ pub static KIM: Unit = Unit {
     golden_params: &["highlight", "ambient", "diffuse", "specular", "exponent"],
     inputs: "phi_l, theta_l, phi_h, theta_h, phi_n, theta_n, psi: angles in the world; phi_p, theta_p: the bump vector in the texture frame",
     outputs: "intensity, diffuse (with the ambient light), specular: 0 to 1",
+    shades: Shading::Pipeline,
     build,
 };
 
 static PARAMS: &[Param] = &[
     Param {
         name: "conversion",
+        role: Role::Switch,
         kind: Kind::Choice(&["table", "cordic"]),
         default: "table",
         help: "how components become angles",

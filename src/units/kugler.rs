@@ -15,7 +15,7 @@ use super::illumination::{self, components, golden_dot, golden_light};
 use super::plan::{self, Plan, angle, number};
 use super::polar::opposite;
 use super::rotation::to_polar;
-use super::{Bounds, Design, Group, Kind, Param, Shape, Unit, Values, fragment};
+use super::{Bounds, Design, Group, Kind, Param, Role, Shading, Shape, Unit, Values, fragment};
 use crate::cast;
 use crate::error::Result;
 use crate::format::{Format, Overflow, Round, quantize, word_mask};
@@ -34,30 +34,35 @@ pub static KUGLER: Unit = Unit {
     golden_params: &["highlight", "ambient", "diffuse", "specular", "exponent"],
     inputs: "n_x, n_y, n_z; psi, phi_p, theta_p (the bump vector in the texture frame), phi_l, theta_l, phi_h, theta_h: angles, theta up to half a turn",
     outputs: "intensity, diffuse (with the ambient light), specular: 0 to 1",
+    shades: Shading::Pipeline,
     build,
 };
 
 static PARAMS: &[Param] = &[
     Param {
         name: "conversion",
+        role: Role::Switch,
         kind: Kind::Choice(&["table", "cordic"]),
         default: "table",
         help: "how the normal becomes angles",
     },
     Param {
         name: "tilt_addr_bits",
+        role: Role::TableSize,
         kind: Kind::Int { min: 6, max: 20, auto: None },
         default: "14",
         help: "address bits of the map that turns a direction about y, shared by its three angles",
     },
     Param {
         name: "map_angle_bits",
+        role: Role::Width,
         kind: Kind::Int { min: 2, max: 16, auto: None },
         default: "8",
         help: "bits of each angle in that map; a polar angle's word counts half of an azimuth's",
     },
     Param {
         name: "map_addr_bits",
+        role: Role::TableSize,
         kind: Kind::Int { min: 4, max: 20, auto: None },
         default: "12",
         help: "address bits of each light map, shared by its two angles; the paper's have 20",

@@ -82,8 +82,22 @@ pub struct Unit {
     pub inputs: &'static str,
     /// Names of the output ports, for `list`.
     pub outputs: &'static str,
+    /// Whether it shades the pixels of a scene.
+    pub shades: Shading,
     /// Builds the datapath.
     pub build: fn(&Values) -> Result<Design>,
+}
+
+/// Whether a unit shades the pixels of a scene: its inputs are then those of a [`fragment`], and it has outputs
+/// `diffuse` and, if it has highlights, `specular`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Shading {
+    /// It doesn't.
+    None,
+    /// It does, from vectors that floating point turned into the texture frame.
+    Part,
+    /// It is a pipeline of its own, or has a parameter of [`Role::Pipeline`] whose choices are.
+    Pipeline,
 }
 
 /// A parameter of a unit.
@@ -91,12 +105,99 @@ pub struct Unit {
 pub struct Param {
     /// Name on the command line.
     pub name: &'static str,
+    /// What it is for.
+    pub role: Role,
     /// What values it takes.
     pub kind: Kind,
     /// Its default, as one would write it.
     pub default: &'static str,
     /// One line of help.
     pub help: &'static str,
+}
+
+/// What a parameter is for. Whatever treats some parameters alike goes by this and not by their names.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Role {
+    /// Bits of words, or of their whole, fraction or guard part.
+    Width,
+    /// Address bits of tables.
+    TableSize,
+    /// Size of a map that the datapath addresses.
+    MapSize,
+    /// Steps of an algorithm that is unrolled.
+    Iterations,
+    /// Which of several algorithms the unit is.
+    Variant,
+    /// As [`Role::Variant`], where each is a pipeline of its own on a scene, with a name.
+    Pipeline,
+    /// How tables approximate.
+    Scheme,
+    /// What becomes of bits that are dropped.
+    Rounding,
+    /// What becomes of values past a format.
+    Overflow,
+    /// How a part of the datapath is made, or whether it is there.
+    Switch,
+    /// A number that the datapath holds.
+    Constant,
+    /// How many ports of a kind there are.
+    Count,
+    /// A part of the reflection formula: on a scene it comes from material and light.
+    Material(Reflection),
+    /// Told, and of no effect.
+    Label,
+    /// Clock, latency, and how tables are read.
+    Timing,
+    /// Which kind of schedule there is.
+    Schedule,
+    /// What counts with a schedule that shares units.
+    Sharing,
+    /// How many units serve operations of a kind, with such a schedule.
+    Share(Shared),
+}
+
+impl Role {
+    /// Name in documents.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Width => "width",
+            Self::TableSize => "table-size",
+            Self::MapSize => "map-size",
+            Self::Iterations => "iterations",
+            Self::Variant => "variant",
+            Self::Pipeline => "pipeline",
+            Self::Scheme => "scheme",
+            Self::Rounding => "rounding",
+            Self::Overflow => "overflow",
+            Self::Switch => "switch",
+            Self::Constant => "constant",
+            Self::Count => "count",
+            Self::Material(_) => "material",
+            Self::Label => "label",
+            Self::Timing => "timing",
+            Self::Schedule => "schedule",
+            Self::Sharing | Self::Share(_) => "sharing",
+        }
+    }
+
+    /// True if it counts only with another schedule than the flat one.
+    fn is_of_sharing(self) -> bool {
+        matches!(self, Self::Sharing | Self::Share(_))
+    }
+}
+
+/// Parts of the reflection formula.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Reflection {
+    /// Ambient light.
+    Ambient,
+    /// The diffuse reflection.
+    Diffuse,
+    /// The specular reflection.
+    Specular,
+    /// Its exponent.
+    Exponent,
 }
 
 /// What values a parameter takes.
@@ -139,66 +240,85 @@ impl Kind {
 pub static PIPELINE: &[Param] = &[
     Param {
         name: "period_ps",
+        role: Role::Timing,
         kind: Kind::Int { min: 100, max: 1_000_000, auto: None },
         default: "5000",
         help: "target clock period of the pipeline in ps, by the stated delay model",
     },
     Param {
         name: "stages",
+        role: Role::Timing,
         kind: Kind::Int { min: 0, max: 256, auto: Some("as many as the target period asks for") },
         default: "auto",
         help: "latency in cycles, over period_ps; 0 is combinational and asks for rom=distributed",
     },
     Param {
         name: "rom",
+        role: Role::Timing,
         kind: Kind::Choice(&["block", "distributed"]),
         default: "block",
         help: "table reads take a clock (block RAM) or none (distributed logic)",
     },
     Param {
         name: "schedule",
+        role: Role::Schedule,
         kind: Kind::Choice(&["flat", "shared", "printed"]),
         default: "flat",
         help: "flat: a sample a cycle; shared: operations share units by share_*; printed: as bound by hand, where a unit brings that",
     },
     Param {
         name: "interval",
+        role: Role::Sharing,
         kind: Kind::Int { min: 1, max: 1024, auto: Some("as short as the units allow") },
         default: "auto",
         help: "cycles from one sample to the next with schedule=shared",
     },
-    share("share_dot", "dot products of three: units for each structure, with schedule=shared"),
     share(
+        Shared::Dot,
+        "share_dot",
+        "dot products of three: units for each structure, with schedule=shared",
+    ),
+    share(
+        Shared::Multiplier,
         "share_mul",
         "multipliers outside of roots, dividers, table schemes and dot products that share_dot shares: units, with schedule=shared",
     ),
-    share("share_add", "adders outside of the same: units, with schedule=shared"),
-    share("share_table", "table schemes: units for each structure, with schedule=shared"),
+    share(Shared::Adder, "share_add", "adders outside of the same: units, with schedule=shared"),
     share(
+        Shared::Table,
+        "share_table",
+        "table schemes: units for each structure, with schedule=shared",
+    ),
+    share(
+        Shared::Root,
         "share_root",
         "roots and reciprocal roots: units for each structure, with schedule=shared",
     ),
-    share("share_divide", "dividers: units for each structure, with schedule=shared"),
+    share(
+        Shared::Divider,
+        "share_divide",
+        "dividers: units for each structure, with schedule=shared",
+    ),
     Param {
         name: "share_latency",
+        role: Role::Sharing,
         kind: Kind::Int { min: 0, max: 64, auto: Some("by the delay model and period_ps") },
         default: "auto",
         help: "cycles from issue to output of each shared unit",
     },
     Param {
         name: "share_loads",
+        role: Role::Sharing,
         kind: Kind::Choice(&["no", "yes"]),
         default: "no",
         help: "operands of shared units are registered in the cycle before the issue",
     },
 ];
 
-/// Names of the parameters that only count with another schedule than the flat one.
-const SHARING: std::ops::RangeFrom<usize> = 3..;
-
-const fn share(name: &'static str, help: &'static str) -> Param {
+const fn share(kind: Shared, name: &'static str, help: &'static str) -> Param {
     let auto = Some("hardware for each use");
-    Param { name, kind: Kind::Int { min: 1, max: 1024, auto }, default: "auto", help }
+    let role = Role::Share(kind);
+    Param { name, role, kind: Kind::Int { min: 1, max: 1024, auto }, default: "auto", help }
 }
 
 impl Unit {
@@ -217,6 +337,12 @@ impl Unit {
     /// All parameters: its own, then the pipeline's.
     pub fn all_params(&self) -> impl Iterator<Item = &'static Param> + use<> {
         self.params.iter().chain(PIPELINE)
+    }
+
+    /// The parameter of a name.
+    #[must_use]
+    pub fn param(&self, name: &str) -> Option<&'static Param> {
+        self.all_params().find(|param| param.name == name)
     }
 
     /// The defaults.
@@ -333,13 +459,20 @@ impl Values {
     /// As [`Values::iter`], without what only counts for shared units where none are.
     pub fn told(&self) -> impl Iterator<Item = (&'static str, Value)> + '_ {
         let flat = self.choice("schedule") == "flat";
-        let silent = |name: &str| PIPELINE[SHARING].iter().any(|param| param.name == name);
-        self.iter().filter(move |(name, _)| !flat || !silent(name))
+        let silent = move |role: Role| flat && (role == Role::Schedule || role.is_of_sharing());
+        self.params()
+            .filter(move |(param, _)| !silent(param.role))
+            .map(|(p, value)| (p.name, value))
+    }
+
+    /// Pairs of parameter and value, in order.
+    pub fn params(&self) -> impl Iterator<Item = (&'static Param, Value)> + '_ {
+        self.unit.all_params().zip(self.values.iter().copied())
     }
 
     /// Pairs of name and value in the order of the parameters.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, Value)> + '_ {
-        self.unit.all_params().map(|param| param.name).zip(self.values.iter().copied())
+        self.params().map(|(param, value)| (param.name, value))
     }
 
     /// The value of a parameter.
@@ -362,6 +495,12 @@ impl Values {
             Value::Auto => None,
             Value::Real(_) | Value::Choice(_) => panic!("bug: `{name}` is no whole number"),
         }
+    }
+
+    /// The value of what it takes of the reflection formula, if it takes that.
+    #[must_use]
+    pub fn reflection(&self, part: Reflection) -> Option<Value> {
+        self.params().find(|(param, _)| param.role == Role::Material(part)).map(|(_, value)| value)
     }
 
     /// A number.
@@ -514,9 +653,8 @@ impl Design {
         let stages = values.int("stages").map(count);
         let kind = values.choice("schedule");
         // What only a found schedule takes must not be set for another.
-        let silent = |name: &str| kind != "shared" && name != "schedule";
-        for param in &PIPELINE[SHARING] {
-            if silent(param.name) && values.get(param.name).to_string() != param.default {
+        for (param, value) in values.params().filter(|(param, _)| param.role.is_of_sharing()) {
+            if kind != "shared" && value.to_string() != param.default {
                 let legal = format!(
                     "{} with schedule={kind}; it counts with schedule=shared",
                     param.default
@@ -536,10 +674,13 @@ impl Design {
             "shared" => {
                 let latency = values.int("share_latency").map(count);
                 let loads = values.choice("share_loads") == "yes";
-                let shares = Shared::ALL.iter().filter_map(|(kind, name)| {
-                    let units = values.int(&format!("share_{name}")).map(count)?;
-                    Some(Share { kind: *kind, units, latency, loads })
-                });
+                let shares =
+                    values.params().filter_map(|(param, value)| match (param.role, value) {
+                        (Role::Share(kind), Value::Int(units)) => {
+                            Some(Share { kind, units: count(units), latency, loads })
+                        }
+                        _ => None,
+                    });
                 let interval = values.int("interval").map(count);
                 let plan = Plan { shares: shares.collect(), interval };
                 Schedule::shared(&self.netlist, rom, period, &plan)?

@@ -7,7 +7,9 @@
 use super::dot::{dot, draw_words, extremes, signed, vector_ports};
 use super::plan::{self, rounding_ulp};
 use super::rsqrt::Root;
-use super::{Bound, BoundFn, Bounds, Design, Group, Kind, Param, Unit, Values, divide};
+use super::{
+    Bound, BoundFn, Bounds, Design, Group, Kind, Param, Role, Shading, Unit, Values, divide,
+};
 use crate::cast;
 use crate::error::Result;
 use crate::format::{Format, Overflow, Round};
@@ -34,11 +36,13 @@ pub static NORMALISE: Unit = Unit {
     golden_params: &["v_bits", "v_frac_bits"],
     inputs: "v_x, v_y, v_z: the vector",
     outputs: "x, y, z: v over the power of two that its largest component is just below (or the most negative word is); places: by how many the words were shifted up; degenerate: 1 for the zero vector, whose words and places are 0",
+    shades: Shading::None,
     build,
 };
 
 pub(super) const NORM_BITS: Param = Param {
     name: "norm_bits",
+    role: Role::Width,
     kind: Kind::Int { min: 2, max: 24, auto: None },
     default: "18",
     help: "bits of block-normalised words, from -1 to 1; the largest is ½ or more in magnitude",

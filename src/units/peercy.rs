@@ -4,7 +4,7 @@
 //! dividers normalise L', H' and N'. The paper gives no illumination for it.
 
 use super::plan::Plan;
-use super::{Bounds, Design, Group, Param, Shape, Unit, Values, fragment, setup};
+use super::{Bounds, Design, Group, Param, Shading, Shape, Unit, Values, fragment, setup};
 use crate::error::Result;
 use crate::netlist::Builder;
 use crate::trig::Real;
@@ -19,6 +19,7 @@ pub static PEERCY: Unit = Unit {
     golden_params: &[],
     inputs: "l_x … p_z: components of L, H, N, T, B in the world and of N' in the texture frame, from ½ to 2 long after the transform",
     outputs: "lt_x … ht_z: L and H in the texture frame; np_x, np_y, np_z: N'; unit vectors",
+    shades: Shading::None,
     build,
 };
 

@@ -1,7 +1,7 @@
 //! What the units of a bump-mapping pipeline share: parameters, and the netlist's plan made of
 //! them.
 
-use super::{Kind, Param, Tabulated, Values};
+use super::{Kind, Param, Role, Tabulated, Values};
 use crate::cast;
 use crate::error::Result;
 use crate::format::{Format, Overflow, Round};
@@ -13,6 +13,7 @@ const TABLE_BITS: Kind = Kind::Int { min: 2, max: 20, auto: Some("table_addr_bit
 
 pub(super) const ANGLE_BITS: Param = Param {
     name: "angle_bits",
+    role: Role::Width,
     kind: Kind::Int { min: 2, max: 24, auto: None },
     default: "16",
     help: "bits of every angle port; a word counts 2^-angle_bits turns",
@@ -20,6 +21,7 @@ pub(super) const ANGLE_BITS: Param = Param {
 
 pub(super) const TABLE_ADDR_BITS: Param = Param {
     name: "table_addr_bits",
+    role: Role::TableSize,
     kind: Kind::Int { min: 2, max: 20, auto: None },
     default: "10",
     help: "address bits of every table that has none of its own",
@@ -27,6 +29,7 @@ pub(super) const TABLE_ADDR_BITS: Param = Param {
 
 pub(super) const SCHEME: Param = Param {
     name: "scheme",
+    role: Role::Scheme,
     kind: Kind::Choice(&["direct", "linear", "bipartite"]),
     default: "direct",
     help: "how tables approximate: one word per cell, base + slope, or two tables added",
@@ -34,6 +37,7 @@ pub(super) const SCHEME: Param = Param {
 
 pub(super) const QUARTER_WAVE: Param = Param {
     name: "quarter_wave",
+    role: Role::Switch,
     kind: Kind::Choice(&["off", "on"]),
     default: "off",
     help: "store a quarter turn of sin, cos and their reciprocals and fold",
@@ -41,6 +45,7 @@ pub(super) const QUARTER_WAVE: Param = Param {
 
 pub(super) const FRAC_BITS: Param = Param {
     name: "frac_bits",
+    role: Role::Width,
     kind: Kind::Int { min: 2, max: 32, auto: None },
     default: "16",
     help: "fraction bits of the components x, y, z",
@@ -48,6 +53,7 @@ pub(super) const FRAC_BITS: Param = Param {
 
 pub(super) const GUARD_BITS: Param = Param {
     name: "guard_bits",
+    role: Role::Width,
     kind: Kind::Int { min: 0, max: 8, auto: None },
     default: "2",
     help: "extra fraction bits inside",
@@ -55,6 +61,7 @@ pub(super) const GUARD_BITS: Param = Param {
 
 pub(super) const ROUNDING: Param = Param {
     name: "rounding",
+    role: Role::Rounding,
     kind: Kind::Choice(&["floor", "toward-zero", "half-up", "half-away", "half-even"]),
     default: "half-up",
     help: "rounding wherever bits are dropped",
@@ -62,6 +69,7 @@ pub(super) const ROUNDING: Param = Param {
 
 pub(super) const OVERFLOW: Param = Param {
     name: "overflow",
+    role: Role::Overflow,
     kind: Kind::Choice(&["wrap", "saturate", "symmetric", "error"]),
     default: "saturate",
     help: "overflow of the components x, y, z (cartesian); everything inside saturates",
@@ -69,6 +77,7 @@ pub(super) const OVERFLOW: Param = Param {
 
 pub(super) const SINCOS_ADDR_BITS: Param = Param {
     name: "sincos_addr_bits",
+    role: Role::TableSize,
     kind: TABLE_BITS,
     default: "auto",
     help: "address bits of the sin & cos table",
@@ -76,6 +85,7 @@ pub(super) const SINCOS_ADDR_BITS: Param = Param {
 
 pub(super) const ASIN_ADDR_BITS: Param = Param {
     name: "asin_addr_bits",
+    role: Role::TableSize,
     kind: TABLE_BITS,
     default: "auto",
     help: "address bits of the asin table (printed, corrected)",
@@ -83,6 +93,7 @@ pub(super) const ASIN_ADDR_BITS: Param = Param {
 
 pub(super) const RECIP_ADDR_BITS: Param = Param {
     name: "recip_addr_bits",
+    role: Role::TableSize,
     kind: TABLE_BITS,
     default: "auto",
     help: "address bits of the reciprocal tables",
@@ -90,6 +101,7 @@ pub(super) const RECIP_ADDR_BITS: Param = Param {
 
 pub(super) const ATAN_ADDR_BITS: Param = Param {
     name: "atan_addr_bits",
+    role: Role::TableSize,
     kind: TABLE_BITS,
     default: "auto",
     help: "address bits of the atan table",
@@ -97,6 +109,7 @@ pub(super) const ATAN_ADDR_BITS: Param = Param {
 
 pub(super) const PROP_ADDR_BITS: Param = Param {
     name: "prop_addr_bits",
+    role: Role::TableSize,
     kind: TABLE_BITS,
     default: "auto",
     help: "address bits of T_prop (printed, corrected)",
@@ -104,6 +117,7 @@ pub(super) const PROP_ADDR_BITS: Param = Param {
 
 pub(super) const RECIP_INT_BITS: Param = Param {
     name: "recip_int_bits",
+    role: Role::Width,
     kind: Kind::Int { min: 1, max: 16, auto: None },
     default: "8",
     help: "1/(2 sin Z) and 1/(2 cos Z) saturate at 2^recip_int_bits (printed, corrected)",
@@ -111,6 +125,7 @@ pub(super) const RECIP_INT_BITS: Param = Param {
 
 pub(super) const ATAN_INT_BITS: Param = Param {
     name: "atan_int_bits",
+    role: Role::Width,
     kind: Kind::Int {
         min: 1,
         max: 14,
@@ -122,6 +137,7 @@ pub(super) const ATAN_INT_BITS: Param = Param {
 
 pub(super) const QUADRANTS: Param = Param {
     name: "quadrants",
+    role: Role::Switch,
     kind: Kind::Choice(&["full", "half"]),
     default: "full",
     help: "phi' over the full circle, or plain atan as eq (9) is printed (printed, corrected)",
@@ -129,6 +145,7 @@ pub(super) const QUADRANTS: Param = Param {
 
 pub(super) const CORDIC_ITERATIONS: Param = Param {
     name: "cordic_iterations",
+    role: Role::Iterations,
     kind: Kind::Int { min: 1, max: 40, auto: Some("frac_bits + guard_bits") },
     default: "auto",
     help: "steps of each CORDIC (polar-cordic)",

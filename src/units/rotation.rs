@@ -10,8 +10,8 @@
 use super::plan::{self, Plan, angle, number, rounding_ulp};
 use super::polar::{self, PolarTables};
 use super::{
-    Bound, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Shape, Uniform, Unit, Value,
-    Values,
+    Bound, Bounds, Design, Group, HardCase, Kind, Param, Role, Sampler, Shading, Shape, Uniform,
+    Unit, Value, Values,
 };
 use crate::cast;
 use crate::error::Result;
@@ -33,18 +33,21 @@ pub static ROTATION: Unit = Unit {
     golden_params: &[],
     inputs: "phi_a, theta_a, phi_n, theta_n: angles, modulo a turn (theta past half a turn goes on over the pole)",
     outputs: "x, y, z (output=cartesian) or phi, theta: angles (the others)",
+    shades: Shading::None,
     build,
 };
 
 static PARAMS: &[Param] = &[
     Param {
         name: "variant",
+        role: Role::Variant,
         kind: Kind::Choice(&["printed", "corrected", "exact"]),
         default: "exact",
         help: "the seed letter for letter, the seed with its identities mended, or the exact rotation",
     },
     Param {
         name: "output",
+        role: Role::Switch,
         kind: Kind::Choice(&["auto", "cartesian", "polar-cordic", "polar-table"]),
         default: "auto",
         help: "form of the result; auto is cartesian for exact, and the seed's own polar form for the others",
@@ -56,6 +59,7 @@ static PARAMS: &[Param] = &[
     plan::FRAC_BITS,
     Param {
         name: "int_bits",
+        role: Role::Width,
         kind: Kind::Int { min: 0, max: 1, auto: None },
         default: "1",
         help: "integer bits of the components; 1 gives 1.0 a code, 0 saves a bit and 1.0 overflows",

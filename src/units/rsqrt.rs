@@ -3,8 +3,8 @@
 use super::plan::{self, rounding_ulp};
 use super::root::{self, newton_error, reciprocal_root};
 use super::{
-    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Scale, Shape, Tabulated, Unit,
-    Values,
+    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Role, Scale, Shading, Shape,
+    Tabulated, Unit, Values,
 };
 use crate::cast;
 use crate::error::Result;
@@ -23,18 +23,21 @@ pub static RSQRT: Unit = Unit {
     params: &[
         Param {
             name: "input_bits",
+            role: Role::Width,
             kind: Kind::Int { min: 2, max: 32, auto: None },
             default: "20",
             help: "bits of a, unsigned",
         },
         Param {
             name: "input_frac_bits",
+            role: Role::Width,
             kind: Kind::Int { min: 0, max: 32, auto: None },
             default: "18",
             help: "fraction bits of a",
         },
         Param {
             name: "root_int_bits",
+            role: Role::Width,
             kind: Kind::Int { min: 1, max: 17, auto: None },
             default: "9",
             help: "the result saturates at 2^root_int_bits, and so does the golden",
@@ -47,11 +50,13 @@ pub static RSQRT: Unit = Unit {
     golden_params: &["input_bits", "input_frac_bits", "root_int_bits", "root_frac_bits"],
     inputs: "a: a number from 0",
     outputs: "r: 1/sqrt(a), or 0 for 0; degenerate: 1 for 0",
+    shades: Shading::None,
     build,
 };
 
 pub(super) const ROOT_SCHEME: Param = Param {
     name: "root_scheme",
+    role: Role::Scheme,
     kind: Kind::Choice(&["linear", "direct", "newton"]),
     default: "linear",
     help: "reciprocal root: table with interpolation, table alone, or table and a Newton step",
@@ -59,6 +64,7 @@ pub(super) const ROOT_SCHEME: Param = Param {
 
 pub(super) const ROOT_ADDR_BITS: Param = Param {
     name: "root_addr_bits",
+    role: Role::TableSize,
     kind: Kind::Int { min: 2, max: 16, auto: None },
     default: "9",
     help: "address bits of its table",
@@ -66,6 +72,7 @@ pub(super) const ROOT_ADDR_BITS: Param = Param {
 
 pub(super) const ROOT_FRAC_BITS: Param = Param {
     name: "root_frac_bits",
+    role: Role::Width,
     kind: Kind::Int { min: 2, max: 22, auto: None },
     default: "18",
     help: "fraction bits of the reciprocal root",

@@ -12,7 +12,8 @@
 //! every sample, and differences of samples hardly see it.
 
 use super::{
-    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Uniform, Unit, Values,
+    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Role, Sampler, Shading, Uniform,
+    Unit, Values,
 };
 use crate::cast;
 use crate::error::Result;
@@ -31,11 +32,13 @@ pub static SAMPLER: Unit = Unit {
     golden_params: &["filter", "address_s", "address_t", "int_bits", "log2_width", "log2_height"],
     inputs: "s, t: texture coordinates, 0 to 1 over the map",
     outputs: "i, j: column and row (nearest); or i0, i1, a and j0, j1, b: columns and rows around, and how far the sample is from the first to the second, 0 to 1 (bilinear)",
+    shades: Shading::None,
     build,
 };
 
 pub(super) const FILTER: Param = Param {
     name: "filter",
+    role: Role::Switch,
     kind: Kind::Choice(&["nearest", "bilinear"]),
     default: "bilinear",
     help: "one texel of each sample, or four and their weights",
@@ -43,6 +46,7 @@ pub(super) const FILTER: Param = Param {
 
 pub(super) const FRACTION_BITS: Param = Param {
     name: "fraction_bits",
+    role: Role::Width,
     kind: Kind::Int { min: 1, max: 16, auto: None },
     default: "8",
     help: "bits of the fractions between texels (bilinear)",
@@ -55,36 +59,42 @@ static PARAMS: &[Param] = &[
     FILTER,
     Param {
         name: "address_s",
+        role: Role::Switch,
         kind: ADDRESS,
         default: "wrap",
         help: "beyond the map along s: it repeats, or its border goes on",
     },
     Param {
         name: "address_t",
+        role: Role::Switch,
         kind: ADDRESS,
         default: "wrap",
         help: "beyond the map along t, likewise",
     },
     Param {
         name: "int_bits",
+        role: Role::Width,
         kind: Kind::Int { min: 0, max: 16, auto: None },
         default: "4",
         help: "integer bits of the coordinates, beside the sign",
     },
     Param {
         name: "frac_bits",
+        role: Role::Width,
         kind: Kind::Int { min: 1, max: 30, auto: None },
         default: "20",
         help: "fraction bits of the coordinates",
     },
     Param {
         name: "log2_width",
+        role: Role::MapSize,
         kind: LOG2_SIDE,
         default: "9",
         help: "the map has 2^log2_width columns",
     },
     Param {
         name: "log2_height",
+        role: Role::MapSize,
         kind: LOG2_SIDE,
         default: "9",
         help: "the map has 2^log2_height rows",

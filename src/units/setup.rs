@@ -7,7 +7,7 @@
 use super::divide::{self, divide};
 use super::plan::{self, Plan, number, rounding_ulp};
 use super::root::{self, reciprocal_root};
-use super::{Bound, BoundFn, Kind, Param, Values};
+use super::{Bound, BoundFn, Kind, Param, Role, Values};
 use crate::cast;
 use crate::error::Result;
 use crate::format::{Format, Overflow, Round};
@@ -17,6 +17,7 @@ use crate::trig::Real;
 
 pub(super) const NORMALISE: Param = Param {
     name: "normalise",
+    role: Role::Switch,
     kind: Kind::Choice(&["divide", "reciprocal-root"]),
     default: "divide",
     help: "a square root and three dividers, or a reciprocal square root and three multipliers",
@@ -24,6 +25,7 @@ pub(super) const NORMALISE: Param = Param {
 
 pub(super) const DIVIDER: Param = Param {
     name: "divider",
+    role: Role::Switch,
     kind: Kind::Choice(&["restoring", "non-restoring", "table"]),
     default: "non-restoring",
     help: "digit recurrences, or a normalised reciprocal table and a product (normalise=divide)",
@@ -31,6 +33,7 @@ pub(super) const DIVIDER: Param = Param {
 
 pub(super) const ROOT: Param = Param {
     name: "root",
+    role: Role::Switch,
     kind: Kind::Choice(&["digits", "table"]),
     default: "digits",
     help: "a digit recurrence or a normalised table (normalise=divide)",
@@ -38,6 +41,7 @@ pub(super) const ROOT: Param = Param {
 
 pub(super) const ROOT_ADDR_BITS: Param = Param {
     name: "root_addr_bits",
+    role: Role::TableSize,
     kind: Kind::Int { min: 2, max: 20, auto: Some("table_addr_bits") },
     default: "auto",
     help: "address bits of the table of roots or reciprocal roots",

@@ -57,8 +57,8 @@ use super::normalise::{Block, NORM_BITS, block, direction_error, narrowed, unit_
 use super::plan::{self, number, rounding_ulp};
 use super::rsqrt::{ROOT_ADDR_BITS, ROOT_FRAC_BITS, ROOT_SCHEME, Root, length_error};
 use super::{
-    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Sampler, Shape, Uniform, Unit,
-    Values,
+    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Role, Sampler, Shading, Shape,
+    Uniform, Unit, Values,
 };
 use crate::cast;
 use crate::error::Result;
@@ -92,18 +92,21 @@ pub static TANGENT: Unit = Unit {
     outputs: "t_x … t_z, b_x … b_z, n_x … n_z: rows of the map; ts_view_x … , ts_light0_x … : view vector and lights in texture space, \
               along T, B and N, as long as they come; mirrored: 1 where the texture's determinant is negative (with degenerate 1, too, \
               where it turns nothing); degenerate: 1 where a fixed frame is taken; why: zero_uv, zero_area and, with frame=smooth, parallel",
+    shades: Shading::None,
     build,
 };
 
 static PARAMS: &[Param] = &[
     Param {
         name: "frame",
+        role: Role::Pipeline,
         kind: Kind::Choice(&["smooth", "faceted"]),
         default: "smooth",
         help: "a map per vertex with its normal, or one for the triangle with a second tangent",
     },
     Param {
         name: "mirror",
+        role: Role::Switch,
         kind: Kind::Choice(&["handed", "printed", "off"]),
         default: "handed",
         help: "mirrored textures: B (of a facet N) turned, T turned as the seed has it, or nothing; \
@@ -111,6 +114,7 @@ static PARAMS: &[Param] = &[
     },
     Param {
         name: "basis",
+        role: Role::Switch,
         kind: Kind::Choice(&["orthonormal", "printed"]),
         default: "orthonormal",
         help: "T, B, N made orthonormal, or T and N x T (of a facet dP/dv) as they are; \
@@ -118,30 +122,35 @@ static PARAMS: &[Param] = &[
     },
     Param {
         name: "lights",
+        role: Role::Count,
         kind: Kind::Int { min: 1, max: 8, auto: None },
         default: "1",
         help: "number of lights",
     },
     Param {
         name: "position_int_bits",
+        role: Role::Width,
         kind: Kind::Int { min: 0, max: MOST_INT_BITS, auto: None },
         default: "4",
         help: "positions are from -2^position_int_bits to 2^position_int_bits",
     },
     Param {
         name: "position_frac_bits",
+        role: Role::Width,
         kind: Kind::Int { min: 0, max: 23, auto: None },
         default: "11",
         help: "fraction bits of positions; with sign and whole bits 2 to 24",
     },
     Param {
         name: "uv_int_bits",
+        role: Role::Width,
         kind: Kind::Int { min: 0, max: MOST_INT_BITS, auto: None },
         default: "2",
         help: "texture coordinates are from -2^uv_int_bits to 2^uv_int_bits",
     },
     Param {
         name: "uv_frac_bits",
+        role: Role::Width,
         kind: Kind::Int { min: 0, max: 23, auto: None },
         default: "13",
         help: "fraction bits of texture coordinates; with sign and whole bits 2 to 24",
@@ -150,18 +159,21 @@ static PARAMS: &[Param] = &[
     Param { default: "2", ..GUARD_BITS },
     Param {
         name: "vector_int_bits",
+        role: Role::Width,
         kind: Kind::Int { min: 0, max: 20, auto: None },
         default: "1",
         help: "view vector and lights are from -2^vector_int_bits to 2^vector_int_bits",
     },
     Param {
         name: "vector_bits",
+        role: Role::Width,
         kind: Kind::Int { min: 2, max: 24, auto: None },
         default: "16",
         help: "bits of their components, signed",
     },
     Param {
         name: "out_frac_bits",
+        role: Role::Width,
         kind: Kind::Int { min: 0, max: 30, auto: None },
         default: "14",
         help: "fraction bits of view vector and lights in texture space",

@@ -9,7 +9,7 @@ use crate::output::{Scratch, write_text};
 use crate::outside::{self, End, Limits, Outcome};
 use crate::rtl::Rtl;
 use crate::schedule::{Depth, Rom, Schedule};
-use crate::units::{Design, Kind, Value};
+use crate::units::{Design, Kind, Role, Value};
 use std::io::Write;
 use std::sync::Arc;
 use std::time::Instant;
@@ -249,18 +249,16 @@ fn small(design: &Design, bits: i64) -> Option<(Design, String)> {
     let mut names = Vec::new();
     for param in unit.params {
         let Kind::Int { min, max, .. } = param.kind else { continue };
-        let cap = if param.name.ends_with("_bits") {
-            bits
-        } else if param.name.ends_with("_iterations") {
-            PROOF_ITERATIONS
-        } else {
-            continue;
+        let cap = match param.role {
+            Role::Width | Role::TableSize => bits,
+            Role::Iterations => PROOF_ITERATIONS,
+            _ => continue,
         };
         let cap = cap.clamp(min, max);
         let large = match values.get(param.name) {
             Value::Int(given) => given > cap,
             // What `auto` stands for may be large: a count of steps is set.
-            Value::Auto => param.name.ends_with("_iterations"),
+            Value::Auto => param.role == Role::Iterations,
             Value::Real(_) | Value::Choice(_) => false,
         };
         if large {
