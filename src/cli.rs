@@ -31,7 +31,7 @@ use crate::sweep::{Axis, Sweep};
 use crate::units::{Design, Sampler, UNITS, Unit, Values};
 use crate::wave::{Options, Wave};
 use clap::error::ErrorKind;
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -419,6 +419,12 @@ fn note_unused(options: &[(&str, Option<u64>)], why: &str) {
     for (name, _) in options.iter().filter(|(_, given)| given.is_some()) {
         note(&format!("{name} changes nothing: {why}"));
     }
+}
+
+/// The command line as clap has it, such as for completions and manual pages.
+#[must_use]
+pub fn command() -> clap::Command {
+    Cli::command()
 }
 
 /// Runs the command line; the binary's `main`.

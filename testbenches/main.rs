@@ -19,6 +19,7 @@ mod embossed;
 mod engines;
 mod files;
 mod format;
+mod fuzzed;
 mod gltf;
 mod hdl;
 mod hdl_vhdl;

@@ -40,6 +40,7 @@
 use crate::cast;
 use crate::columns::{self, Field};
 use crate::error::{Error, Result};
+use crate::input;
 use crate::json;
 use crate::measure::{self, Basis, Speed, Witness};
 use crate::netlist::{Counts, Quantity};
@@ -52,9 +53,12 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::Map;
 use std::collections::BTreeSet;
 use std::fmt;
-use std::fs;
+use std::fs::OpenOptions;
 use std::io;
 use std::path::Path;
+
+/// Most bytes of a `sweep.json` that are read: more than the largest sweep writes.
+const MAX_BYTES: u64 = 1 << 32;
 
 /// Version of the form of `sweep.json`.
 pub const FORMAT_VERSION: u32 = 2;
@@ -645,18 +649,21 @@ impl Record {
     /// If the file can't be read or is no result of a sweep.
     pub fn load(path: &Path) -> Result<Option<Self>> {
         let remedy = "choose another folder or pass --fresh";
-        let text = match fs::read_to_string(path) {
-            Ok(text) => text,
+        // Not by `input::open`: the sweep that reads it writes it anew.
+        let file = match input::open_with(OpenOptions::new().read(true), path) {
+            Ok(file) => file,
             Err(why) if why.kind() == io::ErrorKind::NotFound => return Ok(None),
             Err(why) => return Err(Error::file(path, format!("can't read: {why}: {remedy}"))),
         };
+        let bytes = input::read(file, path, MAX_BYTES)?;
         let malformed = |why: String| {
             Error::file(
                 path,
                 format!("is not a sweep result that this version reads ({why}): {remedy}"),
             )
         };
-        let record: Self = serde_json::from_str(&text).map_err(|why| malformed(why.to_string()))?;
+        let record: Self =
+            serde_json::from_slice(&bytes).map_err(|why| malformed(why.to_string()))?;
         for (point, number) in record.points.iter().zip(1..) {
             let whole = match (&point.measured, &point.error) {
                 (Some(measured), None) => {

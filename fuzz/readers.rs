@@ -1,0 +1,222 @@
+//! Every reader of what comes from outside, as a function of bytes that must not panic and that checks what it
+//! reads. `fuzz/targets` has each as a fuzz target; the suite runs all of them over `fuzz/seeds`.
+
+use fixpath::cli;
+use fixpath::cost;
+use fixpath::format::Format;
+use fixpath::netlist::Netlist;
+use fixpath::report::{self, record::Record};
+use fixpath::samples::{AngleUnit, Block, SampleFile};
+use fixpath::scene::{Fragments, Scene};
+use fixpath::sweep::Axis;
+use fixpath::texgen::Calls;
+use fixpath::units::Unit;
+use std::fs;
+use std::path::Path;
+use std::sync::{Arc, OnceLock};
+use tempfile::TempDir;
+
+/// A reader by its name, which is that of its target and of its folder of seeds.
+pub type Reader = (&'static str, fn(&[u8]));
+
+/// All of them.
+pub const READERS: &[Reader] = &[
+    ("axis", axis),
+    ("cells", cells),
+    ("command_line", command_line),
+    ("format", format),
+    ("gltf", gltf),
+    ("obj", obj),
+    ("parameters", parameters),
+    ("picture", picture),
+    ("samples", samples),
+    ("scene", scene),
+    ("sweep", sweep),
+    ("texgen", texgen),
+];
+
+thread_local! {
+    /// Where readers of files find theirs.
+    static FOLDER: TempDir = tempfile::tempdir().unwrap();
+}
+
+/// Texts only: what isn't UTF-8 is refused before these readers.
+fn text(bytes: &[u8]) -> Option<&str> {
+    std::str::from_utf8(bytes).ok()
+}
+
+/// A unit by the first line, and the other lines.
+fn unit(bytes: &[u8]) -> Option<(&'static Unit, &str)> {
+    let (name, rest) = text(bytes)?.split_once('\n')?;
+    Some((Unit::find(name).ok()?, rest))
+}
+
+/// A format: what is read is written as what is read the same.
+pub fn format(bytes: &[u8]) {
+    let Some(text) = text(bytes) else { return };
+    if let Ok(format) = text.parse::<Format>() {
+        assert_eq!(format.to_string().parse::<Format>().unwrap(), format);
+        assert!(format.min_raw() <= 0 && format.max_raw() > format.min_raw());
+    }
+}
+
+/// Lines `key=value` for a unit: legal values are written as what is read the same.
+pub fn parameters(bytes: &[u8]) {
+    let Some((unit, text)) = unit(bytes) else { return };
+    let assignments: Vec<&str> = text.lines().collect();
+    let Ok(values) = unit.values(&assignments) else { return };
+    let written: Vec<String> =
+        values.iter().map(|(name, value)| format!("{name}={value}")).collect();
+    let again = unit.values(&written).unwrap();
+    assert!(values.iter().eq(again.iter()), "{written:?}");
+}
+
+/// An axis of a sweep over a unit: its values are legal.
+pub fn axis(bytes: &[u8]) {
+    let Some((unit, text)) = unit(bytes) else { return };
+    let Ok(axis) = Axis::parse(text, unit) else { return };
+    assert!(!axis.values().is_empty());
+    for value in axis.values() {
+        unit.values(&[format!("{}={value}", axis.key())]).unwrap();
+    }
+}
+
+/// Words of a command line, a line each.
+pub fn command_line(bytes: &[u8]) {
+    let Some(text) = text(bytes) else { return };
+    let words = std::iter::once("fixpath").chain(text.lines());
+    let _ = cli::command().try_get_matches_from(words);
+}
+
+/// Cells as Yosys counts them.
+pub fn cells(bytes: &[u8]) {
+    let Some(text) = text(bytes) else { return };
+    let _ = cost::cells_of(text);
+}
+
+/// A table of inputs of the rotation unit, from the second byte on: all words are of their ports.
+pub fn samples(bytes: &[u8]) {
+    static NETLIST: OnceLock<Arc<Netlist>> = OnceLock::new();
+    let netlist = NETLIST.get_or_init(|| {
+        let unit = Unit::find("rotation").unwrap();
+        unit.values(&["table_addr_bits=4"]).unwrap().build().unwrap().netlist
+    });
+    let Some((first, table)) = bytes.split_first() else { return };
+    let angle = [AngleUnit::Radians, AngleUnit::Degrees, AngleUnit::Turns][usize::from(first % 3)];
+    let path = Path::new("samples.csv");
+    let Ok(mut file) = SampleFile::open(table, path, netlist, angle, first & 4 != 0) else {
+        return;
+    };
+    let mut block = Block::default();
+    let mut outputs = Vec::new();
+    while let Ok(count @ 1..) = file.read(&mut block) {
+        for (node, words) in netlist.inputs().iter().zip(&block.words) {
+            assert_eq!(words.len(), count);
+            assert!(words.iter().all(|word| netlist.node(*node).format.contains(*word)));
+        }
+        let row: Vec<i64> = block.words.iter().map(|words| words[0]).collect();
+        outputs = netlist.eval(&row).0;
+    }
+    drop(outputs);
+    let _ = file.clipped_note();
+}
+
+/// Calls of texture-coordinate generation: each configuration that comes out is one of the emboss unit.
+pub fn texgen(bytes: &[u8]) {
+    let Some(text) = text(bytes) else { return };
+    let Ok(calls) = Calls::parse(text, Path::new("calls.toml")) else { return };
+    let outcome = calls.run();
+    assert!(outcome.problems() <= outcome.events.len() + 1 + outcome.undefined.len());
+    let unit = Unit::find("emboss").unwrap();
+    for emboss in &outcome.emboss {
+        let text = emboss.to_string();
+        let assignments: Vec<&str> = text.split(' ').collect();
+        unit.values(&assignments).unwrap();
+    }
+}
+
+/// A scene, with a mesh and two pictures beside it that it may name.
+pub fn scene(bytes: &[u8]) {
+    let Some(text) = text(bytes) else { return };
+    FOLDER.with(|folder| {
+        let mesh = folder.path().join("mesh.obj");
+        if !mesh.exists() {
+            fs::write(mesh, TRIANGLE).unwrap();
+            fs::write(folder.path().join("picture.png"), PNG).unwrap();
+        }
+        if let Ok(scene) = Scene::parse(text, &folder.path().join("scene.toml")) {
+            look(&scene);
+        }
+    });
+}
+
+/// A mesh as OBJ.
+pub fn obj(bytes: &[u8]) {
+    file(bytes, "mesh.obj", &mesh("mesh.obj"));
+}
+
+/// A mesh as glTF, of which the first bytes say in which form.
+pub fn gltf(bytes: &[u8]) {
+    let name = if bytes.starts_with(b"glTF") { "mesh.glb" } else { "mesh.gltf" };
+    file(bytes, name, &mesh(name));
+}
+
+/// A picture as texture and as heights, as JPEG or PNG.
+pub fn picture(bytes: &[u8]) {
+    let name = if bytes.starts_with(b"\x89PNG") { "map.png" } else { "map.jpg" };
+    let object = "[[object]]\nshape = \"plane\"\n";
+    file(bytes, name, &format!("{SMALL}[texture]\nfile = \"{name}\"\n{object}"));
+    file(bytes, name, &format!("{SMALL}[height]\nfile = \"{name}\"\n{object}"));
+}
+
+/// The result of a sweep: what is read is reported, written, and read as the same.
+pub fn sweep(bytes: &[u8]) {
+    FOLDER.with(|folder| {
+        let path = folder.path().join("sweep.json");
+        fs::write(&path, bytes).unwrap();
+        let Ok(Some(record)) = Record::load(&path) else { return };
+        report::write(folder.path(), &record).unwrap();
+        Record::write_json(&path, &record.header, record.points.iter()).unwrap();
+        let again = Record::load(&path).unwrap().unwrap();
+        let text = |record: &Record| serde_json::to_string(record).unwrap();
+        assert_eq!(text(&again), text(&record));
+    });
+}
+
+const SMALL: &str = "[image]\nwidth = 6\nheight = 6\n";
+const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
+const PNG: &[u8] = include_bytes!("seeds/picture/gray.png");
+
+fn mesh(name: &str) -> String {
+    format!("{SMALL}[[object]]\nshape = \"mesh\"\nfile = \"{name}\"\n")
+}
+
+/// A scene that names a file of these bytes.
+fn file(bytes: &[u8], name: &str, toml: &str) {
+    FOLDER.with(|folder| {
+        fs::write(folder.path().join(name), bytes).unwrap();
+        if let Ok(scene) = Scene::parse(toml, &folder.path().join("scene.toml")) {
+            look(&scene);
+        }
+    });
+}
+
+/// Every face has corners in space and unit normals; so has what some rows of the picture see.
+fn look(scene: &Scene) {
+    for (_, corners) in scene.faces().take(1000) {
+        for corner in corners {
+            assert!(corner.position.is_finite() && corner.uv.is_finite());
+            assert!((corner.normal.length() - 1.0).abs() < 1e-9, "{corner:?}");
+        }
+    }
+    let middle = scene.image.height / 2;
+    let mut fragments = Fragments::default();
+    scene.trace(middle..(middle + 1).min(scene.image.height), &mut fragments);
+    for i in 0..fragments.len() {
+        for vectors in [&fragments.normal, &fragments.tangent] {
+            let length = Fragments::vector(vectors, i).length();
+            assert!((length - 1.0).abs() < 1e-9, "{length}");
+        }
+    }
+    assert!(scene.notes().iter().all(|note| !note.is_empty()));
+}
