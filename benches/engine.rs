@@ -25,6 +25,7 @@ use fixpath::emit::{Package, Settings};
 use fixpath::measure::{Basis, Inputs, measure_on};
 use fixpath::netlist::{Netlist, NodeId};
 use fixpath::op::Op;
+use fixpath::outside::VERILATOR;
 use fixpath::sim::batch::{Features, Program, Runner};
 use fixpath::units::{Design, Sampler, Unit};
 use std::fmt::Write as _;
@@ -63,14 +64,27 @@ fn main() {
             other => panic!("unknown argument {other}: --json FILE, --rounds N, --rows TEXT"),
         }
     }
-    let mut all = Vec::new();
+    let mut all = serde_json::json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "processor": processor(),
+        "cores": std::thread::available_parallelism().map_or(1, usize::from),
+        "verilator": VERILATOR.version(),
+        "rounds": rounds,
+    });
     for variant in ["corrected", "exact"] {
-        all.push(bench(variant, rounds, &only));
+        all[variant] = bench(variant, rounds, &only);
     }
     if let Some(path) = json {
         let text = serde_json::to_string_pretty(&all).expect("plain values");
         fs::write(&path, text + "\n").expect("the JSON file can't be written");
     }
+}
+
+/// Its model, where Linux tells it.
+fn processor() -> Option<String> {
+    let text = fs::read_to_string("/proc/cpuinfo").ok()?;
+    let line = text.lines().find(|line| line.starts_with("model name"))?;
+    Some(line.split_once(':')?.1.trim().to_owned())
 }
 
 /// Times every row for one variant.
@@ -220,9 +234,7 @@ fn bench(variant: &str, rounds: usize, only: &str) -> serde_json::Value {
     }
     serde_json::json!({
         "unit": "rotation",
-        "variant": variant,
         "samples": SAMPLES,
-        "rounds": rounds,
         "compile_us": compile_us,
         "checksum": format!("{:016x}", checksums[0]),
         "rows": table.iter().map(|(name, rate)| serde_json::json!({
@@ -788,8 +800,7 @@ impl Verilated {
         if rows.is_empty() {
             return Vec::new();
         }
-        let installed = Command::new("verilator").arg("--version").output();
-        if !installed.is_ok_and(|output| output.status.success()) {
+        if VERILATOR.version().is_none() {
             println!("verilator isn't installed: its rows are left out");
             return Vec::new();
         }

@@ -30,6 +30,7 @@ mod lut;
 mod netlist;
 mod op;
 mod readers;
+mod readme;
 mod record;
 mod render;
 mod rivals;
