@@ -151,6 +151,9 @@ fn s_goes_with_the_tangent_and_t_with_the_binormal() {
     assert_eq!(one(&["l_sign=vertex-light"], l), [-0.6, -0.8]);
     assert_eq!(one(&["t_sign=minus"], l), [0.6, -0.8]);
     assert_eq!(one(&[given, "constants=parameters", "ks=0.5", "kt=-0.25"], l), [0.3, -0.2]);
+    // A small constant keeps its fraction bits beside a large one.
+    let far_apart = ["ks=30000", "kt=0.005"];
+    assert_eq!(one(&[given, "constants=parameters", far_apart[0], far_apart[1]], l)[1], 0.004);
     // N = x, CT = y: BN = z, T = BN x N = y.
     assert_eq!(one(&["setting=nv"], [0.0, 3.0, 4.0]), [0.8, -0.6]);
     assert_eq!(

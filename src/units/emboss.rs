@@ -48,7 +48,7 @@ use std::sync::Arc;
 /// The unit.
 pub static EMBOSS: Unit = Unit {
     name: "emboss",
-    summary: "texture coordinates displaced toward the light, for embossing",
+    summary: "texture coordinates displaced by the direction of a light, for embossing",
     source: "seeds 000 and 003 (US 6,980,218; US 7,307,640), seed 002 (GL_NV_texgen_emboss)",
     params: PARAMS,
     golden_params: &[
@@ -196,7 +196,7 @@ static PARAMS: &[Param] = &[
         kind: Kind::Int {
             min: 0,
             max: MAX_CONSTANT_INT_BITS as i64,
-            auto: Some("as many as ks and kt ask for, 1 at least"),
+            auto: Some("as many as ks and kt ask for, each of them, 1 at least"),
         },
         default: "auto",
         help: "Ks and Kt are from -2^constant_int_bits to 2^constant_int_bits",
@@ -376,14 +376,15 @@ impl Ports {
         let matrix_frac = cast::signed_count(matrix_bits) - cast::signed_count(matrix_int) - 1;
         let matrix = Format::signed(matrix_bits, matrix_frac)?;
         let texture = texture(values)?;
-        let constant = constant(values, switches)?;
+        let [ks, kt] = [constant(values, switches, "ks")?, constant(values, switches, "kt")?];
         let port = |name: &'static str| {
             let (format, quantity) = match name {
                 "m0" | "m1" | "m2" => (matrix, short),
                 "light" => (position, short),
                 "vertex" => (position, Quantity::Number),
                 "s0" | "t0" | "q0" | "r0" => (texture, Quantity::Number),
-                "ks" | "kt" => (constant, Quantity::Number),
+                "ks" => (ks, Quantity::Number),
+                "kt" => (kt, Quantity::Number),
                 _ => (component, Quantity::Number),
             };
             let nodes = if is_vector(name) {
@@ -414,41 +415,35 @@ fn texture(values: &Values) -> Result<Format> {
     number(values.bits("texture_int_bits"), values.bits("texture_frac_bits"))
 }
 
-/// Format of Ks and Kt.
+/// Format of Ks or Kt, by its name: each has whole bits, and so fraction bits, of its own where that is `auto`.
 ///
 /// # Errors
-/// If it doesn't hold one of them; the message names the one that does.
-fn constant(values: &Values, switches: Switches) -> Result<Format> {
+/// If it doesn't hold the constant; the message names the one that does.
+fn constant(values: &Values, switches: Switches, name: &str) -> Result<Format> {
     let format = |int_bits: u32| {
         let few = CONSTANT_FRAC_BITS.min(CONSTANT_BITS.saturating_sub(int_bits));
         let frac_bits = values.int("constant_frac_bits");
         let frac_bits = frac_bits.map_or(few, |_| values.bits("constant_frac_bits"));
         number(int_bits, frac_bits)
     };
-    let holds = |format: Format, name: &str| {
-        quantize(values.real(name), format, Round::HalfEven, Overflow::Error).is_ok()
+    let is_held = |format: Format| {
+        switches.constants != Constants::Parameters
+            || quantize(values.real(name), format, Round::HalfEven, Overflow::Error).is_ok()
     };
-    let names: &[&str] = match switches.constants {
-        Constants::Parameters => &["ks", "kt"],
-        Constants::Off | Constants::Ports => &[],
-    };
-    let asked = |name: &str| {
-        let enough = |bits: &u32| format(*bits).is_ok_and(|format| holds(format, name));
-        (1..=MAX_CONSTANT_INT_BITS).find(enough).unwrap_or(MAX_CONSTANT_INT_BITS)
-    };
+    let enough = |bits: &u32| format(*bits).is_ok_and(is_held);
+    let asked = (1..=MAX_CONSTANT_INT_BITS).find(enough).unwrap_or(MAX_CONSTANT_INT_BITS);
     let int_bits = match values.int("constant_int_bits") {
         Some(_) => values.bits("constant_int_bits"),
-        None => names.iter().map(|name| asked(name)).max().unwrap_or(1),
+        None => asked,
     };
     let format = format(int_bits)?;
-    if let Some(name) = names.iter().find(|name| !holds(format, name)) {
+    if !is_held(format) {
         return Err(values.refuse(
             name,
             &format!(
-                "{} to {} in format {format} of constant_int_bits={int_bits}; constant_int_bits={} holds it",
+                "{} to {} in format {format} of constant_int_bits={int_bits}; constant_int_bits={asked} holds it",
                 cast::f64_of(format.min_raw()) * format.ulp(),
                 cast::f64_of(format.max_raw()) * format.ulp(),
-                asked(name)
             ),
         ));
     }
@@ -697,7 +692,7 @@ fn factor(
     axis: char,
 ) -> Result<NodeId> {
     let name = if axis == 's' { "ks" } else { "kt" };
-    let format = constant(values, switches)?;
+    let format = constant(values, switches, name)?;
     let constant = match switches.constants {
         Constants::Off => None,
         Constants::Ports => Some(ports.number(name)),
@@ -797,13 +792,14 @@ impl Errors {
         };
         let length = length_error(values, worst);
         let dot = rounding * ulp("dot_frac_bits");
-        let format = constant(values, switches).expect("bug: the unit was built with it");
+        let name = if axis == 's' { "ks" } else { "kt" };
+        let format = constant(values, switches, name).expect("bug: the unit was built with it");
         let factor = switches.has_factor().then(|| {
             let q = if switches.q { texture_limit(values) } else { 1.0 };
             let (constant, error) = match switches.constants {
                 Constants::Off => (1.0, 0.0),
                 Constants::Parameters => {
-                    let real = values.real(if axis == 's' { "ks" } else { "kt" });
+                    let real = values.real(name);
                     let ulp = format.ulp();
                     (real.abs(), ((real / ulp).round() * ulp - real).abs())
                 }

@@ -1,4 +1,4 @@
-# emboss: texture coordinates displaced toward the light, for embossing
+# emboss: texture coordinates displaced by the direction of a light, for embossing
 # make -f emboss_nv_verilator.mk        builds the C++ harness and runs it on the vectors
 # HDL=DIR says where the module is, if not here.
 HDL ?= .

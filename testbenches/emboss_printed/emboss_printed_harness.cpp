@@ -1,4 +1,4 @@
-// emboss: texture coordinates displaced toward the light, for embossing
+// emboss: texture coordinates displaced by the direction of a light, for embossing
 // made by fixpath 0.1.0; seeds 000 and 003 (US 6,980,218; US 7,307,640), seed 002 (GL_NV_texgen_emboss)
 //   setting=gx frame=auto normalise_basis=auto s_vector=auto l_sign=vertex-light t_sign=auto
 //   scale_q=auto constants=auto ks=1 kt=1 input20=off component_bits=16 matrix_bits=16

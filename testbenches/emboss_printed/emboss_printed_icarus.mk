@@ -1,4 +1,4 @@
-# emboss: texture coordinates displaced toward the light, for embossing
+# emboss: texture coordinates displaced by the direction of a light, for embossing
 # make -f emboss_printed_icarus.mk           runs the testbench
 # make -f emboss_printed_icarus.mk wave      runs it and writes a VCD
 # HDL=DIR says where the module is, if not here.
