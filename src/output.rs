@@ -15,6 +15,7 @@ use std::path::{Path, PathBuf};
 /// Removes what is not in its place yet; for a handler of interrupts, which ends the process next.
 pub(crate) fn abandon() {
     scratch::abandon();
+    set::abandon();
 }
 
 /// Makes a folder and those above it.

@@ -7,34 +7,53 @@ use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::io::{self, Read, Write};
 use std::path::{Component, Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 /// Folder in an output folder that tells what was written there.
 const STATE: &str = ".fixpath";
 
-/// Folder in a scratch folder there, for the files.
+/// Folder in a scratch folder or journal there, for the files.
 const FILES: &str = "files";
+
+/// Names those files, beside them.
+const LIST: &str = "list";
 
 /// The files that a command writes into a folder, where others' may be, too.
 ///
 /// They are written into a side folder and take their places together, so that a run that is stopped
-/// leaves all files of the run before. Files that the run before made and this one doesn't make go
+/// leaves all files of one run. Files that the run before made and this one doesn't make go
 /// then. A second run that wants to write the same set meanwhile is refused; what refuses it falls with
 /// the process.
+///
+/// # What holds
+///
+/// `.fixpath/NAME` lists the files of the last run that came to its end. A run that has written all its files
+/// renames its side folder to `.fixpath/NAME.next`, the journal: from then on its files are those of the set. They go
+/// to their places one by one, those of the run before that are no longer made go away, and at last the journal's
+/// list becomes `.fixpath/NAME`. Whoever is killed before the first rename leaves the files of the run before; whoever
+/// is killed later leaves the journal, and the next run that opens the set finishes it before anything else. So
+/// while there is no journal, all files are of one run; while there is one, they may be of two, and a reader waits or
+/// opens the set. Against a power cut the order of renames is the file system's: nothing is flushed to disk.
 #[derive(Debug)]
 pub struct Set {
+    /// Goes while the list is still locked.
+    _trace: Trace,
     folder: PathBuf,
-    /// The folder wasn't there before.
-    is_new: bool,
     /// Names the files of the run before, a line each. It is locked.
     list: PathBuf,
+    /// Where the files of a run are that has come to its end and not to their places.
+    journal: PathBuf,
     lock: File,
     earlier: BTreeSet<PathBuf>,
+    /// What is to be written, if that was told.
+    expected: Option<BTreeSet<PathBuf>>,
     /// Gone when the set is dropped.
     side: Option<Scratch>,
 }
 
 impl Set {
-    /// Takes the set of a name in a folder, which is made if it isn't there.
+    /// Takes the set of a name in a folder, which is made if it isn't there. A run that was killed while its files
+    /// went to their places is finished first.
     ///
     /// # Errors
     /// If another run has the set, or the folder can't be made or written.
@@ -44,15 +63,26 @@ impl Set {
         let fail = at(folder);
         let state = folder.join(STATE);
         let list = state.join(name);
-        let mut lock = claim(&state, &list).map_err(&fail)?.ok_or_else(|| {
+        let lock = claim(&state, &list).map_err(&fail)?.ok_or_else(|| {
             let problem =
                 "another run is writing into it: wait for its end, or choose another folder";
             Error::file(folder, problem.to_owned())
         })?;
-        let mut text = String::new();
-        lock.read_to_string(&mut text).map_err(&fail)?;
-        let earlier = text.lines().map(PathBuf::from).filter(|path| is_within(path)).collect();
-        let mut set = Self { folder: folder.to_owned(), is_new, list, lock, earlier, side: None };
+        let trace = Trace::new(list.clone(), is_new.then(|| folder.to_owned()));
+        let earlier = names_in(&lock).map_err(&fail)?;
+        let mut set = Self {
+            _trace: trace,
+            folder: folder.to_owned(),
+            list,
+            journal: state.join(format!("{name}.next")),
+            lock,
+            earlier,
+            expected: None,
+            side: None,
+        };
+        if set.journal.exists() {
+            set.finish()?;
+        }
         set.side = Some(Scratch::within(&state, "new-").map_err(&fail)?);
         fs::create_dir(set.path()).map_err(fail)?;
         Ok(set)
@@ -68,6 +98,19 @@ impl Set {
         self.side.as_ref().expect("bug: it goes with the set").path()
     }
 
+    /// Checks before the work that these files can be put into their places: there will be no others in the set.
+    ///
+    /// # Errors
+    /// If one can't, or this process reads it.
+    pub fn expect<P: Into<PathBuf>>(&mut self, files: impl IntoIterator<Item = P>) -> Result<()> {
+        let files: BTreeSet<PathBuf> = files.into_iter().map(Into::into).collect();
+        for file in &files {
+            check(&self.folder.join(file))?;
+        }
+        self.expected = Some(files);
+        Ok(())
+    }
+
     /// Puts all files of the side folder into their places, and removes those of the run before that
     /// are not among them.
     ///
@@ -75,18 +118,50 @@ impl Set {
     /// If a file can't be put there, or this process reads it. Nothing has changed if that is known
     /// before the first is in its place.
     pub fn commit(mut self) -> Result<()> {
+        self.publish()?;
+        self.finish()
+    }
+
+    /// Makes the side folder the journal.
+    fn publish(&mut self) -> Result<()> {
         let mut made = BTreeSet::new();
         files_of(&self.path(), Path::new(""), &mut made).map_err(at(&self.folder))?;
-        let stale: Vec<PathBuf> = self.earlier.difference(&made).cloned().collect();
+        debug_assert!(
+            self.expected.as_ref().is_none_or(|all| made.is_subset(all)),
+            "bug: {made:?}"
+        );
         for file in &made {
-            check(&self.folder.join(file))?;
+            let place = self.folder.join(file);
+            check(&place)?;
+            make_folder(place.parent().unwrap_or(&self.folder))?;
         }
-        // The files of both runs, until those of one are there.
-        let both: BTreeSet<PathBuf> = self.earlier.union(&made).cloned().collect();
-        self.tell(&both).map_err(at(&self.list))?;
+        let tell = || -> io::Result<()> {
+            let mut list = File::create_new(self.side().join(LIST))?;
+            made.iter().try_for_each(|file| writeln!(list, "{}", file.display()))?;
+            fs::rename(self.side(), &self.journal)
+        };
+        tell().map_err(at(&self.list))
+    }
+
+    /// Puts the files of the journal into their places.
+    fn finish(&mut self) -> Result<()> {
+        let journal = self.journal.clone();
+        let list = journal.join(LIST);
+        let mut new = match File::open(&list) {
+            // All but the end of the end was done.
+            Err(why) if why.kind() == io::ErrorKind::NotFound => {
+                return fs::remove_dir_all(&journal).map_err(at(&journal));
+            }
+            opened => opened.map_err(at(&list))?,
+        };
+        let made = names_in(&new).map_err(at(&list))?;
         let mut plain = Vec::new();
         for file in &made {
-            let (from, to) = (self.path().join(file), self.folder.join(file));
+            let (from, to) = (journal.join(FILES).join(file), self.folder.join(file));
+            if !from.exists() {
+                continue; // it is in its place
+            }
+            check(&to)?;
             make_folder(to.parent().unwrap_or(&self.folder))?;
             // What a link leads to may be on another disk.
             if fs::symlink_metadata(&to).is_ok_and(|there| !there.is_file()) {
@@ -99,26 +174,17 @@ impl Set {
         for (from, to) in &plain {
             place(from, &real_path(to)).map_err(at(to))?;
         }
-        for file in &stale {
+        for file in self.earlier.difference(&made) {
             self.remove(file)?;
         }
-        drop(held);
-        // The list of both says too much and nothing wrong.
-        let _ = self.tell(&made);
-        Ok(())
-    }
-
-    /// Writes the list; a kill leaves the old one or the new one.
-    fn tell(&mut self, files: &BTreeSet<PathBuf>) -> io::Result<()> {
-        let path = self.side().join("list");
-        let mut new = File::options().read(true).write(true).create_new(true).open(&path)?;
         // Nobody else knows it yet; a system without locks has none here either.
         let _ = new.try_lock();
-        for file in files {
-            writeln!(new, "{}", file.display())?;
-        }
-        fs::rename(&path, &self.list)?;
-        self.lock = new;
+        fs::rename(&list, &self.list).map_err(at(&self.list))?;
+        std::mem::swap(&mut self.lock, &mut new);
+        self.earlier = made;
+        drop(held);
+        // What stays of it says nothing any more.
+        let _ = fs::remove_dir_all(&journal);
         Ok(())
     }
 
@@ -146,15 +212,45 @@ impl Set {
 impl Drop for Set {
     fn drop(&mut self) {
         self.side = None;
-        // A run that wrote nothing leaves nothing.
-        if self.lock.metadata().is_ok_and(|list| list.len() == 0) {
-            let _ = fs::remove_file(&self.list);
-            let _ = fs::remove_dir(self.folder.join(STATE));
-            if self.is_new {
-                let _ = fs::remove_dir(&self.folder);
-            }
-        }
     }
+}
+
+/// The list of a set that is open and what was made for it: a run that writes nothing leaves nothing.
+#[derive(Debug)]
+struct Trace(Made);
+
+/// A list, and its folder if that wasn't there before.
+type Made = (PathBuf, Option<PathBuf>);
+
+/// Those of all sets that are open.
+static TRACES: Mutex<BTreeSet<Made>> = Mutex::new(BTreeSet::new());
+
+impl Trace {
+    fn new(list: PathBuf, new_folder: Option<PathBuf>) -> Self {
+        let made = (list, new_folder);
+        TRACES.lock().unwrap_or_else(PoisonError::into_inner).insert(made.clone());
+        Self(made)
+    }
+}
+
+impl Drop for Trace {
+    fn drop(&mut self) {
+        TRACES.lock().unwrap_or_else(PoisonError::into_inner).remove(&self.0);
+        fade(&self.0);
+    }
+}
+
+fn fade((list, new_folder): &Made) {
+    if fs::metadata(list).is_ok_and(|list| list.len() == 0) {
+        let _ = fs::remove_file(list);
+        let _ = list.parent().map(fs::remove_dir);
+        let _ = new_folder.as_ref().map(fs::remove_dir);
+    }
+}
+
+/// What open sets leave when the process ends next.
+pub(super) fn abandon() {
+    TRACES.lock().unwrap_or_else(PoisonError::into_inner).iter().for_each(fade);
 }
 
 /// Opens and locks a list, which is made if it isn't there; `None` if another run has it.
@@ -189,6 +285,13 @@ pub(super) fn in_place(path: &Path) -> PathBuf {
     }
 }
 
+/// Paths that a list names, from its start.
+fn names_in(mut list: &File) -> io::Result<BTreeSet<PathBuf>> {
+    let mut text = String::new();
+    list.read_to_string(&mut text)?;
+    Ok(text.lines().map(PathBuf::from).filter(|path| is_within(path)).collect())
+}
+
 /// True for a path that leads out of no folder.
 fn is_within(path: &Path) -> bool {
     path.components().all(|part| matches!(part, Component::Normal(_))) && path != Path::new("")
@@ -213,4 +316,84 @@ fn copy(from: &Path, to: &Path) -> Result<()> {
         let mut file = File::open(from).map_err(at(from))?;
         io::copy(&mut file, writer).map(|_| ()).map_err(at(to))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn write(set: &Set, files: [(&str, &str); 2]) {
+        for (name, text) in files {
+            fs::write(set.path().join(name), text).unwrap();
+        }
+    }
+
+    fn texts(folder: &Path) -> Vec<(String, String)> {
+        let mut all = BTreeSet::new();
+        files_of(folder, Path::new(""), &mut all).unwrap();
+        let named = all.into_iter().filter(|file| !file.starts_with(STATE));
+        let of = |file: PathBuf| {
+            (file.display().to_string(), fs::read_to_string(folder.join(file)).unwrap())
+        };
+        named.map(of).collect()
+    }
+
+    /// A run that ends by a kill when its first file is in its place, or none.
+    fn killed(folder: &Path, placed: bool) {
+        let mut set = Set::open(folder, "s").unwrap();
+        write(&set, [("a", "2"), ("b", "2")]);
+        if placed {
+            set.publish().unwrap();
+            fs::rename(set.journal.join(FILES).join("a"), folder.join("a")).unwrap();
+        }
+        // A kill frees the lock and removes nothing.
+        set.lock.unlock().unwrap();
+        std::mem::forget(set);
+    }
+
+    #[test]
+    fn what_a_kill_cut_is_finished_by_the_next_run() {
+        for placed in [false, true] {
+            let folder = tempfile::tempdir().unwrap();
+            let folder = folder.path();
+            let set = Set::open(folder, "s").unwrap();
+            write(&set, [("a", "1"), ("old", "1")]);
+            set.commit().unwrap();
+            killed(folder, placed);
+            // The next run comes to nothing, and the files are still of one.
+            drop(Set::open(folder, "s").unwrap());
+            let of_second = [("a", "2"), ("b", "2")];
+            let of_first = [("a", "1"), ("old", "1")];
+            let want = if placed { of_second } else { of_first };
+            let want = want.map(|(name, text)| (name.to_owned(), text.to_owned()));
+            assert_eq!(texts(folder), want);
+            let list: String = want.iter().map(|(name, _)| format!("{name}\n")).collect();
+            assert_eq!(fs::read_to_string(folder.join(STATE).join("s")).unwrap(), list);
+            assert!(!folder.join(STATE).join("s.next").exists());
+        }
+    }
+
+    #[test]
+    fn what_is_expected_is_checked_before_the_work() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::create_dir(folder.path().join("a")).unwrap();
+        let mut set = Set::open(folder.path(), "s").unwrap();
+        let why = set.expect(["b", "a"]).unwrap_err().to_string();
+        assert!(why.ends_with("a: can't write: it is a folder"), "{why}");
+        drop(set);
+        // A run that wrote nothing leaves nothing.
+        assert!(!folder.path().join(STATE).exists());
+    }
+
+    #[test]
+    fn an_interrupt_before_the_first_file_leaves_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("out");
+        let set = Set::open(&out, "s").unwrap();
+        fs::remove_dir_all(set.side()).unwrap(); // as the handler does before
+        let made = (set.list.clone(), Some(out.clone()));
+        assert!(TRACES.lock().unwrap().contains(&made));
+        fade(&made);
+        assert!(!out.exists());
+    }
 }
