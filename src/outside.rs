@@ -264,9 +264,9 @@ fn end_group(id: u32) {
 }
 
 /// Reads all, so that the writer never waits, and keeps the start and the end.
-fn collect(mut from: impl Read + Send + 'static) -> mpsc::Receiver<String> {
+fn collect(mut from: impl Read + Send + 'static) -> io::Result<mpsc::Receiver<String>> {
     let (sender, receiver) = mpsc::channel();
-    thread::spawn(move || {
+    new_thread().spawn(move || {
         let (mut head, mut tail) = (Vec::new(), Vec::new());
         let mut chunk = vec![0; 1 << 14];
         let mut dropped = false;
@@ -286,8 +286,30 @@ fn collect(mut from: impl Read + Send + 'static) -> mpsc::Receiver<String> {
         head.extend(tail);
         // Nobody may wait for it any more.
         let _ = sender.send(String::from_utf8_lossy(&head).into_owned());
-    });
-    receiver
+    })?;
+    Ok(receiver)
+}
+
+/// A thread that is started by this may not be: the system has a limit.
+pub(crate) fn new_thread() -> thread::Builder {
+    let builder = thread::Builder::new();
+    // No system has room for such a stack.
+    #[cfg(test)]
+    let builder = if NO_THREADS.get() { builder.stack_size(1 << 60) } else { builder };
+    builder
+}
+
+#[cfg(test)]
+thread_local! {
+    /// True where this thread can start no others.
+    pub(crate) static NO_THREADS: std::cell::Cell<bool> = const { std::cell::Cell::new(false) };
+}
+
+/// What keeps a thread from being started, with a remedy.
+pub(crate) fn no_thread(why: &io::Error) -> Error {
+    Error::usage(format!(
+        "can't start a thread: {why}: raise the limit on processes (ulimit -u), or end some"
+    ))
 }
 
 /// What writes a program's standard input.
@@ -297,7 +319,7 @@ pub type Feed<'a> = dyn FnMut(&mut dyn Write) -> io::Result<()> + Send + 'a;
 /// writes its standard input. Of what it prints, the start and the end are kept.
 ///
 /// # Errors
-/// If it can't be started.
+/// If it can't be started, or a thread for one of its streams.
 ///
 /// # Panics
 /// Never: its streams are piped.
@@ -332,22 +354,30 @@ pub fn run(
     limit_memory(id, limits.memory_bytes);
     groups.insert(id);
     drop(groups);
-    let stdout = collect(child.stdout.take().expect("bug: piped"));
-    let stderr = collect(child.stderr.take().expect("bug: piped"));
     let stdin = child.stdin.take();
-    let status = thread::scope(|scope| {
+    let streams = (child.stdout.take(), child.stderr.take());
+    let watched = thread::scope(|scope| {
+        let stdout = collect(streams.0.expect("bug: piped"))?;
+        let stderr = collect(streams.1.expect("bug: piped"))?;
         if let (Some(mut stdin), Some(feed)) = (stdin, feed) {
             // A program that stops reading says why by itself.
-            scope.spawn(move || {
+            new_thread().spawn_scoped(scope, move || {
                 let _ = feed(&mut stdin).and_then(|()| stdin.flush());
-            });
+            })?;
         }
         let ended = wait(&mut child, start, limits.time);
         // What it left running would hold its streams open.
         end_group(id);
-        ended
+        Ok((ended, stdout, stderr))
+    });
+    let watched = watched.map_err(|why: io::Error| {
+        end_group(id);
+        let _ = child.kill();
+        let _ = child.wait();
+        no_thread(&why)
     });
     running().remove(&id);
+    let (status, stdout, stderr) = watched?;
     let text = |from: mpsc::Receiver<String>| from.recv_timeout(STREAMS_LIMIT).unwrap_or_default();
     let (stdout, stderr) = (text(stdout), text(stderr));
     let end = status.map_or(End::OutOfTime, |status| end_of(status, &[&stdout, &stderr]));
@@ -387,5 +417,26 @@ fn wait(child: &mut Child, start: Instant, limit: Duration) -> Option<ExitStatus
                 return None;
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_thread_that_cannot_be_started_is_an_error() {
+        let limits = Limits { time: Duration::from_secs(60), memory_bytes: 1 << 30 };
+        let run = |feed: Option<&mut Feed<'_>>| run("cat", &[], Path::new("/"), limits, feed);
+        NO_THREADS.set(true);
+        let why = run(None).unwrap_err().to_string();
+        let fed = run(Some(&mut |to: &mut dyn Write| to.write_all(b"x"))).unwrap_err();
+        NO_THREADS.set(false);
+        assert!(why.starts_with("can't start a thread: "), "{why}");
+        assert!(why.ends_with(": raise the limit on processes (ulimit -u), or end some"), "{why}");
+        assert_eq!(fed.to_string(), why);
+        assert!(!fed.is_failed_check());
+        let outcome = run(Some(&mut |to: &mut dyn Write| to.write_all(b"x"))).unwrap();
+        assert_eq!((outcome.end, outcome.stdout.as_str()), (End::Status(0), "x"));
     }
 }

@@ -252,10 +252,15 @@ pub fn verify(design: &Design, request: &Request, progress: &dyn Fn(&Row)) -> Re
     thread::scope(|scope| {
         for (at, simulator) in request.simulators.iter().enumerate() {
             let (sender, job) = (sender.clone(), &job);
-            scope.spawn(move || {
+            let again = sender.clone();
+            let started = outside::new_thread().spawn_scoped(scope, move || {
                 let row = simulators::run(job, *simulator);
                 sender.send((at, row)).expect("bug: the receiver takes all rows");
             });
+            if let Err(why) = started {
+                let row = simulators::unusable(*simulator, outside::no_thread(&why));
+                again.send((at, row)).expect("bug: the receiver takes all rows");
+            }
         }
         drop(sender);
         for (at, row) in receiver {
@@ -359,4 +364,27 @@ pub fn simulators_of(names: &[String]) -> Result<Vec<Simulator>> {
         }
     }
     Ok(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::Unit;
+
+    #[test]
+    fn a_tool_without_a_thread_is_unfinished() {
+        let design = Unit::find("dot").unwrap().defaults().build().unwrap();
+        let request =
+            Request { simulators: Simulator::ALL.to_vec(), vectors: Some(1), ..Request::default() };
+        outside::NO_THREADS.set(true);
+        let rows = verify(&design, &request, &|_| ());
+        outside::NO_THREADS.set(false);
+        let rows = rows.unwrap();
+        assert_eq!(rows.len(), Simulator::ALL.len());
+        for row in rows {
+            assert!(row.is_unfinished(), "{row:?}");
+            let Verdict::Unusable(why) = row.verdict else { panic!("{}: it ran", row.tool) };
+            assert!(why.starts_with("can't start a thread: "), "{why}");
+        }
+    }
 }

@@ -19,16 +19,20 @@ const PROOF_BITS: [i64; 2] = [4, 3];
 /// Iterations at which it proves.
 const PROOF_ITERATIONS: i64 = 3;
 
+/// A tool that hasn't run.
+fn row(simulator: Simulator, verdict: Verdict) -> Row {
+    let (vectors, mismatches, seconds) = (0, 0, 0.0);
+    Row { tool: simulator.name(), version: String::new(), vectors, mismatches, seconds, verdict }
+}
+
+/// A tool that can't be run here.
+pub(super) fn unusable(simulator: Simulator, why: Error) -> Row {
+    row(simulator, could_not(why))
+}
+
 /// Runs a tool on a job.
 pub(super) fn run(job: &Job<'_>, simulator: Simulator) -> Row {
-    let mut row = Row {
-        tool: simulator.name(),
-        version: String::new(),
-        vectors: 0,
-        mismatches: 0,
-        seconds: 0.0,
-        verdict: Verdict::Missing(String::new()),
-    };
+    let mut row = row(simulator, Verdict::Missing(String::new()));
     match simulator.version() {
         Ok(version) => row.version = version,
         Err(missing) => {
@@ -54,7 +58,7 @@ pub(super) fn run(job: &Job<'_>, simulator: Simulator) -> Row {
 type Ended<T = Verdict> = std::result::Result<T, Verdict>;
 
 /// What keeps a tool from being run says nothing of the hardware.
-fn unusable(why: Error) -> Verdict {
+fn could_not(why: Error) -> Verdict {
     Verdict::Unusable(why.to_string())
 }
 
@@ -64,7 +68,7 @@ fn limits(job: &Job<'_>) -> Limits {
 
 /// Runs one step within the limits.
 fn run_step(job: &Job<'_>, program: &str, arguments: &[&str]) -> Ended<Outcome> {
-    outside::run(program, arguments, job.folder, limits(job), None).map_err(unusable)
+    outside::run(program, arguments, job.folder, limits(job), None).map_err(could_not)
 }
 
 /// Runs one step, which has to end well and in silence. Not through the makefiles that are
@@ -197,7 +201,7 @@ fn verilator(job: &Job<'_>, row: &mut Row) -> Ended {
     let mut feed = |to: &mut dyn Write| vectors.write(to);
     let program = program.to_string_lossy();
     let outcome =
-        outside::run(&program, &[], job.folder, limits(job), Some(&mut feed)).map_err(unusable)?;
+        outside::run(&program, &[], job.folder, limits(job), Some(&mut feed)).map_err(could_not)?;
     judged(job, row, &outcome, &top, job.vectors(count))
 }
 
@@ -216,11 +220,11 @@ fn yosys(job: &Job<'_>) -> Ended {
     step(job, "yosys", &["-q", &script])?;
     let time = job.request.proof_limit.min(job.request.limit);
     let limits = Limits { time, ..limits(job) };
-    for proof in Proof::all(job.design).map_err(unusable)? {
+    for proof in Proof::all(job.design).map_err(could_not)? {
         if time.is_zero() {
             break;
         }
-        let outcome = proof.run(limits).map_err(unusable)?;
+        let outcome = proof.run(limits).map_err(could_not)?;
         if matches!(outcome.end, End::OutOfTime | End::OutOfMemory) {
             continue;
         }
