@@ -53,6 +53,16 @@ enum Kind {
     NodeTooWide { node: String, place: usize, given_bits: u32, limit_bits: u32 },
     #[error("{part} needs {bits} bits and words have at most 63: {remedy}")]
     TooWide { part: String, bits: u32, remedy: String },
+    #[error(
+        "unit `{unit}`, shared by {operations}, would need words of {bits} bits and words have at most 63: {remedy}, or leave share_{kind}=auto"
+    )]
+    SharedTooWide {
+        unit: String,
+        operations: String,
+        bits: u32,
+        remedy: String,
+        kind: &'static str,
+    },
     #[error("node `{node}`: {problem}")]
     Node { node: String, problem: String },
     #[error(
@@ -94,6 +104,7 @@ constructors! {
     not_finite(value: f64, format: String) = Kind::NotFinite { value, format };
     value_overflow(value: String, format: String) = Kind::ValueOverflow { value, format };
     node_too_wide(node: String, place: usize, given_bits: u32, limit_bits: u32) = Kind::NodeTooWide { node, place, given_bits, limit_bits };
+    shared_too_wide(unit: &str, operations: String, bits: u32, kind: &'static str) = Kind::SharedTooWide { unit: unit.to_owned(), operations, bits, remedy: "narrow its operands".to_owned(), kind };
     node(node: String, problem: String) = Kind::Node { node, problem };
     node_overflow(node: String, count: u64) = Kind::NodeOverflow { node, count };
     parameter_value(name: &str, value: &str, legal: String) = Kind::ParameterValue { name: name.to_owned(), value: escape::short(value), legal };
@@ -125,28 +136,32 @@ impl Error {
         }))
     }
 
-    /// If this is about a format's bits: the node without its number, how many nodes were built
+    /// If this is about a format's bits: the node or shared unit without its number, how many nodes were built
     /// before, and the bits; of a format by itself the bits alone.
     pub(crate) fn bits_needed(&self) -> Option<(&str, usize, u32)> {
-        if let Kind::NodeTooWide { node, place, given_bits, .. } = &*self.0 {
-            return Some((
-                node.trim_end_matches(|c: char| c.is_ascii_digit()),
-                *place,
-                *given_bits,
-            ));
+        let stem = |name: &'_ String| name.trim_end_matches(|c: char| c.is_ascii_digit()).len();
+        match &*self.0 {
+            Kind::NodeTooWide { node, place, given_bits, .. } => {
+                Some((&node[..stem(node)], *place, *given_bits))
+            }
+            Kind::SharedTooWide { unit, bits, .. } => Some((&unit[..stem(unit)], 0, *bits)),
+            Kind::FormatBits { bits } => Some(("", 0, *bits)),
+            _ => None,
         }
-        let Kind::FormatBits { bits } = *self.0 else { return None };
-        Some(("", 0, bits))
     }
 
     /// The same error of a word that is too wide, with what to do.
-    pub(crate) fn with_remedy(self, remedy: String) -> Self {
-        let Some((_, _, bits)) = self.bits_needed() else { return self };
-        let part = if let Kind::NodeTooWide { node, .. } = &*self.0 {
-            format!("node `{node}`")
-        } else {
-            "a word".to_owned()
+    pub(crate) fn with_remedy(mut self, remedy: String) -> Self {
+        let part = match &mut *self.0 {
+            Kind::NodeTooWide { node, .. } => format!("node `{node}`"),
+            Kind::FormatBits { .. } => "a word".to_owned(),
+            Kind::SharedTooWide { remedy: known, .. } => {
+                *known = remedy;
+                return self;
+            }
+            _ => return self,
         };
+        let Some((_, _, bits)) = self.bits_needed() else { return self };
         Self(Box::new(Kind::TooWide { part, bits, remedy }))
     }
 

@@ -8,7 +8,7 @@ use fixpath::rtl::Rtl;
 use fixpath::schedule::{Binding, Depth, Kind, Operand, Plan, Rom, Schedule, Share};
 use fixpath::sim::cycle::Cycle;
 use fixpath::timetable::Timetable;
-use fixpath::units::Design;
+use fixpath::units::{Design, Unit};
 use fixpath::wave::{Options, Wave};
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -407,6 +407,29 @@ fn an_interval_too_short_names_kind_operations_and_remedy() {
         "unit `root1` can't have a latency of 0 cycles: 1 reads on a clock follow each other there; \
          raise share_latency, or take rom=distributed"
     );
+}
+
+/// A shared unit whose words are too wide names the parameters that cure it, as a flat datapath does.
+#[test]
+fn a_shared_unit_that_is_too_wide_names_parameters_whose_change_cures_it() {
+    let wide = ["position_bits=30", "norm_bits=24", "component_bits=24", "dot_frac_bits=24"];
+    let shared = ["root_frac_bits=22", "schedule=shared", "share_mul=1"];
+    let unit = Unit::find("emboss").unwrap();
+    let mut values = unit.values(&[&wide[..], &shared[..]].concat()).unwrap();
+    let mut tries = 0;
+    while let Err(error) = values.build().unwrap().rtl() {
+        let message = error.to_string();
+        let (head, tail) = message.split_once(" bits and words have at most 63: lower `").unwrap();
+        assert!(head.starts_with("unit `mul`, shared by t_x.%"), "{message}");
+        let (names, share) = tail.rsplit_once("`, or leave ").unwrap();
+        assert_eq!(share, "share_mul=auto", "{message}");
+        let name = names.split("` or `").next().unwrap();
+        let less = values.int(name).unwrap() - 1;
+        values.set(name, &less.to_string()).unwrap();
+        tries += 1;
+        assert!(tries < 20, "no end of {message}");
+    }
+    assert!(tries > 0, "nothing was too wide");
 }
 
 #[test]

@@ -435,13 +435,7 @@ impl Hardware {
     ) -> Result<Self> {
         let remedy = |bits: u32| {
             let names: Vec<&str> = operations.iter().map(|o| o.name.as_str()).collect();
-            Error::usage(format!(
-                "unit `{name}`, shared by {}, would need words of {bits} bits and words have at most {}: \
-                 narrow its operands, or leave share_{}=auto",
-                names.join(", "),
-                Format::MAX_BITS,
-                kind.name()
-            ))
+            Error::shared_too_wide(name, names.join(", "), bits, kind.name())
         };
         let mut b = Builder::new(name);
         let mut ports: Vec<UnitPort> = Vec::new();
@@ -519,6 +513,9 @@ impl Hardware {
         let built = match b.build() {
             Ok(built) => built,
             Err(why) => {
+                if let Some((_, _, bits)) = why.bits_needed() {
+                    return Err(remedy(bits));
+                }
                 let names: Vec<&str> = operations.iter().map(|o| o.name.as_str()).collect();
                 return Err(Error::usage(format!(
                     "unit `{name}`, shared by {}: {why}; or leave share_{}=auto",

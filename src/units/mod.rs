@@ -548,11 +548,12 @@ impl Values {
     /// # Errors
     /// If these values don't go together, or a word would be wider than 63 bits.
     pub fn build(&self) -> Result<Design> {
-        (self.unit.build)(self).map_err(|error| self.with_remedy(error))
+        let build = self.unit.build;
+        build(self).map_err(|error| self.with_remedy(error, &|values| build(values).map(|_| ())))
     }
 
-    /// An error of a word that is too wide, with the parameters that make it narrower.
-    fn with_remedy(&self, error: Error) -> Error {
+    /// An error of a word that is too wide in what `make` makes, with the parameters that make it narrower.
+    fn with_remedy(&self, error: Error, make: &dyn Fn(&Self) -> Result<()>) -> Error {
         let (node, place, needed) = match error.bits_needed() {
             Some((node, place, bits)) if bits > Format::MAX_BITS => (node, place, bits),
             Some(_) | None => return error,
@@ -566,8 +567,8 @@ impl Values {
             let mut other = self.clone();
             other.values[index] = Value::Int(changed);
             let helps = changed != number
-                && match (self.unit.build)(&other) {
-                    Ok(_) => true,
+                && match make(&other) {
+                    Ok(()) => true,
                     // Another node is the next one that is too wide: the first one isn't any more.
                     Err(other) => other.bits_needed().is_some_and(|(other, later, bits)| {
                         bits < needed || (other != node && later > place)
@@ -644,8 +645,12 @@ impl Design {
     /// # Errors
     /// If the latency or interval asked for is too short, a shared unit would have words over 63
     /// bits, or parameters of one schedule are set for another.
-    #[expect(clippy::missing_panics_doc, reason = "legal values are small")]
     pub fn rtl(&self) -> Result<Rtl> {
+        let make = |values: &Values| (values.unit.build)(values)?.hardware().map(|_| ());
+        self.hardware().map_err(|error| self.values.with_remedy(error, &make))
+    }
+
+    fn hardware(&self) -> Result<Rtl> {
         let values = &self.values;
         let rom = if values.choice("rom") == "block" { Rom::Block } else { Rom::Distributed };
         let count = |n: i64| u32::try_from(n).expect("bug: legal values are small");
