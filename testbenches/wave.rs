@@ -275,6 +275,27 @@ fn errors_are_found_by_their_name() {
     }
 }
 
+/// GTKWave takes the name of the waves from the first quote of their line to the last; a name that is no line is left
+/// out, and the rest stays as it is.
+#[test]
+fn save_files_name_the_waves_in_one_line() {
+    let design = Unit::find("rotation").unwrap().defaults().build().unwrap();
+    let wave = Wave::new(&design, Options::default()).unwrap();
+    let save = |name: &str| {
+        let mut save = Vec::new();
+        wave.write_gtkw(&Path::new("a folder").join(name), &mut save).unwrap();
+        String::from_utf8(save).unwrap()
+    };
+    let plain = save("u.vcd");
+    let line = "[dumpfile] \"u.vcd\"\n";
+    assert_eq!(plain.matches(line).count(), 1, "{plain}");
+    let quoted = "[dumpfile] \"it's \"u\".vcd\"\n";
+    assert_eq!(save("it's \"u\".vcd"), plain.replace(line, quoted));
+    for name in ["u\n[timestart] 9.vcd", "u\r.vcd"] {
+        assert_eq!(save(name), plain.replace(line, ""), "{name:?}");
+    }
+}
+
 /// The save file opens on the first samples, so wide that the results of the first can be seen.
 #[test]
 fn gtkwave_opens_on_inputs_and_outputs_of_the_first_samples() {

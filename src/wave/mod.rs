@@ -382,12 +382,17 @@ impl<'a> Wave<'a> {
     pub fn write_gtkw(&self, vcd: &Path, to: &mut dyn Write) -> io::Result<()> {
         let netlist = self.rtl.netlist();
         let unit = netlist.name();
-        // The name alone: the pair of files can be moved together.
-        let file = vcd.file_name().unwrap_or_default().to_string_lossy();
+        // The name alone: the pair of files can be moved together. GTKWave takes it as it is from the first quote of
+        // the line to the last; what can't stand in a line is left to the command line.
+        let name = vcd.file_name().unwrap_or_default();
+        let file = name.to_str().filter(|name| !name.contains(['\n', '\r']));
         writeln!(to, "[*] fixpath {}: unit {unit}", env!("CARGO_PKG_VERSION"))?;
         // The first samples from the left edge on, as wide as lets their results be seen too.
         let start = self.options.cycles.as_ref().map_or(0, |cycles| cycles.start) * self.period_ps;
-        writeln!(to, "[dumpfile] \"{file}\"\n[timestart] {start}")?;
+        if let Some(file) = file {
+            writeln!(to, "[dumpfile] \"{file}\"")?;
+        }
+        writeln!(to, "[timestart] {start}")?;
         writeln!(to, "[size] {WINDOW_WIDTH} 1000\n[pos] -1 -1")?;
         writeln!(
             to,
