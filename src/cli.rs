@@ -23,7 +23,6 @@ use crate::eval;
 use crate::input;
 use crate::json;
 use crate::measure::{self, Basis, BoundCheck, Cone, Inputs, Profile, Report};
-use crate::netlist::Netlist;
 use crate::output::{self, Draft};
 use crate::report::record::RankBy;
 use crate::samples::{AngleUnit, Block, SampleFile};
@@ -390,14 +389,14 @@ impl TableArgs {
     fn open<'a>(
         &self,
         path: &'a Path,
-        netlist: &'a Netlist,
+        design: &'a Design,
     ) -> Result<SampleFile<'a, Box<dyn io::Read>>> {
         let (from, path): (Box<dyn io::Read>, _) = if path == Path::new("-") {
             (Box::new(input::stdin()?), Path::new("standard input"))
         } else {
             (Box::new(input::open(path)?), path)
         };
-        SampleFile::open(from, path, netlist, self.angle.unit(), self.ignore_columns)
+        SampleFile::open(from, path, design, self.angle.unit(), self.ignore_columns)
     }
 }
 
@@ -567,7 +566,7 @@ fn run(command: &Command) -> Result<bool> {
                 Some(path) => {
                     let why = "the samples are those of --in";
                     note_unused(&[("--samples", *samples), ("--seed", *seed)], why);
-                    read_stimulus(table.open(path, &design.netlist)?, end)?
+                    read_stimulus(table.open(path, &design)?, end)?
                 }
                 None => stimulus(&design, samples.unwrap_or(200).min(end), *seed)?,
             };
@@ -657,7 +656,7 @@ fn progress_bar(total: u64, what: &str) -> ProgressBar {
 
 fn eval_command(design: &Design, input: &Path, out: &Path, table: &TableArgs) -> Result<()> {
     let dash = Path::new("-");
-    let mut samples = table.open(input, &design.netlist)?;
+    let mut samples = table.open(input, &design)?;
     if out == dash {
         let path = Path::new("standard output");
         eval::eval(design, &mut samples, &mut io::stdout().lock(), path)?;
@@ -716,13 +715,10 @@ impl Sim {
 /// Every hard case, one row each.
 fn write_cases(sim: &Sim, to: &mut dyn Write, path: &Path) -> Result<()> {
     let netlist = &sim.design.netlist;
-    let mut heading = vec!["case".to_owned()];
+    let (group, results) = measure::case_columns(&sim.design);
+    let mut heading = vec![group.to_owned()];
     heading.extend((0..netlist.inputs().len()).map(|i| format!("{}_raw", netlist.input_name(i))));
-    let names = measure::hard_columns(&sim.design);
-    for result in ["fixed", "f32", "f64"] {
-        heading.extend(names.iter().map(|name| format!("{name}_{result}")));
-    }
-    heading.extend(["error", "f32_error", "bound", "holds", "quantity"].map(str::to_owned));
+    heading.extend(results);
     let results = |group| measure::hard_results(&sim.design, group, &sim.bounds);
     let row = |case: measure::HardResult, group: &str| {
         let mut row = vec![Field::from(group)];

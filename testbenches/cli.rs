@@ -9,14 +9,25 @@ fn fixpath() -> Command {
 }
 
 /// Runs and gives exit code, standard output and standard error.
-fn run(args: &[&str]) -> (i32, String, String) {
+pub(crate) fn run(args: &[&str]) -> (i32, String, String) {
     let output = fixpath().args(args).output().unwrap();
     let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
     (output.status.code().unwrap(), text(&output.stdout), text(&output.stderr))
 }
 
+/// Standard output of a run that has nothing to say beside it.
+pub(crate) fn done(args: &[&str]) -> String {
+    let (code, stdout, stderr) = run(args);
+    assert_eq!((code, stderr.as_str()), (0, ""), "{args:?}");
+    stdout
+}
+
+pub(crate) fn json(path: &Path) -> serde_json::Value {
+    serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap()
+}
+
 /// Expects wrong use: exit code 2, nothing on standard output, one line that says `message`.
-fn refused(args: &[&str], message: &str) {
+pub(crate) fn refused(args: &[&str], message: &str) {
     let (code, stdout, stderr) = run(args);
     assert_eq!((code, stdout.as_str()), (2, ""), "{args:?}: {stderr}");
     assert_eq!(stderr.trim_end().lines().count(), 1, "{args:?}: {stderr}");
@@ -549,6 +560,18 @@ fn every_hard_case_can_be_had_as_csv() {
         count += 1;
     }
     assert_eq!(value["inputs"]["samples"], count);
+    // Nothing was drawn.
+    assert_eq!(value["inputs"]["seed"], serde_json::Value::Null);
+    // They are inputs as they are.
+    let to = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let cases = cases.to_str().unwrap();
+    for (command, out) in [("eval", to("out.csv")), ("wave", to("out.vcd"))] {
+        let args = [command, "rotation", "-p", "table_addr_bits=6", "--in", cases, "--out", &out];
+        let (code, _, stderr) = run(&args);
+        assert_eq!((code, stderr.as_str()), (0, ""), "{command}");
+    }
+    let read = csv::Reader::from_path(to("out.csv")).unwrap().records().count();
+    assert_eq!(read, count);
     for case in value["hard_cases"].as_array().unwrap() {
         assert_eq!(case["error"].as_f64().unwrap(), worst[case["name"].as_str().unwrap()]);
     }

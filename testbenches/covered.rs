@@ -1,35 +1,11 @@
 //! What a picture's figures are over: the pixels that see an object, and none is no result.
 
-use assert_cmd::Command;
+use crate::cli::{done, json, refused};
 use fixpath::picture::{Difference, PIXELS_PER_DEGREE};
 use fixpath::render::{Pipeline, render};
 use fixpath::scene::{Fragments, Scene};
-use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
-
-fn run(args: &[&str]) -> (i32, String, String) {
-    let output = Command::cargo_bin("fixpath").unwrap().args(args).output().unwrap();
-    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
-    (output.status.code().unwrap(), text(&output.stdout), text(&output.stderr))
-}
-
-fn done(args: &[&str]) -> String {
-    let (code, stdout, stderr) = run(args);
-    assert_eq!((code, stderr.as_str()), (0, ""), "{args:?}");
-    stdout
-}
-
-fn refused(args: &[&str], message: &str) {
-    let (code, stdout, stderr) = run(args);
-    assert_eq!((code, stdout.as_str()), (2, ""), "{args:?}: {stderr}");
-    assert_eq!(stderr.trim_end().lines().count(), 1, "{args:?}: {stderr}");
-    assert!(stderr.contains(message), "{args:?}: {stderr}");
-}
-
-fn json(path: &Path) -> Value {
-    serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap()
-}
 
 fn written(folder: &Path, name: &str, text: &str) -> PathBuf {
     fs::write(folder.join(name), text).unwrap();

@@ -1,34 +1,9 @@
 //! Sweeps over a scene, and ladders of whole pipelines, as scripts use them.
 
-use assert_cmd::Command;
+use crate::cli::{done, json, refused};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
-
-/// Runs and gives exit code, standard output and standard error.
-fn run(args: &[&str]) -> (i32, String, String) {
-    let output = Command::cargo_bin("fixpath").unwrap().args(args).output().unwrap();
-    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
-    (output.status.code().unwrap(), text(&output.stdout), text(&output.stderr))
-}
-
-fn done(args: &[&str]) -> String {
-    let (code, stdout, stderr) = run(args);
-    assert_eq!((code, stderr.as_str()), (0, ""), "{args:?}");
-    stdout
-}
-
-/// Expects wrong use: exit code 2, nothing on standard output, one line that says `message`.
-fn refused(args: &[&str], message: &str) {
-    let (code, stdout, stderr) = run(args);
-    assert_eq!((code, stdout.as_str()), (2, ""), "{args:?}: {stderr}");
-    assert_eq!(stderr.trim_end().lines().count(), 1, "{args:?}: {stderr}");
-    assert!(stderr.contains(message), "{args:?}: {stderr}");
-}
-
-fn json(path: &Path) -> Value {
-    serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap()
-}
 
 /// A small scene of two lights and two materials, in a file of a folder.
 fn scene(folder: &Path, name: &str, exponents: [u32; 2]) -> String {

@@ -97,7 +97,7 @@ pub(super) fn run(out: &Path) -> Result<bool> {
     let design = unit.values(&["scheme=linear"])?.build()?;
     output::write_file(&results, |to| {
         let (from, path) = (vectors.as_bytes(), Path::new("vectors.csv"));
-        let mut samples = SampleFile::open(from, path, &design.netlist, AngleUnit::Degrees, false)?;
+        let mut samples = SampleFile::open(from, path, &design, AngleUnit::Degrees, false)?;
         eval::eval(&design, &mut samples, to, &results).map(|_| ())
     })?;
 

@@ -622,7 +622,7 @@ pub(super) fn sim_json(sim: &Sim) -> Value {
             "inputs": {
                 "sampler": sim.inputs.sampler.name(),
                 "samples": report.samples,
-                "seed": sim.inputs.seed,
+                "seed": sim.inputs.sampler.is_random().then_some(sim.inputs.seed),
                 "ports": (0..design.netlist.inputs().len()).map(|i| design.netlist.input_name(i)).collect::<Vec<_>>(),
             },
             "counts": design.netlist.counts(),

@@ -180,6 +180,18 @@ pub fn hard_columns(design: &Design) -> Vec<String> {
     design.groups.iter().flat_map(crate::units::Group::columns).collect()
 }
 
+/// Names of the columns of a table of hard cases that are no inputs: the group's, which stands before those, and
+/// what came of a case, behind them.
+#[must_use]
+pub fn case_columns(design: &Design) -> (&'static str, Vec<String>) {
+    let names = hard_columns(design);
+    let numbers = ["fixed", "f32", "f64"]
+        .into_iter()
+        .flat_map(|result| names.iter().map(move |name| format!("{name}_{result}")));
+    let verdict = ["error", "f32_error", "bound", "holds", "quantity"].map(str::to_owned);
+    ("case", numbers.chain(verdict).collect())
+}
+
 /// Runs a group of hard cases, in its order.
 ///
 /// # Panics

@@ -20,7 +20,8 @@ mod tables;
 mod tests;
 
 pub use bounds::{
-    BoundCheck, HardResult, HardVerdict, StatedBound, hard_columns, hard_results, hard_verdicts,
+    BoundCheck, HardResult, HardVerdict, StatedBound, case_columns, hard_columns, hard_results,
+    hard_verdicts,
 };
 pub use cone::{Cone, ConeReport};
 pub use inputs::{Inputs, quantize_inputs, sample_words};

@@ -3,7 +3,7 @@
 //! An input port `P` stands there as its word `P_raw`, as its quantised value `P_q`, or as a real `P`. The first of
 //! these that is there counts, and the others have to mean the same word. Reals are written as words to nearest, angles
 //! modulo a turn. A value past the range of its port becomes the nearest word, and is told. Columns that
-//! [`crate::eval`] writes are passed over; any other is an error, unless they are to be ignored: it
+//! [`crate::eval`] writes, or that a table of hard cases has, are passed over; any other is an error, unless they are to be ignored: it
 //! may be a misspelt one. Commas, semicolons or tabs stand between fields, as the header has it.
 //!
 //! Rows come in blocks: as many as are there, so that what reads from a pipe answers each row at once, and
@@ -12,8 +12,10 @@
 mod records;
 
 use crate::error::{Error, Result, nearest};
-use crate::measure::quantize_input;
+use crate::escape;
+use crate::measure::{case_columns, quantize_input};
 use crate::netlist::{Netlist, Quantity};
+use crate::units::Design;
 use records::{DELIMITERS, Next, ROW_BYTES, Records, Stop};
 use std::f64::consts::TAU;
 use std::io::Read;
@@ -103,14 +105,17 @@ impl<'a, R: Read> SampleFile<'a, R> {
     pub fn open(
         from: R,
         path: &'a Path,
-        netlist: &'a Netlist,
+        design: &'a Design,
         angle: AngleUnit,
         ignore_columns: bool,
     ) -> Result<Self> {
+        let netlist = &*design.netlist;
         let ports: Vec<[String; 3]> =
             (0..netlist.inputs().len()).map(|i| input_columns(netlist.input_name(i))).collect();
         let written = netlist.outputs().iter().flat_map(|output| output_columns(&output.name));
-        let written: Vec<String> = written.chain([CLIPPED.to_owned()]).collect();
+        let (group, results) = case_columns(design);
+        let written = written.chain([CLIPPED.to_owned(), group.to_owned()]).chain(results);
+        let written: Vec<String> = written.collect();
         let known = || ports.iter().flatten().chain(&written).map(String::as_str);
         let wanted: Vec<&str> = ports.iter().map(|[_, _, port]| port.as_str()).collect();
         let wanted = wanted.join(",");
@@ -151,7 +156,7 @@ impl<'a, R: Read> SampleFile<'a, R> {
                      and --ignore-columns passes others over",
                     position + 1
                 );
-                return Err(header(Some(&shown(name)), problem));
+                return Err(header(Some(&escape::short(name)), problem));
             }
         }
         let sources: Vec<Vec<Source>> =
@@ -242,7 +247,7 @@ impl<'a, R: Read> SampleFile<'a, R> {
             if same != word {
                 let problem = format!(
                     "`{}` is word {same}, and `{}` says {word}: correct one, or leave its column out",
-                    shown(self.text(other)?),
+                    escape::short(self.text(other)?),
                     first.name
                 );
                 return Err(self.error(other, problem));
@@ -262,7 +267,7 @@ impl<'a, R: Read> SampleFile<'a, R> {
             } else {
                 ""
             };
-            self.error(source, format!("`{}` is not a {what}{remedy}", shown(text)))
+            self.error(source, format!("`{}` is not a {what}{remedy}", escape::short(text)))
         };
         if source.is_word {
             let word: i64 = text.parse().map_err(|_| bad("whole number"))?;
@@ -327,12 +332,6 @@ fn delimiter_of(header: &[u8], is_known: impl Fn(&str) -> bool) -> u8 {
     };
     // The last of equals is taken.
     DELIMITERS.into_iter().rev().max_by_key(score).expect("bug: there are some")
-}
-
-/// A field for a message: not too long, nothing that a terminal would act on.
-fn shown(text: &str) -> String {
-    let end = if text.chars().nth(40).is_some() { "…" } else { "" };
-    text.chars().take(40).flat_map(char::escape_default).collect::<String>() + end
 }
 
 fn stopped(path: &Path, why: Stop) -> Error {
