@@ -438,6 +438,44 @@ fn what_is_wrong_is_said() {
     "#]].assert_eq(&seen);
 }
 
+/// The specification: where there are no normals, they are flat. Means are taken where the scene asks for them.
+#[test]
+fn a_mesh_without_normals_is_faceted() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut file = File::empty();
+    // Folded along its diagonal.
+    let mut points = POINTS;
+    points[5] = 0.5;
+    let primitive = file.primitive(&points, &UVS);
+    primitive["attributes"].as_object_mut().unwrap().remove("NORMAL");
+    fs::write(folder.path().join("m.glb"), file.glb()).unwrap();
+    let read = |crease: &str| {
+        let text = format!(
+            "[image]\nwidth = 24\nheight = 24\n[camera]\neye = [0, 0, 4]\nup = [0, 1, 0]\n[[object]]\nshape = \"mesh\"\nfile = \"m.glb\"\n{crease}"
+        );
+        let scene = Scene::parse(&text, &folder.path().join("s.toml")).unwrap();
+        let mut fragments = Fragments::default();
+        scene.trace(0..scene.image.height, &mut fragments);
+        let normals = (0..fragments.len()).map(|i| [0, 1, 2].map(|k| fragments.normal[k][i]));
+        let mut normals: Vec<[f64; 3]> = normals.collect();
+        normals.sort_by(|a, b| a.partial_cmp(b).unwrap());
+        normals.dedup();
+        (normals, scene.notes()[0].rsplit_once("m.glb: ").unwrap().1.to_owned())
+    };
+    let (flat, told) = read("");
+    // (1, -1, 1/2) is the corner that is up: the facets are of slopes (1/4, -1/4) and of none.
+    let [tilted, up] = flat[..] else { panic!("{flat:?}") };
+    assert_eq!(up, [0.0, 0.0, 1.0]);
+    for (got, want) in tilted.iter().zip([-0.25, 0.25, 1.0]) {
+        assert!((got - want / 1.125f64.sqrt()).abs() < 1e-12, "{tilted:?}");
+    }
+    let expected = "6 of 6 corners have no normal: those of the triangles are taken, as glTF asks for; `crease_degrees` = 60 in its [[object]] takes means up to such edges";
+    assert_eq!(told, expected);
+    let (round, told) = read("crease_degrees = 60");
+    assert!(round.len() > 50, "means differ from point to point");
+    assert!(told.contains("up to edges of `crease_degrees` = 60 (by"), "{told}");
+}
+
 /// Many primitives that read one accessor of triangles without area: no triangle comes of it, however long it takes.
 #[test]
 fn work_has_a_limit() {

@@ -87,6 +87,8 @@ pub(super) struct Mesh {
     pub(super) flat: Tally,
     /// What else its reader left out or passed over, in words.
     pub(super) notes: Vec<String>,
+    /// Where it has no normals, its format asks for those of the triangles.
+    pub(super) is_faceted: bool,
 }
 
 /// How often something was met in a file, and where first.

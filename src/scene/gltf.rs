@@ -265,7 +265,7 @@ impl File<'_> {
     fn mesh(&self) -> Result<Mesh, String> {
         let nodes = self.placed_nodes()?;
         let to_worlds: HashMap<usize, DMat4> = nodes.iter().copied().collect();
-        let mut whole = Mesh::default();
+        let mut whole = Mesh { is_faceted: true, ..Mesh::default() };
         let mut passed_over = 0;
         for (i, to_world) in nodes {
             let node = &self.document.nodes[i];

@@ -22,7 +22,7 @@ pub(super) enum Normals {
     Facets,
 }
 
-/// Crease of an object that names none, in degrees: cubes (90) and octahedra (71) keep their edges, a cylinder of seven sides
+/// Crease of an object that names none, where its file's format has no other, in degrees: cubes (90) and octahedra (71) keep their edges, a cylinder of seven sides
 /// (51) is round.
 pub(super) const CREASE_DEGREES: f64 = 60.0;
 

@@ -298,8 +298,17 @@ fn notes(objects: &[(Shape, Placement)]) -> Vec<String> {
         let mut told = mesh.told();
         let without = normals::corners_without(mesh);
         if without > 0 {
+            let taken = match (*crease_degrees > 0.0, mesh.is_faceted) {
+                (true, _) => format!(
+                    "means of the triangles around it are taken, up to edges of `crease_degrees` = {crease_degrees} (by `tangent-faceted` alone those of the triangles)"
+                ),
+                (false, true) => "those of the triangles are taken, as glTF asks for; `crease_degrees` = 60 in its [[object]] takes means up to such edges".to_owned(),
+                (false, false) => {
+                    "those of the triangles are taken, by `crease_degrees` = 0".to_owned()
+                }
+            };
             told.push(format!(
-                "{without} of {} corners have no normal: means of the triangles around it are taken, up to edges of `crease_degrees` = {crease_degrees} (by `tangent-faceted` alone those of the triangles)",
+                "{without} of {} corners have no normal: {taken}",
                 3 * mesh.triangles.len()
             ));
         }
@@ -646,9 +655,6 @@ impl Reader<'_> {
                     let crease_degrees = CREASE_DEGREES;
                     return Ok((Shape::Mesh { file, mesh, crease_degrees }, placement));
                 }
-                let crease_degrees = &object.crease_degrees;
-                let crease_degrees =
-                    self.real("crease_degrees", crease_degrees, CREASE_DEGREES, 0.0..=180.0)?;
                 let file = object.file.as_ref().ok_or_else(|| {
                     let problem =
                         "a mesh needs `file`, an .obj, .gltf or .glb file, or `source = \"shell\"`"
@@ -657,6 +663,10 @@ impl Reader<'_> {
                 })?;
                 let file = self.beside(file.get_ref());
                 let mesh = files.open(&file)?;
+                let default = if mesh.is_faceted { 0.0 } else { CREASE_DEGREES };
+                let crease_degrees = &object.crease_degrees;
+                let crease_degrees =
+                    self.real("crease_degrees", crease_degrees, default, 0.0..=180.0)?;
                 Shape::Mesh { file, mesh, crease_degrees }
             }
         };
