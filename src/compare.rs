@@ -530,6 +530,8 @@ pub struct SceneRendered {
     pub covered_px: u64,
     /// The other pixels.
     pub background_px: u64,
+    /// What isn't as its files have it, or stands still.
+    pub notes: Vec<String>,
 }
 
 /// Name of the parameter that `key=value` sets.
@@ -632,6 +634,7 @@ impl Comparison {
             scene: name.to_owned(),
             covered_px: rendered.covered,
             background_px: scene.image.pixels() - rendered.covered,
+            notes: scene.notes_at_start(),
         });
         for (at, shot) in of.into_iter().zip(&rendered.shots) {
             let d = rendered.difference(&shot.picture, &rendered.golden, PIXELS_PER_DEGREE)?;

@@ -441,6 +441,43 @@ fn scenes_that_can_not_be_embossed_say_why() {
     within_the_bound(&scene(&text), &[], "a light on the surface");
 }
 
+/// What takes one picture of a light that moves says so, wherever it tells its figures.
+#[test]
+fn a_light_that_is_taken_where_it_starts_is_noted() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let text = "[image]\nwidth = 16\nheight = 12\n[height]\nsource = \"brick\"\n[orbit]\nframes = 3\n[material]\nspecular = 0.0\n[[object]]\nshape = \"sphere\"";
+    fs::write(here.join("scene.toml"), text).unwrap();
+    let note = "[orbit]: light 0 moves, and is taken where it starts";
+    let run = |args: &[&str], notes: usize| -> String {
+        let mut command = Command::cargo_bin("fixpath").unwrap();
+        let output = command.current_dir(here).args(args).output().unwrap();
+        let errors = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(0), "{args:?}: {errors}");
+        assert_eq!(errors.matches(&format!("note: {note}\n")).count(), notes, "{errors}");
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let read = |name: &str| fs::read_to_string(here.join(name)).unwrap();
+    let of = |text: &str| -> serde_json::Value { serde_json::from_str(text).unwrap() };
+    let in_markdown = "light 0 moves, and is taken where it starts";
+    for (pipeline, scene) in [("emboss-gx", "/scene"), ("exact-cartesian", "/header/scene")] {
+        run(&["render", "scene.toml", "--out", "l", "--pipelines", pipeline, "--ladder=8"], 1);
+        let ladder = of(&read("l/ladder.json"));
+        assert_eq!(ladder.pointer(scene).unwrap()["notes"], serde_json::json!([note]));
+        assert!(read("l/ladder.md").contains(in_markdown));
+    }
+    run(&["sweep", "bump", "--axis", "frac_bits=8", "--scene", "scene.toml", "--out", "s"], 1);
+    assert_eq!(of(&read("s/sweep.json"))["scene"]["notes"], serde_json::json!([note]));
+    assert!(read("s/report.md").contains(in_markdown));
+    let compare = ["compare", "--samples", "9", "--scenes", "scene.toml", "--out", "c.md"];
+    let told = run(&[&compare[..], &["--json"]].concat(), 1);
+    assert_eq!(of(&told)["scenes"][0]["notes"], serde_json::json!([note]));
+    assert!(read("c.md").contains(in_markdown));
+    // Every frame has its picture: nothing to note.
+    run(&["render", "scene.toml", "--out", "f", "--pipelines", "emboss-gx"], 0);
+    assert_eq!(of(&read("f/figures.json"))["frames"][2]["notes"], serde_json::json!([]));
+}
+
 #[test]
 fn the_command_line_writes_frames_and_refuses() {
     let folder = tempfile::tempdir().unwrap();

@@ -120,6 +120,8 @@ fn no_command_writes_over_what_it_reads() {
     symlink("../first/mesh.obj", here.join("second/figures.txt")).unwrap();
     write("texture.toml", &format!("{plane}[texture]\nfile = \"first/golden.png\"\n"));
     write("height.toml", &format!("{plane}[height]\nfile = \"first/printed.png\"\n"));
+    let huge = plane.replace("= 8", "= 4096");
+    write("huge.toml", &format!("{huge}[texture]\nfile = \"first/golden.png\"\n"));
     let of_mesh =
         "[image]\nwidth = 8\nheight = 8\n[[object]]\nshape = \"mesh\"\nfile = \"first/mesh.obj\"\n";
     write("mesh.toml", of_mesh);
@@ -127,9 +129,13 @@ fn no_command_writes_over_what_it_reads() {
         ("texture.toml", "first", "first/golden.png"),
         ("height.toml", "first", "first/printed.png"),
         ("mesh.toml", "second", "second/figures.txt"),
+        ("huge.toml", "first", "first/golden.png"),
     ] {
         let args = ["render", scene, "--out", out, "--pipelines", "printed"];
+        let start = Instant::now();
         refused(here, &args, &format!("{taken}: is the input"));
+        // Before the work: the huge scene takes long.
+        assert!(start.elapsed() < Duration::from_secs(20), "{scene}");
     }
     assert_eq!(fs::read(here.join("first/golden.png")).unwrap(), golden);
     assert_eq!(fs::read_to_string(here.join("first/mesh.obj")).unwrap(), mesh);
@@ -238,6 +244,14 @@ fn of_two_runs_at_once_one_is_refused_and_a_dead_one_refuses_nobody() {
     first.wait().unwrap();
     works(here, &args("small.toml"));
     assert_eq!(left(here), [""; 0]);
+
+    // An interrupt on the first run leaves nothing.
+    let mut first = start(here, &["render", "large.toml", "--out", "none"]);
+    wait_for("the list is there", || here.join("none/.fixpath/render").exists());
+    sleep(Duration::from_millis(100));
+    send(&first, "-INT");
+    assert_eq!(first.wait().unwrap().code(), Some(130));
+    assert!(!here.join("none").exists());
 }
 
 #[test]

@@ -66,7 +66,7 @@ pub(super) fn run(args: &CompareArgs) -> Result<String> {
         [none] if none == "none" => Vec::new(),
         names => names
             .iter()
-            .map(|name| Ok((name.as_str(), super::render::scene_of(Path::new(name))?)))
+            .map(|name| Ok((name.as_str(), super::render::still_scene_of(Path::new(name))?)))
             .collect::<Result<_>>()?,
     };
     args.out.as_deref().map_or(Ok(()), output::check)?;
@@ -280,6 +280,12 @@ fn images(comparison: &Comparison) -> Section {
             .scenes
             .iter()
             .map(|of| format!("{}: {}", of.scene, coverage(of.covered_px, of.background_px)))
+            .chain(
+                comparison
+                    .scenes
+                    .iter()
+                    .flat_map(|of| of.notes.iter().map(|note| format!("{}: {note}", of.scene))),
+            )
             .chain(["peercy has no illumination; `fixpath render` shows the pictures".to_owned()])
             .collect(),
     }

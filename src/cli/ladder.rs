@@ -64,7 +64,8 @@ pub(super) fn run(
     out: &Path,
     as_json: bool,
 ) -> Result<String> {
-    let set = Set::open(out, SET)?;
+    let mut set = Set::open(out, SET)?;
+    set.expect(crate::report::ladder::FILES)?;
     let bar = progress_bar(cast::count_of(ladder.pictures(scene)), "pictures");
     let record = ladder.climb(scene, name, &|done| bar.set_position(cast::count_of(done)))?;
     bar.finish_and_clear();
@@ -89,12 +90,11 @@ pub(super) fn run_emboss(
         "" => WIDTHS.to_vec(),
         list => numbers("width", list, &LEGAL_WIDTHS)?,
     };
-    // Of a light that moves, where it starts.
-    let scene = scene.frame(0);
-    let set = Set::open(out, SET)?;
+    let mut set = Set::open(out, SET)?;
+    set.expect(emboss::FILES)?;
     let bar = progress_bar(cast::count_of(emboss::pictures(pipelines, &widths)), "pictures");
     let done = |done| bar.set_position(cast::count_of(done));
-    let record = emboss::climb(&scene, name, pipelines, &widths, pixels_per_degree, &done)?;
+    let record = emboss::climb(scene, name, pipelines, &widths, pixels_per_degree, &done)?;
     bar.finish_and_clear();
     record.write(&set.path())?;
     set.commit()?;

@@ -91,7 +91,8 @@ impl RenderArgs {
 /// Renders and writes; returns a row of the demo's table for each pipeline.
 pub(super) fn demo_rows(args: &RenderArgs) -> Result<Vec<String>> {
     let made = render_and_write(args, scene_of(&args.scene)?)?;
-    let value = figures(&made.rendered, &made.differences, &parts(&made.rendered, args)?);
+    let value =
+        figures(&made.scene, &made.rendered, &made.differences, &parts(&made.rendered, args)?);
     output::write_text(&made.set.path().join("figures.json"), &json::text(&value))?;
     made.set.commit()?;
     let row = |(shot, d): (&Shot, &Difference)| {
@@ -115,10 +116,18 @@ const SHEET_FRAMES: usize = 12;
 
 /// The scene of a name or a file; what isn't as its files have it goes to standard error.
 pub(super) fn scene_of(path: &Path) -> Result<Scene> {
-    let scene = named_scene(path)?;
+    Ok(noted(named_scene(path)?))
+}
+
+/// The same for what takes one picture: a light that moves stands still.
+pub(super) fn still_scene_of(path: &Path) -> Result<Scene> {
+    Ok(noted(named_scene(path)?.at_start()))
+}
+
+fn noted(scene: Scene) -> Scene {
     // A lost note changes nothing.
     let _ = write!(io::stderr(), "{}", notes(&scene));
-    Ok(scene)
+    scene
 }
 
 /// A line for each of a scene's notes.
@@ -137,7 +146,7 @@ fn named_scene(path: &Path) -> Result<Scene> {
 
 /// The scene of a name or a file, to sweep over.
 pub(super) fn view_of(path: &Path, error: RankBy) -> Result<View> {
-    Ok(View { scene: scene_of(path)?, name: name_of(path), error })
+    Ok(View { scene: still_scene_of(path)?, name: name_of(path), error })
 }
 
 /// The name of a scene in reports.
@@ -159,6 +168,49 @@ struct Made {
 
 /// Files of pictures.
 const SET: &str = "render";
+
+/// Files of figures.
+const FIGURES: [&str; 2] = ["figures.json", "figures.txt"];
+
+/// What the pictures of a pipeline are named after it.
+fn pictures_of(pipeline: &Pipeline) -> Vec<&'static str> {
+    let mut ends = vec!["", "_difference", "_signed"];
+    if pipeline.is_emboss() {
+        ends.push("_golden");
+    }
+    if pipeline.is_tangent() {
+        ends.extend(["_flow", "_arithmetic", "_algorithm"]);
+    }
+    ends
+}
+
+/// Files of a scene with one picture.
+fn files_of(pipelines: &[Pipeline]) -> Vec<String> {
+    let of = |pipeline: &Pipeline| -> Vec<String> {
+        let name = |end: &&str| format!("{}{end}.png", pipeline.name);
+        pictures_of(pipeline).iter().map(name).collect()
+    };
+    let others = ["golden.png", "sheet.png"].into_iter().chain(FIGURES).map(str::to_owned);
+    others.chain(pipelines.iter().flat_map(of)).collect()
+}
+
+/// Files of a scene whose light moves.
+fn files_of_frames(pipelines: &[Pipeline], frames: u32) -> Vec<String> {
+    let mut folders = vec!["golden".to_owned()];
+    for pipeline in pipelines {
+        folders.push(pipeline.name.clone());
+        folders.extend(pipeline.is_emboss().then(|| format!("{}_golden", pipeline.name)));
+    }
+    let of = |folder: &String| -> Vec<String> {
+        (0..frames).map(|number| format!("{folder}/{}", frame_file(number))).collect()
+    };
+    let others = ["sheet.png"].into_iter().chain(FIGURES).map(str::to_owned);
+    others.chain(folders.iter().flat_map(of)).collect()
+}
+
+fn frame_file(number: u32) -> String {
+    format!("frame_{number:03}.png")
+}
 
 /// The pipelines asked for, with their parameters.
 fn pipelines_of(args: &RenderArgs, scene: &Scene) -> Result<Vec<Pipeline>> {
@@ -205,7 +257,8 @@ fn pipelines_of(args: &RenderArgs, scene: &Scene) -> Result<Vec<Pipeline>> {
 /// Renders, and writes pictures and figures.
 fn render_and_write(args: &RenderArgs, scene: Scene) -> Result<Made> {
     let pipelines = pipelines_of(args, &scene)?;
-    let set = Set::open(&args.out, SET)?;
+    let mut set = Set::open(&args.out, SET)?;
+    set.expect(files_of(&pipelines))?;
     let bar = progress_bar(u64::from(scene.image.height), "rows");
     let (rendered, differences) =
         rendered(&scene, &pipelines, args, &|done| bar.set_position(done))?;
@@ -244,7 +297,8 @@ fn run_frames(args: &RenderArgs, scene: &Scene) -> Result<(String, bool)> {
     let pipelines = pipelines_of(args, scene)?;
     let names: Vec<&str> =
         ["golden"].into_iter().chain(pipelines.iter().map(|p| p.name.as_str())).collect();
-    let set = Set::open(&args.out, SET)?;
+    let mut set = Set::open(&args.out, SET)?;
+    set.expect(files_of_frames(&pipelines, scene.frames()))?;
     let out = set.path();
     for name in &names {
         output::make_folder(&out.join(name))?;
@@ -260,7 +314,7 @@ fn run_frames(args: &RenderArgs, scene: &Scene) -> Result<(String, bool)> {
         let (rendered, differences) = rendered(&scene.frame(number), &pipelines, args, &|done| {
             bar.set_position(before + done)
         })?;
-        let file = format!("frame_{number:03}.png");
+        let file = frame_file(number);
         let golden = rendered.golden.to_srgb8();
         golden.save_png(&out.join("golden").join(&file))?;
         rows[0].push(golden);
@@ -282,7 +336,7 @@ fn run_frames(args: &RenderArgs, scene: &Scene) -> Result<(String, bool)> {
         // The camera stands still: each frame sees the same pixels.
         view = covered(&rendered);
         held &= bounds_hold(&rendered, &differences);
-        values.push(figures(&rendered, &differences, &parts(&rendered, args)?));
+        values.push(figures(scene, &rendered, &differences, &parts(&rendered, args)?));
         for (shot, difference) in rendered.shots.iter().zip(&differences) {
             told.push(vec![
                 number.to_string(),
@@ -322,8 +376,9 @@ fn covered(rendered: &Rendered) -> String {
 
 /// Writes the figures of pictures that are complete, and puts all into their places.
 fn write_figures(set: Set, value: &Value, told: &str) -> Result<()> {
-    output::write_text(&set.path().join("figures.json"), &json::text(value))?;
-    output::write_text(&set.path().join("figures.txt"), told)?;
+    for (name, text) in FIGURES.into_iter().zip([&*json::text(value), told]) {
+        output::write_text(&set.path().join(name), text)?;
+    }
     set.commit()
 }
 
@@ -344,7 +399,10 @@ const BROKEN: &str = "a stated bound is BROKEN\n";
 
 /// Renders and writes; returns what to tell, and false if a specialised pipeline differs.
 pub(super) fn run(args: &RenderArgs) -> Result<(String, bool)> {
-    let scene = scene_of(&args.scene)?;
+    let scene = match &args.ladder {
+        Some(_) => still_scene_of(&args.scene)?,
+        None => scene_of(&args.scene)?,
+    };
     if let Some(widths) = &args.ladder {
         if args.frames == "setup" {
             let text = "--ladder takes frames in floating point: leave --frames out";
@@ -393,7 +451,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<(String, bool)> {
     }
     let Made { scene, pipelines, rendered, differences, set } = render_and_write(args, scene)?;
     let parts = parts(&rendered, args)?;
-    let mut value = figures(&rendered, &differences, &parts);
+    let mut value = figures(&scene, &rendered, &differences, &parts);
     let mut told = table(&rendered, &differences);
     told.push_str(&setups(&rendered, &differences, &parts));
     told.push_str(&frames(&rendered));
@@ -651,7 +709,12 @@ fn setups(rendered: &Rendered, differences: &[Difference], parts: &[Parts]) -> S
     )
 }
 
-fn figures(rendered: &Rendered, differences: &[Difference], parts: &[Parts]) -> Value {
+fn figures(
+    scene: &Scene,
+    rendered: &Rendered,
+    differences: &[Difference],
+    parts: &[Parts],
+) -> Value {
     let parameters = |design: &Design| text::parameters(&design.values);
     let shot = |((shot, difference), parts): ((&Shot, &Difference), &Parts)| {
         json!({
@@ -681,6 +744,7 @@ fn figures(rendered: &Rendered, differences: &[Difference], parts: &[Parts]) -> 
             "height_px": rendered.golden.height_px(),
             "covered_px": rendered.covered,
             "background_px": rendered.background(),
+            "notes": scene.notes(),
             "blinn_max": rendered.blinn,
             "pixels_per_second":
                 cast::f64_of_len(rendered.golden.pixels().len()) / rendered.elapsed.as_secs_f64(),

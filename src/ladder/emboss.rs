@@ -211,6 +211,9 @@ fn measured(rendered: &Rendered, shot: &Shot, pixels_per_degree: f64) -> Result<
     })
 }
 
+/// Names of all files that [`Record::write`] writes.
+pub const FILES: [&str; 3] = ["ladder.json", "ladder.csv", "ladder.md"];
+
 /// Figures of a rung in columns, differences in linear light, 0 to 1.
 pub const COLUMNS: [&str; 12] = [
     "picture_covered_px",
@@ -316,6 +319,9 @@ impl Record {
             },
             coverage(self.covered_px, self.background_px),
         );
+        for note in &self.scene.notes {
+            told.push_str(&format!("Note: {}.\n\n", escape::markdown(note)));
+        }
         told.push_str(&markdown_table(&self.table()));
         output::write_text(&folder.join("ladder.md"), &told)
     }

@@ -134,6 +134,17 @@ fn error(point: &Point) -> f64 {
     max.unwrap_or(f64::NAN) * 255.0
 }
 
+/// Names of all files that [`Record::write`] may write.
+pub const FILES: [&str; 7] = [
+    "ladder.json",
+    "ladder.csv",
+    "ladder.md",
+    "exponents.csv",
+    "ladder_error_vs_rom.svg",
+    "ladder_error_vs_speed.svg",
+    "exponents.svg",
+];
+
 /// Rows under headings.
 pub struct Table {
     /// Headings; those of columns that are flush right start with `>`.
@@ -472,6 +483,9 @@ impl Record {
             "- A rung of w bits is {}; a pipeline does without those that its unit lacks, and keeps those that were set (`ladder.csv` has them).",
             parts.join(", ")
         )?;
+        for note in &header.scene.notes {
+            writeln!(text, "- Note: {}.", escape::markdown(note))?;
+        }
         writeln!(
             text,
             "- Differences are those to the golden picture (tangent-space bump mapping in `f64`) of every channel of those pixels, in linear light, here in 1/255. FLIP is of the 8-bit sRGB pictures. L' angle is the angle between the rotated light vector and that of the inputs before quantisation."

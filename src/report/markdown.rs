@@ -45,7 +45,10 @@ fn head(text: &mut String, record: &Record, measured: usize) -> std::fmt::Result
     if let Some(coverage) = record.coverage() {
         writeln!(text, "- Pictures: {coverage}.")?;
     }
-    if header.scene.is_some() {
+    if let Some(scene) = &header.scene {
+        for note in &scene.notes {
+            writeln!(text, "- Note: {}.", markdown(note))?;
+        }
         writeln!(
             text,
             "- The golden picture is tangent-space bump mapping in `f64`, with the same material. Differences are in linear light, of every channel of those pixels, here in 1/255 (`sweep.csv` and `sweep.json` have 0 to 1); SSIM, FLIP and codes are of the 8-bit sRGB pictures. L' angle is the angle between the rotated light vector and that of the inputs before quantisation."

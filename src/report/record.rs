@@ -143,6 +143,9 @@ pub struct SceneId {
     pub width_px: u32,
     /// Rows.
     pub height_px: u32,
+    /// What isn't as its files have it, or stands still.
+    #[serde(default)]
+    pub notes: Vec<String>,
 }
 
 impl SceneId {
@@ -154,13 +157,14 @@ impl SceneId {
             fingerprint: format!("{:016x}", scene.fingerprint()),
             width_px: scene.image.width,
             height_px: scene.image.height,
+            notes: scene.notes_at_start(),
         }
     }
 }
 
 impl fmt::Display for SceneId {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { name, fingerprint, width_px, height_px } = self;
+        let Self { name, fingerprint, width_px, height_px, notes: _ } = self;
         write!(f, "{name} ({width_px} x {height_px} px, fingerprint {fingerprint})")
     }
 }

@@ -35,7 +35,8 @@
 //!   coordinates are those of the material's colour texture (else its normal map's), by KHR_texture_transform.
 //!   Triangles count from 0 in the file's order, without those that have no area, which are left out.
 //!   Where it has no normals, they are means of those of the triangles around a point, weighted by their angles there,
-//!   up to edges sharper than `crease_degrees` (60 if not given); a triangle's own side is that from which its corners turn
+//!   up to edges sharper than `crease_degrees`; if that isn't given, 60 for `.obj`, and 0 for glTF, whose specification asks
+//!   for flat normals: each triangle has its own. A triangle's own side is that from which its corners turn
 //!   counter-clockwise. Texture coordinates are needed only where `[texture]` or `[height]` differ from place to place, and
 //!   for a tangent-space set-up.
 //!   With `source = "shell"` instead of a file it is a dome over [-1, 1]^2 whose halves left and right of x = 0 share a
@@ -459,6 +460,20 @@ impl Scene {
     #[must_use]
     pub fn frames(&self) -> u32 {
         self.orbit.map_or(1, |orbit| orbit.frames)
+    }
+
+    /// The scene where a light that moves stands still, at its start, with a note of that: for what takes one picture.
+    #[must_use]
+    pub fn at_start(&self) -> Self {
+        Self { notes: self.notes_at_start(), ..self.frame(0) }
+    }
+
+    /// The notes of [`Self::at_start`].
+    pub(crate) fn notes_at_start(&self) -> Vec<String> {
+        let moves = |orbit: Orbit| {
+            format!("[orbit]: light {} moves, and is taken where it starts", orbit.light)
+        };
+        self.notes.iter().cloned().chain(self.orbit.map(moves)).collect()
     }
 
     /// The scene of a frame, counted from 0: the orbiting light at its place, and no orbit left.
