@@ -4,16 +4,15 @@
 use fixpath::cli;
 use fixpath::cost;
 use fixpath::format::Format;
-use fixpath::netlist::Netlist;
 use fixpath::report::{self, record::Record};
 use fixpath::samples::{AngleUnit, Block, SampleFile};
 use fixpath::scene::{Fragments, Scene};
 use fixpath::sweep::Axis;
 use fixpath::texgen::Calls;
-use fixpath::units::Unit;
+use fixpath::units::{Design, Unit};
 use std::fs;
 use std::path::Path;
-use std::sync::{Arc, OnceLock};
+use std::sync::OnceLock;
 use tempfile::TempDir;
 
 /// A reader by its name, which is that of its target and of its folder of seeds.
@@ -96,15 +95,16 @@ pub fn cells(bytes: &[u8]) {
 
 /// A table of inputs of the rotation unit, from the second byte on: all words are of their ports.
 pub fn samples(bytes: &[u8]) {
-    static NETLIST: OnceLock<Arc<Netlist>> = OnceLock::new();
-    let netlist = NETLIST.get_or_init(|| {
+    static DESIGN: OnceLock<Design> = OnceLock::new();
+    let design = DESIGN.get_or_init(|| {
         let unit = Unit::find("rotation").unwrap();
-        unit.values(&["table_addr_bits=4"]).unwrap().build().unwrap().netlist
+        unit.values(&["table_addr_bits=4"]).unwrap().build().unwrap()
     });
+    let netlist = &design.netlist;
     let Some((first, table)) = bytes.split_first() else { return };
     let angle = [AngleUnit::Radians, AngleUnit::Degrees, AngleUnit::Turns][usize::from(first % 3)];
     let path = Path::new("samples.csv");
-    let Ok(mut file) = SampleFile::open(table, path, netlist, angle, first & 4 != 0) else {
+    let Ok(mut file) = SampleFile::open(table, path, design, angle, first & 4 != 0) else {
         return;
     };
     let mut block = Block::default();

@@ -656,7 +656,7 @@ fn progress_bar(total: u64, what: &str) -> ProgressBar {
 
 fn eval_command(design: &Design, input: &Path, out: &Path, table: &TableArgs) -> Result<()> {
     let dash = Path::new("-");
-    let mut samples = table.open(input, &design)?;
+    let mut samples = table.open(input, design)?;
     if out == dash {
         let path = Path::new("standard output");
         eval::eval(design, &mut samples, &mut io::stdout().lock(), path)?;

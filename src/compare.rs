@@ -535,7 +535,7 @@ pub struct SceneRendered {
 }
 
 /// Name of the parameter that `key=value` sets.
-fn name_of(set: &String) -> Option<&str> {
+fn name_of(set: &str) -> Option<&str> {
     set.split_once('=').map(|(name, _)| name)
 }
 

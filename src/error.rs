@@ -140,28 +140,28 @@ impl Error {
     /// before, and the bits; of a format by itself the bits alone.
     pub(crate) fn bits_needed(&self) -> Option<(&str, usize, u32)> {
         let stem = |name: &'_ String| name.trim_end_matches(|c: char| c.is_ascii_digit()).len();
-        match &*self.0 {
-            Kind::NodeTooWide { node, place, given_bits, .. } => {
-                Some((&node[..stem(node)], *place, *given_bits))
-            }
-            Kind::SharedTooWide { unit, bits, .. } => Some((&unit[..stem(unit)], 0, *bits)),
-            Kind::FormatBits { bits } => Some(("", 0, *bits)),
-            _ => None,
+        if let Kind::NodeTooWide { node, place, given_bits, .. } = &*self.0 {
+            return Some((&node[..stem(node)], *place, *given_bits));
         }
+        if let Kind::SharedTooWide { unit, bits, .. } = &*self.0 {
+            return Some((&unit[..stem(unit)], 0, *bits));
+        }
+        let Kind::FormatBits { bits } = *self.0 else { return None };
+        Some(("", 0, bits))
     }
 
     /// The same error of a word that is too wide, with what to do.
     pub(crate) fn with_remedy(mut self, remedy: String) -> Self {
-        let part = match &mut *self.0 {
-            Kind::NodeTooWide { node, .. } => format!("node `{node}`"),
-            Kind::FormatBits { .. } => "a word".to_owned(),
-            Kind::SharedTooWide { remedy: known, .. } => {
-                *known = remedy;
-                return self;
-            }
-            _ => return self,
-        };
+        if let Kind::SharedTooWide { remedy: known, .. } = &mut *self.0 {
+            *known = remedy;
+            return self;
+        }
         let Some((_, _, bits)) = self.bits_needed() else { return self };
+        let part = if let Kind::NodeTooWide { node, .. } = &*self.0 {
+            format!("node `{node}`")
+        } else {
+            "a word".to_owned()
+        };
         Self(Box::new(Kind::TooWide { part, bits, remedy }))
     }
 

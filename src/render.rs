@@ -131,6 +131,9 @@ impl Pipeline {
     ///
     /// # Errors
     /// If there is none.
+    ///
+    /// # Panics
+    /// Never: each name is that of a unit.
     pub fn named(name: &str) -> Result<Self> {
         let names: Vec<&str> =
             Self::names().into_iter().chain(TANGENT_PIPELINES).chain(EMBOSS_PIPELINES).collect();

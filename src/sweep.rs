@@ -244,9 +244,9 @@ impl Sweep {
         }
         let is_given =
             |name: &str| set.contains(&name) || axes.iter().any(|axis| axis.key() == name);
-        let reflection = |param: &'static Param| match param.role {
-            Role::Material(part) if is_given(param.name) => Some((param.name, part)),
-            _ => None,
+        let reflection = |param: &'static Param| {
+            let Role::Material(part) = param.role else { return None };
+            is_given(param.name).then_some((param.name, part))
         };
         let given = unit.params.iter().filter_map(reflection).collect();
         let id = SceneId::new(&view.name, &view.scene);

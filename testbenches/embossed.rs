@@ -467,7 +467,7 @@ fn a_light_that_is_taken_where_it_starts_is_noted() {
         assert!(read("l/ladder.md").contains(in_markdown));
     }
     run(&["sweep", "bump", "--axis", "frac_bits=8", "--scene", "scene.toml", "--out", "s"], 1);
-    assert_eq!(of(&read("s/sweep.json"))["scene"]["notes"], serde_json::json!([note]));
+    assert_eq!(of(&read("s/sweep.json"))["header"]["scene"]["notes"], serde_json::json!([note]));
     assert!(read("s/report.md").contains(in_markdown));
     let compare = ["compare", "--samples", "9", "--scenes", "scene.toml", "--out", "c.md"];
     let told = run(&[&compare[..], &["--json"]].concat(), 1);

@@ -253,10 +253,12 @@ fn small(design: &Design, bits: i64) -> Option<(Design, String)> {
     let mut names = Vec::new();
     for param in unit.params {
         let Kind::Int { min, max, .. } = param.kind else { continue };
-        let cap = match param.role {
-            Role::Width | Role::TableSize => bits,
-            Role::Iterations => PROOF_ITERATIONS,
-            _ => continue,
+        let cap = if matches!(param.role, Role::Width | Role::TableSize) {
+            bits
+        } else if param.role == Role::Iterations {
+            PROOF_ITERATIONS
+        } else {
+            continue;
         };
         let cap = cap.clamp(min, max);
         let large = match values.get(param.name) {
