@@ -34,17 +34,19 @@ fn module_of(assignments: &[&str]) -> Module {
     Module::new(&rtl_of(assignments), &Options::default()).unwrap()
 }
 
-/// What a tool reads of a module.
+/// What makes the scripts, arguments and test bench that tools get, and reads what they say.
+const COST: &str = include_str!("../src/cost.rs");
+
+/// All that tools get of a module.
 fn texts_of(module: &Module) -> Vec<String> {
     let mut files = module.table_files();
     files.push(module.file(&Verilog));
-    files.into_iter().map(|file| file.text).collect()
+    files.into_iter().map(|file| file.text).chain([COST.to_owned()]).collect()
 }
 
 /// What Yosys makes of a module: its cells, from the record if there.
 fn cells_in(name: &str, module: &Module, target: Target) -> BTreeMap<String, u64> {
-    let mut texts = texts_of(module);
-    texts.push(target.command().to_owned());
+    let texts = texts_of(module);
     let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
     let name = format!("{} {name}", target.name());
     let made = || json!(synthesize(module, target, limits()).unwrap().cells);
