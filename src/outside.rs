@@ -203,9 +203,12 @@ impl Outcome {
 }
 
 /// What programs say when they are refused memory.
-const NO_MEMORY: [&str; 6] = [
+const NO_MEMORY: [&str; 8] = [
     "bad_alloc",
     "cannot allocate memory",
+    // What compilers and `make` say of a program of theirs that the system killed.
+    "killed signal terminated program",
+    "error 137",
     "heap exhausted",
     "memory exhausted",
     "out of memory",
@@ -215,12 +218,18 @@ const NO_MEMORY: [&str; 6] = [
 /// Signal that the system ends a process with when memory is short.
 const SIGKILL: i32 = 9;
 
+/// What drivers and shells add to the signal that ended a program of theirs.
+const SIGNALLED: i32 = 128;
+
 /// The end of a run that wasn't ended at its limit of time.
 fn end_of(status: ExitStatus, said: &[&str]) -> End {
     #[cfg(unix)]
     let signal = std::os::unix::process::ExitStatusExt::signal(&status);
     #[cfg(not(unix))]
     let signal = None;
+    let child =
+        status.code().map(|code| code - SIGNALLED).filter(|signal| (1..32).contains(signal));
+    let signal = signal.or(child);
     let refused = || {
         said.iter().any(|text| {
             let text = text.to_lowercase();
@@ -231,8 +240,9 @@ fn end_of(status: ExitStatus, said: &[&str]) -> End {
         (Some(0), _) => End::Status(0),
         (_, Some(SIGKILL)) => End::OutOfMemory,
         _ if refused() => End::OutOfMemory,
-        (Some(status), _) => End::Status(status),
-        (None, signal) => End::Signal(signal.unwrap_or(0)),
+        (_, Some(signal)) => End::Signal(signal),
+        (Some(status), None) => End::Status(status),
+        (None, None) => End::Signal(0),
     }
 }
 
