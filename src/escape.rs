@@ -12,8 +12,13 @@ const MESSAGE: [usize; 2] = [800, 400];
 pub(crate) fn is_hidden(c: char) -> bool {
     c.is_control()
         || matches!(c,
-            '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}'
-            | '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}' | '\u{e0000}'..='\u{e007f}')
+            '\u{ad}' | '\u{34f}' | '\u{61c}' | '\u{115f}' | '\u{1160}' | '\u{17b4}' | '\u{17b5}'
+            | '\u{180b}'..='\u{180f}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}'
+            | '\u{2060}'..='\u{206f}' | '\u{3164}' | '\u{fe00}'..='\u{fe0f}' | '\u{feff}' | '\u{ffa0}'
+            | '\u{fff0}'..='\u{fffb}' | '\u{1d173}'..='\u{1d17a}' | '\u{e0000}'..='\u{e0fff}')
+        // No character at all, which XML refuses.
+        || matches!(c, '\u{fdd0}'..='\u{fdef}')
+        || u32::from(c) & 0xfffe == 0xfffe
 }
 
 fn escaped(text: &str, stays: impl Fn(char) -> bool) -> Cow<'_, str> {
@@ -106,6 +111,19 @@ mod tests {
         let shown = "a\\u{1b}[31mb\\nc\\u{9b}1md\\u{202e}e\\u{7f}\\u{200b}\\u{feff}ü √";
         assert_eq!(line(text), shown);
         assert_eq!(lines("a\tb\n\u{1b}c\r\n"), "a\tb\n\\u{1b}c\\r\n");
+        // Unicode's default ignorables that aren't above, a noncharacter of each kind, blanks that are letters.
+        for c in [
+            '\u{34f}',
+            '\u{3164}',
+            '\u{115f}',
+            '\u{fe0f}',
+            '\u{e0100}',
+            '\u{ffff}',
+            '\u{2fffe}',
+            '\u{fdd0}',
+        ] {
+            assert_eq!(line(&c.to_string()), c.escape_default().to_string());
+        }
         for code in 0..=0x0011_0000 {
             let Some(c) = char::from_u32(code) else { continue };
             assert!(!line(&c.to_string()).contains(is_hidden), "{code:x}");

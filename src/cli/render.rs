@@ -132,7 +132,8 @@ fn noted(scene: Scene) -> Scene {
 
 /// A line for each of a scene's notes.
 fn notes(scene: &Scene) -> String {
-    scene.notes().iter().map(|note| format!("note: {note}\n")).collect()
+    let told = |note: &String| format!("note: {}\n", escape::message(note));
+    scene.notes().iter().map(told).collect()
 }
 
 fn named_scene(path: &Path) -> Result<Scene> {
