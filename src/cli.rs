@@ -29,6 +29,7 @@ use crate::samples::{AngleUnit, Block, SampleFile};
 use crate::sweep::{Axis, Sweep};
 use crate::units::{Design, Sampler, UNITS, Unit, Values};
 use crate::wave::{Options, Wave};
+use crate::whole;
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -469,8 +470,15 @@ fn refuse(error: &clap::Error) -> ExitCode {
 /// its environment variable, and panic where they can't start.
 fn start_threads(asked: Option<u64>) -> Result<()> {
     const VARIABLE: &str = "RAYON_NUM_THREADS";
-    let given = std::env::var(VARIABLE).ok().and_then(|text| text.trim().parse::<u64>().ok());
-    let threads = match (asked, given) {
+    let given = std::env::var(VARIABLE).ok();
+    let number = given.as_deref().and_then(|text| whole::parse(text.trim()));
+    if let (None, None, Some(text)) = (asked, number, &given) {
+        note(&format!(
+            "{VARIABLE} = {} is no number of threads, and changes nothing",
+            escape::short(text)
+        ));
+    }
+    let threads = match (asked, number) {
         (Some(asked), _) => asked,
         (None, Some(given)) if given > MAX_THREADS => {
             let text =

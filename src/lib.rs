@@ -86,3 +86,4 @@ pub mod trig;
 pub mod units;
 pub mod verify;
 pub mod wave;
+mod whole;

@@ -22,6 +22,7 @@ use crate::report;
 use crate::report::record::{self, Header, Measured, Point, RankBy, Record, SceneId};
 use crate::scene::Scene;
 use crate::units::{Design, Kind, Param, Reflection, Role, Sampler, Shading, Unit, Value, Values};
+use crate::whole;
 use std::collections::HashMap;
 use std::fs;
 use std::io;
@@ -127,7 +128,9 @@ fn range(param: &Param, item: &str, from: &str, rest: &str) -> Result<Vec<Value>
     let step = match step {
         None => 1,
         Some(text) => {
-            let step = text.trim().parse::<usize>().ok().filter(|step| *step > 0);
+            let step = whole::parse(text.trim())
+                .filter(|step| *step > 0)
+                .and_then(|step| step.try_into().ok());
             step.ok_or_else(|| {
                 Error::usage(format!(
                     "range `{item}` has the step `{text}`: a step is a whole number from 1"

@@ -1,6 +1,6 @@
 //! `fixpath render --ladder`: whole pipelines over widths, and light tables over exponents.
 
-use super::{number, progress_bar, text};
+use super::{progress_bar, text};
 use crate::cast;
 use crate::error::{Error, Result};
 use crate::json;
@@ -10,6 +10,7 @@ use crate::picture::coverage;
 use crate::render::Pipeline;
 use crate::report::ladder::{Record, Table};
 use crate::scene::Scene;
+use crate::whole;
 use std::fmt::Write as _;
 use std::ops::RangeInclusive;
 use std::path::Path;
@@ -21,7 +22,7 @@ const SET: &str = "ladder";
 fn numbers(what: &str, list: &str, legal: &RangeInclusive<u32>) -> Result<Vec<u32>> {
     let mut numbers = Vec::new();
     for item in list.split(',').map(str::trim) {
-        let number = number::parse(item).and_then(|number| number.try_into().ok());
+        let number = whole::parse(item).and_then(|number| number.try_into().ok());
         let number = number.filter(|number| legal.contains(number));
         let number = number.ok_or_else(|| {
             let (least, most) = (legal.start(), legal.end());

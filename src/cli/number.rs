@@ -1,10 +1,13 @@
-//! Whole numbers on the command line: `1000000`, `1_000_000`, `1e6`, `2^20`.
+//! Parsers of numbers for clap; those of whole numbers take every form of [`crate::whole`].
 
+use crate::whole;
 use std::ops::RangeInclusive;
 
 /// A parser of whole numbers in a range; its error tells range and forms.
 pub(super) fn whole(legal: RangeInclusive<u64>) -> impl Fn(&str) -> Result<u64, String> + Clone {
-    move |text| parse(text).filter(|number| legal.contains(number)).ok_or_else(|| told(&legal))
+    move |text| {
+        whole::parse(text).filter(|number| legal.contains(number)).ok_or_else(|| told(&legal))
+    }
 }
 
 fn told(legal: &RangeInclusive<u64>) -> String {
@@ -18,30 +21,6 @@ fn told(legal: &RangeInclusive<u64>) -> String {
     )
 }
 
-/// The number that a text means; none if it is not of the form, or past 64 bits.
-pub(super) fn parse(text: &str) -> Option<u64> {
-    if let Some((base, exponent)) = text.split_once('^') {
-        return digits(base)?.checked_pow(digits(exponent)?.try_into().ok()?);
-    }
-    let Some((mantissa, exponent)) = text.split_once(['e', 'E']) else { return digits(text) };
-    let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    let part = part.trim_end_matches('0');
-    let exponent: u32 = digits(exponent.strip_prefix('+').unwrap_or(exponent))?.try_into().ok()?;
-    // 1.5e6 is 15 times 10^5.
-    let exponent = exponent.checked_sub(part.len().try_into().ok()?)?;
-    match digits(&format!("{whole}{part}"))? {
-        0 => Some(0),
-        number => number.checked_mul(10u64.checked_pow(exponent)?),
-    }
-}
-
-/// Digits with single `_` between them.
-fn digits(text: &str) -> Option<u64> {
-    let groups = || text.split('_');
-    let legal = |group: &str| !group.is_empty() && group.bytes().all(|byte| byte.is_ascii_digit());
-    groups().all(legal).then(|| groups().collect::<String>().parse().ok())?
-}
-
 /// A parser of real numbers; its error tells the form.
 pub(super) fn real(text: &str) -> Result<f64, String> {
     text.parse().map_err(|_| "write a number, such as 60 or 12.5".to_owned())
@@ -49,50 +28,8 @@ pub(super) fn real(text: &str) -> Result<f64, String> {
 
 /// Cycles as `FIRST..END`.
 pub(super) fn window(text: &str) -> Result<std::ops::Range<u64>, String> {
-    let range = text.split_once("..").and_then(|(a, b)| Some(parse(a)?..parse(b)?));
+    let range = text.split_once("..").and_then(|(a, b)| Some(whole::parse(a)?..whole::parse(b)?));
     range
         .filter(|range| range.start < range.end)
         .ok_or_else(|| "write FIRST..END with FIRST below END, such as 10..60".to_owned())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn forms_of_one_number() {
-        for text in ["1000000", "1_000_000", "1e6", "1E6", "1e+6", "1.0e6", "10_0e4", "10^6"] {
-            assert_eq!(parse(text), Some(1_000_000), "{text}");
-        }
-        assert_eq!(parse("2^20"), Some(1 << 20));
-        assert_eq!(parse("1.25e2"), Some(125));
-        assert_eq!(parse("0e99"), Some(0));
-        assert_eq!(parse("18446744073709551615"), Some(u64::MAX));
-        for text in [
-            "",
-            "-1",
-            "+1",
-            "1.5",
-            "1.25e1",
-            "1e-3",
-            "1e20",
-            "2^64",
-            "_1",
-            "1_",
-            "1__0",
-            "1e",
-            "e6",
-            "1e6e1",
-            "2^",
-            "^2",
-            "2^2^2",
-            "1 000",
-            "0x10",
-            "１",
-            "inf",
-            "18446744073709551616",
-        ] {
-            assert_eq!(parse(text), None, "{text}");
-        }
-    }
 }

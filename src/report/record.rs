@@ -49,6 +49,7 @@ use crate::picture::{Channel, Difference, coverage};
 use crate::render::{Rendered, Shot};
 use crate::scene::Scene;
 use crate::units::{Design, Value, Values};
+use crate::whole;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::Map;
 use std::collections::BTreeSet;
@@ -922,9 +923,10 @@ pub fn parameters_of(values: &Values) -> Parameters {
 #[must_use]
 pub fn assigned(assignments: &[String]) -> Parameters {
     let pairs = assignments.iter().filter_map(|set| set.split_once('='));
-    let value = |text: &str| match serde_json::from_str::<serde_json::Value>(text) {
-        Ok(number) if number.is_number() => number,
-        Ok(_) | Err(_) => text.into(),
+    let value = |text: &str| match (whole::signed(text), text.parse::<f64>()) {
+        (Some(number), _) => number.into(),
+        (None, Ok(number)) if number.is_finite() => number.into(),
+        (None, _) => text.into(),
     };
     pairs.map(|(key, text)| (key.to_owned(), value(text))).collect()
 }

@@ -38,6 +38,7 @@ use crate::lut::{Scheme, Spec};
 use crate::netlist::{Netlist, NodeId};
 use crate::rtl::Rtl;
 use crate::schedule::{Binding, Depth, Kind as Shared, Plan, Rom, Schedule, Share};
+use crate::whole;
 use rand_core::{RngCore, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use std::f64::consts::TAU;
@@ -412,7 +413,7 @@ impl Param {
         let value = match self.kind {
             Kind::Int { auto: Some(_), .. } if text == "auto" => Some(Value::Auto),
             Kind::Int { min, max, .. } => {
-                text.parse().ok().filter(|n| (min..=max).contains(n)).map(Value::Int)
+                whole::signed(text).filter(|n| (min..=max).contains(n)).map(Value::Int)
             }
             Kind::Real { min, max } => text
                 .parse()
