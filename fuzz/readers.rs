@@ -16,10 +16,10 @@ use std::sync::OnceLock;
 use tempfile::TempDir;
 
 /// A reader by its name, which is that of its target and of its folder of seeds.
-pub type Reader = (&'static str, fn(&[u8]));
+pub(crate) type Reader = (&'static str, fn(&[u8]));
 
 /// All of them.
-pub const READERS: &[Reader] = &[
+pub(crate) const READERS: &[Reader] = &[
     ("axis", axis),
     ("cells", cells),
     ("command_line", command_line),
@@ -51,7 +51,7 @@ fn unit(bytes: &[u8]) -> Option<(&'static Unit, &str)> {
 }
 
 /// A format: what is read is written as what is read the same.
-pub fn format(bytes: &[u8]) {
+pub(crate) fn format(bytes: &[u8]) {
     let Some(text) = text(bytes) else { return };
     if let Ok(format) = text.parse::<Format>() {
         assert_eq!(format.to_string().parse::<Format>().unwrap(), format);
@@ -60,7 +60,7 @@ pub fn format(bytes: &[u8]) {
 }
 
 /// Lines `key=value` for a unit: legal values are written as what is read the same.
-pub fn parameters(bytes: &[u8]) {
+pub(crate) fn parameters(bytes: &[u8]) {
     let Some((unit, text)) = unit(bytes) else { return };
     let assignments: Vec<&str> = text.lines().collect();
     let Ok(values) = unit.values(&assignments) else { return };
@@ -71,7 +71,7 @@ pub fn parameters(bytes: &[u8]) {
 }
 
 /// An axis of a sweep over a unit: its values are legal.
-pub fn axis(bytes: &[u8]) {
+pub(crate) fn axis(bytes: &[u8]) {
     let Some((unit, text)) = unit(bytes) else { return };
     let Ok(axis) = Axis::parse(text, unit) else { return };
     assert!(!axis.values().is_empty());
@@ -81,20 +81,20 @@ pub fn axis(bytes: &[u8]) {
 }
 
 /// Words of a command line, a line each.
-pub fn command_line(bytes: &[u8]) {
+pub(crate) fn command_line(bytes: &[u8]) {
     let Some(text) = text(bytes) else { return };
     let words = std::iter::once("fixpath").chain(text.lines());
     let _ = cli::command().try_get_matches_from(words);
 }
 
 /// Cells as Yosys counts them.
-pub fn cells(bytes: &[u8]) {
+pub(crate) fn cells(bytes: &[u8]) {
     let Some(text) = text(bytes) else { return };
     let _ = cost::cells_of(text);
 }
 
 /// A table of inputs of the rotation unit, from the second byte on: all words are of their ports.
-pub fn samples(bytes: &[u8]) {
+pub(crate) fn samples(bytes: &[u8]) {
     static DESIGN: OnceLock<Design> = OnceLock::new();
     let design = DESIGN.get_or_init(|| {
         let unit = Unit::find("rotation").unwrap();
@@ -122,7 +122,7 @@ pub fn samples(bytes: &[u8]) {
 }
 
 /// Calls of texture-coordinate generation: each configuration that comes out is one of the emboss unit.
-pub fn texgen(bytes: &[u8]) {
+pub(crate) fn texgen(bytes: &[u8]) {
     let Some(text) = text(bytes) else { return };
     let Ok(calls) = Calls::parse(text, Path::new("calls.toml")) else { return };
     let outcome = calls.run();
@@ -136,7 +136,7 @@ pub fn texgen(bytes: &[u8]) {
 }
 
 /// A scene, with a mesh and two pictures beside it that it may name.
-pub fn scene(bytes: &[u8]) {
+pub(crate) fn scene(bytes: &[u8]) {
     let Some(text) = text(bytes) else { return };
     FOLDER.with(|folder| {
         let mesh = folder.path().join("mesh.obj");
@@ -151,18 +151,18 @@ pub fn scene(bytes: &[u8]) {
 }
 
 /// A mesh as OBJ.
-pub fn obj(bytes: &[u8]) {
+pub(crate) fn obj(bytes: &[u8]) {
     file(bytes, "mesh.obj", &mesh("mesh.obj"));
 }
 
 /// A mesh as glTF, of which the first bytes say in which form.
-pub fn gltf(bytes: &[u8]) {
+pub(crate) fn gltf(bytes: &[u8]) {
     let name = if bytes.starts_with(b"glTF") { "mesh.glb" } else { "mesh.gltf" };
     file(bytes, name, &mesh(name));
 }
 
 /// A picture as texture and as heights, as JPEG or PNG.
-pub fn picture(bytes: &[u8]) {
+pub(crate) fn picture(bytes: &[u8]) {
     let name = if bytes.starts_with(b"\x89PNG") { "map.png" } else { "map.jpg" };
     let object = "[[object]]\nshape = \"plane\"\n";
     file(bytes, name, &format!("{SMALL}[texture]\nfile = \"{name}\"\n{object}"));
@@ -170,7 +170,7 @@ pub fn picture(bytes: &[u8]) {
 }
 
 /// The result of a sweep: what is read is reported, written, and read as the same.
-pub fn sweep(bytes: &[u8]) {
+pub(crate) fn sweep(bytes: &[u8]) {
     FOLDER.with(|folder| {
         let path = folder.path().join("sweep.json");
         fs::write(&path, bytes).unwrap();

@@ -32,7 +32,9 @@ fn seeds_of_the_fuzz_targets() {
                 let end = seed.len() * part / 4;
                 tried("cut off", &seed[..end]);
                 let mut wrong = seed.clone();
-                wrong.get_mut(end).map(|byte| *byte ^= 1 << (part + 1));
+                if let Some(byte) = wrong.get_mut(end) {
+                    *byte ^= 1 << (part + 1);
+                }
                 tried("with a wrong bit", &wrong);
             }
         }
