@@ -177,9 +177,15 @@ fn error_figures(design: &Design) -> Result<Vec<String>> {
         Err(why) if Error::is_failed_check(&why) => return Ok(vec![format!("errors: {why}")]),
         Err(why) => return Err(why),
     };
+    let scales = design.scales();
+    let errors = if scales.is_empty() {
+        "absolute errors"
+    } else {
+        "errors, absolute where nothing else is said,"
+    };
     let mut lines = vec![
         format!(
-            "absolute errors against the golden of the quantised inputs, over {HEADER_SAMPLES} random inputs"
+            "{errors} against the golden of the quantised inputs, over {HEADER_SAMPLES} random inputs"
         ),
         "(sampler sphere, seed 1), and the input words of the worst:".to_owned(),
     ];
@@ -193,8 +199,10 @@ fn error_figures(design: &Design) -> Result<Vec<String>> {
             .flat_map(|witness| witness.words.iter().enumerate())
             .map(|(port, word)| format!("{}={word}", design.netlist.input_name(port)))
             .collect();
+        let over = scales.iter().find(|(quantity, _)| *quantity == f.quantity);
+        let over = over.map(|(_, what)| format!(" over {what},")).unwrap_or_default();
         lines.push(format!(
-            "  {}: mean {:.2e}{unit}, largest seen {:.2e}{unit}{ulp} at {}",
+            "  {}: mean {:.2e}{unit}, largest seen {:.2e}{unit}{ulp}{over} at {}",
             f.quantity,
             f.mean,
             f.max,
