@@ -4,10 +4,13 @@ use crate::cast;
 use crate::error::{Error, Result};
 use crate::escape;
 use crate::input;
-use serde::de::{DeserializeOwned, Error as _};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{DeserializeOwned, Error as _, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use std::borrow::Cow;
-use std::ops::Range;
+use std::fmt;
+use std::marker::PhantomData;
+use std::ops::{Deref, Range};
 use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -35,6 +38,37 @@ impl<'de, T: Deserialize<'de>, const N: usize> Deserialize<'de> for Exactly<T, N
     }
 }
 
+/// A table. Every struct below another in a file must be one: serde's own takes an array as well, gives its values to
+/// the keys in their order, and drops those left over.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Table<T>(T);
+
+impl<T> Deref for Table<T> {
+    type Target = T;
+
+    fn deref(&self) -> &T {
+        &self.0
+    }
+}
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for Table<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Keys<T>(PhantomData<T>);
+        impl<'de, T: Deserialize<'de>> Visitor<'de> for Keys<T> {
+            type Value = Table<T>;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write!(f, "a table")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Self::Value, A::Error> {
+                T::deserialize(MapAccessDeserializer::new(map)).map(Table)
+            }
+        }
+        deserializer.deserialize_map(Keys(PhantomData))
+    }
+}
+
 /// The kind of a table by the name that it gives: the names of an enum's variants, one inside the other, or
 /// what is wrong with it.
 pub(crate) type Kind = fn(&str) -> Result<Vec<String>, String>;
@@ -44,8 +78,24 @@ pub(crate) type Kind = fn(&str) -> Result<Vec<String>, String>;
 /// # Errors
 /// If it can't be read, isn't UTF-8, or is longer.
 pub(crate) fn read(path: &Path, max_bytes: u64) -> Result<String> {
-    String::from_utf8(input::read(input::open(path)?, path, max_bytes)?)
+    let bytes = input::read(input::open(path)?, path, max_bytes)?;
+    check_encoding(&bytes).map_err(|problem| Error::file(path, problem))?;
+    String::from_utf8(bytes)
         .map_err(|why| Error::file(path, format!("isn't text in UTF-8: {}", why.utf8_error())))
+}
+
+/// Refuses text whose first bytes say that it is in another encoding than UTF-8.
+pub(crate) fn check_encoding(bytes: &[u8]) -> Result<(), String> {
+    let marks: [(&[u8], &str); 4] = [
+        (b"\xff\xfe\0\0", "UTF-32"),
+        (b"\0\0\xfe\xff", "UTF-32"),
+        (b"\xff\xfe", "UTF-16"),
+        (b"\xfe\xff", "UTF-16"),
+    ];
+    match marks.iter().find(|(mark, _)| bytes.starts_with(mark)) {
+        Some((_, name)) => Err(format!("the text is {name}: save it as UTF-8")),
+        None => Ok(()),
+    }
 }
 
 /// Where the lines of a text end, in bytes.
@@ -147,26 +197,21 @@ impl Document<'_> {
         self.fail(&span, format!("{message} in `{}`", self.line_text(span.start)))
     }
 
-    /// Where its lines start, for many questions: [`Document::line`] counts from the first one.
+    /// Where its lines end.
     pub(crate) fn lines(&self) -> Lines {
         let ends = self.text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
         Lines(ends.map(|(at, _)| at).collect())
     }
 
-    /// The line in which a range of bytes starts, from 1.
-    pub(crate) fn line(&self, span: &Range<usize>) -> u64 {
-        let before = &self.text.as_bytes()[..span.start.min(self.text.len())];
-        cast::count_of(1 + before.iter().filter(|byte| **byte == b'\n').count())
-    }
-
     /// An error in the line in which a range of bytes starts.
     pub(crate) fn fail(&self, span: &Range<usize>, problem: String) -> Error {
-        Error::line(self.path, self.line(span), problem)
+        Error::line(self.path, self.lines().of(span.start), problem)
     }
 
     /// The line around a byte.
     fn line_text(&self, at: usize) -> String {
-        let number = self.text.bytes().take(at).filter(|byte| *byte == b'\n').count();
-        escape::short(self.text.lines().nth(number).unwrap_or_default().trim())
+        let before = self.text.get(..at).unwrap_or(self.text);
+        let start = before.rfind('\n').map_or(0, |end| end + 1);
+        escape::short(self.text[start..].lines().next().unwrap_or_default().trim())
     }
 }

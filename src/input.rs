@@ -2,15 +2,17 @@
 
 use crate::cast;
 use crate::error::{Error, Result};
+use crate::escape;
 use std::collections::BTreeMap;
 use std::fs::{self, File, FileType, Metadata, OpenOptions};
-use std::io::{self, Read, StdinLock};
+use std::io::{self, Read, StdinLock, Write as _};
 use std::path::{self, Path, PathBuf};
-use std::sync::{Mutex, PoisonError, mpsc};
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::Duration;
 
-/// How long nobody may be at the other end of a pipe.
+/// How long nobody may be at the other end of a pipe until that is told.
 const PIPE_WAIT: Duration = Duration::from_secs(3);
 
 /// What tells files apart, whatever their names.
@@ -100,22 +102,25 @@ fn is_pipe(_: FileType) -> bool {
     false
 }
 
-/// Opens what is there, but waits for the other end of a pipe for [`PIPE_WAIT`] only.
+/// Opens what is there. It waits for the other end of a pipe as long as it takes: who names a pipe may have a slow program
+/// there. After [`PIPE_WAIT`] a note tells what it waits for, since nobody may be there at all.
 pub(crate) fn open_with(options: &OpenOptions, path: &Path) -> io::Result<File> {
     if !fs::metadata(path).is_ok_and(|there| is_pipe(there.file_type())) {
         return options.open(path);
     }
-    let (sender, receiver) = mpsc::channel();
-    let (waiting, at) = (options.clone(), path.to_owned());
-    // It waits on if nobody comes; the process may end all the same.
+    let (sender, receiver) = mpsc::channel::<()>();
+    let at = path.to_owned();
     thread::Builder::new().spawn(move || {
-        let _ = sender.send(waiting.open(at));
+        if receiver.recv_timeout(PIPE_WAIT) == Err(RecvTimeoutError::Timeout) {
+            let told = format!("{}: waiting for the other end of this pipe", at.display());
+            // A lost stderr changes nothing.
+            let _ = writeln!(io::stderr(), "note: {}", escape::message(&told));
+        }
     })?;
-    receiver.recv_timeout(PIPE_WAIT).unwrap_or_else(|_| {
-        let seconds = PIPE_WAIT.as_secs();
-        let why = format!("nobody has opened the other end of this pipe for {seconds} s");
-        Err(io::Error::new(io::ErrorKind::TimedOut, why))
-    })
+    let opened = options.open(path);
+    // The thread ends without a word; if it has ended, the word is out.
+    let _ = sender.send(());
+    opened
 }
 
 fn absolute(path: &Path) -> PathBuf {
@@ -125,7 +130,7 @@ fn absolute(path: &Path) -> PathBuf {
 /// Opens a file, a pipe or a device to read it.
 ///
 /// # Errors
-/// If it can't be read, is a folder, or is a pipe that nobody writes to.
+/// If it can't be read or is a folder.
 pub(crate) fn open(path: &Path) -> Result<File> {
     let fail = |why| Error::io(path, "can't read", why);
     let there = fs::metadata(path).map_err(fail)?;

@@ -68,7 +68,7 @@ pub(super) struct TexgenArgs {
     json: bool,
 }
 
-/// The longest file that is read: some 150 000 calls.
+/// The longest file that is read: some 780 000 calls.
 const MAX_BYTES: u64 = 16 << 20;
 
 /// Makes the calls; returns what to tell, and what is wrong in all.

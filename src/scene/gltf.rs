@@ -1,8 +1,10 @@
 //! Meshes from glTF 2.0: as much as shapes need, every number checked before it is used.
 //!
 //! What a file shows at rest is read: nodes, morph targets by their default weights, skins by the joints' own
-//! places, texture coordinates of the material's colour texture (else its normal map's) with KHR_texture_transform.
-//! Images, colours, animations and cameras are passed over, and so are lines and points beside triangles.
+//! places, texture coordinates of the material's colour texture (else its normal map's, and so on) with
+//! KHR_texture_transform. Images, colours, animations and cameras are passed over, and so are lines and points beside
+//! triangles. A node that mirrors turns its triangles over (3.7.4 of the specification). Of skins it says nothing:
+//! here a triangle is turned over where the joints mirror most of its corners, so that it keeps the side that it had.
 //!
 //! The reader is our own. Crate `gltf` (1.4) panics on what damaged files hold: a component type that an attribute
 //! can't have, more sparse indices than values, an accessor of no elements, a URI that isn't UTF-8. It reads a buffer
@@ -15,11 +17,13 @@ use super::assembly::{Mesh, MeshVertex, Topology};
 use super::map;
 use super::mesh::{MAX_TRIANGLES, check_coordinates, checked_normal};
 use crate::cast;
+use crate::document::check_encoding;
 use crate::error::{Error, Result};
 use data::{Accessor, Buffer, Buffers, Data, View, get};
-use glam::{DMat2, DMat3, DMat4, DQuat, DVec2, DVec3};
+use glam::{DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
+use std::collections::hash_map::Entry;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::Path;
 
@@ -57,6 +61,8 @@ struct Document {
     buffer_views: Vec<View>,
     #[serde(default)]
     buffers: Vec<Buffer>,
+    #[serde(default)]
+    extensions_used: Vec<String>,
     #[serde(default)]
     extensions_required: Vec<String>,
 }
@@ -108,6 +114,23 @@ struct Primitive {
 struct Material {
     pbr_metallic_roughness: Colours,
     normal_texture: Option<TextureInfo>,
+    occlusion_texture: Option<TextureInfo>,
+    emissive_texture: Option<TextureInfo>,
+    extensions: MaterialExtensions,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(default)]
+struct MaterialExtensions {
+    /// Colours in place of the others.
+    #[serde(rename = "KHR_materials_pbrSpecularGlossiness")]
+    specular_glossiness: Diffuse,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(default, rename_all = "camelCase")]
+struct Diffuse {
+    diffuse_texture: Option<TextureInfo>,
 }
 
 #[derive(Default, Deserialize)]
@@ -163,7 +186,7 @@ struct Skin {
     joints: Vec<usize>,
 }
 
-/// Extensions that a file may require: they change no shape, or are read.
+/// True of extensions that change no shape, or are read: a file may require them.
 fn is_known(extension: &str) -> bool {
     let read = ["KHR_texture_transform", "KHR_mesh_quantization"];
     let no_shape = [
@@ -183,6 +206,9 @@ fn is_known(extension: &str) -> bool {
         || no_shape.contains(&extension)
 }
 
+/// Most extensions that are told.
+const MAX_NOTES: usize = 8;
+
 /// Reads a `.gltf` or `.glb` file of which these are the bytes.
 pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Mesh> {
     read_within(bytes, path, map::MAX_BYTES)
@@ -195,9 +221,7 @@ fn read_within(bytes: &[u8], path: &Path, max_bytes: u64) -> Result<Mesh> {
         if bytes.starts_with(b"glTF") { data::chunks(bytes).map_err(fail)? } else { (bytes, None) };
     // A byte order mark: the specification forbids it, editors write it.
     let json = json.strip_prefix(b"\xef\xbb\xbf").unwrap_or(json);
-    if json.starts_with(b"\xff\xfe") || json.starts_with(b"\xfe\xff") {
-        return Err(fail("its text is UTF-16: save it as UTF-8".to_owned()));
-    }
+    check_encoding(json).map_err(fail)?;
     let not_json = |why| fail(format!("no glTF 2.0: {why}"));
     let head: Head = serde_json::from_slice(json).map_err(not_json)?;
     head.asset.check().map_err(fail)?;
@@ -208,7 +232,11 @@ fn read_within(bytes: &[u8], path: &Path, max_bytes: u64) -> Result<Mesh> {
     }
     let buffers = Buffers::read(&document.buffers, binary, path, max_bytes)?;
     let data = Data::new(&document.accessors, &document.buffer_views, buffers);
-    File { document: &document, data }.mesh().map_err(fail)
+    let mut mesh = File { document: &document, data }.mesh().map_err(fail)?;
+    let unread = document.extensions_used.iter().filter(|name| !is_known(name));
+    let unread = unread.map(|name| format!("the extension `{name}` isn't read"));
+    mesh.notes.extend(unread.take(MAX_NOTES));
+    Ok(mesh)
 }
 
 impl Asset {
@@ -320,7 +348,8 @@ impl File<'_> {
             if std::mem::replace(&mut seen[i], true) {
                 return Err(format!("node {i} has two parents"));
             }
-            let to_world = above * transform(node);
+            let own = transform(node).map_err(|why| format!("node {i}: {why}"))?;
+            let to_world = above * own;
             placed.push((i, to_world));
             stack.extend(node.children.iter().rev().map(|child| (*child, to_world)));
         }
@@ -353,7 +382,7 @@ impl File<'_> {
         topology: Topology,
         weights: &[f64],
         pose: &Pose,
-        known: &mut HashMap<VertexSource<'b>, (u32, usize)>,
+        known: &mut HashMap<VertexSource<'b>, (u32, Vec<bool>)>,
         mesh: &mut Mesh,
     ) -> Result<(), String> {
         let Primitive { attributes, targets, .. } = primitive;
@@ -365,19 +394,18 @@ impl File<'_> {
         }
         let (uv_set, transformed_by) = self.uv_set(primitive.material)?;
         let source = VertexSource { attributes, targets, uv_set, transformed_by };
-        let (first, vertices) = match known.get(&source) {
-            Some(buffer) => *buffer,
-            None => {
+        let (first, mirrored) = match known.entry(source) {
+            Entry::Occupied(buffer) => &*buffer.into_mut(),
+            Entry::Vacant(buffer) => {
                 let first = cast::id_of(mesh.vertices.len());
-                self.vertices(&source, weights, pose, &mut mesh.vertices)?;
-                let count = mesh.vertices.len() - cast::index_of_u32(first);
-                known.insert(source, (first, count));
-                (first, count)
+                let mirrored = self.vertices(buffer.key(), weights, pose, &mut mesh.vertices)?;
+                &*buffer.insert((first, mirrored))
             }
         };
+        let (first, vertices) = (*first, mirrored.len());
         let corners: Vec<u32> = match primitive.indices {
             Some(accessor) => {
-                let indices = self.data.indices(accessor)?;
+                let indices = self.data.wholes(accessor, 1)?;
                 if let Some(index) = indices.iter().find(|index| **index >= vertices) {
                     return Err(format!("vertex {index} is named, and there are {vertices}"));
                 }
@@ -389,7 +417,15 @@ impl File<'_> {
                 (0..cast::id_of(vertices)).map(|i| first + i).collect()
             }
         };
-        mesh.assemble(topology, &corners, None)
+        let before = mesh.triangles.len();
+        mesh.assemble(topology, &corners, None)?;
+        for triangle in &mut mesh.triangles[before..] {
+            let turned = |corner: &&u32| mirrored[cast::index_of_u32(**corner - first)];
+            if triangle.iter().filter(turned).count() > 1 {
+                triangle.swap(1, 2);
+            }
+        }
+        Ok(())
     }
 
     /// The set of texture coordinates that a material's texture takes, and the material if it transforms them.
@@ -403,14 +439,14 @@ impl File<'_> {
         })
     }
 
-    /// Adds the vertices of attributes and what morphs them.
+    /// Adds the vertices of attributes and what morphs them; tells of each if what places it mirrors.
     fn vertices(
         &self,
         source: &VertexSource,
         weights: &[f64],
         pose: &Pose,
         to: &mut Vec<MeshVertex>,
-    ) -> Result<(), String> {
+    ) -> Result<Vec<bool>, String> {
         let (targets, uv_name) = (source.targets, format!("TEXCOORD_{}", source.uv_set));
         // Without weights, morph targets weigh nothing.
         if !weights.is_empty() && weights.len() != targets.len() {
@@ -455,6 +491,7 @@ impl File<'_> {
             ));
         }
         to.reserve(vertices);
+        let mut mirrored = Vec::with_capacity(vertices);
         for i in 0..vertices {
             let to_world = match pose {
                 Pose::Rigid(to_world) => *to_world,
@@ -462,10 +499,11 @@ impl File<'_> {
                     blended(joints, &bones, i).map_err(|why| format!("vertex {i} {why}"))?
                 }
             };
-            let normal_matrix = DMat3::from_mat4(to_world).inverse().transpose();
-            if !normal_matrix.is_finite() {
-                return Err(format!("the matrix that places vertex {i} can't be inverted"));
-            }
+            let DMat3 { x_axis: x, y_axis: y, z_axis: z } = DMat3::from_mat4(to_world);
+            mirrored.push(x.dot(y.cross(z)) < 0.0);
+            // The inverse transpose, up to a positive factor, which a matrix that makes things flat has, too.
+            let side = if mirrored[i] { -1.0 } else { 1.0 };
+            let normal_matrix = side * DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y));
             let given = DVec3::from_slice(&points[3 * i..]);
             let position = to_world.transform_point3(given);
             check_coordinates(
@@ -489,7 +527,7 @@ impl File<'_> {
             }
             to.push(MeshVertex { position, normal, uv });
         }
-        Ok(())
+        Ok(mirrored)
     }
 
     /// Sets of four joints a vertex, and what each of the four weighs.
@@ -499,7 +537,7 @@ impl File<'_> {
             let weights = format!("WEIGHTS_{}", sets.len());
             let weights = attributes.get(&weights).ok_or_else(|| format!("has no {weights}"))?;
             let bones = Bones {
-                joints: self.data.reals(*joints, 4)?,
+                joints: self.data.wholes(*joints, 4)?,
                 weights: self.data.reals(*weights, 4)?,
             };
             if bones.joints.len() != 4 * vertices || bones.weights.len() != 4 * vertices {
@@ -516,7 +554,7 @@ impl File<'_> {
 
 /// Joints of vertices, four each.
 struct Bones {
-    joints: Vec<f64>,
+    joints: Vec<usize>,
     weights: Vec<f64>,
 }
 
@@ -526,7 +564,7 @@ fn blended(joints: &[DMat4], bones: &[Bones], vertex: usize) -> Result<DMat4, St
     for set in bones {
         let four = 4 * vertex..4 * vertex + 4;
         for (joint, weight) in set.joints[four.clone()].iter().zip(&set.weights[four]) {
-            let matrix = get(joints, "joint", cast::usize_of(*joint))?;
+            let matrix = get(joints, "joint", *joint)?;
             if !(0.0..=f64::MAX).contains(weight) {
                 return Err(format!("has a joint of weight {weight}"));
             }
@@ -557,23 +595,43 @@ impl Primitive {
 impl Material {
     /// The texture that says which texture coordinates a surface has.
     fn texture(&self) -> Option<&TextureInfo> {
-        self.pbr_metallic_roughness.base_color_texture.as_ref().or(self.normal_texture.as_ref())
+        let color = &self.pbr_metallic_roughness.base_color_texture;
+        let given = [
+            &self.extensions.specular_glossiness.diffuse_texture,
+            color,
+            &self.normal_texture,
+            &self.emissive_texture,
+            &self.occlusion_texture,
+        ];
+        given.into_iter().find_map(Option::as_ref)
     }
 }
 
-fn transform(node: &Node) -> DMat4 {
+fn transform(node: &Node) -> Result<DMat4, String> {
     if let Some(matrix) = node.matrix {
-        return DMat4::from_cols_array(&matrix);
+        if node.translation.is_some() || node.rotation.is_some() || node.scale.is_some() {
+            let problem = "has a `matrix` and beside it `translation`, `rotation` or `scale`: a node has either";
+            return Err(problem.to_owned());
+        }
+        let matrix = DMat4::from_cols_array(&matrix);
+        if !matrix.row(3).abs_diff_eq(DVec4::W, 1e-6) {
+            let row = matrix.row(3);
+            return Err(format!(
+                "the last row of its `matrix` is {row}: legal is {}, without perspective",
+                DVec4::W
+            ));
+        }
+        return Ok(matrix);
     }
     let rotation = DQuat::from_array(node.rotation.unwrap_or([0.0, 0.0, 0.0, 1.0]));
     // Files hold unit quaternions to seven digits.
     let rotation =
         if rotation.length_squared() > 0.0 { rotation.normalize() } else { DQuat::IDENTITY };
-    DMat4::from_scale_rotation_translation(
+    Ok(DMat4::from_scale_rotation_translation(
         DVec3::from_array(node.scale.unwrap_or([1.0; 3])),
         rotation,
         DVec3::from_array(node.translation.unwrap_or([0.0; 3])),
-    )
+    ))
 }
 
 #[cfg(test)]

@@ -119,15 +119,15 @@ impl<'a> Walk<'a> {
         byte.ok_or_else(|| "the file ends within the picture".to_owned())
     }
 
-    /// The next marker, which any number of 0xff may go before.
+    /// The next marker, which any number of 0xff may go before. What else is between segments no decoder reads.
     fn marker(&mut self) -> Result<u8, String> {
-        let first = self.byte()?;
-        if first != 0xff {
-            return Err(format!("{first:#04x} is no marker"));
-        }
         loop {
-            let byte = self.byte()?;
-            if byte != 0xff {
+            while self.byte()? != 0xff {}
+            let mut byte = 0xff;
+            while byte == 0xff {
+                byte = self.byte()?;
+            }
+            if byte != 0 {
                 return Ok(byte);
             }
         }
@@ -429,9 +429,13 @@ impl<'a> Bits<'a> {
         }
     }
 
-    /// Drops the bits that fill up the last byte; behind them is a marker.
+    /// Drops the bits that fill up the last byte, and bytes of 0, to which some files are filled up; behind them is a
+    /// marker. Decoders pass over any bytes, but those that code something more are a sign of damage.
     fn finish(&mut self) -> Result<(), String> {
         self.left = 0;
+        while self.bytes.get(self.at) == Some(&0) {
+            self.at += 1;
+        }
         match self.bytes.get(self.at..) {
             Some([0xff, marker, ..]) if *marker != 0 => Ok(()),
             None | Some([] | [0xff]) => Err("the file ends within the picture".to_owned()),
@@ -501,10 +505,29 @@ mod tests {
                 let why = check(&picture[..len]).unwrap_err();
                 assert!(why.starts_with("is cut off or damaged at byte "), "{why}");
             }
-            // As tools mend it that only put an end there: a picture of fewer scans is whole.
-            let mended = |len: usize| check(&[&picture[..len], b"\xff\xd9"].concat()).is_ok();
-            let whole = (0..picture.len() - 2).filter(|len| mended(*len)).count();
-            assert!(whole == 0 || progressive, "{whole}");
+            // As tools mend it that only put an end there: a picture of fewer scans is whole, but no part of a scan.
+            let mended = |len: &usize| check(&[&picture[..*len], b"\xff\xd9"].concat()).is_ok();
+            let whole: Vec<usize> = (0..picture.len() - 2).filter(mended).collect();
+            assert_eq!(whole.is_empty(), !progressive);
+            for len in whole {
+                let next = &picture[len..len + 2];
+                assert!([b"\xff\xc4", b"\xff\xda"].contains(&next.try_into().unwrap()), "{len}");
+            }
+        }
+    }
+
+    /// Bytes that no decoder reads change no picture.
+    #[test]
+    fn what_is_between_segments_may_be() {
+        for picture in pictures() {
+            let end = picture.len() - 2;
+            let filled = [&picture[..end], &[0, 0], &picture[end..]].concat();
+            assert_eq!(check(&filled), Ok(()));
+            let more = [&picture[..end], &[0, 1], &picture[end..]].concat();
+            assert!(check(&more).unwrap_err().contains("data are left over"));
+            let tables = picture.windows(2).position(|pair| pair == [0xff, 0xc4]).unwrap();
+            let between = [&picture[..tables], b"\x12\xff\0", &picture[tables..]].concat();
+            assert_eq!(check(&between), Ok(()));
         }
     }
 

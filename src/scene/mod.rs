@@ -32,12 +32,14 @@
 //! - *mesh*: triangles of an `.obj`, `.gltf` or `.glb` file, coordinates as in the file (glTF's y is up:
 //!   `rotate_degrees = [90, 0, 0]` stands it upright): lists, strips, fans and polygons.
 //!   A glTF file is read as it is at rest: with its nodes, default weights of morph targets, and skins. Texture
-//!   coordinates are those of the material's colour texture (else its normal map's), by KHR_texture_transform.
+//!   coordinates are those of the material's colour texture (else its normal map's), by KHR_texture_transform. Nodes
+//!   that mirror turn triangles over, as `scale` does.
 //!   Triangles count from 0 in the file's order, without those that have no area, which are left out.
 //!   Where it has no normals, they are means of those of the triangles around a point, weighted by their angles there,
 //!   up to edges sharper than `crease_degrees`; if that isn't given, 60 for `.obj`, and 0 for glTF, whose specification asks
-//!   for flat normals: each triangle has its own. A triangle's own side is that from which its corners turn
-//!   counter-clockwise. Texture coordinates are needed only where `[texture]` or `[height]` differ from place to place, and
+//!   for flat normals: each triangle has its own. Both are in the file's own space, before `scale`. A triangle's own side
+//!   is that of the normals that it has, else that from which its corners turn counter-clockwise.
+//!   Texture coordinates are needed only where `[texture]` or `[height]` differ from place to place, and
 //!   for a tangent-space set-up.
 //!   With `source = "shell"` instead of a file it is a dome over [-1, 1]^2 whose halves left and right of x = 0 share a
 //!   texture: u = |x|, v = 2 (y + 1), z = 0.6 (1 - x²) (1 - y²), in 48 x 48 squares, each cut
@@ -121,8 +123,8 @@ pub use map::{Bumps, Texture};
 pub use tessellation::{Assembly, Seen, Tessellation, Vertex};
 pub use trace::{CURVED, Fragments};
 
+use crate::document;
 use crate::error::{Error, Result};
-use crate::input;
 use crate::trig::rotation;
 use glam::DVec3;
 use normals::Normals;
@@ -384,10 +386,7 @@ impl Scene {
     /// If it or a file that it names can't be read, isn't TOML, has a key that scenes don't
     /// have or a value that isn't legal (which names the line), or a mesh can't be lit.
     pub fn open(path: &Path) -> Result<Self> {
-        let bytes = input::read(input::open(path)?, path, map::MAX_BYTES)?;
-        let text = String::from_utf8(bytes)
-            .map_err(|_| Error::file(path, "the text is not UTF-8".to_owned()))?;
-        text::read(&text, path)
+        text::read(&document::read(path, map::MAX_BYTES)?, path)
     }
 
     /// A scene from TOML text; the paths in it are relative to the folder of `path`, which is

@@ -5,7 +5,7 @@
 //! triangles. It ends at creases: edges at which the normals of the two triangles differ by more than an angle, and
 //! edges of one triangle, or of more than [`MOST`]. Points are one where their coordinates are equal, however often a
 //! file has them: a seam of the texture is no crease. A vertex at a crease has a normal on each side, and so becomes
-//! several.
+//! several. All of this is of the mesh as its file places it, before an object's `scale`.
 
 use super::assembly::{Mesh, SharedVertex};
 use crate::cast;
@@ -84,8 +84,14 @@ pub(super) fn corners_without(mesh: &Mesh) -> u64 {
 fn means(mesh: &Mesh, crease_degrees: f64) -> Vec<DVec3> {
     let positions: Vec<[DVec3; 3]> =
         mesh.triangles.iter().map(|t| mesh.corners(*t).map(|vertex| vertex.position)).collect();
-    let mut facets: Vec<DVec3> =
-        positions.iter().map(|[a, b, c]| (b - a).cross(c - a).normalize()).collect();
+    // Of a triangle that has some normals, its side is theirs.
+    let facet = |(triangle, [a, b, c]): (&[u32; 3], &[DVec3; 3])| {
+        let given = mesh.corners(*triangle).map(|v| v.normal.unwrap_or_default());
+        let side: DVec3 = given.into_iter().map(DVec3::normalize_or_zero).sum();
+        let facet = (b - a).cross(c - a).normalize();
+        if facet.dot(side) < 0.0 { -facet } else { facet }
+    };
+    let mut facets: Vec<DVec3> = mesh.triangles.iter().zip(&positions).map(facet).collect();
     let (smooth, mut planes) = joined(&positions, &facets, crease_degrees);
     // One normal for a plane, to the last bit: what is flat stays so.
     for triangle in 0..facets.len() {

@@ -8,8 +8,9 @@
 
 use super::assembly::{Mesh, MeshVertex, Tally};
 use super::mesh::{MAX_TRIANGLES, check_coordinates, checked_normal, too_many};
-use super::polygon;
+use super::polygon::Cutter;
 use crate::cast;
+use crate::document::check_encoding;
 use crate::error::{Error, Result};
 use glam::{DVec2, DVec3};
 use std::borrow::Cow;
@@ -33,6 +34,10 @@ const SHAPELESS: &[&str] = &[
     "shadow_obj",
     "trace_obj",
 ];
+/// Those of them that hold names, which may end in a `\` of their own.
+const NAMES: &[&str] = &["g", "o", "usemtl", "mtllib", "usemap", "maplib"];
+/// Statements that a shape depends on.
+const SHAPES: &[&str] = &["v", "vt", "vn", "f", "fo"];
 /// Statements of curves and surfaces, which aren't read.
 const FREE_FORM: &[&str] = &[
     "vp", "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv",
@@ -51,15 +56,7 @@ pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Mesh> {
 
 /// The text, without a byte order mark.
 fn decoded(bytes: &[u8]) -> Result<Cow<'_, str>, String> {
-    let marks: [(&[u8], &str); 4] = [
-        (b"\xff\xfe\0\0", "UTF-32"),
-        (b"\0\0\xfe\xff", "UTF-32"),
-        (b"\xff\xfe", "UTF-16"),
-        (b"\xfe\xff", "UTF-16"),
-    ];
-    if let Some((_, name)) = marks.iter().find(|(mark, _)| bytes.starts_with(mark)) {
-        return Err(format!("the text is {name}: save it as UTF-8"));
-    }
+    check_encoding(bytes)?;
     if bytes.contains(&0) {
         return Err("is binary, or UTF-16 without a mark, and no text: save it as UTF-8".to_owned());
     }
@@ -69,10 +66,17 @@ fn decoded(bytes: &[u8]) -> Result<Cow<'_, str>, String> {
 
 /// Statements without their comments, each with the number of its first line. A `\` at the end of a line continues it.
 fn statements(text: &str) -> impl Iterator<Item = (u64, Cow<'_, str>)> {
-    let mut lines = lines(text).map(without_comment).zip(1..);
+    let mut lines = lines(text).map(without_comment).zip(1..).peekable();
     std::iter::from_fn(move || {
         let (line, number) = lines.next()?;
         let Some(mut begun) = continued(line) else { return Some((number, Cow::Borrowed(line))) };
+        // The end of a folder's name, if a statement follows.
+        let first = |line: &&str, of: &[&str]| {
+            line.split_whitespace().next().is_some_and(|word| of.contains(&word))
+        };
+        if first(&line, NAMES) && lines.peek().is_some_and(|(next, _)| first(next, SHAPES)) {
+            return Some((number, Cow::Borrowed(line)));
+        }
         let mut statement = String::new();
         loop {
             statement.push_str(begun);
@@ -124,6 +128,7 @@ struct Reader {
     known: HashMap<[Option<usize>; 3], u32>,
     /// Corners that name a texture coordinate, or a normal, where there is none up to there.
     early: [Tally; 2],
+    cutter: Cutter,
     met: Met,
 }
 
@@ -184,7 +189,7 @@ impl Reader {
         }
         let point = |corner: &u32| self.mesh.vertices[cast::index_of_u32(*corner)].position;
         let points: Vec<DVec3> = corners.iter().map(point).collect();
-        let (topology, order) = polygon::triangles(&points)?;
+        let (topology, order) = self.cutter.triangles(&points)?;
         for _ in topology.triangles(order.len())?..corners.len() - 2 {
             self.mesh.flat.add(Some(line));
         }
@@ -204,14 +209,14 @@ impl Reader {
         let Some(point) = pick(self.points.len(), "point", word, point)? else {
             return Err(format!("corner `{}` names no point", shown(word)));
         };
-        let mut other = |len: usize, what, index, early: usize| {
-            let picked = pick(len, what, word, index);
-            if len == 0 && index.is_some() {
+        let mut other = |len: usize, what, index: Option<&str>, early: usize| {
+            let names_one = |index: &str| index.parse().is_ok_and(|index: i64| index != 0);
+            if len == 0 && index.is_some_and(names_one) {
                 // As if it named none, if the file has none at all.
                 self.early[early].add(Some(line));
                 return Ok(None);
             }
-            picked
+            pick(len, what, word, index)
         };
         let uv = other(self.uvs.len(), "texture coordinate", uv, 0)?;
         let normal = other(self.normals.len(), "normal", normal, 1)?;
@@ -323,5 +328,8 @@ mod tests {
         assert_eq!(seen, expected.map(|(line, text)| (line, text.to_owned())));
         assert_eq!(statements("\\").count(), 1);
         assert_eq!(statements("f \\\n\\\n").count(), 1);
+        // Names that end so, and one that goes on.
+        assert_eq!(statements("g C:\\dir\\\nv 1 2 3\no a\\\nvn 0 0 1").count(), 4);
+        assert_eq!(statements("g a \\\n b\nf 1 \\\n2 3").count(), 2);
     }
 }

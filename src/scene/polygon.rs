@@ -4,61 +4,129 @@
 //! it, after a projection along Newell's normal: the sum of the cross products around the polygon, which a polygon that
 //! isn't quite plane has, too (Sutherland, Sproull and Schumacker, "A characterization of ten hidden-surface algorithms",
 //! 1974). A polygon that crosses itself, or goes around twice, has no inside and is refused; it may touch itself, as one
-//! does that goes to its hole and back.
+//! does that goes to its hole and back. One that only rounding makes cross, or that goes out and back, has no area.
 
 use super::assembly::{Topology, is_area};
+use crate::cast;
 use earcut::Earcut;
 use glam::{DVec2, DVec3};
 
 /// Most corners of a polygon that isn't convex: its edges are compared in pairs.
 const MOST: usize = 4096;
+/// Most pairs of edges of a file's polygons that aren't convex: some ten seconds' work.
+const MOST_PAIRS: u64 = 1 << 32;
 /// How far corners may be across an edge, against the size of the polygon: files have six or seven digits.
 const TOUCH: f64 = 1e-6;
 
-/// Triangles of a polygon as a list or a fan of its corners, turning as it does; none if it has no area.
-///
-/// # Errors
-/// If it crosses itself, or has too many corners for one that isn't convex.
-pub(super) fn triangles(points: &[DVec3]) -> Result<(Topology, Vec<usize>), String> {
-    let fan = || Ok((Topology::Fan, (0..points.len()).collect()));
-    if points.len() == 3 {
-        return fan();
+/// Cuts the polygons of a file.
+pub(super) struct Cutter {
+    /// Pairs of edges that may still be compared.
+    left: u64,
+}
+
+impl Default for Cutter {
+    fn default() -> Self {
+        Self { left: MOST_PAIRS }
     }
-    let Some(plane) = projected(points) else {
-        return if is_line(points) { Ok((Topology::List, Vec::new())) } else { Err(crosses()) };
-    };
-    if is_convex(&plane) {
-        return fan();
+}
+
+impl Cutter {
+    /// Triangles of a polygon as a list or a fan of its corners, turning as it does; none if it has no area.
+    ///
+    /// # Errors
+    /// If it crosses itself, or there are too many corners for polygons that aren't convex.
+    pub(super) fn triangles(&mut self, points: &[DVec3]) -> Result<(Topology, Vec<usize>), String> {
+        let kept = if points.len() > 3 { around(points) } else { (0..points.len()).collect() };
+        let of = |order: Vec<usize>| order.into_iter().map(|at| kept[at]).collect();
+        if kept.len() < 3 {
+            return Ok((Topology::List, Vec::new()));
+        }
+        let points: Vec<DVec3> = kept.iter().map(|at| points[*at]).collect();
+        let plane = projected(&points);
+        if kept.len() == 3 || plane.as_deref().is_some_and(is_convex) {
+            return Ok((Topology::Fan, kept));
+        }
+        let cut = match plane {
+            Some(plane) => {
+                self.spend(plane.len())?;
+                cut(&plane)
+            }
+            None => None,
+        };
+        match cut {
+            Some(order) => Ok((Topology::List, of(order))),
+            None if is_rounded_line(&points) => Ok((Topology::List, Vec::new())),
+            None => Err(
+                "the polygon crosses itself, so it has no inside: cut it into polygons that don't"
+                    .to_owned(),
+            ),
+        }
     }
-    if plane.len() > MOST {
-        return Err(format!(
-            "a polygon of {} corners that isn't convex: {MOST} are the most, so export triangles",
-            plane.len()
-        ));
+
+    /// Counts the pairs of so many edges.
+    fn spend(&mut self, edges: usize) -> Result<(), String> {
+        if edges > MOST {
+            return Err(format!(
+                "a polygon of {edges} corners that isn't convex: {MOST} are the most, so export triangles"
+            ));
+        }
+        self.left = self.left.checked_sub(cast::count_of(edges * edges)).ok_or_else(|| {
+            format!(
+                "the polygons that aren't convex have more than {MOST_PAIRS} pairs of edges up to here, each by itself, and that is the most of a file: export triangles"
+            )
+        })?;
+        Ok(())
     }
-    if cross(&plane) {
-        return Err(crosses());
+}
+
+/// The corners without those that repeat the one before, and without ways out and back.
+fn around(points: &[DVec3]) -> Vec<usize> {
+    let mut kept: Vec<usize> = Vec::with_capacity(points.len());
+    for (corner, point) in points.iter().enumerate() {
+        match *kept {
+            [.., before] if points[before] == *point => {}
+            [.., before, _] if points[before] == *point => {
+                kept.pop();
+            }
+            _ => kept.push(corner),
+        }
+    }
+    // The same across the end.
+    let (mut first, mut end) = (0, kept.len());
+    while end - first > 2 {
+        let at = |place: usize| points[kept[place]];
+        if at(end - 1) == at(first) || at(end - 2) == at(first) {
+            end -= 1;
+        } else if at(end - 1) == at(first + 1) {
+            first += 1;
+        } else {
+            break;
+        }
+    }
+    kept[first..end].to_vec()
+}
+
+/// Triangles of the corners; `None` if the polygon crosses itself.
+fn cut(plane: &[DVec2]) -> Option<Vec<usize>> {
+    if cross(plane) {
+        return None;
     }
     let mut corners: Vec<usize> = Vec::new();
     Earcut::new().earcut(plane.iter().map(|at| at.to_array()), &[], &mut corners);
-    let rounding = TOUCH * size(&plane).powi(2);
+    let rounding = TOUCH * size(plane).powi(2);
     let (mut whole, mut once) = (0.0, true);
     for corners in corners.chunks_exact_mut(3) {
         let [a, b, c] = [corners[0], corners[1], corners[2]].map(|corner| plane[corner]);
         let area = turn(a, b, c);
         whole += area.abs();
-        once &= area.abs() <= rounding || times_around(&plane, (a + b + c) / 3.0) == 1;
+        once &= area.abs() <= rounding || times_around(plane, (a + b + c) / 3.0) == 1;
         if area < 0.0 {
             corners.swap(1, 2);
         }
     }
     // What turns over where it touches itself, or goes around twice, isn't covered once.
-    let area: f64 = edges(&plane).map(|(_, [a, b])| a.perp_dot(b)).sum();
-    if once && (whole - area).abs() <= rounding {
-        Ok((Topology::List, corners))
-    } else {
-        Err(crosses())
-    }
+    let area: f64 = edges(plane).map(|(_, [a, b])| a.perp_dot(b)).sum();
+    (once && (whole - area).abs() <= rounding).then_some(corners)
 }
 
 /// How often the polygon goes around a point, counter-clockwise: by the edges that cross the way to its right.
@@ -72,10 +140,6 @@ fn times_around(plane: &[DVec2], at: DVec2) -> i32 {
         }
     };
     edges(plane).map(crosses).sum()
-}
-
-fn crosses() -> String {
-    "the polygon crosses itself, so it has no inside: cut it into polygons that don't".to_owned()
 }
 
 /// The corners seen along the normal, from the side that they go around counter-clockwise; relative to the first one.
@@ -92,13 +156,14 @@ fn projected(points: &[DVec3]) -> Option<Vec<DVec2>> {
     Some(from_first.iter().map(|point| DVec2::new(point.dot(x), point.dot(y))).collect())
 }
 
-/// True if all points are on one line, or are one.
-fn is_line(points: &[DVec3]) -> bool {
+/// True if all points are on one line, but for the digits that coordinates of their size have in a file.
+fn is_rounded_line(points: &[DVec3]) -> bool {
     let to = |point: &DVec3| point - points[0];
     let far =
         points.iter().map(to).max_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
     let far = far.expect("bug: a polygon has corners");
-    !points.iter().any(|point| is_area(to(point).cross(far).length(), far.length_squared()))
+    let largest = points.iter().map(|point| point.abs().max_element()).fold(0.0, f64::max);
+    points.iter().all(|point| to(point).cross(far).length() <= TOUCH * largest * far.length())
 }
 
 /// The farthest that a corner is from the first.
@@ -155,6 +220,10 @@ mod tests {
 
     fn flat(points: &[[f64; 2]]) -> Vec<DVec3> {
         points.iter().map(|[x, y]| DVec3::new(*x, *y, 0.0)).collect()
+    }
+
+    fn triangles(points: &[DVec3]) -> Result<(Topology, Vec<usize>), String> {
+        Cutter::default().triangles(points)
     }
 
     /// Twice the area that the corners go around.
@@ -280,6 +349,26 @@ mod tests {
         assert_eq!(triangles(&[DVec3::ONE; 5]), none);
         let line: Vec<DVec3> = (0..6).map(|i| f64::from(i % 4) * DVec3::ONE).collect();
         assert_eq!(triangles(&line), none);
+        // Out and back, also across the first corner.
+        let back = flat(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 0.0]]);
+        for first in 0..4 {
+            let mut turned = back.clone();
+            turned.rotate_left(first);
+            assert_eq!(triangles(&turned), none, "{first}");
+        }
+        // Slimmer than the seventh digit, by which its corners are rounded across each other; in the middle of
+        // the digits it crosses itself.
+        let sliver = [
+            [122.9991, 45.00191],
+            [122.9903, 45.02151],
+            [122.9871, 45.02877],
+            [122.9953, 45.0103],
+            [122.9972, 45.00608],
+            [122.9989, 45.00245],
+        ];
+        assert_eq!(triangles(&flat(&sliver)), none);
+        let moved = sliver.map(|[x, y]| [x - 122.99, y - 45.01]);
+        assert!(triangles(&flat(&moved)).is_err());
         let gear = |teeth: i32| -> Vec<DVec3> {
             let tooth = |i: i32| {
                 let angle = f64::from(i) / f64::from(teeth) * std::f64::consts::PI;
@@ -290,5 +379,12 @@ mod tests {
         assert_eq!(cut(&gear(2048)).len(), 4094);
         let why = triangles(&gear(2049)).unwrap_err();
         assert!(why.starts_with("a polygon of 4098 corners"), "{why}");
+        // Corners that repeat one don't count.
+        let many = [vec![gear(2)[0]; 5000], gear(2)].concat();
+        assert_eq!(cut(&many).len(), 2);
+        let mut cutter = Cutter { left: 20 * 20 + 19 * 19 };
+        assert!(cutter.triangles(&gear(10)).is_ok());
+        let why = cutter.triangles(&gear(10)).unwrap_err();
+        assert!(why.contains("more than 4294967296 pairs of edges"), "{why}");
     }
 }

@@ -10,7 +10,7 @@ use super::{
     Projection, Scene,
 };
 use crate::cast;
-use crate::document::{Document, Exactly};
+use crate::document::{Document, Exactly, Table};
 use crate::error::{Error, Result};
 use glam::DVec3;
 use serde::Deserialize;
@@ -35,16 +35,16 @@ type Triple = Option<Spanned<Exactly<f64, 3>>>;
 #[derive(Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 struct SceneText {
-    image: ImageText,
-    camera: Option<Spanned<CameraText>>,
-    light: Vec<Spanned<LightText>>,
-    ambient: AmbientText,
-    material: MaterialText,
-    texture: Option<Spanned<MapText>>,
-    height: Option<Spanned<MapText>>,
-    object: Vec<Spanned<ObjectText>>,
-    emboss: Option<EmbossText>,
-    orbit: Option<Spanned<OrbitText>>,
+    image: Table<ImageText>,
+    camera: Option<Spanned<Table<CameraText>>>,
+    light: Vec<Spanned<Table<LightText>>>,
+    ambient: Table<AmbientText>,
+    material: Table<MaterialText>,
+    texture: Option<Spanned<Table<MapText>>>,
+    height: Option<Spanned<Table<MapText>>>,
+    object: Vec<Spanned<Table<ObjectText>>>,
+    emboss: Option<Table<EmbossText>>,
+    orbit: Option<Spanned<Table<OrbitText>>>,
 }
 
 #[derive(Default, Deserialize)]
@@ -161,7 +161,7 @@ struct ObjectText {
     scale: Option<Spanned<Scale>>,
     crease_degrees: Real,
     #[serde(default)]
-    material: MaterialText,
+    material: Table<MaterialText>,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Deserialize)]
@@ -414,8 +414,8 @@ impl Reader<'_> {
         })
     }
 
-    fn camera(&self, given: Option<&Spanned<CameraText>>) -> Result<Camera> {
-        let default = CameraText::default();
+    fn camera(&self, given: Option<&Spanned<Table<CameraText>>>) -> Result<Camera> {
+        let default = Table::default();
         let camera = given.map_or(&default, Spanned::get_ref);
         let projection = match camera.projection {
             ProjectionText::Perspective => {
@@ -456,7 +456,7 @@ impl Reader<'_> {
         Ok(Camera { projection, eye, target, up })
     }
 
-    fn lights(&self, given: &[Spanned<LightText>]) -> Result<Vec<Light>> {
+    fn lights(&self, given: &[Spanned<Table<LightText>>]) -> Result<Vec<Light>> {
         if given.len() > MAX_LIGHTS {
             let problem = format!("{} lights: legal are 1 to {MAX_LIGHTS}", given.len());
             return Err(self.fail(&given[MAX_LIGHTS].span(), problem));
@@ -488,8 +488,8 @@ impl Reader<'_> {
         Ok(Light { place, intensity: self.real("intensity", &light.intensity, 1.0, 0.0..=1.0)? })
     }
 
-    fn emboss(&self, given: Option<&EmbossText>) -> Result<Emboss> {
-        let left_out = EmbossText::default();
+    fn emboss(&self, given: Option<&Table<EmbossText>>) -> Result<Emboss> {
+        let left_out = Table::default();
         let emboss = given.unwrap_or(&left_out);
         let gain_log2 = match &emboss.gain_log2 {
             None => 0,
@@ -513,7 +513,11 @@ impl Reader<'_> {
     }
 
     /// The path of a light.
-    fn orbit(&self, given: Option<&Spanned<OrbitText>>, lights: &[Light]) -> Result<Option<Orbit>> {
+    fn orbit(
+        &self,
+        given: Option<&Spanned<Table<OrbitText>>>,
+        lights: &[Light],
+    ) -> Result<Option<Orbit>> {
         let Some(given) = given else { return Ok(None) };
         let orbit = given.get_ref();
         let last = u32::try_from(lights.len() - 1).expect("bug: eight lights at most");
@@ -546,8 +550,11 @@ impl Reader<'_> {
     }
 
     /// The texture, and what it was made from.
-    fn texture(&self, given: Option<&Spanned<MapText>>) -> Result<(Texture, Option<Samples>)> {
-        let default = MapText::default();
+    fn texture(
+        &self,
+        given: Option<&Spanned<Table<MapText>>>,
+    ) -> Result<(Texture, Option<Samples>)> {
+        let default = Table::default();
         let map = given.map_or(&default, Spanned::get_ref);
         self.refuse("scale", &map.scale, "it is for `[height]`")?;
         match self.origin(map, given)? {
@@ -568,8 +575,12 @@ impl Reader<'_> {
     }
 
     /// The bumps; a surface that was made for the texture isn't made again.
-    fn bumps(&self, given: Option<&Spanned<MapText>>, made: Option<Samples>) -> Result<Bumps> {
-        let default = MapText::default();
+    fn bumps(
+        &self,
+        given: Option<&Spanned<Table<MapText>>>,
+        made: Option<Samples>,
+    ) -> Result<Bumps> {
+        let default = Table::default();
         let map = given.map_or(&default, Spanned::get_ref);
         self.refuse("color", &map.color, "it is for `[texture]`")?;
         let scale = self.real("scale", &map.scale, 4.0, -FAR..=FAR)?;
@@ -585,7 +596,7 @@ impl Reader<'_> {
         }
     }
 
-    fn origin(&self, map: &MapText, given: Option<&Spanned<MapText>>) -> Result<Origin> {
+    fn origin(&self, map: &MapText, given: Option<&Spanned<Table<MapText>>>) -> Result<Origin> {
         let span = given.map(Spanned::span).unwrap_or_default();
         if let Some(file) = &map.file {
             if map.source.is_some() {
@@ -613,7 +624,11 @@ impl Reader<'_> {
         })
     }
 
-    fn object(&self, given: &Spanned<ObjectText>, files: &mut Files) -> Result<(Shape, Placement)> {
+    fn object(
+        &self,
+        given: &Spanned<Table<ObjectText>>,
+        files: &mut Files,
+    ) -> Result<(Shape, Placement)> {
         let object = given.get_ref();
         let scale = match &object.scale {
             None => [1.0; 3],

@@ -595,7 +595,7 @@ impl Surfaces {
 
 impl Face {
     /// A face, its corners put in such an order that its own side is that of its unit normals. In place of a
-    /// normal of 0 it takes its own.
+    /// normal of 0 it takes its own, on the side of those that it has.
     pub(super) fn new(
         place: Place,
         points: [DVec3; 3],
@@ -603,11 +603,13 @@ impl Face {
         normals: [DVec3; 3],
     ) -> Self {
         let square = (points[1] - points[0]).cross(points[2] - points[0]);
-        let own = |normal| if normal == DVec3::ZERO { square.normalize_or_zero() } else { normal };
+        let turned = square.dot(normals[0] + normals[1] + normals[2]) < 0.0;
+        let side = if turned { -square } else { square }.normalize_or_zero();
+        let own = |normal| if normal == DVec3::ZERO { side } else { normal };
         let normals = normals.map(own);
         let flat = normals[0] == normals[1] && normals[0] == normals[2];
         let mut face = Self { place, points, uvs, normals, flat };
-        if square.dot(normals[0] + normals[1] + normals[2]) < 0.0 {
+        if turned {
             face.points.swap(1, 2);
             face.uvs.swap(1, 2);
             face.normals.swap(1, 2);

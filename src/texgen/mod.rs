@@ -34,7 +34,7 @@ pub mod gx;
 pub mod nv;
 mod opengl;
 
-use crate::document::Document;
+use crate::document::{Document, Table};
 use crate::error::Result;
 use crate::escape;
 use serde::{Deserialize, Serialize};
@@ -47,7 +47,7 @@ use toml::Spanned;
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Calls {
-    limits: Option<Spanned<nv::Limits>>,
+    limits: Option<Spanned<Table<nv::Limits>>>,
     gx: Vec<Spanned<gx::Call>>,
     nv: Vec<Spanned<nv::Call>>,
 }
@@ -212,7 +212,7 @@ impl Calls {
             events.push(Event { api: Setting::Gx, number, span, call, outcome });
         }
         let limits =
-            self.limits.as_ref().map_or_else(nv::Limits::default, |limits| *limits.get_ref());
+            self.limits.as_ref().map_or_else(nv::Limits::default, |limits| **limits.get_ref());
         let mut state = nv::State::new(limits);
         for (number, call) in (1..).zip(&self.nv) {
             let outcome = state.call(call.get_ref()).map_err(Refusal::from);

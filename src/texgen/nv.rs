@@ -57,6 +57,16 @@ pub enum Call {
         #[serde(alias = "params")]
         param: Spanned<Param>,
     },
+    /// The same by a command that takes one value, and so no plane: glTexGend, f or i.
+    TexGenValue {
+        /// S, T, R or Q.
+        coord: String,
+        /// TEXTURE_GEN_MODE, EMBOSS_LIGHT_NV or EMBOSS_CONSTANT_NV.
+        pname: String,
+        /// A token or a number.
+        #[serde(alias = "params")]
+        param: Spanned<Param>,
+    },
     /// Tells a parameter of a coordinate.
     GetTexGen {
         /// S, T, R or Q.
@@ -88,8 +98,20 @@ const JUDGED: [&str; 6] =
     ["ActiveTexture", "TexGen", "GetTexGen", "Enable", "Disable", "IsEnabled"];
 
 /// Those of the others that may change what is kept here, in a way that isn't followed.
-const NOT_FOLLOWED: [&str; 6] =
-    ["PushAttrib", "PopAttrib", "NewList", "EndList", "CallList", "CallLists"];
+const NOT_FOLLOWED: [&str; 11] = [
+    "PushAttrib",
+    "PopAttrib",
+    "NewList",
+    "EndList",
+    "CallList",
+    "CallLists",
+    // Which arrays the client has.
+    "EnableClientState",
+    "DisableClientState",
+    "InterleavedArrays",
+    "PushClientAttrib",
+    "PopClientAttrib",
+];
 
 impl Call {
     /// The variant of a command, with or without its `gl`.
@@ -104,6 +126,9 @@ impl Call {
             let end = plain.strip_prefix(of).map(|end| end.strip_suffix('v').unwrap_or(end));
             end.is_some_and(|end| ["", "d", "f", "i"].contains(&end))
         };
+        if ["TexGend", "TexGenf", "TexGeni"].contains(&plain) {
+            return Ok(vec!["TexGenValue".to_owned()]);
+        }
         let is = |of: &&&str| **of == plain || (of.ends_with("TexGen") && typed(of));
         if let Some(known) = JUDGED.iter().find(is) {
             return Ok(vec![(*known).to_owned()]);
@@ -117,7 +142,10 @@ impl Call {
 
     /// Where and why a parameter has another number of values than the command reads.
     pub(super) fn miscounted(&self) -> Option<(Range<usize>, String)> {
-        let Self::TexGen { pname, param, .. } = self else { return None };
+        let (Self::TexGen { pname, param, .. } | Self::TexGenValue { pname, param, .. }) = self
+        else {
+            return None;
+        };
         let Param::List(values) = param.get_ref() else { return None };
         let takes = Pname::parse(pname).ok()?.values();
         let many = values.len();
@@ -145,6 +173,18 @@ pub enum Param {
     Flag(bool),
     /// What a pointer points to.
     List(Vec<Param>),
+}
+
+impl Param {
+    /// A finite number.
+    fn number(&self) -> Option<f64> {
+        let number = match self {
+            Self::Integer(number) => cast::f64_of(*number),
+            Self::Number(number) => *number,
+            Self::Token(_) | Self::Flag(_) | Self::List(_) => return None,
+        };
+        number.is_finite().then_some(number)
+    }
 }
 
 /// A coordinate of a unit.
@@ -194,12 +234,14 @@ enum Cap {
     Lighting,
     Light(u8),
     TexGen(Coord),
+    /// An array of the client, which is enabled otherwise.
+    Array(String),
     /// Of OpenGL alone, with the unit that has it.
     Other(Option<u8>, String),
 }
 
-/// A call that is refused. OpenGL answers each with INVALID_ENUM, but for [`Broken::Constant`]: a program in C
-/// can make that call without an error, and refusing it is this tool's own restriction.
+/// A call that is refused. OpenGL answers each with INVALID_ENUM, but for [`Broken::Constant`] and [`Broken::Plane`]: a
+/// program in C can make those calls without an error, and refusing them is this tool's own restriction.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Broken {
     /// A name or a number that is no such token.
@@ -266,6 +308,20 @@ pub enum Broken {
         /// Those that have it.
         takes: &'static str,
     },
+    /// A plane by a command that takes one value.
+    #[error("INVALID_ENUM: {token} by a command of one value: take glTexGendv, fv or iv")]
+    PlaneOfOne {
+        /// The parameter.
+        token: &'static str,
+    },
+    /// A plane that isn't numbers, refused as [`Broken::Constant`] is.
+    #[error("{token} = {given}: legal are four finite numbers")]
+    Plane {
+        /// The parameter.
+        token: &'static str,
+        /// What was given.
+        given: String,
+    },
     /// A constant that is NaN, infinite, or a token. C has all of them as numbers and OpenGL takes them; this
     /// tool doesn't, as no displacement follows from the first two and the last is a mistake.
     #[error(
@@ -282,13 +338,14 @@ impl Broken {
     #[must_use]
     pub fn gl_error(&self) -> Option<&'static str> {
         match self {
-            Self::Constant { .. } => None,
-            Self::Token { .. } | Self::EvenUnit { .. } | Self::RightCoord { .. } => {
-                Some("INVALID_ENUM")
-            }
-            Self::Light { .. }
+            Self::Constant { .. } | Self::Plane { .. } => None,
+            Self::Token { .. }
+            | Self::EvenUnit { .. }
+            | Self::RightCoord { .. }
+            | Self::Light { .. }
             | Self::LightNumber { .. }
             | Self::Unit { .. }
+            | Self::PlaneOfOne { .. }
             | Self::ModeCoord { .. } => Some("INVALID_ENUM"),
         }
     }
@@ -390,7 +447,7 @@ impl fmt::Display for Call {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::ActiveTexture { texture } => write!(f, "glActiveTexture({texture})"),
-            Self::TexGen { coord, pname, param } => {
+            Self::TexGen { coord, pname, param } | Self::TexGenValue { coord, pname, param } => {
                 write!(f, "glTexGen({coord}, {pname}, {})", param.get_ref())
             }
             Self::GetTexGen { coord, pname } => write!(f, "glGetTexGen({coord}, {pname})"),
@@ -539,6 +596,14 @@ impl Generation {
     }
 }
 
+/// A plane. One number stands where a call names no command that takes four.
+fn plane(pname: Pname, param: &Param) -> Result<Param, Broken> {
+    let values = if let Param::List(values) = param { values } else { std::slice::from_ref(param) };
+    let legal = values.iter().all(|value| value.number().is_some());
+    let given = || Broken::Plane { token: pname.name(), given: param.to_string() };
+    legal.then(|| param.clone()).ok_or_else(given)
+}
+
 /// The number of LIGHT0.
 const LIGHT0: i64 = 0x4000;
 
@@ -551,7 +616,12 @@ pub struct State {
     lighting: bool,
     /// What else is enabled, with the unit where each has its own.
     others: BTreeSet<(Option<u8>, String)>,
+    /// Unknown names for which the nearest one may still be looked for.
+    hints: u32,
 }
+
+/// Most unknown names for which a hint is looked for: each is compared to all that can be enabled.
+const MAX_HINTS: u32 = 1000;
 
 impl State {
     /// The initial state, with 1 to 255 lights and units: limits past those are taken as those.
@@ -567,6 +637,7 @@ impl State {
             lights: vec![false; count(limits.lights)],
             lighting: false,
             others: ["DITHER", "MULTISAMPLE"].map(|cap| (None, cap.to_owned())).into(),
+            hints: MAX_HINTS,
         }
     }
 
@@ -599,20 +670,23 @@ impl State {
         found.ok_or_else(|| Broken::LightNumber { given: param.to_string(), last })
     }
 
-    fn cap(&self, text: &str) -> Result<Cap, Broken> {
+    fn cap(&mut self, text: &str) -> Result<Cap, Broken> {
         if let Some(light) = self.light(text) {
             return Ok(Cap::Light(light?));
         }
         let known = opengl::capability(bare(text)).ok_or_else(|| {
-            let numbered = ["LIGHT0", "CLIP_PLANE0"].into_iter();
             let legal =
                 "what glEnable takes in OpenGL 1.x, such as LIGHTING, LIGHTi, TEXTURE_GEN_S";
-            Broken::token("cap", text, legal, opengl::capabilities().chain(numbered))
+            let left = if self.hints > 0 { usize::MAX } else { 0 };
+            self.hints = self.hints.saturating_sub(1);
+            let known = opengl::capabilities().chain(["LIGHT0"]).take(left);
+            Broken::token("cap", text, legal, known)
         })?;
         let coord = known.strip_prefix("TEXTURE_GEN_").and_then(Coord::named);
         Ok(match (known, coord) {
             ("LIGHTING", _) => Cap::Lighting,
             (_, Some(coord)) => Cap::TexGen(coord),
+            _ if known.ends_with("_ARRAY") => Cap::Array(known.to_owned()),
             (_, None) => {
                 let unit = opengl::is_of_unit(known).then_some(self.active);
                 Cap::Other(unit, known.to_owned())
@@ -626,6 +700,7 @@ impl State {
             Cap::Lighting => self.lighting = on,
             Cap::Light(light) => self.lights[usize::from(light)] = on,
             Cap::TexGen(coord) => self.generation_mut(coord).enabled = on,
+            Cap::Array(_) => {}
             Cap::Other(unit, name) if on => {
                 self.others.insert((unit, name));
             }
@@ -646,6 +721,9 @@ impl State {
                 format!("TEXTURE_GEN_{coord:?}"),
                 self.generation(*coord).enabled,
             ),
+            Cap::Array(name) => {
+                return format!("{name}: passed on; arrays of the client aren't followed");
+            }
             Cap::Other(unit, name) => {
                 (*unit, name.clone(), self.others.contains(&(*unit, name.clone())))
             }
@@ -707,20 +785,14 @@ impl State {
                 }
                 self.generation_mut(coord).mode = mode;
             }
-            Pname::ObjectPlane => self.generation_mut(coord).object_plane = param.clone(),
-            Pname::EyePlane => self.generation_mut(coord).eye_plane = param.clone(),
+            Pname::ObjectPlane => self.generation_mut(coord).object_plane = plane(pname, param)?,
+            Pname::EyePlane => self.generation_mut(coord).eye_plane = plane(pname, param)?,
             Pname::Light => {
                 self.generation_mut(coord).light = self.emboss_light(param)?;
             }
             Pname::Constant => {
-                let number = match param {
-                    Param::Integer(number) => Some(cast::f64_of(*number)),
-                    Param::Number(number) => Some(*number),
-                    Param::Token(_) | Param::Flag(_) | Param::List(_) => None,
-                };
-                let finite = number.filter(|number| number.is_finite());
-                let given = param.to_string();
-                self.generation_mut(coord).constant = finite.ok_or(Broken::Constant { given })?;
+                let given = || Broken::Constant { given: param.to_string() };
+                self.generation_mut(coord).constant = param.number().ok_or_else(given)?;
             }
         }
         Ok(())
@@ -746,8 +818,11 @@ impl State {
                 self.active = unit;
                 Ok(format!("texture unit {} is active", self.active))
             }
-            Call::TexGen { coord, pname, param } => {
+            Call::TexGen { coord, pname, param } | Call::TexGenValue { coord, pname, param } => {
                 let (coord, pname) = (Coord::parse(coord)?, Pname::parse(pname)?);
+                if matches!(call, Call::TexGenValue { .. }) && pname.values() > 1 {
+                    return Err(Broken::PlaneOfOne { token: pname.name() });
+                }
                 self.texgen(coord, pname, param.get_ref())?;
                 Ok(self.told(coord, pname))
             }
@@ -756,7 +831,10 @@ impl State {
             }
             Call::Enable { cap } => self.enable(cap, true),
             Call::Disable { cap } => self.enable(cap, false),
-            Call::IsEnabled { cap } => Ok(self.told_enabled(&self.cap(cap)?)),
+            Call::IsEnabled { cap } => {
+                let cap = self.cap(cap)?;
+                Ok(self.told_enabled(&cap))
+            }
             Call::Other(calls) => {
                 let followed = calls.keys().all(|name| !NOT_FOLLOWED.contains(&command(name)));
                 let not = "passed on; what it does to the state that is judged here isn't followed";

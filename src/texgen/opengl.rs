@@ -53,19 +53,19 @@ const COMMANDS: &[&str] = &[
     "Frustum",
     "GenLists",
     "GenTextures",
-    "Get{Boolean|Double|Float|Integer|Pointer}v",
+    "Get{|Booleanv|Doublev|Floatv|Integerv|Pointerv}",
     "GetClipPlane",
     "GetError",
-    "GetLight{f|i}v",
-    "GetMap{d|f|i}v",
-    "GetMaterial{f|i}v",
-    "GetPixelMap{f|ui|us}v",
+    "GetLight{|fv|iv}",
+    "GetMap{|dv|fv|iv}",
+    "GetMaterial{|fv|iv}",
+    "GetPixelMap{|fv|uiv|usv}",
     "GetPolygonStipple",
     "GetString",
-    "GetTexEnv{f|i}v",
+    "GetTexEnv{|fv|iv}",
     "GetTexImage",
-    "GetTexLevelParameter{f|i}v",
-    "GetTexParameter{f|i}v",
+    "GetTexLevelParameter{|fv|iv}",
+    "GetTexParameter{|fv|iv}",
     "Hint",
     "Index{|d|f|i|s|ub}{|v}",
     "IndexMask",
@@ -132,7 +132,7 @@ const COMMANDS: &[&str] = &[
     "{|Copy}ConvolutionFilter{1D|2D}",
     "ConvolutionParameter{|f|i}{|v}",
     "DrawRangeElements",
-    "Get{ColorTable|Convolution|Histogram|Minmax}Parameter{f|i}v",
+    "Get{ColorTable|Convolution|Histogram|Minmax}Parameter{|fv|iv}",
     "Get{ColorTable|ConvolutionFilter|Histogram|Minmax|SeparableFilter}",
     "{|Reset}Histogram",
     "{|Reset}Minmax",
@@ -157,47 +157,52 @@ const COMMANDS: &[&str] = &[
     "BindBuffer",
     "Buffer{|Sub}Data",
     "{Delete|Gen}{Buffers|Queries}",
-    "GetBuffer{Parameteriv|Pointerv|SubData}",
-    "GetQuery{iv|Objectiv|Objectuiv}",
+    "GetBuffer{Parameter|Parameteriv|Pointer|Pointerv|SubData}",
+    "GetQuery{|iv|Object|Objectiv|Objectuiv}",
     "Is{Buffer|Query}",
-    "{|Un}MapBuffer",
+    "{Map|Unmap}Buffer",
     // NV_register_combiners, with which the specification subtracts the two samples
-    "CombinerParameter{f|i}{|v}NV",
+    "CombinerParameter{|f|i}{|v}NV",
     "{Combiner|FinalCombiner}InputNV",
     "CombinerOutputNV",
-    "GetCombiner{Input|Output}Parameter{f|i}vNV",
-    "GetFinalCombinerInputParameter{f|i}vNV",
+    "GetCombiner{Input|Output}Parameter{|fv|iv}NV",
+    "GetFinalCombinerInputParameter{|fv|iv}NV",
 ];
 
-/// What can be enabled, but for lights and clip planes, which are numbered.
+/// What can be enabled, but for lights, which are numbered; with the ends that extensions gave it.
 const CAPABILITIES: &[&str] = &[
     "{ALPHA|DEPTH|SCISSOR|STENCIL}_TEST",
     "AUTO_NORMAL",
     "BLEND",
-    "COLOR_{LOGIC_OP|MATERIAL|SUM}",
+    "CLIP_PLANE{0|1|2|3|4|5}",
+    "COLOR_{LOGIC_OP|MATERIAL}",
+    "COLOR_SUM{|_ARB|_EXT}",
     "{|POST_COLOR_MATRIX_|POST_CONVOLUTION_}COLOR_TABLE",
-    "CONVOLUTION_{1D|2D}",
+    "CONVOLUTION_{1D|2D}{|_EXT}",
     "CULL_FACE",
     "DITHER",
     "FOG",
-    "HISTOGRAM",
+    "HISTOGRAM{|_EXT}",
     "{|INDEX_}LOGIC_OP",
     "LIGHTING",
     "LINE_{SMOOTH|STIPPLE}",
     "MAP{1|2}_{COLOR_4|INDEX|NORMAL|TEXTURE_COORD_1|TEXTURE_COORD_2|TEXTURE_COORD_3|TEXTURE_COORD_4|VERTEX_3|VERTEX_4}",
-    "MINMAX",
-    "MULTISAMPLE",
+    "MINMAX{|_EXT}",
+    "MULTISAMPLE{|_ARB|_EXT|_SGIS}",
     "NORMALIZE",
-    "POINT_{SMOOTH|SPRITE}",
+    "POINT_SMOOTH",
+    "POINT_SPRITE{|_ARB|_NV}",
     "POLYGON_{SMOOTH|STIPPLE|OFFSET_FILL|OFFSET_LINE|OFFSET_POINT}",
-    "RESCALE_NORMAL",
-    "SAMPLE_{ALPHA_TO_COVERAGE|ALPHA_TO_ONE|COVERAGE}",
-    "SEPARABLE_2D",
-    "TEXTURE_{1D|2D|3D|CUBE_MAP}",
+    "RESCALE_NORMAL{|_EXT}",
+    "SAMPLE_{ALPHA_TO_COVERAGE|ALPHA_TO_ONE|COVERAGE}{|_ARB}",
+    "SEPARABLE_2D{|_EXT}",
+    "TEXTURE_{1D|2D}",
+    "TEXTURE_3D{|_EXT}",
+    "TEXTURE_CUBE_MAP{|_ARB|_EXT}",
     "TEXTURE_GEN_{S|T|R|Q}",
-    "{COLOR|EDGE_FLAG|FOG_COORD|INDEX|NORMAL|SECONDARY_COLOR|TEXTURE_COORD|VERTEX}_ARRAY",
+    "{COLOR|EDGE_FLAG|FOG_COORD|INDEX|NORMAL|SECONDARY_COLOR|TEXTURE_COORD|VERTEX}_ARRAY{|_EXT}",
     "{REGISTER_COMBINERS|PER_STAGE_CONSTANTS}_NV",
-    "TEXTURE_RECTANGLE_NV",
+    "TEXTURE_RECTANGLE_{ARB|EXT|NV}",
 ];
 
 /// Ends of names that were extensions before they were OpenGL's own.
@@ -219,15 +224,14 @@ fn expanded(pattern: &str) -> Vec<String> {
     choices.split('|').flat_map(each).collect()
 }
 
-/// A name as the table has it: as it is, or without the end of an extension.
-fn core<'a>(known: &BTreeSet<String>, name: &'a str, joint: &str) -> Option<&'a str> {
-    let ends = VENDORS.iter().filter_map(|end| name.strip_suffix(end)?.strip_suffix(joint));
-    std::iter::once(name).chain(ends).find(|name| known.contains(*name))
+/// A name without the end of an extension.
+fn plain(name: &str) -> Option<&str> {
+    VENDORS.iter().find_map(|end| name.strip_suffix(end))
 }
 
 /// True if there is a command of this name, given without `gl`.
 pub(super) fn is_command(name: &str) -> bool {
-    core(&ALL_COMMANDS, name, "").is_some()
+    ALL_COMMANDS.contains(name) || plain(name).is_some_and(|name| ALL_COMMANDS.contains(name))
 }
 
 /// Names of the commands.
@@ -237,8 +241,9 @@ pub(super) fn commands() -> impl Iterator<Item = &'static str> {
 
 /// What can be enabled, by its name without `GL_` and without the end of an extension.
 pub(super) fn capability(name: &str) -> Option<&str> {
-    core(&ALL_CAPABILITIES, name, "_")
-        .or_else(|| super::gx::numbered(name, "CLIP_PLANE").map(|_| name))
+    let known = ALL_CAPABILITIES.contains(name).then_some(name)?;
+    let core = plain(name).and_then(|name| name.strip_suffix('_'));
+    Some(core.filter(|core| ALL_CAPABILITIES.contains(*core)).unwrap_or(known))
 }
 
 /// Names of what can be enabled.

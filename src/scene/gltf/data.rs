@@ -136,7 +136,7 @@ impl<'a> Buffers<'a> {
                 Some(place) => *place,
                 None => {
                     let bytes = match (&buffer.uri, binary) {
-                        (Some(uri), _) if uri.starts_with("data:") => {
+                        (Some(uri), _) if is_data(uri) => {
                             let bytes = decoded(uri).ok_or_else(|| {
                                 fail(format!(
                                     "buffer {i}: its data URI can't be decoded: it is `data:;base64,` and base64, or `data:,` and bytes as %00 to %ff"
@@ -181,6 +181,11 @@ impl<'a> Buffers<'a> {
     }
 }
 
+/// True if a URI has its data in itself: schemes are so in any case.
+fn is_data(uri: &str) -> bool {
+    uri.get(..5).is_some_and(|scheme| scheme.eq_ignore_ascii_case("data:"))
+}
+
 /// The bytes of a data URI, as text with %XX or as base64.
 fn decoded(uri: &str) -> Option<Vec<u8>> {
     Some(DataUrl::process(uri).ok()?.decode_to_vec().ok()?.0)
@@ -214,6 +219,17 @@ impl Component {
             5126 => Self::F32,
             other => return Err(format!("there is no component type {other}")),
         })
+    }
+
+    /// The same of numbers of vertices, joints or elements.
+    fn of_indices(code: u32) -> Result<Self, String> {
+        let component = Self::of(code)?;
+        match component {
+            Self::U8 | Self::U16 | Self::U32 => Ok(component),
+            Self::I8 | Self::I16 | Self::F32 => Err(format!(
+                "indices of component type {code}: legal are 5121, 5123 and 5125, whole numbers without sign"
+            )),
+        }
     }
 
     fn size(self) -> usize {
@@ -286,16 +302,16 @@ impl<'a> Data<'a> {
         self.read(accessor, components).map_err(|why| format!("accessor {index}: {why}"))
     }
 
-    /// The whole numbers of an accessor.
-    pub(super) fn indices(&self, index: usize) -> Result<Vec<usize>, String> {
+    /// The same of one that holds numbers of vertices or joints.
+    pub(super) fn wholes(&self, index: usize, components: usize) -> Result<Vec<usize>, String> {
         let accessor = get(self.accessors, "accessor", index)?;
-        let code = accessor.component_type;
-        if ![5121, 5123, 5125].contains(&code) || accessor.normalized {
-            return Err(format!(
-                "accessor {index}: indices of component type {code}: legal are 5121, 5123 and 5125, without sign and not normalized"
-            ));
+        if accessor.normalized {
+            let problem = "holds indices, which are never normalized";
+            return Err(format!("accessor {index}: {problem}"));
         }
-        Ok(self.reals(index, 1)?.into_iter().map(cast::usize_of).collect())
+        Component::of_indices(accessor.component_type)
+            .map_err(|why| format!("accessor {index}: {why}"))?;
+        Ok(self.reals(index, components)?.into_iter().map(cast::usize_of).collect())
     }
 
     fn read(&self, accessor: &Accessor, components: usize) -> Result<Vec<f64>, String> {
@@ -327,15 +343,14 @@ impl<'a> Data<'a> {
             let indices = Place {
                 view: indices.buffer_view,
                 byte_offset: indices.byte_offset,
-                component: Component::of(indices.component_type)?,
+                component: Component::of_indices(indices.component_type)?,
                 components: 1,
             };
             let indices = self.block(indices, *count)?;
             let by = self.block(place(by.buffer_view, by.byte_offset), *count)?;
             for (index, element) in indices.into_iter().zip(by.chunks_exact(components)) {
                 let start = components * cast::usize_of(index);
-                let to = values.get_mut(start..start + components).filter(|_| index >= 0.0);
-                let to = to.ok_or_else(|| {
+                let to = values.get_mut(start..start + components).ok_or_else(|| {
                     format!("sparse element {index} is named, and there are {}", accessor.count)
                 })?;
                 to.copy_from_slice(element);
@@ -358,8 +373,14 @@ impl<'a> Data<'a> {
         let size = place.component.size();
         let element = size * place.components;
         let stride = view.byte_stride.unwrap_or(element);
+        if stride < element {
+            return Err(format!(
+                "buffer view {} has `byteStride` {stride}, and its elements have {element} bytes",
+                place.view
+            ));
+        }
         // So that the count below can't ask for more memory than the file has bytes.
-        if stride < element || count > bytes.len() {
+        if count > bytes.len() {
             return Err(beyond());
         }
         let mut values = Vec::with_capacity(count * place.components);
