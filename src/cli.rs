@@ -102,10 +102,10 @@ enum Command {
     Eval {
         #[command(flatten)]
         unit: UnitArgs,
-        /// CSV to read; - is the standard input.
+        /// CSV to read; - is the standard input. At a pipe it waits for the other end.
         #[arg(long = "in", value_name = "FILE")]
         input: PathBuf,
-        /// CSV to write; - is the standard output.
+        /// CSV to write; - is the standard output. At a pipe it waits for the other end.
         #[arg(long, value_name = "FILE")]
         out: PathBuf,
         #[command(flatten)]

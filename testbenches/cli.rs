@@ -250,6 +250,7 @@ fn malformed_csv_names_line_and_column_and_leaves_nothing() {
             "line 2, column `theta_n`: `1e999` is not a finite number",
         ),
         (b"phi_a,theta_a,phi_n,theta_n\n1,2,3,\xff\n", "line 2: the text is not UTF-8"),
+        (b"\xff\xfep\0h\0i\0", "line 1: the text is UTF-16: save it as UTF-8"),
     ];
     for (body, message) in cases {
         let folder = tempfile::tempdir().unwrap();

@@ -313,7 +313,7 @@ fn what_a_kill_left_goes_with_the_next_run_and_modes_stay() {
 }
 
 #[test]
-fn a_pipe_without_another_end_is_refused() {
+fn a_pipe_is_waited_for_where_a_command_names_it_and_else_refused() {
     let folder = tempfile::tempdir().unwrap();
     let here = folder.path();
     let fifo = |name: &str| {
@@ -339,16 +339,18 @@ fn a_pipe_without_another_end_is_refused() {
         let message = format!("{file}: can't read: it is a pipe, and a file is needed");
         refused(here, &["render", scene, "--out", "out"], &message);
     }
-    let nobody = "nobody has opened the other end of this pipe";
-    for args in [
-        &["eval", "rotation", "--in", "p", "--out", "out.csv"][..],
-        &["eval", "rotation", "--in", "in.csv", "--out", "p"],
-        &["wave", "rotation", "--in", "p", "--out", "out.vcd"],
-        &["texgen", "p"],
-        &["render", "./p", "--out", "out"],
-        &["sim", "rotation", "--hard", "--cases", "p"],
-    ] {
-        refused(here, args, nobody);
+    // Whoever is late at the other end is waited for, with a note; a signal ends that.
+    let late = "(sleep 4; cat in.csv > p) & \"$0\" eval rotation --in p --out - | grep -c , & \
+                mkfifo q; \"$0\" eval rotation --in in.csv --out q & (sleep 4; grep -c , q) & wait; \
+                mkfifo r; \"$0\" texgen r & sleep 4; kill $!; wait $!; echo $?";
+    let mut bash = Command::new("bash");
+    let outcome = bash.args(["-c", late]).arg(cargo_bin("fixpath")).current_dir(here).output();
+    let outcome = outcome.unwrap();
+    let words = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
+    assert_eq!(words(&outcome.stdout), "2\n2\n143\n");
+    for name in ["p", "q", "r"] {
+        let note = format!("note: {name}: waiting for the other end of this pipe\n");
+        assert!(words(&outcome.stderr).contains(&note), "{}", words(&outcome.stderr));
     }
     // With somebody there it is as any file.
     let script = "cat in.csv > p & \"$0\" eval rotation --in p --out - | grep -c , ; \

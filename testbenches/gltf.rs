@@ -146,6 +146,10 @@ fn transformed(transform: Value, texture: &str, uv_name: &str, uvs: &[f64]) -> F
     let info = json!({ "index": 0, "extensions": { "KHR_texture_transform": transform } });
     file.document["materials"] = match texture {
         "baseColorTexture" => json!([{ "pbrMetallicRoughness": { texture: info } }]),
+        "diffuseTexture" => {
+            let extension = "KHR_materials_pbrSpecularGlossiness";
+            json!([{ "extensions": { extension: { texture: info } } }])
+        }
         _ => json!([{ texture: info }]),
     };
     file.document["extensionsRequired"] = json!(["KHR_texture_transform"]);
@@ -170,26 +174,56 @@ fn skinned() -> File {
     let binds = file.accessor("MAT4", FLOAT, &bind);
     let half = 0.5f64.sqrt();
     // The node of the mesh doesn't move it.
+    // By the two, the square is at x = 3 and at x = -1: weighed, where it was.
     file.document["nodes"] = json!([
         { "mesh": 0, "skin": 0, "translation": [100, 0, 0] },
-        { "children": [2] },
-        { "translation": [2, 0, 0], "rotation": [0, 0, half, half] },
+        { "children": [2], "translation": [3, 0, 0] },
+        { "translation": [-2, 0, 0], "rotation": [0, 0, half, half] },
     ]);
     file.document["scenes"][0]["nodes"] = json!([0, 1]);
     file.document["skins"] = json!([{ "joints": [1, 2], "inverseBindMatrices": binds }]);
     file
 }
 
-/// The square, half of it by its own points, half by a morph target.
+/// The square, half of it by its own points, half by a morph target, which also sets normals and texture coordinates
+/// upright.
 fn morphed() -> File {
     let mut file = File::empty();
     let base: Vec<f64> = POINTS.iter().map(|x| 0.5 * x).collect();
-    file.primitive(&base, &UVS);
+    file.primitive(&base, &UVS.map(|x| x - 1.0));
     let unused = file.accessor("VEC3", FLOAT, &[9.0; 12]);
     let more = file.accessor("VEC3", FLOAT, &POINTS.map(|x| 2.0 * x));
+    let leaning = file.accessor("VEC3", FLOAT, &[1.0, 0.5, 1.0].repeat(4));
+    let upright = file.accessor("VEC3", FLOAT, &[-4.0, -2.0, 0.0].repeat(4));
+    let moved = file.accessor("VEC2", FLOAT, &[4.0; 8]);
     let mesh = &mut file.document["meshes"][0];
-    mesh["primitives"][0]["targets"] = json!([{ "POSITION": unused }, { "POSITION": more }]);
+    mesh["primitives"][0]["attributes"]["NORMAL"] = json!(leaning);
+    mesh["primitives"][0]["targets"] = json!([
+        { "POSITION": unused, "NORMAL": unused },
+        { "POSITION": more, "NORMAL": upright, "TEXCOORD_0": moved },
+    ]);
     mesh["weights"] = json!([0.0, 0.25]);
+    file
+}
+
+/// The square without normals as in a mirror, which what places it undoes: a node, or the joint of a skin.
+fn mirrored(by_skin: bool) -> File {
+    let mut file = File::empty();
+    let points: Vec<f64> = POINTS.chunks(3).flat_map(|p| [-p[0], p[1], p[2]]).collect();
+    let primitive = file.primitive(&points, &UVS);
+    primitive["attributes"].as_object_mut().unwrap().remove("NORMAL");
+    file.document["nodes"] = json!([{ "mesh": 0, "scale": [-1, 1, 1] }]);
+    let corners = file.accessor("SCALAR", UNSIGNED_SHORT, &[0.0, 2.0, 1.0, 0.0, 3.0, 2.0]);
+    file.document["meshes"][0]["primitives"][0]["indices"] = json!(corners);
+    if by_skin {
+        let joints = file.accessor("VEC4", UNSIGNED_SHORT, &[0.0; 16]);
+        let weights = file.accessor("VEC4", FLOAT, &[1.0, 0.0, 0.0, 0.0].repeat(4));
+        let attributes = &mut file.document["meshes"][0]["primitives"][0]["attributes"];
+        (attributes["JOINTS_0"], attributes["WEIGHTS_0"]) = (json!(joints), json!(weights));
+        file.document["nodes"] = json!([{ "mesh": 0, "skin": 0 }, { "scale": [-1, 1, 1] }]);
+        file.document["scenes"][0]["nodes"] = json!([0, 1]);
+        file.document["skins"] = json!([{ "joints": [1] }]);
+    }
     file
 }
 
@@ -274,6 +308,17 @@ fn one_square_in_many_ways() {
     by_node.document["nodes"][0]["weights"] = json!([0.0, 0.25]);
     cases.push(("morph targets by a node", text(by_node)));
     cases.push(("skin", text(skinned())));
+    cases.push(("a node that mirrors", text(mirrored(false))));
+    cases.push(("a joint that mirrors", text(mirrored(true))));
+    let mut flat = File::square();
+    flat.document["nodes"][0]["scale"] = json!([1, 1, 0]);
+    cases.push(("a node that makes flat", text(flat)));
+    let mut hidden = File::square();
+    hidden.document["nodes"] = json!([{ "mesh": 0 }, { "mesh": 0, "scale": [0, 0, 0] }]);
+    hidden.document["scenes"][0]["nodes"] = json!([0, 1]);
+    cases.push(("a part that is hidden", text(hidden)));
+    let capital = |bytes: &[u8]| format!("DATA:application/gltf-buffer;base64,{}", base64(bytes));
+    cases.push(("capital letters", ("gltf", File::square().text(capital))));
 
     let halves: Vec<f64> = UVS.iter().map(|x| 2.0 * x - 0.5).collect();
     let transform = json!({ "scale": [0.5, 0.5], "offset": [0.25, 0.25] });
@@ -287,14 +332,15 @@ fn one_square_in_many_ways() {
         "texture transform of a normal map and another set",
         text(transformed(other_set, "normalTexture", "TEXCOORD_1", &halves)),
     ));
-    // The extension's own example: it shows the lower left quadrant of the image, turned.
-    let example = json!({ "offset": [0, 1], "rotation": FRAC_PI_2, "scale": [0.5, 0.5] });
+    // The extension's own example, which shows the lower left quadrant of the image, turned; with two scales, so that
+    // the order counts.
+    let example = json!({ "offset": [0, 1], "rotation": FRAC_PI_2, "scale": [0.5, 0.25] });
     let turned: Vec<f64> =
-        UVS.chunks(2).flat_map(|uv| [2.0 * (1.0 - uv[1]), 2.0 * uv[0]]).collect();
-    cases.push((
-        "texture transform with a turn",
-        text(transformed(example, "baseColorTexture", "TEXCOORD_0", &turned)),
-    ));
+        UVS.chunks(2).flat_map(|uv| [2.0 * (1.0 - uv[1]), 4.0 * uv[0]]).collect();
+    for texture in ["baseColorTexture", "emissiveTexture", "diffuseTexture"] {
+        let file = transformed(example.clone(), texture, "TEXCOORD_0", &turned);
+        cases.push(("texture transform with a turn", text(file)));
+    }
 
     let mut quantized = extended("KHR_mesh_quantization");
     let points = quantized.accessor("VEC3", SHORT, &POINTS.map(|x| 32767.0 * x));
@@ -339,6 +385,17 @@ fn vertices_are_shared_whatever_the_material() {
     }
     let sharing = scene(&file.gltf(), "gltf").unwrap().assemble().unwrap().sharing();
     assert_eq!((sharing.vertices, sharing.primitives), (4, 6));
+}
+
+/// What a file uses and this doesn't read may change a shape.
+#[test]
+fn extensions_that_are_not_read_are_told() {
+    let mut file = File::square();
+    let used = ["KHR_node_visibility", "KHR_texture_transform", "KHR_materials_unlit"];
+    file.document["extensionsUsed"] = json!(used);
+    let notes = scene(&file.gltf(), "gltf").unwrap().notes().to_vec();
+    assert_eq!(notes.len(), 1, "{notes:?}");
+    assert!(notes[0].ends_with("m.gltf: the extension `KHR_node_visibility` isn't read"));
 }
 
 #[test]
@@ -402,6 +459,33 @@ fn what_is_wrong_is_said() {
     let mut matrix = File::square();
     matrix.document["nodes"][0]["matrix"] = json!(vec![1.0; 17]);
     refused("matrix", &matrix.gltf());
+    let identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+    let mut both = File::square();
+    both.document["nodes"][0] = json!({ "mesh": 0, "matrix": identity, "scale": [1, 1, 1] });
+    refused("matrix", &both.gltf());
+    let mut perspective = File::square();
+    let mut matrix = identity.map(f64::from);
+    matrix[3] = 0.5;
+    perspective.document["nodes"][0]["matrix"] = json!(matrix);
+    refused("matrix", &perspective.gltf());
+    // Whole numbers without sign, wherever they are indices.
+    let mut joints = skinned();
+    let wrong = joints.accessor("VEC4", BYTE, &[0.0, -1.0, 0.0, 0.0].repeat(4));
+    joints.document["meshes"][0]["primitives"][0]["attributes"]["JOINTS_0"] = json!(wrong);
+    refused("joints", &joints.gltf());
+    let mut elements = sparse(Some(&POINTS));
+    elements.document["accessors"][4]["sparse"]["indices"]["componentType"] = json!(FLOAT);
+    refused("elements", &elements.gltf());
+    let mut corners = File::square();
+    let wrong = corners.accessor("SCALAR", SHORT, &CORNERS);
+    corners.document["meshes"][0]["primitives"][0]["indices"] = json!(wrong);
+    refused("corners", &corners.gltf());
+    let mut normalized = File::square();
+    normalized.document["accessors"][3]["normalized"] = json!(true);
+    refused("corners", &normalized.gltf());
+    let mut stride = File::square();
+    stride.document["bufferViews"][0]["byteStride"] = json!(8);
+    refused("stride", &stride.gltf());
 
     let whole = File::square().glb();
     refused("cut", &whole[..whole.len() - 1]);
@@ -431,9 +515,16 @@ fn what_is_wrong_is_said() {
         skin: m.gltf: skin 0: joint 1 isn't in the scene
         set: m.gltf: triangle 0 (they count from 0) has no texture coordinates, by which [texture] lies on it: unwrap it, or leave [texture] out
         matrix: m.gltf: no glTF 2.0: trailing characters at line 1 column 156
+        matrix: m.gltf: node 0: has a `matrix` and beside it `translation`, `rotation` or `scale`: a node has either
+        matrix: m.gltf: node 0: the last row of its `matrix` is [0.5, 0, 0, 1]: legal is [0, 0, 0, 1], without perspective
+        joints: m.gltf: mesh 0, primitive 0: accessor 7: indices of component type 5120: legal are 5121, 5123 and 5125, whole numbers without sign
+        elements: m.gltf: mesh 0, primitive 0: accessor 4: indices of component type 5126: legal are 5121, 5123 and 5125, whole numbers without sign
+        corners: m.gltf: mesh 0, primitive 0: accessor 4: indices of component type 5122: legal are 5121, 5123 and 5125, whole numbers without sign
+        corners: m.gltf: mesh 0, primitive 0: accessor 3: holds indices, which are never normalized
+        stride: m.gltf: mesh 0, primitive 0: accessor 0: buffer view 0 has `byteStride` 8, and its elements have 12 bytes
         cut: m.glb: its .glb container has 839 bytes of 840: the file is cut off, export or copy it again
         chunk: m.glb: the chunk at byte 572 of its .glb container has 2066513208 bytes and reaches beyond the container's 840: the file is damaged
-        encoding: m.gltf: its text is UTF-16: save it as UTF-8
+        encoding: m.gltf: the text is UTF-16: save it as UTF-8
         raw: m.gltf: buffer 0: its data URI can't be decoded: it is `data:;base64,` and base64, or `data:,` and bytes as %00 to %ff
     "#]].assert_eq(&seen);
 }

@@ -813,6 +813,15 @@ fn wrong_scenes_are_refused() {
         "[height]\nscale = inf",
         "[height]\nwidth = 8193",
         "[height]\nwidth = 8000\nheight = 8000",
+        // Arrays, by the order of the keys.
+        "ambient = [0.5, \"more\", [1, 2]]",
+        "image = [8, 8, [0, 0, 0], 99]",
+        "material = [0.1, 0.7, 0.2, 32]",
+        "camera = [\"perspective\"]",
+        "light = [[\"directional\", [1, 2, 3]]]",
+        "texture = [\"wood\"]",
+        "emboss = [1.5, \"nearest\"]",
+        "orbit = [12]",
     ] {
         let error = Scene::parse(&format!("{text}\n{object}"), Path::new("s.toml")).unwrap_err();
         assert!(!error.is_failed_check());
@@ -835,6 +844,8 @@ fn wrong_scenes_are_refused() {
         "[[object]]\nshape = \"cube\"\ncolor = 1",
         "[[object]]\nshape = \"cube\"\nrotate_degrees = [0, inf, 0]",
         "[[object]]\nshape = \"cube\"\n\nmaterial = { specular = 2 }",
+        "[[object]]\nshape = \"cube\"\n\nmaterial = [0.1]",
+        "object = [[\"cube\"]]",
     ] {
         let error = Scene::parse(text, Path::new("s.toml")).unwrap_err();
         writeln!(seen, "{error}").unwrap();
@@ -884,6 +895,14 @@ fn wrong_scenes_are_refused() {
         s.toml, line 2: `scale` = inf: legal is -1000000 to 1000000
         s.toml, line 2: `width` = 8193: legal are whole numbers 1 to 8192
         s.toml, line 1: a map of 8000 x 8000 texels: legal are sides of 1 to 8192 and at most 33554432 texels; scale it down
+        s.toml, line 1: invalid type: sequence, expected a table in `ambient = [0.5, "more", [1, 2]]`
+        s.toml, line 1: invalid type: sequence, expected a table in `image = [8, 8, [0, 0, 0], 99]`
+        s.toml, line 1: invalid type: sequence, expected a table in `material = [0.1, 0.7, 0.2, 32]`
+        s.toml, line 1: invalid type: sequence, expected a table in `camera = ["perspective"]`
+        s.toml, line 1: invalid type: sequence, expected a table in `light = [["directional", [1, 2, 3]]]`
+        s.toml, line 1: invalid type: sequence, expected a table in `texture = ["wood"]`
+        s.toml, line 1: invalid type: sequence, expected a table in `emboss = [1.5, "nearest"]`
+        s.toml, line 1: invalid type: sequence, expected a table in `orbit = [12]`
         s.toml: 0 objects: legal are 1 to 1000; an object is `[[object]]` with `shape = "sphere"` below it
         s.toml, line 1: missing field `shape` in `[[object]]`
         s.toml, line 2: unknown variant `torus`, expected one of `plane`, `cube`, `sphere`, `mesh` in `shape = "torus"`
@@ -900,6 +919,8 @@ fn wrong_scenes_are_refused() {
         s.toml, line 3: unknown field `color`, expected one of `shape`, `file`, `source`, `translate`, `rotate_degrees`, `scale`, `crease_degrees`, `material` in `color = 1`
         s.toml, line 3: `rotate_degrees` = inf: legal is -1000000 to 1000000
         s.toml, line 4: `specular` = 2: legal is 0 to 1
+        s.toml, line 4: invalid type: sequence, expected a table in `material = [0.1]`
+        s.toml, line 1: invalid type: sequence, expected a table in `object = [["cube"]]`
     "#]].assert_eq(&seen);
     assert!(Scene::open(Path::new("/nowhere/scene.toml")).is_err());
 }
@@ -979,6 +1000,9 @@ fn wrong_files_are_refused() {
         refused(bumpy, name, format!("{SQUARE}{faces}").as_bytes());
     }
     refused(bumpy, "late.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1/1 2/1/1 3/1/1\nvn 0 0 1");
+    // Without a list to name from, an index is still one.
+    refused(bumpy, "no_index.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1/x 2/1/y 3/1/z");
+    refused(bumpy, "no_zero.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/0 2/0 3/0");
     let wide = |bytes: fn(u16) -> [u8; 2]| -> Vec<u8> {
         "\u{feff}v 0 0 0\n".encode_utf16().flat_map(bytes).collect()
     };
@@ -1005,7 +1029,7 @@ fn wrong_files_are_refused() {
         ("lines.glb", "\"indices\": 3", "\"indices\": 3, \"mode\": 1"),
         ("strip.glb", "\"count\": 36, \"type\": \"SCALAR\"", "\"count\": 2, \"type\": \"SCALAR\""),
         ("loop.glb", "\"mesh\": 0", "\"mesh\": 0, \"children\": [0]"),
-        ("singular.glb", "\"rotation\": [0, 0, 0, 1]", "\"scale\": [1, 1, 0]"),
+        ("hidden.glb", "\"rotation\": [0, 0, 0, 1]", "\"scale\": [0, 0, 0]"),
         ("huge.glb", "\"rotation\": [0, 0, 0, 1]", "\"scale\": [1e9, 1e9, 1e9]"),
         (
             "draco.glb",
@@ -1144,6 +1168,12 @@ fn one_square_as_many_obj_files() {
         ("three texture coordinates", plain.replace("vt 0 0", "vt 0 0 7"), vec![]),
         ("one texture coordinate", plain.replace("vt 1 0", "vt 1"), vec![]),
         ("names", format!("mtllib a b.mtl\no \ng f 1\nusemtl m#1\ns off\n{plain}"), vec![]),
+        ("names of folders", format!("g C:\\dir\\\n{v}usemtl \\\n{vt}{vn}o a\\ \n{f}"), vec![]),
+        (
+            "out and back",
+            format!("{plain}f 1 2 3 2\n"),
+            vec!["triangles without area left out: 2, the first in line 11"],
+        ),
         ("old", plain.replace("f ", "fo "), vec![]),
         ("from behind", [v, vt, vn, "f -4/-4/-1 -3/-3/-1 -2/-2/-1 -1/-1/-1"].concat(), vec![]),
         (
@@ -1289,6 +1319,25 @@ fn normals_are_made_by_angle_up_to_creases() {
             let expected = (DVec3::Z * (1.0 + x) - slope(x) * x).normalize();
             assert!((n - expected).length() < 1e-12, "{x} {y}: {n}");
         }
+    }
+}
+
+/// Where some corners of a triangle have normals, its side is theirs, also for what is made at the others.
+#[test]
+fn made_normals_are_on_the_side_of_those_given() {
+    let square = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvn 0 0 0.1\n";
+    // The first turns the other way round; each lacks normals elsewhere.
+    for (faces, lacks) in [
+        ("f 4 3//1 2//1\nf 4//1 2//1 1//1\n", 1),
+        ("f 4//1 3 2\nf 1 2 4//1\n", 4),
+        ("f 4//1 3 2\nf 1 2 4\n", 5),
+    ] {
+        let (scene, f) = made_normals(&format!("{square}{faces}"), "", "");
+        assert!(scene.notes()[0].contains(&format!("{lacks} of 6 corners")), "{faces}");
+        assert!(f.len() > 400, "{faces}");
+        assert!((0..f.len()).all(|i| normal(&f, i) == DVec3::Z), "{faces}");
+        let faceted = traced(&scene.faceted().unwrap());
+        assert_eq!((&faceted.pixel, &faceted.normal), (&f.pixel, &f.normal), "{faces}");
     }
 }
 

@@ -802,10 +802,30 @@ fn what_opengl_has_itself_is_kept_or_passed_on() {
             assert_eq!(effects(&toml), [format!("unit 0: {name} of S = [1, 0.5, 0, -2]")]);
         }
     }
+    // `TexGen` alone says neither of one value nor of a pointer to four; glTexGenf does.
     assert_eq!(
         effects(&plane("TexGen", "OBJECT_PLANE", "param = 1.0")),
         ["unit 0: OBJECT_PLANE of S = 1"]
     );
+    let refused = |call: &str, value: &str| {
+        let outcome = run(&plane(call, "OBJECT_PLANE", value));
+        let refused = outcome.events.into_iter().next().unwrap().outcome.unwrap_err();
+        (refused.gl_error, refused.message)
+    };
+    for call in ["TexGend", "glTexGenf", "TexGeni"] {
+        let message =
+            "INVALID_ENUM: OBJECT_PLANE by a command of one value: take glTexGendv, fv or iv";
+        assert_eq!(refused(call, "param = 1"), (Some("INVALID_ENUM"), message.to_owned()));
+    }
+    for (value, told) in [
+        ("param = \"FOO\"", "FOO"),
+        ("param = nan", "NaN"),
+        ("params = [\"FOO\", true, [1, 2], nan]", "[FOO, TRUE, [1, 2], NaN]"),
+        ("params = [1, 0, inf, 0]", "[1, 0, inf, 0]"),
+    ] {
+        let message = format!("OBJECT_PLANE = {told}: legal are four finite numbers");
+        assert_eq!(refused("TexGen", value), (None, message));
+    }
     for (coord, plane) in [("S", "[1, 0, 0, 0]"), ("T", "[0, 1, 0, 0]"), ("Q", "[0, 0, 0, 0]")] {
         for call in ["GetTexGen", "glGetTexGeniv", "glGetTexGenfv", "GetTexGendv"] {
             let got = nv(&format!("{call} coord={coord} pname=EYE_PLANE"));
@@ -862,6 +882,24 @@ fn what_opengl_has_itself_is_kept_or_passed_on() {
         assert_eq!(told(7), format!("{unit}{name} disabled"));
     }
     assert_eq!(nv("IsEnabled cap=DITHER").events[0].outcome.as_deref(), Ok("DITHER enabled"));
+    for wrong in ["CLIP_PLANE6", "CLIP_PLANE999", "DITHER_NV", "TEXTURE_CUBE_MAP_SGIS"] {
+        assert_eq!(nv(&format!("Enable cap={wrong}")).problems(), 1, "{wrong}");
+    }
+    // Arrays are enabled by another command.
+    let arrays = "EnableClientState array=VERTEX_ARRAY\nIsEnabled cap=VERTEX_ARRAY";
+    let told: Vec<String> =
+        nv(arrays).events.into_iter().map(|event| event.outcome.unwrap()).collect();
+    assert_eq!(
+        told,
+        [
+            "passed on; what it does to the state that is judged here isn't followed",
+            "VERTEX_ARRAY: passed on; arrays of the client aren't followed"
+        ]
+    );
+    for call in ["glUnmapBuffer", "UnmapBufferARB", "GetLight", "glGetPixelMapusv", "GetTexEnv"] {
+        assert_eq!(effects(&format!("[[nv]]\ncall = \"{call}\"\n")), ["passed on"], "{call}");
+    }
+    assert!(Calls::parse("[[nv]]\ncall = \"UnMapBuffer\"\n", "c.toml".as_ref()).is_err());
     // Other commands, with their arguments as they stand.
     let toml = "[[nv]]\ncall = \"glLightfv\"\nlight = \"LIGHT0\"\npname = \"POSITION\"\nparams = [0, 0.5, 1, 0]\n\
                 [[nv]]\ncall = \"MultiTexCoord3fARB\"\ntarget = \"TEXTURE1\"\ns = 1\nt = 0\nr = 0\n\
@@ -883,7 +921,7 @@ fn what_opengl_has_itself_is_kept_or_passed_on() {
     let attrib = effects("[[nv]]\ncall = \"glPopAttrib\"\n");
     assert_eq!(attrib, ["passed on; what it does to the state that is judged here isn't followed"]);
     // Nothing of it changes what is judged.
-    let between = "Enable cap=TEXTURE_2D\nTexGenf coord=S pname=EYE_PLANE param=1\nglFlush\n";
+    let between = "Enable cap=TEXTURE_2D\nTexGen coord=S pname=EYE_PLANE param=1\nglFlush\n";
     assert_eq!(nv(&format!("{DEFINED}{between}")).emboss, nv(DEFINED).emboss);
 }
 
@@ -1112,6 +1150,10 @@ fn malformed_files_are_refused_with_the_line() {
             "calls.toml, line 1: invalid type: integer `3`, expected a sequence in `gx = 3`",
         ),
         ("gx = [3]\n", "calls.toml, line 1: expected a table with `call` in `gx = [3]`"),
+        (
+            "\nlimits = [8, 4, 99]\n",
+            "calls.toml, line 2: invalid type: sequence, expected a table in `limits = [8, 4, 99]`",
+        ),
         (
             "[limits]\nlights = 4\n[[nv]]\ncall = \"Enable\"\ncap = \"LIGHTING\"\n",
             "calls.toml, line 1: `lights` = 4: legal is 8 to 32",

@@ -11,6 +11,7 @@
 
 mod records;
 
+use crate::document::check_encoding;
 use crate::error::{Error, Result, nearest};
 use crate::escape;
 use crate::measure::{case_columns, quantize_input};
@@ -136,7 +137,10 @@ impl<'a, R: Read> SampleFile<'a, R> {
         let names: Option<Vec<String>> = (0..records.len())
             .map(|at| std::str::from_utf8(records.field(at)).ok().map(str::to_owned))
             .collect();
-        let names = names.ok_or_else(|| header(None, NOT_UTF8.to_owned()))?;
+        let names = names.ok_or_else(|| {
+            let other = check_encoding(records.field(0));
+            header(None, other.err().unwrap_or_else(|| NOT_UTF8.to_owned()))
+        })?;
         let mut sources: Vec<[Option<Source>; 3]> = vec![[None, None, None]; ports.len()];
         for (position, name) in names.iter().enumerate() {
             let place = ports.iter().enumerate().find_map(|(port, columns)| {
