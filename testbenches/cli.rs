@@ -220,7 +220,7 @@ fn eval_is_the_reference_on_every_hard_case() {
 #[test]
 fn malformed_csv_names_line_and_column_and_leaves_nothing() {
     let header = "phi_a,theta_a,phi_n,theta_n\n";
-    let cases: [(&[u8], &str); 11] = [
+    let cases: [(&[u8], &str); 12] = [
         (
             b"",
             "in.csv, line 1: the file is empty; its first line should be phi_a,theta_a,phi_n,theta_n",

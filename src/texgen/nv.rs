@@ -2,7 +2,7 @@
 //! the lights that it needs.
 //!
 //! [`State`] is what calls build up; one that OpenGL answers with an error is refused and leaves it as it
-//! was. So is, by this tool's own restriction, a constant that is no finite number. Only what the extension adds is
+//! was. So is, by this tool's own restriction, a constant or a plane of what are no finite numbers. Only what the extension adds is
 //! judged: all else of OpenGL 1.x (planes, what can be enabled, other commands; `opengl` has the names) is
 //! kept as it was given, or passed on. The values of coordinates whose mode is EMBOSS_MAP_NV are defined only if all four
 //! coordinates of the unit have that mode and are enabled, S and T name the same light, and that light
