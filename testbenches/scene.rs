@@ -1099,6 +1099,8 @@ fn wrong_files_are_refused() {
         flat_uv.obj, line 11: triangle 1 (they count from 0) has no area in the texture, so bumps have no direction: unwrap it, or leave [height] out
         mesh.stl: a mesh is an .obj, .gltf or .glb file, by its extension
         late.obj, line 6: the first `vn` comes after line 5, whose corners name one: put it before
+        no_index.obj, line 5: corner `1/1/x` names normal x, and up to here there are 0 (they count from 1)
+        no_zero.obj, line 4: corner `1/0` names texture coordinate 0, and up to here there are 0 (they count from 1)
         little.obj: the text is UTF-16: save it as UTF-8
         big.obj: the text is UTF-16: save it as UTF-8
         painted.obj, line 11: triangle 1 (they count from 0) has no texture coordinates, by which [texture] lies on it: unwrap it, or leave [texture] out
@@ -1107,12 +1109,12 @@ fn wrong_files_are_refused() {
         count.glb: mesh 0, primitive 0: 35 corners don't make whole triangles
         beyond.glb: mesh 0, primitive 0: accessor 1: reaches beyond its buffer
         overflow.glb: mesh 0, primitive 0: accessor 1: reaches beyond its buffer
-        stride.glb: mesh 0, primitive 0: accessor 2: reaches beyond its buffer
+        stride.glb: mesh 0, primitive 0: accessor 2: buffer view 1 has `byteStride` 4, and its elements have 8 bytes
         memory.glb: no glTF 2.0: missing field `count` at line 7 column 82
         lines.glb: has no triangles, but 1 primitives of lines or points: export a surface
         strip.glb: mesh 0, primitive 0: a strip of 2 corners: 3 or more make one
         loop.glb: node 0 has two parents
-        singular.glb: mesh 0, primitive 0: the matrix that places vertex 0 can't be inverted
+        hidden.glb: has no triangles; triangles without area left out: 12
         huge.glb: mesh 0, primitive 0: vertex 0 has 1e9: legal is -1000000 to 1000000
         draco.glb: needs the extension `KHR_draco_mesh_compression`: export without it
         json.glb: no glTF 2.0: expected value at line 1 column 40

@@ -1,12 +1,12 @@
 //! The state of `GL_NV_texgen_emboss` (seed 002): texture units, their generation of coordinates, and
 //! the lights that it needs.
 //!
-//! [`State`] is what calls build up; one that OpenGL answers with an error is refused and leaves it as it
-//! was. So is, by this tool's own restriction, a constant or a plane of what are no finite numbers. Only what the extension adds is
-//! judged: all else of OpenGL 1.x (planes, what can be enabled, other commands; `opengl` has the names) is
-//! kept as it was given, or passed on. The values of coordinates whose mode is EMBOSS_MAP_NV are defined only if all four
-//! coordinates of the unit have that mode and are enabled, S and T name the same light, and that light
-//! and lighting are enabled: [`State::emboss`] gives a configuration, or every condition that fails.
+//! [`State`] is what calls build up; one that OpenGL answers with an error is refused and leaves it as it was. So
+//! is, by this tool's own restriction, a constant or a plane that isn't finite numbers. Only what the extension
+//! adds is judged: all else of OpenGL 1.x (planes, what can be enabled, other commands; `opengl` has the names) is
+//! kept as it was given, or passed on. The values of coordinates whose mode is EMBOSS_MAP_NV are defined only if
+//! all four coordinates of the unit have that mode and are enabled, S and T name the same light, and that light and
+//! lighting are enabled: [`State::emboss`] gives a configuration, or every condition that fails.
 //!
 //! From the seed: tokens, errors, initial values (EYE_LINEAR, 1.0, LIGHT0, for each of four coordinates
 //! of each unit), odd units only, conditions. From OpenGL 1.2 and ARB_multitexture, on which it builds:
