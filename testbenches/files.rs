@@ -206,7 +206,10 @@ fn a_run_takes_away_what_an_earlier_one_made_and_nothing_else() {
     assert!(["a.v", "b.v"].iter().all(|name| here.join("out").join(name).exists()));
     // A list that names what is elsewhere takes nothing from there.
     fs::write(here.join("keep.txt"), "precious").unwrap();
-    let list = format!("../keep.txt\n{}\n", here.join("keep.txt").display());
+    let there = fs::metadata(here.join("keep.txt")).unwrap();
+    let time = there.modified().unwrap().duration_since(std::time::UNIX_EPOCH).unwrap().as_nanos();
+    let keep = format!("{} {time}", there.len());
+    let list = format!("{keep} ../keep.txt\n{keep} {}\n", here.join("keep.txt").display());
     fs::write(here.join("out/.fixpath/hdl-a"), list).unwrap();
     works(here, &[&hdl(&["--name", "a"])[..], &["--out", "out"]].concat());
     assert!(here.join("keep.txt").exists());

@@ -92,10 +92,15 @@ impl Package {
     /// # Errors
     /// If a file can't be written, or another run is writing them.
     pub fn write(&mut self, folder: &Path) -> Result<()> {
-        let set = Set::open(folder, &format!("hdl-{}", self.module.name))?;
+        let set = Set::open(folder, &self.set_name())?;
         self.write_texts(&set.path(), &set.path())?;
         self.write_vectors(&set.path())?;
         set.commit()
+    }
+
+    /// The name of the set that its files are in an output folder.
+    pub(crate) fn set_name(&self) -> String {
+        format!("hdl-{}", self.module.name)
     }
 
     /// Writes all but the vectors.

@@ -3,11 +3,12 @@
 use super::{Scratch, at, check, make_folder, place, real_path, scratch, write_file};
 use crate::error::{Error, Result};
 use crate::input;
-use std::collections::BTreeSet;
-use std::fs::{self, File};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs::{self, File, Metadata};
 use std::io::{self, Read, Write};
 use std::path::{Component, Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
+use std::time::UNIX_EPOCH;
 
 /// Folder in an output folder that tells what was written there.
 const STATE: &str = ".fixpath";
@@ -22,12 +23,13 @@ const LIST: &str = "list";
 ///
 /// They are written into a side folder and take their places together, so that a run that is stopped
 /// leaves all files of one run. Files that the run before made and this one doesn't make go
-/// then. A second run that wants to write the same set meanwhile is refused; what refuses it falls with
+/// then, but for those that have changed since or that another set has made since. A second run that wants to write the same set meanwhile is refused; what refuses it falls with
 /// the process.
 ///
 /// # What holds
 ///
-/// `.fixpath/NAME` lists the files of the last run that came to its end. A run that has written all its files
+/// `.fixpath/NAME` lists the files of the last run that came to its end, each with its length and time, by which it is
+/// known again. A run that has written all its files
 /// renames its side folder to `.fixpath/NAME.next`, the journal: from then on its files are those of the set. They go
 /// to their places one by one, those of the run before that are no longer made go away, and at last the journal's
 /// list becomes `.fixpath/NAME`. Whoever is killed before the first rename leaves the files of the run before; whoever
@@ -39,12 +41,12 @@ pub struct Set {
     /// Goes while the list is still locked.
     _trace: Trace,
     folder: PathBuf,
-    /// Names the files of the run before, a line each. It is locked.
+    /// Lists the files of the run before. It is locked.
     list: PathBuf,
     /// Where the files of a run are that has come to its end and not to their places.
     journal: PathBuf,
     lock: File,
-    earlier: BTreeSet<PathBuf>,
+    earlier: Files,
     /// What is to be written, if that was told.
     expected: Option<BTreeSet<PathBuf>>,
     /// Gone when the set is dropped.
@@ -69,7 +71,7 @@ impl Set {
             Error::file(folder, problem.to_owned())
         })?;
         let trace = Trace::new(list.clone(), is_new.then(|| folder.to_owned()));
-        let earlier = names_in(&lock).map_err(&fail)?;
+        let earlier = listed(&lock).map_err(&fail)?;
         let mut set = Self {
             _trace: trace,
             folder: folder.to_owned(),
@@ -124,20 +126,22 @@ impl Set {
 
     /// Makes the side folder the journal.
     fn publish(&mut self) -> Result<()> {
-        let mut made = BTreeSet::new();
+        let mut made = Files::new();
         files_of(&self.path(), Path::new(""), &mut made).map_err(at(&self.folder))?;
         debug_assert!(
-            self.expected.as_ref().is_none_or(|all| made.is_subset(all)),
+            self.expected.as_ref().is_none_or(|all| made.keys().all(|file| all.contains(file))),
             "bug: {made:?}"
         );
-        for file in &made {
+        for file in made.keys() {
             let place = self.folder.join(file);
             check(&place)?;
             make_folder(place.parent().unwrap_or(&self.folder))?;
         }
         let tell = || -> io::Result<()> {
             let mut list = File::create_new(self.side().join(LIST))?;
-            made.iter().try_for_each(|file| writeln!(list, "{}", file.display()))?;
+            made.iter().try_for_each(|(file, stamp)| {
+                writeln!(list, "{} {} {}", stamp.bytes, stamp.nanoseconds, file.display())
+            })?;
             fs::rename(self.side(), &self.journal)
         };
         tell().map_err(at(&self.list))
@@ -154,9 +158,9 @@ impl Set {
             }
             opened => opened.map_err(at(&list))?,
         };
-        let made = names_in(&new).map_err(at(&list))?;
+        let made = listed(&new).map_err(at(&list))?;
         let mut plain = Vec::new();
-        for file in &made {
+        for file in made.keys() {
             let (from, to) = (journal.join(FILES).join(file), self.folder.join(file));
             if !from.exists() {
                 continue; // it is in its place
@@ -174,8 +178,10 @@ impl Set {
         for (from, to) in &plain {
             place(from, &real_path(to)).map_err(at(to))?;
         }
-        for file in self.earlier.difference(&made) {
-            self.remove(file)?;
+        let stale = self.earlier.iter().filter(|(file, _)| !made.contains_key(*file));
+        let others = self.others().map_err(at(&self.folder))?;
+        for (file, stamp) in stale.filter(|(file, _)| !others.contains(*file)) {
+            self.remove(file, *stamp)?;
         }
         // Nobody else knows it yet; a system without locks has none here either.
         let _ = new.try_lock();
@@ -188,10 +194,31 @@ impl Set {
         Ok(())
     }
 
-    /// Removes a file of the run before, and its folder if that is empty then.
-    fn remove(&self, file: &Path) -> Result<()> {
+    /// Files of the other sets in the folder.
+    fn others(&self) -> io::Result<BTreeSet<PathBuf>> {
+        let state = self.folder.join(STATE);
+        let mut files = BTreeSet::new();
+        for entry in fs::read_dir(state)? {
+            let path = entry?.path();
+            if path != self.list && path.is_file() {
+                files.extend(listed(&File::open(path)?)?.into_keys());
+            }
+        }
+        Ok(files)
+    }
+
+    /// Removes a file of the run before, if it is as that left it, and its folder if that is empty then.
+    fn remove(&self, file: &Path, stamp: Stamp) -> Result<()> {
         let path = self.folder.join(file);
-        if input::input_at(&path).is_some() {
+        let above = || {
+            let folders = file.ancestors().skip(1).filter(|above| !above.as_os_str().is_empty());
+            folders.map(|above| self.folder.join(above))
+        };
+        // No link on the way leads out of the folder.
+        let is_here =
+            above().all(|above| fs::symlink_metadata(above).is_ok_and(|there| there.is_dir()));
+        let is_same = fs::symlink_metadata(&path).is_ok_and(|at| Stamp::of(&at) == Some(stamp));
+        if !is_here || !is_same || input::input_at(&path).is_some() {
             return Ok(());
         }
         match fs::remove_file(&path) {
@@ -200,10 +227,9 @@ impl Set {
             }
             Ok(()) | Err(_) => {}
         }
-        let above = file.ancestors().skip(1).filter(|folder| !folder.as_os_str().is_empty());
-        for folder in above {
+        for folder in above() {
             // One with other files stays.
-            let _ = fs::remove_dir(self.folder.join(folder));
+            let _ = fs::remove_dir(folder);
         }
         Ok(())
     }
@@ -285,11 +311,38 @@ pub(super) fn in_place(path: &Path) -> PathBuf {
     }
 }
 
-/// Paths that a list names, from its start.
-fn names_in(mut list: &File) -> io::Result<BTreeSet<PathBuf>> {
-    let mut text = String::new();
-    list.read_to_string(&mut text)?;
-    Ok(text.lines().map(PathBuf::from).filter(|path| is_within(path)).collect())
+/// What a file is known by, besides its name.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+struct Stamp {
+    bytes: u64,
+    /// When it was written, from 1970 on.
+    nanoseconds: u128,
+}
+
+impl Stamp {
+    /// That of a plain file.
+    fn of(there: &Metadata) -> Option<Self> {
+        let written = there.modified().ok()?.duration_since(UNIX_EPOCH).unwrap_or_default();
+        let stamp = Self { bytes: there.len(), nanoseconds: written.as_nanos() };
+        there.is_file().then_some(stamp)
+    }
+}
+
+/// The files of a set.
+type Files = BTreeMap<PathBuf, Stamp>;
+
+/// What a list names, from its start: a line a file, as `BYTES NANOSECONDS PATH`.
+fn listed(mut list: &File) -> io::Result<Files> {
+    let mut text = Vec::new();
+    list.read_to_end(&mut text)?;
+    let file = |line: &str| {
+        let (bytes, rest) = line.split_once(' ')?;
+        let (nanoseconds, path) = rest.split_once(' ')?;
+        let stamp = Stamp { bytes: bytes.parse().ok()?, nanoseconds: nanoseconds.parse().ok()? };
+        let path = PathBuf::from(path);
+        is_within(&path).then_some((path, stamp))
+    };
+    Ok(String::from_utf8_lossy(&text).lines().filter_map(file).collect())
 }
 
 /// True for a path that leads out of no folder.
@@ -298,14 +351,14 @@ fn is_within(path: &Path) -> bool {
 }
 
 /// Paths of all files in a folder, from there.
-fn files_of(root: &Path, below: &Path, files: &mut BTreeSet<PathBuf>) -> io::Result<()> {
+fn files_of(root: &Path, below: &Path, files: &mut Files) -> io::Result<()> {
     for entry in fs::read_dir(root.join(below))? {
         let entry = entry?;
         let path = below.join(entry.file_name());
         if entry.file_type()?.is_dir() {
             files_of(root, &path, files)?;
-        } else {
-            files.insert(path);
+        } else if let Some(stamp) = Stamp::of(&entry.metadata()?) {
+            files.insert(path, stamp);
         }
     }
     Ok(())
@@ -329,9 +382,9 @@ mod tests {
     }
 
     fn texts(folder: &Path) -> Vec<(String, String)> {
-        let mut all = BTreeSet::new();
+        let mut all = Files::new();
         files_of(folder, Path::new(""), &mut all).unwrap();
-        let named = all.into_iter().filter(|file| !file.starts_with(STATE));
+        let named = all.into_keys().filter(|file| !file.starts_with(STATE));
         let of = |file: PathBuf| {
             (file.display().to_string(), fs::read_to_string(folder.join(file)).unwrap())
         };
@@ -367,10 +420,43 @@ mod tests {
             let want = if placed { of_second } else { of_first };
             let want = want.map(|(name, text)| (name.to_owned(), text.to_owned()));
             assert_eq!(texts(folder), want);
-            let list: String = want.iter().map(|(name, _)| format!("{name}\n")).collect();
-            assert_eq!(fs::read_to_string(folder.join(STATE).join("s")).unwrap(), list);
+            let list = listed(&File::open(folder.join(STATE).join("s")).unwrap()).unwrap();
+            assert!(list.keys().eq(want.iter().map(|(name, _)| Path::new(name))), "{list:?}");
             assert!(!folder.join(STATE).join("s.next").exists());
         }
+    }
+
+    #[test]
+    fn only_what_the_run_before_left_goes() {
+        let folder = tempfile::tempdir().unwrap();
+        let (folder, elsewhere) = (folder.path(), tempfile::tempdir().unwrap());
+        let commit = |name: &str, files: &[&str]| {
+            let set = Set::open(folder, name).unwrap();
+            for file in files {
+                let path = set.path().join(file);
+                fs::create_dir_all(path.parent().unwrap()).unwrap();
+                fs::write(path, name).unwrap();
+            }
+            set.commit().unwrap();
+        };
+        commit("s", &["same", "changed", "theirs", "now_folder", "sub/same", "moved/same"]);
+        commit("t", &["theirs"]);
+        fs::write(folder.join("changed"), "by hand").unwrap();
+        fs::remove_file(folder.join("now_folder")).unwrap();
+        fs::create_dir(folder.join("now_folder")).unwrap();
+        // The same file by a link.
+        fs::rename(folder.join("moved"), elsewhere.path().join("moved")).unwrap();
+        #[cfg(unix)]
+        std::os::unix::fs::symlink(elsewhere.path().join("moved"), folder.join("moved")).unwrap();
+        commit("s", &[]);
+        for gone in ["same", "sub"] {
+            assert!(!folder.join(gone).exists(), "{gone}");
+        }
+        for left in ["changed", "theirs", "now_folder"] {
+            assert!(folder.join(left).exists(), "{left}");
+        }
+        assert!(elsewhere.path().join("moved/same").exists());
+        assert_eq!(fs::read_to_string(folder.join("theirs")).unwrap(), "t");
     }
 
     #[test]

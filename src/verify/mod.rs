@@ -225,8 +225,6 @@ impl Row {
 /// # Panics
 /// If a simulator's thread did.
 pub fn verify(design: &Design, request: &Request, progress: &dyn Fn(&Row)) -> Result<Vec<Row>> {
-    // Before long work: files that are kept can be written.
-    let kept = request.keep.as_deref().map(|keep| Set::open(keep, "verify")).transpose()?;
     let scratch = Scratch::new()?;
     let folder = scratch.path();
     let settings = Settings {
@@ -237,6 +235,9 @@ pub fn verify(design: &Design, request: &Request, progress: &dyn Fn(&Row)) -> Re
         ..Settings::default()
     };
     let mut package = Package::new(design, &settings)?;
+    // Before long work: files that are kept can be written, in place of what `hdl` wrote of this name.
+    let set = package.set_name();
+    let kept = request.keep.as_deref().map(|keep| Set::open(keep, &set)).transpose()?;
     package.write_texts(folder, folder)?;
     let reads_file = |simulator: &Simulator| match simulator {
         Simulator::Icarus | Simulator::Ghdl => true,
