@@ -467,6 +467,7 @@ impl VectorError {
         Figures {
             quantity: "lt_angle".to_owned(),
             unit: "rad",
+            over: None,
             basis: Basis::EndToEnd,
             max: self.max_rad,
             max_ulp: None,

@@ -318,7 +318,9 @@ impl Sweep {
     pub fn header(&self) -> Header {
         let (sampler, samples, seed, scene, error) = match &self.source {
             Source::Drawn(inputs) => {
-                (inputs.sampler.name(), inputs.samples, inputs.seed, None, None)
+                let drawn = if inputs.sampler.is_random() { inputs.samples } else { 0 };
+                let seed = if inputs.sampler.is_random() { inputs.seed } else { 0 };
+                (inputs.sampler.name(), drawn, seed, None, None)
             }
             Source::Scene { view, id, .. } => ("scene", 0, 0, Some(id.clone()), Some(view.error)),
         };

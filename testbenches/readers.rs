@@ -288,6 +288,8 @@ fn check_csv(text: &str, what: &str) {
     let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
     // One line a row: a reader may split the file at line ends.
     assert_eq!(text.lines().count(), 1 + rows.len(), "{what}");
+    let different: BTreeSet<&str> = names.iter().collect();
+    assert_eq!(different.len(), names.len(), "{what}: {names:?}");
     for (column, name) in names.iter().enumerate() {
         let types: BTreeSet<Type> = rows.iter().filter_map(|row| type_of(&row[column])).collect();
         assert!(types.len() < 2, "{what}: column `{name}` is {types:?}");
@@ -326,6 +328,13 @@ fn every_csv_has_a_type_for_each_column() {
         };
         done(&[&args[..], &["--out", &path("s"), "--fresh"]].concat());
         check_csv(&text("s/sweep.csv"), &format!("sweep of {}", unit.name));
+        // Each error that isn't absolute says over what it is.
+        for (quantity, what) in unit.defaults().build().unwrap().scales() {
+            assert!(
+                text("s/report.md").contains(&format!("`{quantity}` over {what}")),
+                "{quantity}"
+            );
+        }
     }
     let sweep = ["sweep", "bump", "--axis", "frac_bits=8,32", "-p", "guard_bits=8"];
     done(&[&sweep[..], &["--scene", scene, "--out", &path("p")]].concat());
@@ -340,7 +349,10 @@ fn every_csv_has_a_type_for_each_column() {
     check_csv(&text("e/ladder.csv"), "ladder of an emboss");
     // Its list of scenes is split at commas.
     let other = written(folder.path(), "a \"b\".toml", SMALL);
-    let compare = ["compare", "--samples", "100", "--scenes", other.to_str().unwrap()];
+    let (dot, scenes) =
+        (written(folder.path(), "dot", SMALL), format!("{0},{0},", other.display()));
+    let scenes = scenes + dot.to_str().unwrap();
+    let compare = ["compare", "--samples", "100", "--scenes", &scenes];
     done(&[&compare[..], &["--out", &path("t.csv")]].concat());
     check_csv(&text("t.csv"), "compare");
     assert!(text("t.csv").starts_with("architecture,stage,"));

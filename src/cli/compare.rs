@@ -18,6 +18,7 @@ use crate::units::Sampler;
 use clap::Args;
 use std::fmt::Write as _;
 use std::io::Write;
+use std::iter;
 use std::path::{Path, PathBuf};
 
 #[derive(Args)]
@@ -316,7 +317,13 @@ fn write_csv(comparison: &Comparison, to: &mut dyn Write, path: &Path) -> Result
         heading.extend(["mean", "p99", "max"].map(|figure| format!("{quantity}_{figure}")));
     }
     for SceneRendered { scene, .. } in &comparison.scenes {
-        heading.extend(["max", "mean", "flip"].map(|figure| format!("{scene}_{figure}")));
+        for figure in ["max", "mean", "flip"] {
+            // Scenes of one name, and one with the name of a quantity, are told apart by a number.
+            let name = format!("{scene}_{figure}");
+            let numbered = (2..).map(|number| format!("{name}_{number}"));
+            let mut free = iter::once(name.clone()).chain(numbered);
+            heading.extend(free.find(|name| !heading.contains(name)));
+        }
     }
     let row = |row: &Row, stage: &str, ours: Option<Hardware>, paper: Option<Hardware>| {
         let mut fields = [row.name, stage].map(Field::from).to_vec();

@@ -1,5 +1,6 @@
 //! `fixpath render --ladder`: whole pipelines over widths, and light tables over exponents.
 
+use super::render::BROKEN;
 use super::{progress_bar, text};
 use crate::cast;
 use crate::error::{Error, Result};
@@ -78,14 +79,14 @@ pub(super) fn run(
     Ok(told(&record, out))
 }
 
-/// Climbs with emboss pipelines and writes; returns what to tell.
+/// Climbs with emboss pipelines and writes; returns what to tell, and false if a bound is broken.
 pub(super) fn run_emboss(
     pipelines: &[Pipeline],
     widths: &str,
     pixels_per_degree: f64,
     (scene, name): (&Scene, &str),
     (out, as_json): (&Path, bool),
-) -> Result<String> {
+) -> Result<(String, bool)> {
     use ladder::emboss::{self, LEGAL_WIDTHS, WIDTHS};
     let widths = match widths {
         "" => WIDTHS.to_vec(),
@@ -99,8 +100,9 @@ pub(super) fn run_emboss(
     bar.finish_and_clear();
     record.write(&set.path())?;
     set.commit()?;
+    let held = record.bounds_hold();
     if as_json {
-        return Ok(json::text(&record.json()));
+        return Ok((json::text(&record.json()), held));
     }
     let mut told = format!(
         "scene {}: {}; differences to the golden, in linear light\n{}",
@@ -109,7 +111,10 @@ pub(super) fn run_emboss(
         shown(&record.table())
     );
     let _ = writeln!(told, "see {}", out.join("ladder.md").display());
-    Ok(told)
+    if !held {
+        told.push_str(BROKEN);
+    }
+    Ok((told, held))
 }
 
 fn shown(table: &Table) -> String {

@@ -182,8 +182,7 @@ fn error_figures(design: &Design) -> Result<Vec<String>> {
         Err(why) if Error::is_failed_check(&why) => return Ok(vec![format!("errors: {why}")]),
         Err(why) => return Err(why),
     };
-    let scales = design.scales();
-    let errors = if scales.is_empty() {
+    let errors = if report.figures.iter().all(|f| f.over.is_none()) {
         "absolute errors"
     } else {
         "errors, absolute where nothing else is said,"
@@ -204,8 +203,7 @@ fn error_figures(design: &Design) -> Result<Vec<String>> {
             .flat_map(|witness| witness.words.iter().enumerate())
             .map(|(port, word)| format!("{}={word}", design.netlist.input_name(port)))
             .collect();
-        let over = scales.iter().find(|(quantity, _)| *quantity == f.quantity);
-        let over = over.map(|(_, what)| format!(" over {what},")).unwrap_or_default();
+        let over = f.over.map(|what| format!(" over {what},")).unwrap_or_default();
         lines.push(format!(
             "  {}: mean {:.2e}{unit}, largest seen {:.2e}{unit}{ulp}{over} at {}",
             f.quantity,

@@ -181,12 +181,18 @@ pub fn climb(
         Outcome::Measured(figures) => Some(&figures.difference),
         Outcome::Error(_) => None,
     });
+    let mut given: Vec<String> = Vec::new();
+    for parameter in pipelines.iter().flat_map(Pipeline::given) {
+        if !given.contains(parameter) {
+            given.push(parameter.clone());
+        }
+    }
     Ok(Record {
         covered_px: difference.map_or(0, |difference| difference.covered_px),
         background_px: difference.map_or(0, |difference| difference.background_px),
         crate_version: env!("CARGO_PKG_VERSION").to_owned(),
         scene: SceneId::new(name, scene),
-        given: pipelines.iter().flat_map(Pipeline::given).cloned().collect(),
+        given,
         rungs,
     })
 }
@@ -231,6 +237,17 @@ pub const COLUMNS: [&str; 12] = [
 ];
 
 impl Record {
+    /// True unless a picture is further from the golden than its rung states.
+    #[must_use]
+    pub fn bounds_hold(&self) -> bool {
+        self.rungs.iter().all(|rung| match &rung.outcome {
+            Outcome::Measured(of) => {
+                of.bound.is_none_or(|bound| of.difference.max.difference <= bound) // false for NaN
+            }
+            Outcome::Error(_) => true,
+        })
+    }
+
     /// The rungs, differences in 1/255.
     #[must_use]
     pub fn table(&self) -> Table {

@@ -280,6 +280,8 @@ pub struct Figures {
     pub quantity: String,
     /// `rad`, `texel`, `rel` over a scale of the golden ([`Design::scales`]), or `1` for absolute errors.
     pub unit: &'static str,
+    /// What it is told over, in words, where it isn't absolute.
+    pub over: Option<&'static str>,
     /// Against what.
     pub basis: Basis,
     /// Largest absolute value.
@@ -771,11 +773,14 @@ pub(crate) fn run_golden(design: &Design, inputs: &[Vec<f64>], to: &mut Vec<Vec<
 
 fn figures(c: &Compiled<'_>, merged: &[Merged], histograms: &Histograms) -> Vec<Figures> {
     let mut figures = Vec::new();
+    let scales = c.design.scales();
+    let over = |name: &str| scales.iter().find(|(scaled, _)| scaled == name).map(|(_, what)| *what);
     let kinds = c.bases.iter().flat_map(|basis| c.measurands.iter().map(move |m| (*basis, m)));
     for (i, ((basis, measurand), merged)) in kinds.zip(merged).enumerate() {
         let histogram = histograms.of(i);
         let stream = &merged.stream;
         figures.push(Figures {
+            over: over(&measurand.name),
             max_ulp: measurand.ulp.map(|ulp| stream.max / ulp),
             witness: merged.witness.clone(),
             ..stream.figures(&measurand.name, measurand.unit(), basis, &histogram)

@@ -162,7 +162,7 @@ impl Stream {
         larger
     }
 
-    /// Figures without ulp and witness, with the quantiles of a histogram.
+    /// Figures without scale, ulp and witness, with the quantiles of a histogram.
     pub(crate) fn figures(
         &self,
         quantity: &str,
@@ -174,6 +174,7 @@ impl Stream {
         Figures {
             quantity: quantity.to_owned(),
             unit,
+            over: None,
             basis,
             // -1 means that there was no sample; a NaN stays one.
             max: if self.count == 0 { 0.0 } else { self.max },

@@ -12,7 +12,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 static SCRATCH: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
 /// Folders in which what killed runs left was looked for.
-static SWEPT: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+static SWEPT: Mutex<BTreeSet<(PathBuf, String)>> = Mutex::new(BTreeSet::new());
 
 /// Number of the next folder.
 static NEXT: AtomicU64 = AtomicU64::new(0);
@@ -133,7 +133,8 @@ fn lock(folder: &Path) -> Lock {
 
 /// Removes folders that runs on this machine left when they were killed, once a run.
 fn sweep(place: &Path, prefix: &str) {
-    let is_first = SWEPT.lock().unwrap_or_else(PoisonError::into_inner).insert(place.to_owned());
+    let place_and_prefix = (place.to_owned(), prefix.to_owned());
+    let is_first = SWEPT.lock().unwrap_or_else(PoisonError::into_inner).insert(place_and_prefix);
     let Some(entries) = is_first.then(|| fs::read_dir(place).ok()).flatten() else { return };
     let is_number = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
     for entry in entries.flatten() {

@@ -5,6 +5,7 @@ use super::record::{Figures, Measured, PictureFigures, Record, plain};
 use super::{Row, against, axis_names, axis_values, best, inputs, rows};
 use crate::escape::markdown;
 use crate::measure::Basis;
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 /// The most rows of the table of points: `sweep.csv` has all.
@@ -58,7 +59,7 @@ fn head(text: &mut String, record: &Record, measured: usize) -> std::fmt::Result
             "- `scene` is a parameter of the material that comes from the scene; one that is given takes its place in pipeline and golden alike."
         )?;
     } else {
-        measures(text)?;
+        measures(text, record)?;
     }
     writeln!(
         text,
@@ -67,10 +68,19 @@ fn head(text: &mut String, record: &Record, measured: usize) -> std::fmt::Result
 }
 
 /// What the figures over samples mean.
-fn measures(text: &mut String) -> std::fmt::Result {
+fn measures(text: &mut String, record: &Record) -> std::fmt::Result {
+    let figures = record.points.iter().filter_map(|point| point.measured.as_ref());
+    let scales: BTreeSet<String> = figures
+        .flat_map(|measured| &measured.figures)
+        .filter_map(|f| Some(format!("`{}` over {}", f.quantity, markdown(f.over.as_ref()?))))
+        .collect();
+    let scaled = match scales.is_empty() {
+        true => String::new(),
+        false => format!(", but for {}", scales.into_iter().collect::<Vec<_>>().join("; ")),
+    };
     writeln!(
         text,
-        "- Errors are absolute: the angle between vectors, here in degrees (`sweep.csv` and `sweep.json` have rad), and the difference of a number or a component, also in ulp of its port."
+        "- Errors are absolute{scaled}: the angle between vectors, here in degrees (`sweep.csv` and `sweep.json` have rad), and the difference of a number or a component, also in ulp of its port."
     )?;
     writeln!(
         text,

@@ -239,6 +239,8 @@ pub struct Figures {
     pub quantity: String,
     /// `rad`, or `1` for absolute errors of numbers.
     pub unit: String,
+    /// What it is told over, in words, where it isn't absolute.
+    pub over: Option<String>,
     /// Against what.
     pub basis: Basis,
     /// Largest absolute value.
@@ -266,6 +268,7 @@ impl From<measure::Figures> for Figures {
         Self {
             quantity: figures.quantity,
             unit: figures.unit.to_owned(),
+            over: figures.over.map(str::to_owned),
             basis: figures.basis,
             max: Real(figures.max),
             max_ulp: figures.max_ulp.map(Real),
@@ -607,7 +610,9 @@ impl Record {
             "rad" => (1f64.to_degrees(), "deg"),
             unit => (1.0, short(unit)),
         };
-        let what = format!("largest {quantity} error");
+        let over = figures.and_then(|f| f.over.as_ref());
+        let over = over.map(|over| format!(" over {over}")).unwrap_or_default();
+        let what = format!("largest {quantity} error{over}");
         Lead { quantity: quantity.to_owned(), what, scale, unit }
     }
 

@@ -70,6 +70,7 @@ fn record(errors: &[(f64, u64)]) -> Record {
     let figures = |error: f64| Figures {
         quantity: "angle".to_owned(),
         unit: "rad".to_owned(),
+        over: None,
         basis: Basis::Total,
         max: Real(error),
         max_ulp: None,
