@@ -665,7 +665,8 @@ impl Record {
             Err(why) if why.kind() == io::ErrorKind::NotFound => return Ok(None),
             Err(why) => return Err(Error::file(path, format!("can't read: {why}: {remedy}"))),
         };
-        let bytes = input::read(file, path, MAX_BYTES)?;
+        let bytes = input::read(file, path, MAX_BYTES)
+            .map_err(|why| Error::usage(format!("{why}: {remedy}")))?;
         let malformed = |why: String| {
             Error::file(
                 path,
