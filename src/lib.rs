@@ -1,9 +1,9 @@
 //! A generator and bit-true simulator of fixed-point datapaths.
 //!
 //! A datapath is described once, as a [`netlist`] of exact operations ([`op`]) and of the one
-//! operation that rounds ([`format::narrow`]); formats and tables ([`lut`]) are run-time values. From
+//! operation that rounds ([`format::narrow`]); formats and tables ([`table`]) are run-time values. From
 //! it come fast bit-true simulation ([`sim::batch`]), pipelined hardware ([`schedule`], [`rtl`]) with
-//! its clock cycles ([`sim::cycle`]) and waves ([`wave`]), and error figures ([`measure`]) over
+//! its clock cycles ([`cycle`]) and waves ([`wave`]), and error figures ([`measure`]) over
 //! parameter sweeps ([`sweep`]). [`units`] holds the datapaths with their golden models.
 //!
 //! A unit from its parameters to its error:
@@ -40,50 +40,35 @@
 //! # fn y_index(n: &fixpath::netlist::Netlist) -> usize { n.outputs()[0].node.index() }
 //! # Ok::<(), fixpath::error::Error>(())
 //! ```
+//!
+//! The folders of the source are its layers, from `base` up to `cli`: each names only those below it, and a path
+//! inside the crate starts with the folder. From outside, modules have short paths, whichever folder they stand in:
+//! `fixpath::format`, not `fixpath::number::format`.
 #![deny(unsafe_code)]
 #![cfg_attr(
     test,
     allow(clippy::disallowed_methods, reason = "goldens of tests may round otherwise")
 )]
 
-mod cast;
+mod base;
 pub mod cli;
-pub mod columns;
-pub mod compare;
-pub mod cost;
-mod document;
-pub mod emit;
-pub mod error;
-pub mod escape;
-pub mod eval;
-pub mod format;
-pub mod function;
-pub mod hdl;
-mod input;
-pub mod json;
-pub mod ladder;
-pub mod lut;
+mod design;
+mod hardware;
 pub mod measure;
 pub mod netlist;
-pub mod op;
-pub mod output;
-pub mod outside;
-pub mod picture;
-pub mod render;
+mod number;
 pub mod report;
-pub mod rtl;
-pub mod samples;
-pub mod scene;
 pub mod schedule;
+mod shading;
 pub mod sim;
-mod simd;
-pub mod specialise;
-mod srgb;
 pub mod sweep;
-pub mod texgen;
-pub mod timetable;
-pub mod trig;
+pub mod table;
 pub mod units;
-pub mod verify;
-pub mod wave;
-mod whole;
+
+pub use base::{columns, error, escape, json, output, outside};
+pub use hardware::{cost, cycle, emit, hdl, rtl, timetable, verify, wave};
+pub use measure::{eval, samples};
+pub use netlist::op;
+pub use number::{format, function, trig};
+pub use shading::{picture, render, scene, specialise, texgen};
+pub use sweep::{compare, ladder};

@@ -1,11 +1,11 @@
 //! Pipelines: every depth gives the reference's words, delayed by the latency.
 
 use crate::engines::random_netlist;
+use fixpath::cycle::Cycle;
 use fixpath::format::{Format, Overflow, Round};
 use fixpath::netlist::{Builder, Netlist, Quantity};
 use fixpath::rtl::Rtl;
 use fixpath::schedule::{Depth, Rom, Schedule};
-use fixpath::sim::cycle::Cycle;
 use fixpath::units::rotation::ROTATION;
 use std::sync::Arc;
 

@@ -1,52 +1,63 @@
-//! Modules name only those above them, so that data flows one way.
+//! Folders name only those below them, so that data flows one way; inside a folder the files do, too.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// From the top down. Modules on one line don't name each other, but for those of `FRIENDS`.
-const LAYERS: &[&[&str]] = &[
-    &["cast", "columns", "error", "escape", "input", "json", "output", "simd", "whole"],
-    &["outside", "document"],
-    &["format", "texgen"],
-    &["trig", "srgb"],
-    &["function"],
-    &["op", "netlist"],
-    &["lut"],
-    &["schedule", "specialise", "picture", "scene"],
-    &["rtl"],
-    &["units", "timetable"],
-    &["sim", "hdl"],
-    &["measure"],
-    &["render", "samples", "wave"],
-    &["report", "eval", "emit"],
-    &["sweep", "ladder", "verify", "cost", "compare"],
-    &["cli"],
+/// The folders of `src/` from the bottom up: each names only those before it.
+const FOLDERS: &[&str] = &[
+    "base", "number", "netlist", "sim", "table", "schedule", "design", "measure", "hardware",
+    "units", "shading", "report", "sweep", "cli",
 ];
-
-/// An operation names tables and nodes, a netlist holds operations.
-const FRIENDS: &[&str] = &["op", "netlist"];
 
 /// Files that stand for the whole crate.
 const ROOTS: &[&str] = &["lib", "main"];
 
-fn layer(module: &str) -> usize {
-    let found = LAYERS.iter().position(|layer| layer.contains(&module));
-    found.unwrap_or_else(|| panic!("module `{module}` has no layer: put it into LAYERS"))
+/// Folders whose `mod.rs` holds more than their list of files, so that it names files that name it. Beside these there is
+/// no circle; an entry without one has to go. What it takes: what `mod.rs` holds gets a file of its own.
+const HEADS: &[&str] = &[
+    "base/output",
+    "cli",
+    "design",
+    "hardware/cost",
+    "hardware/hdl",
+    "hardware/verify",
+    "hardware/wave",
+    "measure",
+    "netlist",
+    "report",
+    "schedule",
+    "shading/picture",
+    "shading/render",
+    "shading/scene",
+    "shading/specialise",
+    "shading/texgen",
+];
+
+/// A module's names from the crate's root.
+type Module = Vec<String>;
+
+fn module(path: &str) -> Module {
+    path.split('/').map(str::to_owned).collect()
 }
 
-fn may_name(module: &str, other: &str) -> bool {
-    // Anything may use the top line: numbers, errors, files.
-    module == other
-        || layer(other) < layer(module)
-        || (layer(other) == 0 && layer(module) == 0)
-        || (FRIENDS.contains(&module) && FRIENDS.contains(&other))
+/// The module of a file: `units/mod.rs` is `units`, `units/dot.rs` is `units/dot`.
+fn module_of(source: &Path, file: &Path) -> Module {
+    let inside = file.strip_prefix(source).unwrap().with_extension("");
+    let names = inside.iter().map(|name| name.to_str().unwrap().to_owned());
+    names.filter(|name| name != "mod").collect()
 }
 
-/// Source without comments and string literals, so that docs may name what they like.
+/// Source without comments, string literals and test modules, which may name what they like.
 fn code_of(text: &str) -> String {
     let mut code = String::new();
-    for line in text.lines() {
+    let mut lines = text.lines();
+    let mut is_test = false;
+    while let Some(line) = lines.next() {
+        if is_test && line.starts_with("mod ") && line.ends_with('{') {
+            lines.by_ref().find(|line| *line == "}");
+        }
+        is_test = line == "#[cfg(test)]" || is_test && line.starts_with("#[");
         let mut in_string = false;
         let mut before = ' ';
         let mut chars = line.chars().peekable();
@@ -64,38 +75,78 @@ fn code_of(text: &str) -> String {
     code
 }
 
-/// First path segments after `crate::`, grouped imports included.
-fn named(code: &str) -> BTreeSet<String> {
-    let segment = |text: &str| -> String {
-        text.trim_start().chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect()
-    };
-    let mut names = BTreeSet::new();
-    for (at, found) in code.match_indices("crate::") {
-        if code[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_' || c == '$') {
-            continue;
+/// The paths that a text starts with: one, or those of a group in braces.
+fn paths(text: &str) -> Vec<Module> {
+    let text = text.trim_start();
+    let Some(group) = text.strip_prefix('{') else {
+        let end = text.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(text.len());
+        let (name, rest) = text.split_at(end);
+        let tails = rest.strip_prefix("::").map(paths).unwrap_or_default();
+        if name.is_empty() {
+            return Vec::new();
         }
-        let rest = &code[at + found.len()..];
-        let Some(group) = rest.trim_start().strip_prefix('{') else {
-            names.insert(segment(rest));
+        let tails = if tails.is_empty() { vec![Vec::new()] } else { tails };
+        return tails.into_iter().map(|tail| [vec![name.to_owned()], tail].concat()).collect();
+    };
+    let mut found = Vec::new();
+    let (mut depth, mut is_start) = (0, true);
+    for (i, c) in group.char_indices() {
+        match c {
+            '}' if depth == 0 => break,
+            '{' if depth > 0 || !is_start => depth += 1,
+            '}' => depth -= 1,
+            ',' if depth == 0 => is_start = true,
+            c if is_start && !c.is_whitespace() => {
+                found.extend(paths(&group[i..]));
+                is_start = false;
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
+/// What follows each `word::` that isn't itself in a path, but for `pub(in …)`.
+fn after<'a>(code: &'a str, word: &str) -> Vec<&'a str> {
+    let start = format!("{word}::");
+    let is_whole = |at: usize| {
+        let before = &code[..at];
+        !before.ends_with(|c: char| c.is_alphanumeric() || ['_', '$', ':', '.'].contains(&c))
+            && !before.ends_with("pub(in ")
+    };
+    let found = code.match_indices(&start).filter(|(at, _)| is_whole(*at));
+    found.map(|(at, _)| &code[at + start.len()..]).collect()
+}
+
+/// The paths that a file names from the crate's root: by `crate`, by `super`, and those of its own files.
+fn named(of: &[String], code: &str) -> BTreeSet<Module> {
+    let mut names: BTreeSet<Module> = after(code, "crate").into_iter().flat_map(paths).collect();
+    for mut path in after(code, "super").into_iter().flat_map(paths) {
+        let mut up = of.len().saturating_sub(1);
+        while path.first().is_some_and(|name| name == "super") {
+            path.remove(0);
+            up = up.saturating_sub(1);
+        }
+        names.insert([&of[..up], &path].concat());
+    }
+    for line in code.lines() {
+        let declared = line.trim_start_matches("pub ").trim_start_matches("pub(crate) ");
+        let Some(child) = declared.strip_prefix("mod ").and_then(|rest| rest.strip_suffix(';'))
+        else {
             continue;
         };
-        let mut depth = 0;
-        let mut start = true;
-        for (i, c) in group.char_indices() {
-            match c {
-                '}' if depth == 0 => break,
-                '{' => depth += 1,
-                '}' => depth -= 1,
-                ',' if depth == 0 => start = true,
-                c if start && !c.is_whitespace() => {
-                    names.insert(segment(&group[i..]));
-                    start = false;
-                }
-                _ => {}
-            }
+        if !after(code, child).is_empty() {
+            names.insert([of, &[child.to_owned()]].concat());
         }
     }
     names
+}
+
+fn may_name(folder: &str, other: &str) -> bool {
+    let place = |name: &str| FOLDERS.iter().position(|folder| *folder == name);
+    let found =
+        place(folder).unwrap_or_else(|| panic!("src/{folder} has no place: put it into FOLDERS"));
+    place(other).is_some_and(|other| other <= found)
 }
 
 fn rust_files(folder: &Path, files: &mut Vec<PathBuf>) {
@@ -109,30 +160,66 @@ fn rust_files(folder: &Path, files: &mut Vec<PathBuf>) {
     }
 }
 
-/// The top-level module of a file: `units/polar.rs` is part of `units`.
-fn module_of(source: &Path, file: &Path) -> String {
-    let inside = file.strip_prefix(source).unwrap();
-    let first = inside.components().next().unwrap().as_os_str().to_str().unwrap();
-    first.trim_end_matches(".rs").to_owned()
-}
-
-#[test]
-fn modules_name_only_those_above() {
+/// Every file of the crate but its roots and its tests, with the paths that it names.
+fn crate_files() -> BTreeMap<Module, BTreeSet<Module>> {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut files = Vec::new();
     rust_files(&source, &mut files);
-    assert!(files.len() > 10, "{files:?}");
-    let mut wrong = Vec::new();
-    for file in &files {
-        let module = module_of(&source, file);
-        if ROOTS.contains(&module.as_str()) {
-            continue;
+    assert!(files.len() > 100, "{files:?}");
+    let modules = files.iter().map(|file| (module_of(&source, file), file));
+    let real = modules.filter(|(module, _)| {
+        !ROOTS.contains(&module[0].as_str()) && module.last().is_none_or(|name| name != "tests")
+    });
+    real.map(|(module, file)| {
+        let names = named(&module, &code_of(&fs::read_to_string(file).unwrap()));
+        (module, names)
+    })
+    .collect()
+}
+
+/// Which files each file names.
+fn graph(files: &BTreeMap<Module, BTreeSet<Module>>) -> BTreeMap<Module, BTreeSet<Module>> {
+    let file_of = |path: &Module| {
+        let mut starts = (1..=path.len()).rev().map(|end| path[..end].to_vec());
+        starts.find(|start| files.contains_key(start))
+    };
+    let edges = files.iter().map(|(file, names)| {
+        (file.clone(), names.iter().filter_map(file_of).filter(|other| other != file).collect())
+    });
+    edges.collect()
+}
+
+/// Groups of files of which each reaches each other.
+fn circles(graph: &BTreeMap<Module, BTreeSet<Module>>) -> BTreeSet<BTreeSet<Module>> {
+    let reached = |from: &Module| -> BTreeSet<Module> {
+        let mut seen = BTreeSet::new();
+        let mut next: Vec<&Module> = graph[from].iter().collect();
+        while let Some(file) = next.pop() {
+            if seen.insert(file.clone()) {
+                next.extend(&graph[file]);
+            }
         }
-        layer(&module);
-        let code = code_of(&fs::read_to_string(file).unwrap());
-        for other in named(&code) {
-            if !may_name(&module, &other) {
-                wrong.push(format!("{} names {other}", file.display()));
+        seen
+    };
+    let reach: BTreeMap<&Module, BTreeSet<Module>> =
+        graph.keys().map(|file| (file, reached(file))).collect();
+    let circle = |file: &Module| -> BTreeSet<Module> {
+        reach[file].iter().filter(|other| reach[*other].contains(file)).cloned().collect()
+    };
+    graph.keys().map(circle).filter(|circle| !circle.is_empty()).collect()
+}
+
+fn told(circle: &BTreeSet<Module>) -> String {
+    circle.iter().map(|module| module.join("/")).collect::<Vec<_>>().join(", ")
+}
+
+#[test]
+fn folders_name_only_those_below() {
+    let mut wrong = Vec::new();
+    for (file, names) in crate_files() {
+        for name in names {
+            if !may_name(&file[0], &name[0]) {
+                wrong.push(format!("src/{} names {}", file.join("/"), name.join("::")));
             }
         }
     }
@@ -140,36 +227,112 @@ fn modules_name_only_those_above() {
 }
 
 #[test]
+fn files_of_a_folder_name_each_other_in_no_circle() {
+    let files = crate_files();
+    let graph = graph(&files);
+    let is_head = |file: &Module| {
+        files.keys().any(|other| other.len() > file.len() && other.starts_with(file))
+    };
+
+    let mut heads: BTreeSet<Module> =
+        circles(&graph).into_iter().flatten().filter(|file| is_head(file)).collect();
+    let allowed: BTreeSet<Module> = HEADS.iter().map(|head| module(head)).collect();
+    assert!(
+        heads.is_subset(&allowed),
+        "mod.rs in a circle with its files: {}",
+        told(&(&heads - &allowed))
+    );
+    heads = &allowed - &heads;
+    assert!(heads.is_empty(), "in no circle any more, to be deleted from HEADS: {}", told(&heads));
+
+    let without_heads = graph.iter().filter(|(file, _)| !is_head(file)).map(|(file, others)| {
+        (file.clone(), others.iter().filter(|other| !is_head(other)).cloned().collect())
+    });
+    let found: Vec<String> = circles(&without_heads.collect()).iter().map(told).collect();
+    assert!(found.is_empty(), "these name each other in a circle: {found:#?}");
+}
+
+#[test]
 fn the_check_sees_every_way_to_name_a_module() {
     let code = code_of(
-        "use crate::error::{Error, Result};\n\
-         use crate::{format::{Format, Round}, op, netlist::Netlist};\n\
+        "use crate::base::error::{Error, Result};\n\
+         use crate::{number::{format::{Format, Round}, trig}, netlist::{self, op::Op}};\n\
+         use super::super::record;\n\
+         mod bounds;\n\
+         pub(crate) mod passed;\n\
+         pub use passed::Thing;\n\
+         mod silent;\n\
          // crate::cli is only talked of\n\
          //! [`crate::main`]\n\
-         let x = crate::measure::angle(\"crate::wave\", crate::rtl::X);\n\
-         $crate::nothing\n",
+         pub(in crate::units) fn f() {}\n\
+         let x = crate::measure::angle(\"crate::wave\", super::rtl::X, bounds::y);\n\
+         $crate::nothing\n\
+         #[cfg(test)]\n\
+         mod tests {\n    use crate::sweep::Sweep;\n}\n",
     );
-    let names: Vec<String> = named(&code).into_iter().collect();
-    assert_eq!(names, ["error", "format", "measure", "netlist", "op", "rtl"]);
-    assert!(may_name("op", "netlist") && may_name("netlist", "op"));
-    assert!(may_name("sim", "error") && may_name("measure", "sim"));
-    assert!(
-        !may_name("format", "op") && !may_name("measure", "wave") && !may_name("sim", "measure")
+    let names = named(&module("measure/inputs/x"), &code);
+    let names: Vec<String> = names.iter().map(|name| name.join("::")).collect();
+    assert_eq!(
+        names,
+        [
+            "base::error::Error",
+            "base::error::Result",
+            "measure::angle",
+            "measure::inputs::rtl::X",
+            "measure::inputs::x::bounds",
+            "measure::inputs::x::passed",
+            "measure::record",
+            "netlist::op::Op",
+            "netlist::self",
+            "number::format::Format",
+            "number::format::Round",
+            "number::trig",
+        ]
     );
-    assert_eq!(module_of(Path::new("a/src"), Path::new("a/src/units/polar.rs")), "units");
+    assert!(may_name("sim", "netlist") && may_name("sim", "sim"));
+    assert!(!may_name("netlist", "sim") && !may_name("cli", "format"));
+    let source = Path::new("a/src");
+    assert_eq!(module_of(source, Path::new("a/src/units/polar.rs")), ["units", "polar"]);
+    assert_eq!(module_of(source, Path::new("a/src/units/mod.rs")), ["units"]);
+}
+
+#[test]
+fn the_check_sees_circles() {
+    let edges = [("a", &["b"][..]), ("b", &["c", "d"]), ("c", &["a"]), ("d", &[])];
+    let set = |names: &[&str]| names.iter().map(|name| module(name)).collect::<BTreeSet<_>>();
+    let graph = edges.into_iter().map(|(file, others)| (module(file), set(others))).collect();
+    assert_eq!(circles(&graph), BTreeSet::from([set(&["a", "b", "c"])]));
 }
 
 #[test]
 fn the_readme_tells_where_every_file_is() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let readme = fs::read_to_string(root.join("README.md")).unwrap();
+    let row = |folder: &str| {
+        let start = format!("| `src/{folder}` |");
+        readme
+            .lines()
+            .find(|line| line.starts_with(&start))
+            .unwrap_or_else(|| panic!("README.md has no row {start}"))
+    };
+    for folder in FOLDERS {
+        let told = row(&format!("{folder}/"));
+        for entry in fs::read_dir(root.join("src").join(folder)).unwrap() {
+            let name = entry.unwrap().file_name().into_string().unwrap();
+            let module = name.trim_end_matches(".rs");
+            let is_told =
+                ["", ".rs", "/"].iter().any(|end| told.contains(&format!("`{module}{end}`")));
+            assert!(
+                is_told || ["mod.rs", "tests.rs"].contains(&name.as_str()),
+                "README.md doesn't say what src/{folder}/{name} holds"
+            );
+        }
+    }
     for entry in fs::read_dir(root.join("src")).unwrap() {
         let name = entry.unwrap().file_name().into_string().unwrap();
-        let module = name.trim_end_matches(".rs");
-        let told = readme.contains(&format!("`src/{module}.rs`"))
-            || readme.contains(&format!("`src/{module}/`"))
-            || readme.contains(&format!("`src/{name}`"));
-        assert!(told || name == "lib.rs", "README.md doesn't say what src/{name} holds");
+        let is_known =
+            FOLDERS.contains(&name.as_str()) || ROOTS.contains(&name.trim_end_matches(".rs"));
+        assert!(is_known, "src/{name} has no place");
     }
     for command in ["cargo run --release -- demo", "testbenches/run"] {
         assert!(readme.contains(&format!("```sh\n{command}\n```")), "README.md lacks {command}");

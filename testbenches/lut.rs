@@ -2,9 +2,9 @@
 
 use fixpath::format::{Format, Round};
 use fixpath::function::Function;
-use fixpath::lut::{Scheme, emit};
 use fixpath::measure::{TableFigures, table_figures};
 use fixpath::netlist::{Builder, Netlist, Quantity};
+use fixpath::table::{Scheme, emit};
 use fixpath::units::Tabulated;
 use std::f64::consts::{PI, TAU};
 

@@ -2,11 +2,11 @@
 
 use crate::engines::{Random, random_netlist_within};
 use crate::wave::ReadBack;
+use fixpath::cycle::Cycle;
 use fixpath::format::{Format, Overflow, Round};
 use fixpath::netlist::{Builder, Netlist, NodeId, Part, Quantity};
 use fixpath::rtl::Rtl;
 use fixpath::schedule::{Binding, Depth, Kind, Operand, Plan, Rom, Schedule, Share};
-use fixpath::sim::cycle::Cycle;
 use fixpath::timetable::Timetable;
 use fixpath::units::{Design, Unit};
 use fixpath::wave::{Options, Wave};

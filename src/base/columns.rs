@@ -5,8 +5,8 @@
 //! readers know as numbers. An empty field is one that is missing. Text is quoted where it has a comma, a quote
 //! or an end of line, and none of ours has the latter.
 
-use crate::error::Result;
-use crate::output;
+use crate::base::error::Result;
+use crate::base::output;
 use std::fmt;
 use std::io::Write;
 use std::path::Path;

@@ -1,9 +1,9 @@
 //! A TOML file that somebody wrote by hand: its text as typed data, and what is wrong in which line.
 
-use crate::cast;
-use crate::error::{Error, Result};
-use crate::escape;
-use crate::input;
+use crate::base::cast;
+use crate::base::error::{Error, Result};
+use crate::base::escape;
+use crate::base::input;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{DeserializeOwned, Error as _, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};

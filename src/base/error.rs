@@ -5,7 +5,7 @@
 //! with a message that starts with `bug:`. Every message names what was given,
 //! what is legal, and what to do.
 
-use crate::escape;
+use crate::base::escape;
 use std::fmt;
 use std::path::{Path, PathBuf};
 

@@ -1,8 +1,8 @@
 //! Files that are read: each is opened here and remembered, so that nothing is written over it.
 
-use crate::cast;
-use crate::error::{Error, Result};
-use crate::escape;
+use crate::base::cast;
+use crate::base::error::{Error, Result};
+use crate::base::escape;
 use std::collections::BTreeMap;
 use std::fs::{self, File, FileType, Metadata, OpenOptions};
 use std::io::{self, Read, StdinLock, Write as _};

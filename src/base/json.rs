@@ -50,7 +50,7 @@ pub fn text(value: &Value) -> String {
     let plain = serde_json::to_string_pretty(value).expect("bug: JSON values can be written");
     let mut text = String::with_capacity(plain.len() + 1);
     for c in plain.chars() {
-        if c != '\n' && crate::escape::is_hidden(c) {
+        if c != '\n' && crate::base::escape::is_hidden(c) {
             for unit in c.encode_utf16(&mut [0; 2]) {
                 text.push_str(&format!("\\u{unit:04x}"));
             }

@@ -1,8 +1,8 @@
 //! Outside tools: whether they are there, what version they are, and running them within limits
 //! of time and memory.
 
-use crate::cast::f64_of_count;
-use crate::error::{Error, Result};
+use crate::base::cast::f64_of_count;
+use crate::base::error::{Error, Result};
 use std::collections::BTreeSet;
 use std::io::{self, Read, Write};
 use std::path::Path;

@@ -1,20 +1,20 @@
 //! `fixpath compare`: Table 1 of seed 001, rebuilt.
 
 use super::{number, text};
-use crate::cast;
-use crate::columns::{self, Field};
-use crate::compare::{
+use crate::base::cast;
+use crate::base::columns::{self, Field};
+use crate::base::error::{Error, Result};
+use crate::base::escape;
+use crate::base::json;
+use crate::base::output;
+use crate::design::Sampler;
+use crate::measure::Inputs;
+use crate::report::ladder::{Table, markdown_table};
+use crate::shading::picture::coverage;
+use crate::shading::render::check_view;
+use crate::sweep::compare::{
     self, COUNTS, Comparison, Hardware, Row, SceneRendered, Spread, Stage, saved_percent,
 };
-use crate::error::{Error, Result};
-use crate::escape;
-use crate::json;
-use crate::measure::Inputs;
-use crate::output;
-use crate::picture::coverage;
-use crate::render::check_view;
-use crate::report::ladder::{Table, markdown_table};
-use crate::units::Sampler;
 use clap::Args;
 use std::fmt::Write as _;
 use std::io::Write;

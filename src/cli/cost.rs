@@ -1,16 +1,16 @@
 //! `fixpath cost`: what a unit takes on an FPGA.
 
 use super::{UnitArgs, number, text};
-use crate::cost::{
+use crate::base::error::{Error, Result};
+use crate::base::json;
+use crate::base::outside::{self, Limits};
+use crate::design::Design;
+use crate::hardware::cost::{
     self, Clock, Cost, DEVIATIONS, DEVIATIONS_SETTINGS, DEVIATIONS_YOSYS, Synthesis, Target,
     estimate, route, synthesize,
 };
-use crate::error::{Error, Result};
-use crate::hdl::{Module, Options};
-use crate::json;
-use crate::outside::{self, Limits};
-use crate::rtl::Rtl;
-use crate::units::Design;
+use crate::hardware::hdl::{Module, Options};
+use crate::hardware::rtl::Rtl;
 use clap::{Args, ValueEnum};
 use indicatif::ProgressBar;
 use rayon::prelude::*;

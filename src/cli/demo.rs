@@ -1,18 +1,18 @@
 //! `fixpath demo`: what takes no outside tool, on built-in settings, into one folder.
 
 use super::render::{self, RenderArgs};
-use super::{Sim, print, run_sweep, stimulus, text, write_wave};
-use crate::emit::{Package, Settings};
-use crate::error::Result;
-use crate::eval;
-use crate::json;
+use super::{Sim, print, run_sweep, show, stimulus, text, write_wave};
+use crate::base::error::Result;
+use crate::base::json;
+use crate::base::output::{self, Set};
+use crate::design::{Sampler, Unit};
+use crate::hardware::emit::{Package, Settings};
+use crate::hardware::wave::Options;
+use crate::measure::eval;
+use crate::measure::samples::{AngleUnit, SampleFile};
 use crate::measure::{Basis, Inputs};
-use crate::output::{self, Set};
-use crate::render::EMBOSS_PIPELINES;
-use crate::samples::{AngleUnit, SampleFile};
+use crate::shading::render::EMBOSS_PIPELINES;
 use crate::sweep::{Axis, Sweep};
-use crate::units::{Sampler, Unit};
-use crate::wave::Options;
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -77,7 +77,7 @@ pub(super) fn run(out: &Path) -> Result<bool> {
         hard_text.push_str(&text::hard_cases(&hard));
         hard_text.push('\n');
         let netlist = &sim.design.netlist;
-        write(&out.join(format!("netlists/{name}.txt")), &text::show(&sim.design)?)?;
+        write(&out.join(format!("netlists/{name}.txt")), &show::show(&sim.design)?)?;
         write(&out.join(format!("netlists/{name}.dot")), &netlist.to_dot())?;
         let wave = out.join(format!("waves/{name}.vcd"));
         write_wave(&sim.design, Options::default(), &stimulus(&sim.design, 200, None)?, &wave)?;

@@ -1,10 +1,10 @@
 //! `fixpath hdl`: a design as files of hardware.
 
 use super::{UnitArgs, note_unused, number, shell};
-use crate::emit::{Package, Settings};
-use crate::error::Result;
-use crate::hdl::testbench::vectors_file;
-use crate::hdl::{LANGUAGES, Language, Tables};
+use crate::base::error::Result;
+use crate::hardware::emit::{Package, Settings};
+use crate::hardware::hdl::testbench::vectors_file;
+use crate::hardware::hdl::{LANGUAGES, Language, Tables};
 use clap::{Args, ValueEnum};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};

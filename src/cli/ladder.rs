@@ -1,17 +1,16 @@
 //! `fixpath render --ladder`: whole pipelines over widths, and light tables over exponents.
 
-use super::render::BROKEN;
 use super::{progress_bar, text};
-use crate::cast;
-use crate::error::{Error, Result};
-use crate::json;
-use crate::ladder::{self, EXPONENTS, LEGAL_EXPONENTS, LEGAL_WIDTHS, Ladder, WIDTHS};
-use crate::output::Set;
-use crate::picture::coverage;
-use crate::render::Pipeline;
+use crate::base::cast;
+use crate::base::error::{Error, Result};
+use crate::base::json;
+use crate::base::output::Set;
+use crate::base::whole;
 use crate::report::ladder::{Record, Table};
-use crate::scene::Scene;
-use crate::whole;
+use crate::shading::picture::coverage;
+use crate::shading::render::Pipeline;
+use crate::shading::scene::Scene;
+use crate::sweep::ladder::{self, EXPONENTS, LEGAL_EXPONENTS, LEGAL_WIDTHS, Ladder, WIDTHS};
 use std::fmt::Write as _;
 use std::ops::RangeInclusive;
 use std::path::Path;
@@ -112,7 +111,7 @@ pub(super) fn run_emboss(
     );
     let _ = writeln!(told, "see {}", out.join("ladder.md").display());
     if !held {
-        told.push_str(BROKEN);
+        told.push_str(text::BROKEN);
     }
     Ok((told, held))
 }

@@ -10,26 +10,28 @@ mod number;
 mod render;
 mod schedule;
 mod shell;
+mod show;
 mod signals;
 mod texgen;
 mod text;
 mod verify;
 
-use crate::cast;
-use crate::columns::{self, Field};
-use crate::error::{Error, Result};
-use crate::escape;
-use crate::eval;
-use crate::input;
-use crate::json;
+use crate::base::cast;
+use crate::base::columns::{self, Field};
+use crate::base::error::{Error, Result};
+use crate::base::escape;
+use crate::base::input;
+use crate::base::json;
+use crate::base::output::{self, Draft};
+use crate::base::whole;
+use crate::design::{Design, Sampler, Unit, Values};
+use crate::hardware::wave::{Options, Wave};
+use crate::measure::eval;
+use crate::measure::samples::{AngleUnit, Block, SampleFile};
 use crate::measure::{self, Basis, BoundCheck, Cone, Inputs, Profile, Report};
-use crate::output::{self, Draft};
 use crate::report::record::RankBy;
-use crate::samples::{AngleUnit, Block, SampleFile};
 use crate::sweep::{Axis, Sweep};
-use crate::units::{Design, Sampler, UNITS, Unit, Values};
-use crate::wave::{Options, Wave};
-use crate::whole;
+use crate::units::UNITS;
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -515,9 +517,9 @@ fn run(command: &Command) -> Result<bool> {
             print(&if *dot {
                 design.netlist.to_dot()
             } else if *json {
-                json::text(&text::show_json(&design)?)
+                json::text(&show::show_json(&design)?)
             } else {
-                text::show(&design)?
+                show::show(&design)?
             })?;
         }
         Command::Eval { unit, input, out, table } => {

@@ -1,6 +1,6 @@
-//! Parsers of numbers for clap; those of whole numbers take every form of [`crate::whole`].
+//! Parsers of numbers for clap; those of whole numbers take every form of [`crate::base::whole`].
 
-use crate::whole;
+use crate::base::whole;
 use std::ops::RangeInclusive;
 
 /// A parser of whole numbers in a range; its error tells range and forms.

@@ -1,24 +1,24 @@
 //! `fixpath render`: a scene by pipelines, its golden, differences and figures.
 
 use super::{ladder, number, progress_bar, text};
-use crate::cast;
-use crate::error::{Error, Result};
-use crate::escape;
-use crate::json;
+use crate::base::cast;
+use crate::base::error::{Error, Result};
+use crate::base::escape;
+use crate::base::json;
+use crate::base::output::{self, Set};
+use crate::design::Design;
 use crate::netlist::Counts;
-use crate::output::{self, Set};
-use crate::picture::{
+use crate::report::record::RankBy;
+use crate::shading::picture::{
     Amplify, Difference, PIXELS_PER_DEGREE, Panel, Picture, Srgb8, absolute_map,
     check_pixels_per_degree, coverage, sheet, signed_map,
 };
-use crate::render::{
+use crate::shading::render::{
     EMBOSS_PIPELINES, Frames, Pipeline, Rendered, Shot, SpecialisedStage, check_view, mixed,
     render, specialise_to,
 };
-use crate::report::record::RankBy;
-use crate::scene::{Scene, Sharing};
+use crate::shading::scene::{Scene, Sharing};
 use crate::sweep::View;
-use crate::units::Design;
 use clap::Args;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -365,7 +365,7 @@ fn run_frames(args: &RenderArgs, scene: &Scene) -> Result<(String, bool)> {
     let headings = [">frame", "pipeline", ">max/255", ">bound/255", ">mean/255", ">SSIM", ">FLIP"];
     let mut told = format!("{view}\n{}", text::table(&headings, &told));
     if !held {
-        told.push_str(BROKEN);
+        told.push_str(text::BROKEN);
     }
     write_figures(set, &value, &(told.clone() + &notes(scene)))?;
     Ok((if args.json { json::text(&value) } else { told }, held))
@@ -396,8 +396,6 @@ fn bounds_hold(rendered: &Rendered, differences: &[Difference]) -> bool {
     };
     rendered.shots.iter().zip(differences).all(holds)
 }
-
-pub(super) const BROKEN: &str = "a stated bound is BROKEN\n";
 
 /// Renders and writes; returns what to tell, and false if a specialised pipeline differs.
 pub(super) fn run(args: &RenderArgs) -> Result<(String, bool)> {
@@ -458,7 +456,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<(String, bool)> {
     told.push_str(&frames(&rendered));
     let mut same = bounds_hold(&rendered, &differences);
     if !same {
-        told.push_str(BROKEN);
+        told.push_str(text::BROKEN);
     }
     if args.specialise {
         let reduced = pipelines

@@ -1,12 +1,12 @@
 //! `fixpath schedule`: a time-shared schedule in the layout of the table in seed 000 (US 6,980,218).
 
 use super::{UnitArgs, text};
-use crate::error::Result;
-use crate::json;
+use crate::base::error::Result;
+use crate::base::json;
+use crate::design::Design;
+use crate::hardware::rtl::{HardwareCounts, Rtl};
+use crate::hardware::timetable::Timetable;
 use crate::netlist::Counts;
-use crate::rtl::{HardwareCounts, Rtl};
-use crate::timetable::Timetable;
-use crate::units::Design;
 use clap::Args;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -208,7 +208,7 @@ struct UnitLine {
 }
 
 fn units(rtl: &Rtl, table: &Timetable, counts: &HardwareCounts) -> Vec<UnitLine> {
-    let line = |(number, unit): (usize, &crate::rtl::Instance)| {
+    let line = |(number, unit): (usize, &crate::hardware::rtl::Instance)| {
         let operations = rtl.operations(number).len();
         UnitLine {
             name: unit.name.clone(),
@@ -216,7 +216,7 @@ fn units(rtl: &Rtl, table: &Timetable, counts: &HardwareCounts) -> Vec<UnitLine>
             kind: unit.kind.name(),
             latency: unit.rtl.schedule().latency(),
             operations,
-            used: crate::cast::f64_of_len(operations) / f64::from(rtl.schedule().interval()),
+            used: crate::base::cast::f64_of_len(operations) / f64::from(rtl.schedule().interval()),
             operand_bits: unit.operand_bits(),
             unit_bits: unit.rtl.data_bits(),
             operators: told(&counts.units[&unit.name]),

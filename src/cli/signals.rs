@@ -1,6 +1,6 @@
 //! Signals that end a run: it leaves no half-written file behind, and says by its exit code which it was.
 
-use crate::error::Result;
+use crate::base::error::Result;
 
 /// Watches for signals from now on.
 ///
@@ -8,8 +8,8 @@ use crate::error::Result;
 /// If there is no thread to watch.
 #[cfg(unix)]
 pub(super) fn watch() -> Result<()> {
-    use crate::error::Error;
-    use crate::{output, outside};
+    use crate::base::error::Error;
+    use crate::base::{output, outside};
     use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
     use std::io::{self, Write};
     use std::sync::Arc;

@@ -1,10 +1,10 @@
 //! `fixpath texgen`: calls of a texture-coordinate interface, and what they configure.
 
 use super::text;
-use crate::document::{self, Document, Lines};
-use crate::error::{Error, Result};
-use crate::json;
-use crate::texgen::{Calls, Outcome, Setting};
+use crate::base::document::{self, Document, Lines};
+use crate::base::error::{Error, Result};
+use crate::base::json;
+use crate::shading::texgen::{Calls, Outcome, Setting};
 use clap::Args;
 use serde_json::{Value, json};
 use std::fmt::Write as _;

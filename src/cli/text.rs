@@ -1,22 +1,18 @@
 //! What the commands print, as text and as JSON.
 
 use super::Sim;
-use crate::cast;
-use crate::error::Result;
-use crate::escape;
-use crate::json;
-use crate::measure::{
-    self, Basis, Cone, ConeReport, Figures, Profile, Report, TableFigures, Witness,
-};
-use crate::netlist::{Netlist, Operators, Quantity};
+use crate::base::{cast, escape, json};
+use crate::design::{Design, Kind, PIPELINE, Param, Unit, Values};
+use crate::measure;
+use crate::measure::{Basis, Cone, ConeReport, Figures, Profile, Report, Witness};
+use crate::netlist::Netlist;
 use crate::report::pareto;
 use crate::report::record::{Measured, Point, Record, json_of, parameters_of};
-use crate::schedule::stage_sizes;
-use crate::units::{Design, Kind, PIPELINE, Param, Unit, Values};
 use serde_json::{Map, Value, json};
 use std::fmt::Write as _;
 use std::path::Path;
-use std::sync::Arc;
+
+pub(super) const BROKEN: &str = "a stated bound is BROKEN\n";
 
 /// Rows under headings, columns padded to their widest cell; columns whose heading starts with
 /// `>` are flush right. A cell stays on its line.
@@ -134,229 +130,6 @@ pub(super) fn parameters(values: &Values) -> Value {
 pub(super) fn parameter_line(values: &Values) -> String {
     let pairs: Vec<String> = values.told().map(|(name, value)| format!("{name}={value}")).collect();
     pairs.join(" ")
-}
-
-fn ports(netlist: &Netlist) -> (Vec<Vec<String>>, Value) {
-    let quantity = |quantity| match quantity {
-        Quantity::Turns => "turns",
-        Quantity::Number => "number",
-        Quantity::Float20 => "float20",
-    };
-    let inputs = netlist.inputs().iter().enumerate().map(|(i, id)| {
-        let node = netlist.node(*id);
-        ("in", netlist.input_name(i).to_owned(), node.format, quantity(node.quantity))
-    });
-    let outputs = netlist.outputs().iter().map(|output| {
-        let node = netlist.node(output.node);
-        ("out", output.name.clone(), node.format, quantity(node.quantity))
-    });
-    let all: Vec<_> = inputs.chain(outputs).collect();
-    let rows = all
-        .iter()
-        .map(|(way, name, format, quantity)| {
-            vec![(*way).to_owned(), name.clone(), format.to_string(), (*quantity).to_owned()]
-        })
-        .collect();
-    let json = all.iter().map(|(way, name, format, quantity)| {
-        json!({"direction": way, "name": name, "format": format.to_string(), "quantity": quantity})
-    });
-    (rows, Value::Array(json.collect()))
-}
-
-/// Exact statistics of every table scheme that can be gone through.
-fn tables(design: &Design) -> Result<Vec<TableFigures>> {
-    let mut all = Vec::new();
-    for tabulated in &design.tabulated {
-        all.extend(measure::table_figures(tabulated)?.unwrap_or_default());
-    }
-    Ok(all)
-}
-
-pub(super) fn show(design: &Design) -> Result<String> {
-    let netlist = &design.netlist;
-    let rtl = Arc::new(design.rtl()?);
-    let counts = netlist.counts();
-    let unit = design.values.unit();
-    let mut text = format!("{}: {}\n", unit.name, unit.summary);
-    let _ = writeln!(text, "  {}\n\nports", parameter_line(&design.values));
-    text.push_str(&table(&["", "name", "format", "quantity"], &ports(netlist).0));
-
-    let operators = |name: &str, o: Operators| {
-        let counts = [
-            o.multipliers,
-            o.adders,
-            o.negations,
-            o.comparators,
-            o.multiplexers,
-            o.shifters,
-            o.narrows,
-            o.rounders,
-        ];
-        let mut row = vec![name.to_owned()];
-        row.extend(counts.map(|count| count.to_string()));
-        row
-    };
-    let parts = [
-        (counts.dividers, "dividers"),
-        (counts.square_roots, "square roots"),
-        (counts.reciprocal_roots, "reciprocal square roots"),
-    ];
-    let mut rows =
-        vec![operators("datapath", counts.datapath), operators("table schemes", counts.schemes)];
-    if counts.parts != Operators::default() {
-        rows.push(operators("dividers, roots", counts.parts));
-    }
-    text.push_str("\noperators\n");
-    text.push_str(&table(
-        &[
-            "",
-            ">mul",
-            ">add/sub",
-            ">neg/abs",
-            ">compare",
-            ">mux",
-            ">shift",
-            ">narrow",
-            ">of which round",
-        ],
-        &rows,
-    ));
-    if parts.iter().any(|(count, _)| *count > 0) {
-        let parts = parts.iter().filter(|(count, _)| *count > 0);
-        let parts: Vec<String> = parts.map(|(count, name)| format!("{count} {name}")).collect();
-        let _ = writeln!(text, "  of which each is counted as one: {}", parts.join(", "));
-    }
-
-    let _ = writeln!(
-        text,
-        "\ntables: {}; words read {}, ports {}; ROM {} bits, {} with a copy for every two ports",
-        counts.tables, counts.reads, counts.ports, counts.rom_bits, counts.rom_bits_dual_port
-    );
-    let mut rows = Vec::new();
-    for t in netlist.tables() {
-        let columns: Vec<String> =
-            t.columns.iter().map(|column| format!("{} {}", column.name, column.format)).collect();
-        rows.push(vec![
-            t.name.clone(),
-            (1u64 << t.addr_bits).to_string(),
-            t.rom_bits().to_string(),
-            columns.join(", "),
-        ]);
-    }
-    text.push_str(&table(&["name", ">entries", ">bits", "columns"], &rows));
-
-    let figures = tables(design)?;
-    if !figures.is_empty() {
-        text.push_str(
-            "\ntable schemes over every word of their argument, against the function saturated to the output\n",
-        );
-        let rows: Vec<Vec<String>> = figures
-            .iter()
-            .map(|f| {
-                vec![
-                    format!("{}.{}", f.table, f.function),
-                    number(f.worst),
-                    number(f.worst_ulp),
-                    format!("{} (word {})", number(f.witness), f.witness_raw),
-                    number(f.jump),
-                    f.not_monotone.to_string(),
-                ]
-            })
-            .collect();
-        text.push_str(&table(
-            &["function", ">worst", ">ulp", "at", ">largest jump", ">not monotone"],
-            &rows,
-        ));
-    }
-    let unjudged = design.tabulated.len()
-        - design.tabulated.iter().filter(|t| figures.iter().any(|f| f.table == t.name)).count();
-    if unjudged > 0 {
-        let _ = writeln!(
-            text,
-            "  {unjudged} more have arguments of more than {} bits: too many words to go through",
-            measure::TABLE_ARGUMENT_BITS
-        );
-    }
-
-    let schedule = rtl.schedule();
-    let _ = writeln!(
-        text,
-        "\npipeline: latency {} cycles, {} bits of registers, tables read {}, {} ps by the delay model (target {} ps)",
-        schedule.latency(),
-        rtl.register_bits(),
-        if schedule.rom() == crate::schedule::Rom::Block {
-            "on a clock"
-        } else {
-            "without a clock"
-        },
-        schedule.period_ps(),
-        design.values.get("period_ps"),
-    );
-    let sizes: Vec<String> =
-        stage_sizes(netlist, schedule).iter().map(ToString::to_string).collect();
-    let _ = writeln!(text, "  nodes per stage: {}", sizes.join(" "));
-    if schedule.interval() > 1 || !rtl.units().is_empty() {
-        let _ = writeln!(
-            text,
-            "  time-shared: a sample every {} cycles, {} units for {} operations; the operators above are the \
-             netlist's, the hardware has {}; `fixpath schedule` shows it all",
-            schedule.interval(),
-            rtl.units().len(),
-            schedule.units().iter().map(|unit| unit.operations.len()).sum::<usize>(),
-            super::schedule::told(&rtl.counts().operators),
-        );
-    }
-    text.push_str(&super::cost::estimates(&rtl));
-    text.push('\n');
-    text.push_str(&netlist.to_text());
-    Ok(text)
-}
-
-pub(super) fn show_json(design: &Design) -> Result<Value> {
-    let netlist = &design.netlist;
-    let rtl = Arc::new(design.rtl()?);
-    let schedule = rtl.schedule();
-    let table = |t: &crate::netlist::Table| {
-        let columns: Vec<Value> = t
-            .columns
-            .iter()
-            .map(|column| json!({"name": column.name, "format": column.format.to_string()}))
-            .collect();
-        json!({"name": t.name, "entries": 1u64 << t.addr_bits, "rom_bits": t.rom_bits(), "columns": columns})
-    };
-    let node = |id| {
-        let node = netlist.node(id);
-        json!({
-            "label": netlist.label(id),
-            "op": node.op.name(),
-            "operands": node.operands.iter().map(|id| id.index()).collect::<Vec<_>>(),
-            "format": node.format.to_string(),
-            "stage": schedule.stage(id),
-        })
-    };
-    Ok(json::document(
-        "show",
-        json!({
-            "unit": design.values.unit().name,
-            "parameters": parameters(&design.values),
-            "ports": ports(netlist).1,
-            "counts": netlist.counts(),
-            "tables": netlist.tables().iter().map(table).collect::<Vec<_>>(),
-            "table_schemes": tables(design)?,
-            "pipeline": {
-                "latency_cycles": schedule.latency(),
-                "interval_cycles": schedule.interval(),
-                "flip_flops": rtl.register_bits(),
-                "model_period_ps": schedule.period_ps(),
-                "rom": schedule.rom().to_string(),
-                "nodes_per_stage": stage_sizes(netlist, schedule),
-            },
-            "hardware": rtl.counts(),
-            "cost_estimate": super::cost::estimates_json(&rtl),
-            "nodes": netlist.ids().map(node).collect::<Vec<_>>(),
-            "outputs": netlist.outputs().iter().map(|o| json!({"name": o.name, "node": o.node.index()})).collect::<Vec<_>>(),
-        }),
-    ))
 }
 
 /// `phi_a=12 (0.0012), …` of a witness.

@@ -2,11 +2,11 @@
 
 use super::hardware::TablesArg;
 use super::{UnitArgs, note_unused, number, text};
-use crate::error::{Error, Result};
-use crate::json;
-use crate::outside;
-use crate::units::Design;
-use crate::verify::{self, Decoded, Mismatch, Request, Row, Simulator, Verdict};
+use crate::base::error::{Error, Result};
+use crate::base::json;
+use crate::base::outside;
+use crate::design::Design;
+use crate::hardware::verify::{self, Decoded, Mismatch, Request, Row, Simulator, Verdict};
 use clap::Args;
 use indicatif::ProgressBar;
 use serde_json::{Value, json};

@@ -12,11 +12,11 @@
 //! so short that a ring with a head costs more than it saves. Operations are those of
 //! [`Op::eval_raw`], with no second meaning: on the rotation unit a cycle takes 0.4 us, a quarter of a wave's time.
 
-use crate::cast;
-use crate::format::{Format, Overflow};
+use crate::base::cast;
+use crate::hardware::rtl::{Case, Rtl, Signal, Source};
+use crate::netlist::op::Op;
 use crate::netlist::{NodeId, Table};
-use crate::op::Op;
-use crate::rtl::{Case, Rtl, Signal, Source};
+use crate::number::format::{Format, Overflow};
 use std::sync::Arc;
 
 /// State of the hardware.

@@ -28,10 +28,10 @@
 //!   `valid_in`, the others from the bit before. Stage s > 0 holds data where bit (s - 1) / I is
 //!   set; `valid_out` is that for the latency, in the latency's phase: one cycle for each sample.
 
-use crate::cast;
-use crate::format::{Format, addr_bits};
+use crate::base::cast;
+use crate::netlist::op::Op;
 use crate::netlist::{Counts, Netlist, NodeId};
-use crate::op::Op;
+use crate::number::format::{Format, addr_bits};
 use crate::schedule::{Kind, Operand, Operation, Schedule, Unit};
 use std::collections::BTreeMap;
 use std::sync::Arc;

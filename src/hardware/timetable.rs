@@ -10,9 +10,9 @@
 //!
 //! Names are those of a [`Binding`] by hand, or else the netlist's; a side without a name isn't told.
 
+use crate::hardware::rtl::{Action, Rtl};
 use crate::netlist::Netlist;
-use crate::op::Op;
-use crate::rtl::{Action, Rtl};
+use crate::netlist::op::Op;
 use crate::schedule::{Binding, Kind, Operand, Operation, name_of};
 use serde::Serialize;
 

@@ -1,12 +1,13 @@
 //! Stated bounds and the hard-case list, judged.
 
-use crate::cast;
-use crate::error::Result;
-use crate::json;
+use crate::base::cast;
+use crate::base::error::Result;
+use crate::base::json;
+use crate::design::{Bound, Bounds, Design, HardCase};
 use crate::measure::inputs::values_of;
-use crate::measure::{Basis, Measurand, Report, as_golden, run_golden, table_figures};
+use crate::measure::{Basis, Measurand, Report, as_golden, run_golden};
 use crate::sim::batch::Program;
-use crate::units::{Bound, Bounds, Design, HardCase};
+use crate::table::figures::table_figures;
 use serde::Serialize;
 
 /// A stated bound, evaluated.
@@ -177,7 +178,7 @@ pub struct HardVerdict {
 /// Names of the numbers in a [`HardResult`], in order.
 #[must_use]
 pub fn hard_columns(design: &Design) -> Vec<String> {
-    design.groups.iter().flat_map(crate::units::Group::columns).collect()
+    design.groups.iter().flat_map(crate::design::Group::columns).collect()
 }
 
 /// Names of the columns of a table of hard cases that are no inputs: the group's, which stands before those, and

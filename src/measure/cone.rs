@@ -9,14 +9,14 @@ use super::{
     Basis, Counts, Differences, Figures, Histograms, Lap, Merged, Profile, Report, Speed, Stream,
     Witness, overflow_counts,
 };
-use crate::cast;
-use crate::error::{Error, Result};
+use crate::base::cast;
+use crate::base::error::{Error, Result};
+use crate::base::simd::{Body, vectorised};
+use crate::design::Design;
+use crate::netlist::op::{Meaning, Op};
 use crate::netlist::{Netlist, Node, NodeId, Quantity};
-use crate::op::{Meaning, Op};
 use crate::sim::batch::{self, BLOCK, check_overflows};
 use crate::sim::real;
-use crate::simd::{Body, vectorised};
-use crate::units::Design;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 use std::sync::{Mutex, PoisonError};

@@ -1,21 +1,21 @@
 //! A unit on a table of values: one row in, one row out.
 //!
-//! Rows are read by the rule of [`crate::samples`]. For each input
+//! Rows are read by the rule of [`crate::measure::samples`]. For each input
 //! port `P` the output has its quantised value `P_q` and word `P_raw`, and for each output port
 //! its value `P`, its word `P_raw` and the golden `P_golden` of the quantised inputs; the last column, `clipped`, names
 //! the input ports whose value was past their range. Values are
 //! written with as many digits as it takes to read the same `f64` back. Rows are read and
 //! written in blocks, and what was read is written before more is waited for.
 
-use crate::cast;
-use crate::columns::Field;
-use crate::error::Result;
+use crate::base::cast;
+use crate::base::columns::Field;
+use crate::base::error::Result;
+use crate::base::output;
+use crate::design::Design;
+use crate::measure::samples::{Block, CLIPPED, SampleFile, input_columns, output_columns};
 use crate::measure::values_of;
 use crate::netlist::NodeId;
-use crate::output;
-use crate::samples::{Block, CLIPPED, SampleFile, input_columns, output_columns};
 use crate::sim::batch::Program;
-use crate::units::Design;
 use std::io::{Read, Write};
 use std::path::Path;
 

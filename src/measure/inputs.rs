@@ -1,13 +1,13 @@
 //! Where inputs come from, and their words.
 
-use crate::cast;
-use crate::error::{Error, Result};
-use crate::format::{Format, Overflow, Round, float20, quantize};
+use crate::base::cast;
+use crate::base::error::{Error, Result};
+use crate::base::simd::{Body, vectorised};
+use crate::design::{Design, Sampler, Uniform};
 use crate::netlist::{Netlist, Node, NodeId, Quantity};
+use crate::number::format::{Format, Overflow, Round, float20, quantize};
+use crate::number::trig::ROUNDER;
 use crate::sim::batch::BLOCK;
-use crate::simd::{Body, vectorised};
-use crate::trig::ROUNDER;
-use crate::units::{Design, Sampler, Uniform};
 
 /// Samples per chunk.
 pub(super) const CHUNK: u64 = 1 << 12;

@@ -13,12 +13,14 @@
 
 mod bounds;
 mod cone;
+pub mod eval;
 mod inputs;
+pub mod samples;
 mod stream;
-mod tables;
 #[cfg(test)]
 mod tests;
 
+pub use crate::table::figures::{TABLE_ARGUMENT_BITS, TableFigures, table_figures};
 pub use bounds::{
     BoundCheck, HardResult, HardVerdict, StatedBound, case_columns, hard_columns, hard_results,
     hard_verdicts,
@@ -27,17 +29,16 @@ pub use cone::{Cone, ConeReport};
 pub use inputs::{Inputs, quantize_inputs, sample_words};
 pub(crate) use inputs::{quantize_input, values_of};
 pub use stream::angle_between;
-pub use tables::{TABLE_ARGUMENT_BITS, TableFigures, table_figures};
 
-use crate::cast;
-use crate::error::{Error, Result};
-use crate::json;
+use crate::base::cast;
+use crate::base::error::{Error, Result};
+use crate::base::json;
+use crate::base::simd::vectorised;
+use crate::design::{Design, Group, Scale, Shape};
 use crate::netlist::{Netlist, NodeId};
+use crate::number::trig::Real;
 use crate::sim::batch::{Program, Runner, check_overflows};
 use crate::sim::real;
-use crate::simd::vectorised;
-use crate::trig::Real;
-use crate::units::{Design, Group, Scale, Shape};
 use inputs::CHUNK;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};

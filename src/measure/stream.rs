@@ -1,9 +1,9 @@
 //! Accumulated errors: sums, the largest with its sample, a histogram for quantiles.
 
-use crate::cast;
+use crate::base::cast;
+use crate::base::simd::{Body, vectorised};
 use crate::measure::{Basis, Figures, Witness};
-use crate::simd::{Body, vectorised};
-use crate::trig::atan2;
+use crate::number::trig::atan2;
 use std::f64::consts::PI;
 use std::sync::{Mutex, PoisonError};
 

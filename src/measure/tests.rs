@@ -1,6 +1,7 @@
 use super::*;
-use crate::simd::{Features, limit};
-use crate::units::{Sampler, UNITS};
+use crate::base::simd::{Features, limit};
+use crate::design::Sampler;
+use crate::units::UNITS;
 
 /// Inputs, words, reals, goldens and sums of every unit, bit for bit.
 #[test]

@@ -1,10 +1,10 @@
 //! Growing a netlist, step by checked step.
 
 use super::{Netlist, Node, NodeId, Output, Part, Quantity, Scope, ScopeId, Table, TableId};
-use crate::cast;
-use crate::error::{Error, Result};
-use crate::format::{Format, Overflow, Round};
-use crate::op::{FormatProblem, Meaning, Op};
+use crate::base::cast;
+use crate::base::error::{Error, Result};
+use crate::netlist::op::{FormatProblem, Meaning, Op};
+use crate::number::format::{Format, Overflow, Round};
 use std::collections::{BTreeSet, HashMap};
 
 /// Grows a netlist.

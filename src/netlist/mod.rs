@@ -10,57 +10,21 @@
 //! on reals) is a loop over [`Op`]; every other engine is held to it bit for bit.
 
 mod builder;
+mod id;
+pub mod op;
+pub(crate) mod ranges;
+mod table;
+pub(crate) mod words;
 
 pub use builder::Builder;
+pub use id::{NodeId, ScopeId, TableId};
+pub use table::{Column, Table};
 
-use crate::cast;
-use crate::format::{Format, Narrowing};
-use crate::op::{Meaning, Op};
+use crate::base::cast;
+use crate::netlist::op::{Meaning, Op};
+use crate::number::format::{Format, Narrowing};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
-use std::sync::Arc;
-
-/// Index of a node in its netlist.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
-pub struct NodeId(u32);
-
-/// Index of a table in its netlist.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
-pub struct TableId(u32);
-
-/// Index of a scope in its netlist; scope 0 is the unit itself.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
-pub struct ScopeId(u32);
-
-impl NodeId {
-    /// Position in [`Netlist::nodes`].
-    #[must_use]
-    #[expect(clippy::missing_panics_doc, reason = "32 bits always fit")]
-    pub fn index(self) -> usize {
-        usize::try_from(self.0).expect("bug: 32 bits fit")
-    }
-}
-
-impl TableId {
-    /// Position in [`Netlist::tables`].
-    #[must_use]
-    #[expect(clippy::missing_panics_doc, reason = "32 bits always fit")]
-    pub fn index(self) -> usize {
-        usize::try_from(self.0).expect("bug: 32 bits fit")
-    }
-}
-
-impl ScopeId {
-    /// The unit itself.
-    pub const ROOT: Self = Self(0);
-
-    /// Position in [`Netlist::scopes`].
-    #[must_use]
-    #[expect(clippy::missing_panics_doc, reason = "32 bits always fit")]
-    pub fn index(self) -> usize {
-        usize::try_from(self.0).expect("bug: 32 bits fit")
-    }
-}
 
 /// What a signal measures; says how waves and reports show it.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
@@ -70,7 +34,7 @@ pub enum Quantity {
     Number,
     /// An angle in turns, equal modulo one.
     Turns,
-    /// A number that comes as a float of 20 bits ([`crate::format::float20`]).
+    /// A number that comes as a float of 20 bits ([`crate::number::format::float20`]).
     Float20,
 }
 
@@ -119,46 +83,6 @@ pub struct Scope {
     pub parent: Option<ScopeId>,
     /// What it is, if its nodes are counted as one operator.
     pub part: Option<Part>,
-}
-
-/// One column of a table.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Column {
-    /// Name.
-    pub name: String,
-    /// Format of its words.
-    pub format: Format,
-    /// One word per address.
-    pub words: Arc<[i64]>,
-}
-
-/// A read-only table: columns of words that share an address.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Table {
-    /// Name.
-    pub name: String,
-    /// Address bits; it has 2^addr_bits rows.
-    pub addr_bits: u32,
-    /// Its columns.
-    pub columns: Vec<Column>,
-}
-
-impl Table {
-    /// Format of an address.
-    ///
-    /// # Panics
-    /// If the table has no address bits or more than 63.
-    #[must_use]
-    pub fn address_format(&self) -> Format {
-        Format::integer(self.addr_bits).expect("bug: table size was checked when it was added")
-    }
-
-    /// Stored bits: rows times the width of a row.
-    #[must_use]
-    pub fn rom_bits(&self) -> u64 {
-        let row: u32 = self.columns.iter().map(|column| column.format.bits()).sum();
-        u64::from(row) << self.addr_bits
-    }
 }
 
 /// An output port.

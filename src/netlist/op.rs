@@ -7,11 +7,12 @@
 //! on reals ([`Op::eval_real`]); the engines and the emitted hardware are twins
 //! of these and are tested against them.
 
-use crate::cast;
-use crate::format::{Format, Overflow, Round, bit_len, narrow};
-use crate::function::Function;
-use crate::netlist::{NodeId, Table, TableId};
-use crate::trig;
+use super::id::{NodeId, TableId};
+use super::table::Table;
+use crate::base::cast;
+use crate::number::format::{Format, Overflow, Round, bit_len, narrow};
+use crate::number::function::Function;
+use crate::number::trig;
 
 /// An operation; operands are kept by the node.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]

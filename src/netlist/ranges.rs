@@ -1,10 +1,10 @@
 //! Interval analysis: which words each node can hold.
 
 use super::words::{Words, wrapped};
-use crate::cast;
-use crate::format::{Format, Overflow, narrow, rounded};
+use crate::base::cast;
+use crate::netlist::op::Op;
 use crate::netlist::{Netlist, Table};
-use crate::op::Op;
+use crate::number::format::{Format, Overflow, narrow, rounded};
 
 /// The words that each node can hold where each input holds those given; never too few.
 ///

@@ -1,7 +1,7 @@
 //! Sets of words, as a few intervals.
 
-use crate::cast;
-use crate::format::{Format, word_mask};
+use crate::base::cast;
+use crate::number::format::{Format, word_mask};
 use std::fmt;
 
 /// A set of words: what a port or a node can hold. At least one word, in at most
@@ -61,7 +61,7 @@ impl Words {
     }
 
     /// The words of a format in several intervals, which may reach past it.
-    pub(super) fn in_format(intervals: &[(i128, i128)], format: Format) -> Self {
+    pub(crate) fn in_format(intervals: &[(i128, i128)], format: Format) -> Self {
         let (min, max) = (i128::from(format.min_raw()), i128::from(format.max_raw()));
         let inside = intervals.iter().filter(|(lo, hi)| *lo <= max && *hi >= min);
         Self::of(
@@ -107,7 +107,7 @@ impl Words {
 
     /// The least number of low bits that tell every two words of the set apart; the words are
     /// addresses of `addr_bits` bits.
-    pub(super) fn telling_bits(&self, addr_bits: u32) -> u32 {
+    pub(crate) fn telling_bits(&self, addr_bits: u32) -> u32 {
         let told_apart = |bits: u32| {
             let format = Format::integer(bits).expect("bug: fewer than an address has");
             let mut slots: Vec<(i128, i128)> = Vec::new();
@@ -138,7 +138,7 @@ impl fmt::Display for Words {
 }
 
 /// The whole numbers `lo..=hi` modulo the span of a format: one interval or two.
-pub(super) fn wrapped(lo: i128, hi: i128, format: Format) -> Vec<(i128, i128)> {
+pub(crate) fn wrapped(lo: i128, hi: i128, format: Format) -> Vec<(i128, i128)> {
     let (min, max) = (i128::from(format.min_raw()), i128::from(format.max_raw()));
     let span = max - min + 1;
     if hi - lo >= span - 1 {

@@ -6,8 +6,8 @@
 //! bits prints as `u8e2` (8 bits, in steps of 2^2). [`narrow`] is the only
 //! place where a datapath rounds, saturates or wraps a number; [`quantize`] writes reals as words.
 
-use crate::cast;
-use crate::error::{Error, Result};
+use crate::base::cast;
+use crate::base::error::{Error, Result};
 use std::fmt;
 use std::str::FromStr;
 

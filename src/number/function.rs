@@ -5,8 +5,8 @@
 //! the function has on the side where the angle grows; arguments outside the
 //! domain of asin are taken to its end.
 
-use crate::cast;
-use crate::trig;
+use crate::base::cast;
+use crate::number::trig;
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
 use std::f64::consts::TAU;
@@ -154,7 +154,7 @@ impl Function {
         }
     }
 
-    /// Value as evaluations on reals have it: by [`crate::trig`] where it knows the function.
+    /// Value as evaluations on reals have it: by [`crate::number::trig`] where it knows the function.
     #[inline(always)]
     #[must_use]
     pub fn eval_real(self, x: f64) -> f64 {

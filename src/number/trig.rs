@@ -4,12 +4,12 @@
 //! The polynomials are those of fdlibm. For sin and cos the reduction to the nearest quarter turn is exact and
 //! the largest error is 2 ulp of the result, or 2^-53 absolute where that is more; the inverses
 //! are within 4 ulp (tested against a high-precision evaluation). Tables don't use these: they are rounded
-//! from `libm` and from the high-precision evaluation of [`crate::function`].
+//! from `libm` and from the high-precision evaluation of [`crate::number::function`].
 //!
 //! No figure may depend on the processor. The system's library takes other roundings where it has fused
 //! multiply-add, so nothing here or elsewhere calls it: other functions are those of the crate `libm`.
 
-use crate::simd::{Body, vectorised};
+use crate::base::simd::{Body, vectorised};
 use glam::{DQuat, DVec3};
 use num_traits::{Float, FloatConst};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
@@ -208,7 +208,7 @@ pub fn inclination_turns(x: f64, y: f64, z: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::simd::portable;
+    use crate::base::simd::portable;
     use dashu_float::{FBig, round::mode::HalfEven};
 
     fn exact(turns: f64) -> (f64, f64) {

@@ -3,8 +3,8 @@
 //! Scales and layout are done here and not by the plotting crate, whose logarithmic axes can't
 //! hold zeros and whose legends lie over the data.
 
-use crate::cast;
-use crate::escape;
+use crate::base::cast;
+use crate::base::escape;
 use plotters::coord::Shift;
 use plotters::element::{Drawable, PointCollection};
 use plotters::prelude::*;

@@ -3,7 +3,7 @@
 use super::plot::Plot;
 use super::record::{Figures, Measured, PictureFigures, Record, plain};
 use super::{Row, against, axis_names, axis_values, best, inputs, rows};
-use crate::escape::markdown;
+use crate::base::escape::markdown;
 use crate::measure::Basis;
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -275,7 +275,7 @@ pub(super) fn short(x: f64) -> String {
     }
     let exponent = libm::log10(x.abs()).floor();
     if (-4.0..6.0).contains(&exponent) {
-        let digits = crate::cast::usize_of(3.0 - exponent);
+        let digits = crate::base::cast::usize_of(3.0 - exponent);
         format!("{x:.digits$}")
     } else {
         format!("{x:.3e}")

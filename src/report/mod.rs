@@ -9,12 +9,12 @@ mod markdown;
 mod plot;
 pub mod record;
 
-use crate::cast;
-use crate::error::Result;
+use crate::base::cast;
+use crate::base::error::Result;
+use crate::base::output;
 use crate::measure::Basis;
-use crate::output;
-use crate::render::{Shader, shoot};
-use crate::scene::Scene;
+use crate::shading::render::{Shader, shoot};
+use crate::shading::scene::Scene;
 use rayon::prelude::*;
 use record::{Measured, Point, Record};
 use std::path::Path;

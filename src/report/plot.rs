@@ -3,8 +3,8 @@
 use super::chart::{Along, Chart, Front, Series, Style};
 use super::record::{Axis, Record, plain};
 use super::{Row, against, axis_names, axis_values, best, inputs, rows};
+use crate::design::{Role, Unit};
 use crate::measure::Basis;
-use crate::units::{Role, Unit};
 
 /// The most series that are told apart in one plot.
 const MAX_SERIES: usize = 8;

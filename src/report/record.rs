@@ -35,21 +35,21 @@
 //! - `samples_per_second`, `threads` and `engine_samples_per_second_per_thread`;
 //! - `error`: why a point has no figures; empty otherwise.
 //!
-//! [`crate::columns`] tells how fields are written, [`crate::json`] what documents have in common.
+//! [`crate::base::columns`] tells how fields are written, [`crate::base::json`] what documents have in common.
 
-use crate::cast;
-use crate::columns::{self, Field};
-use crate::error::{Error, Result};
-use crate::input;
-use crate::json;
+use crate::base::cast;
+use crate::base::columns::{self, Field};
+use crate::base::error::{Error, Result};
+use crate::base::input;
+use crate::base::json;
+use crate::base::output;
+use crate::base::whole;
+use crate::design::{Design, Value, Values};
 use crate::measure::{self, Basis, Speed, Witness};
 use crate::netlist::{Counts, Quantity};
-use crate::output;
-use crate::picture::{Channel, Difference, coverage};
-use crate::render::{Rendered, Shot};
-use crate::scene::Scene;
-use crate::units::{Design, Value, Values};
-use crate::whole;
+use crate::shading::picture::{Channel, Difference, coverage};
+use crate::shading::render::{Rendered, Shot};
+use crate::shading::scene::Scene;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::Map;
 use std::collections::BTreeSet;

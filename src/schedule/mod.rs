@@ -42,11 +42,11 @@ pub mod share;
 pub use place::{Binding, BoundOperation, BoundUnit, Load, Plan, Share};
 pub use share::{Kind, Operand, Operation, Unit, UnitPort, name_of};
 
-use crate::cast;
-use crate::error::{Error, Result};
-use crate::format::{Narrowing, addr_bits};
+use crate::base::cast;
+use crate::base::error::{Error, Result};
+use crate::netlist::op::Op;
 use crate::netlist::{Netlist, NodeId};
-use crate::op::Op;
+use crate::number::format::{Narrowing, addr_bits};
 
 const REGISTER_PS: u32 = 500;
 const ROM_SETUP_PS: u32 = 400;

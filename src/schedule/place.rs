@@ -5,10 +5,10 @@
 
 use super::share::{Hardware, Kind, Operand, Operation, Structure, Unit, operations};
 use super::{Free, REGISTER_PS, Rom, Schedule, delay_ps};
-use crate::cast;
-use crate::error::{Error, Result};
-use crate::format::addr_bits;
+use crate::base::cast;
+use crate::base::error::{Error, Result};
 use crate::netlist::Netlist;
+use crate::number::format::addr_bits;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 

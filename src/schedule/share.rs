@@ -13,10 +13,10 @@
 //! sits in the unit.
 
 use super::{Rom, Schedule};
-use crate::error::{Error, Result};
-use crate::format::Format;
+use crate::base::error::{Error, Result};
+use crate::netlist::op::Op;
 use crate::netlist::{Builder, Netlist, NodeId, Part, Quantity, ScopeId};
-use crate::op::Op;
+use crate::number::format::Format;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 

@@ -30,13 +30,13 @@
 
 use super::kernels::{self, Fit, Kernel, Lane, Limit, Slow, Wrap};
 use super::lanes::{Narrowed, Placed, Way, Width, alignment, least, place, wide_product};
-use crate::cast;
-use crate::error::{Error, Result};
-use crate::format::Overflow;
+use crate::base::cast;
+use crate::base::error::{Error, Result};
+pub use crate::base::simd::Features;
+use crate::base::simd::{Body, prefetch, vectorised_for};
+use crate::netlist::op::Op;
 use crate::netlist::{Netlist, NodeId};
-use crate::op::Op;
-pub use crate::simd::Features;
-use crate::simd::{Body, prefetch, vectorised_for};
+use crate::number::format::Overflow;
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, HashMap};
 use std::mem::take;

@@ -1,7 +1,7 @@
 //! Which column holds which node, in the program on reals.
 
+use crate::netlist::op::Op;
 use crate::netlist::{Netlist, NodeId};
-use crate::op::Op;
 
 /// Columns of a program.
 pub(super) struct Columns {

@@ -1,12 +1,12 @@
 //! The loops of [`super::batch`]: one instruction over one block of lanes.
 //!
 //! Plain Rust without branches on samples, which the compiler vectorises; inlined into the bodies
-//! that [`crate::simd`] compiles for each set of processor features. A table has 2^n rows and is read
+//! that [`crate::base::simd`] compiles for each set of processor features. A table has 2^n rows and is read
 //! at an address masked to n bits, so no read is out of bounds, and the compiler sees it.
 
 use super::lanes::Width;
-use crate::cast;
-use crate::format::{Format, Overflow, Round, narrow, word_mask};
+use crate::base::cast;
+use crate::number::format::{Format, Overflow, Round, narrow, word_mask};
 use num_traits::{
     PrimInt, WrappingAdd, WrappingMul, WrappingNeg, WrappingShl, WrappingShr, WrappingSub,
 };

@@ -9,10 +9,11 @@
 //! zeros, gives the word in any wider lane. Of other nodes only the low bits asked for are right,
 //! and nobody looks at the rest.
 
-use crate::format::{Format, Overflow, Round, rounded};
+use crate::netlist::op::Op;
+use crate::netlist::ranges::ranges;
+use crate::netlist::words::Words;
 use crate::netlist::{Netlist, NodeId};
-use crate::op::Op;
-use crate::specialise::{Words, ranges};
+use crate::number::format::{Format, Overflow, Round, rounded};
 
 /// Bits of a lane.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Hash)]

@@ -5,13 +5,13 @@
 
 use super::batch::BLOCK;
 use super::columns::Columns;
-use crate::cast;
-use crate::format::Format;
-use crate::function::Function;
+use crate::base::cast;
+use crate::base::simd::{Body, vectorised};
+use crate::netlist::op::{Meaning, Op, modulo};
 use crate::netlist::{Netlist, NodeId};
-use crate::op::{Meaning, Op, modulo};
-use crate::simd::{Body, vectorised};
-use crate::trig::Real;
+use crate::number::format::Format;
+use crate::number::function::Function;
+use crate::number::trig::Real;
 use std::collections::{HashMap, HashSet};
 
 /// How a node gets its value on reals.

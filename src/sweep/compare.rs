@@ -6,16 +6,16 @@
 //! as the datapath's, as in the paper. A *look-up* is a word that a table gives, whatever its
 //! scheme; a *map* is a table of two or three angles.
 
-use crate::cast;
-use crate::error::{Error, Result};
+use crate::base::cast;
+use crate::base::error::{Error, Result};
+use crate::design::{Design, Role, Unit};
 use crate::measure::{self, Basis, Inputs, Report};
+use crate::netlist::op::Op;
 use crate::netlist::{Netlist, Part, ScopeId};
-use crate::op::Op;
-use crate::picture::PIXELS_PER_DEGREE;
-use crate::render::{Pipeline, check_view, render, set_material};
 use crate::report::record::assigned;
-use crate::scene::Scene;
-use crate::units::{Design, Role, Unit};
+use crate::shading::picture::PIXELS_PER_DEGREE;
+use crate::shading::render::{Pipeline, check_view, render, set_material};
+use crate::shading::scene::Scene;
 use serde::{Serialize, Serializer};
 use std::collections::BTreeSet;
 

@@ -9,20 +9,23 @@
 //! picture. Parameters of the material come from the scene unless they are given, and then they
 //! take the place of the scene's in pipeline and golden alike.
 
-use crate::cast;
-use crate::error::{Error, Result};
+pub mod compare;
+pub mod ladder;
+
+use crate::base::cast;
+use crate::base::error::{Error, Result};
+use crate::base::output::{self, Set};
+use crate::base::whole;
+use crate::design::{Design, Kind, Param, Reflection, Role, Sampler, Shading, Unit, Value, Values};
 use crate::measure::{self, Inputs};
-use crate::output::{self, Set};
-use crate::picture::PIXELS_PER_DEGREE;
-use crate::render::{
+use crate::report;
+use crate::report::record::{self, Header, Measured, Point, RankBy, Record, SceneId};
+use crate::shading::picture::PIXELS_PER_DEGREE;
+use crate::shading::render::{
     EMBOSS_PIPELINES, Pipeline, Shader, TANGENT_PIPELINES, check_view, pipeline_units,
     set_material, shots_together,
 };
-use crate::report;
-use crate::report::record::{self, Header, Measured, Point, RankBy, Record, SceneId};
-use crate::scene::Scene;
-use crate::units::{Design, Kind, Param, Reflection, Role, Sampler, Shading, Unit, Value, Values};
-use crate::whole;
+use crate::shading::scene::Scene;
 use std::collections::HashMap;
 use std::fs;
 use std::io;

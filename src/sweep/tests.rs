@@ -1,9 +1,9 @@
 use super::*;
-use crate::format::{Format, Overflow, Round};
+use crate::design::{Bounds, Group, Shape};
 use crate::measure::Basis;
 use crate::netlist::{Builder, Quantity};
+use crate::number::format::{Format, Overflow, Round};
 use crate::units::rotation::ROTATION;
-use crate::units::{Bounds, Group, Shape};
 use serde_json::json;
 use std::path::PathBuf;
 use std::sync::Arc;

@@ -1,13 +1,13 @@
 //! Exact statistics of table schemes, over every word of their arguments.
 
-use crate::cast;
-use crate::error::Result;
-use crate::function::Function;
-use crate::json;
-use crate::lut;
+use crate::base::cast;
+use crate::base::error::Result;
+use crate::base::json;
 use crate::netlist::{Builder, NodeId, Quantity};
+use crate::number::function::Function;
 use crate::sim::batch::Program;
-use crate::units::Tabulated;
+use crate::table;
+use crate::table::Tabulated;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -55,7 +55,7 @@ pub fn table_figures(tabulated: &Tabulated) -> Result<Option<Vec<TableFigures>>>
     }
     let mut b = Builder::new("table");
     let argument = b.input("argument", tabulated.argument, Quantity::Number);
-    let nodes = lut::emit(&mut b, &tabulated.spec(), argument);
+    let nodes = table::emit(&mut b, &tabulated.spec(), argument);
     for (i, node) in nodes.iter().enumerate() {
         b.output(&format!("f{i}"), *node);
     }

@@ -16,11 +16,13 @@
 //! linear and the bipartite scheme have no slope: those cells are as in the direct scheme. (Not
 //! where it is by one place only, as 1.0 in a format of fractions.)
 
-use crate::cast;
-use crate::format::{Format, Overflow, Round, word_mask};
-use crate::function::{Combination, Function};
+pub(crate) mod figures;
+
+use crate::base::cast;
+use crate::netlist::op::Meaning;
 use crate::netlist::{Builder, Column, NodeId, Part, Table};
-use crate::op::Meaning;
+use crate::number::format::{Format, Overflow, Round, word_mask};
+use crate::number::function::{Combination, Function};
 use std::collections::HashMap;
 use std::fmt;
 use std::sync::{Arc, LazyLock, Mutex, PoisonError};
@@ -81,6 +83,46 @@ pub struct Spec<'a> {
     pub output: Format,
     /// Rounding of the sums in linear and bipartite schemes.
     pub round: Round,
+}
+
+/// A table scheme as a design uses it: what is needed to judge it alone.
+#[derive(Clone, Debug)]
+pub struct Tabulated {
+    /// Name of the table and of its scope.
+    pub name: &'static str,
+    /// Its functions.
+    pub functions: Vec<Function>,
+    /// Scheme.
+    pub scheme: Scheme,
+    /// Address bits asked for.
+    pub addr_bits: u32,
+    /// Quarter-wave folding asked for.
+    pub quarter_wave: bool,
+    /// Value of the argument's word 0.
+    pub origin: f64,
+    /// Format of the result.
+    pub output: Format,
+    /// Rounding of its sums.
+    pub round: Round,
+    /// Format of the argument.
+    pub argument: Format,
+}
+
+impl Tabulated {
+    /// The specification for [`emit`].
+    #[must_use]
+    pub fn spec(&self) -> Spec<'_> {
+        Spec {
+            name: self.name,
+            functions: &self.functions,
+            scheme: self.scheme,
+            addr_bits: self.addr_bits,
+            quarter_wave: self.quarter_wave,
+            origin: self.origin,
+            output: self.output,
+            round: self.round,
+        }
+    }
 }
 
 /// Adds the tables and logic that approximate `spec.functions` at `argument`.

@@ -8,17 +8,18 @@
 use super::cross::cross;
 use super::dot::{extremes, vector_ports};
 use super::normalise::{NORM_BITS, direction_error, unit_vector};
-use super::plan::{self, rounding_ulp};
+use super::parts::plan::{self, rounding_ulp};
 use super::rsqrt::{ROOT_ADDR_BITS, ROOT_FRAC_BITS, ROOT_SCHEME, Root, length_error};
-use super::{
+use super::vertex;
+use crate::base::cast;
+use crate::base::error::Result;
+use crate::design::{
     Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Role, Shading, Shape, Unit,
-    Values, emboss,
+    Values,
 };
-use crate::cast;
-use crate::error::Result;
-use crate::format::{Format, Overflow, Round};
 use crate::netlist::{Builder, Netlist, NodeId, Quantity};
-use crate::trig::Real;
+use crate::number::format::{Format, Overflow, Round};
+use crate::number::trig::Real;
 use std::sync::Arc;
 
 /// The unit.
@@ -171,13 +172,13 @@ fn build(values: &Values) -> Result<Design> {
             bound("flag", &["degenerate"], |_, _| 0.0),
         ]),
         tabulated,
-        draw: emboss::draw,
+        draw: vertex::draw,
         binding: None,
     })
 }
 
 fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
-    let mut hard = emboss::hard_cases(netlist);
+    let mut hard = vertex::hard_cases(netlist);
     hard.extend(extremes(netlist));
     hard
 }

@@ -15,17 +15,18 @@ use super::illumination::{
     direction_words, golden_dot, golden_light, intensity_bound, light, light_ports, polar_dot,
     specular_bound,
 };
-use super::plan::{self, Plan, angle, number, rounding_ulp};
+use super::parts::fragment;
+use super::parts::plan::{self, Plan, angle, number, rounding_ulp};
 use super::rotation::{self, Form, rotate};
-use super::{
+use crate::base::cast;
+use crate::base::error::Result;
+use crate::design::{
     Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Role, Shading, Shape, Unit,
-    Values, fragment,
+    Values,
 };
-use crate::cast;
-use crate::error::Result;
-use crate::format::{Format, Overflow};
 use crate::netlist::{Builder, NodeId, Quantity};
-use crate::trig::Real;
+use crate::number::format::{Format, Overflow};
+use crate::number::trig::Real;
 use std::sync::Arc;
 
 /// The unit.

@@ -11,17 +11,17 @@
 //! `p + x (q - p)`, rounded to `guard_bits` each. An interpolation lies between its ends, so an error of an
 //! earlier one is passed on at most.
 
-use super::plan::{self, rounding_ulp};
+use super::parts::plan::{self, rounding_ulp};
 use super::sampler::{FILTER, FRACTION_BITS, clamped};
-use super::{
+use crate::base::cast;
+use crate::base::error::Result;
+use crate::design::{
     Bound, Bounds, Design, Group, HardCase, Kind, Param, Role, Sampler, Shading, Uniform, Unit,
     Values,
 };
-use crate::cast;
-use crate::error::Result;
-use crate::format::{Format, Overflow, Round};
 use crate::netlist::{Builder, NodeId, Quantity};
-use crate::trig::Real;
+use crate::number::format::{Format, Overflow, Round};
+use crate::number::trig::Real;
 use std::sync::Arc;
 
 /// The unit.

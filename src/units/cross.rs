@@ -3,10 +3,10 @@
 use super::dot::{
     PARAM_NAMES, PARAMS, draw_words, ended, extremes, result, rounding_bounds, signed, vector_ports,
 };
-use super::{Design, Group, Shading, Unit, Values};
-use crate::error::Result;
+use crate::base::error::Result;
+use crate::design::{Design, Group, Shading, Unit, Values};
 use crate::netlist::{Builder, NodeId, Quantity};
-use crate::trig::Real;
+use crate::number::trig::Real;
 use std::sync::Arc;
 
 /// The unit.

@@ -1,15 +1,15 @@
 //! The dot product of three, and what units of vectors in words share.
 
-use super::plan::{self, rounding_ulp};
-use super::{
+use super::parts::plan::{self, rounding_ulp};
+use crate::base::cast;
+use crate::base::error::Result;
+use crate::design::{
     Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Role, Sampler, Shading, Uniform,
     Unit, Values,
 };
-use crate::cast;
-use crate::error::Result;
-use crate::format::{Format, Overflow, Round};
 use crate::netlist::{Builder, Netlist, NodeId, Part, Quantity};
-use crate::trig::Real;
+use crate::number::format::{Format, Overflow, Round};
+use crate::number::trig::Real;
 use std::sync::Arc;
 
 // Products of words of 26 bits, and sums of three, are exact in an f64, and so is the golden.

@@ -7,17 +7,16 @@ use super::illumination::{
     self, DOTS, Light, cartesian_dot, diffuse_bound, dot_groups, golden_dot, golden_light,
     intensity_bound, light_ports, specular_bound,
 };
-use super::plan::{Plan, rounding_ulp};
-use super::{
-    Bound, BoundFn, Bounds, Design, Group, Param, Shading, Shape, Unit, Values, fragment, setup,
-};
-use crate::cast;
-use crate::error::Result;
-use crate::format::{Format, Overflow, Round, quantize};
-use crate::function::Function;
+use super::parts::plan::{Plan, rounding_ulp};
+use super::parts::{fragment, setup};
+use crate::base::cast;
+use crate::base::error::Result;
+use crate::design::{Bound, BoundFn, Bounds, Design, Group, Param, Shading, Shape, Unit, Values};
+use crate::netlist::op::Meaning;
 use crate::netlist::{Builder, NodeId};
-use crate::op::Meaning;
-use crate::trig::Real;
+use crate::number::format::{Format, Overflow, Round, quantize};
+use crate::number::function::Function;
+use crate::number::trig::Real;
 use std::sync::Arc;
 
 /// The unit.

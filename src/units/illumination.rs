@@ -11,19 +11,21 @@
 //! A rounded dot product can pass 1, so it has a guard bit; from 1 on, light is a constant beside the
 //! table. Where it is negative there is ambient light alone.
 
-use super::plan::{self, Plan, angle, number, rounding_ulp, scheme_of};
-use super::{
-    Bound, Bounds, Design, Group, HardCase, Kind, Param, Reflection, Role, Shading, Shape,
-    Tabulated, Unit, Values, fragment,
+use super::parts::fragment;
+use super::parts::plan::{self, Plan, angle, number, rounding_ulp, scheme_of};
+use crate::base::cast;
+use crate::base::error::Result;
+use crate::design::{
+    Bound, Bounds, Design, Group, HardCase, Kind, Param, Reflection, Role, Shading, Shape, Unit,
+    Values,
 };
-use crate::cast;
-use crate::error::Result;
-use crate::format::{Format, Overflow, Round, quantize};
-use crate::function::Function;
-use crate::lut;
+use crate::netlist::op::Meaning;
 use crate::netlist::{Builder, Netlist, NodeId, Quantity};
-use crate::op::Meaning;
-use crate::trig::{Real, acos_turns};
+use crate::number::format::{Format, Overflow, Round, quantize};
+use crate::number::function::Function;
+use crate::number::trig::{Real, acos_turns};
+use crate::table;
+use crate::table::Tabulated;
 use std::sync::Arc;
 
 /// The unit.
@@ -319,7 +321,7 @@ pub(super) fn table(
         round: plan.round,
         argument: b.format(fraction),
     };
-    let light = lut::emit(b, &tabulated.spec(), fraction)[0];
+    let light = table::emit(b, &tabulated.spec(), fraction)[0];
     plan.tabulated.push(tabulated);
     let constant = |b: &mut Builder, value: f64| -> Result<NodeId> {
         let word = quantize(value, output, Round::HalfEven, Overflow::Saturate)?.0;

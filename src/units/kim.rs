@@ -10,17 +10,17 @@ use super::illumination::{
     self, DOTS, components, diffuse_bound, dot_groups, golden_dot, golden_light, intensity_bound,
     kim_dot_bound, light, light_ports, polar_dot, specular_bound,
 };
-use super::plan::{self, Plan, angle, number, rounding_ulp};
+use super::parts::fragment;
+use super::parts::plan::{self, Plan, angle, number, rounding_ulp};
 use super::rotation::{converted_bound, to_polar};
-use super::{
+use crate::base::cast;
+use crate::base::error::Result;
+use crate::design::{
     Bound, BoundFn, Bounds, Design, Group, Kind, Param, Role, Shading, Shape, Unit, Values,
-    fragment,
 };
-use crate::cast;
-use crate::error::Result;
-use crate::format::{Format, Overflow};
 use crate::netlist::{Builder, NodeId, Quantity};
-use crate::trig::Real;
+use crate::number::format::{Format, Overflow};
+use crate::number::trig::Real;
 use std::sync::Arc;
 
 /// The unit.

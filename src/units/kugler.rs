@@ -12,17 +12,18 @@
 //! the paper's are `tilt_addr_bits=14` and `map_addr_bits=20`.
 
 use super::illumination::{self, components, golden_dot, golden_light};
-use super::plan::{self, Plan, angle, number};
-use super::polar::opposite;
+use super::parts::fragment;
+use super::parts::plan::{self, Plan, angle, number};
+use super::parts::polar::opposite;
 use super::rotation::to_polar;
-use super::{Bounds, Design, Group, Kind, Param, Role, Shading, Shape, Unit, Values, fragment};
-use crate::cast;
-use crate::error::Result;
-use crate::format::{Format, Overflow, Round, quantize, word_mask};
-use crate::function::Function;
+use crate::base::cast;
+use crate::base::error::Result;
+use crate::design::{Bounds, Design, Group, Kind, Param, Role, Shading, Shape, Unit, Values};
+use crate::netlist::op::{Meaning, tilted};
 use crate::netlist::{Builder, Column, NodeId, Quantity, Table, TableId};
-use crate::op::{Meaning, tilted};
-use crate::trig::Real;
+use crate::number::format::{Format, Overflow, Round, quantize, word_mask};
+use crate::number::function::Function;
+use crate::number::trig::Real;
 use std::sync::Arc;
 
 /// The unit.
@@ -275,7 +276,7 @@ fn light_map(
         Function::Light { offset: offset.into(), factor: values.real(name).into(), exponent };
     let [phi_bits, theta_bits] = map_bits(values);
     let row = (0..1i64 << theta_bits).map(|i| {
-        let cosine = crate::function::cos_turns(middle(i, theta_bits, 0.5));
+        let cosine = crate::number::function::cos_turns(middle(i, theta_bits, 0.5));
         // With an exponent of 0 the function is not 0 at negative cosines, but the light is.
         let light = if cosine > 0.0 { function.eval(cosine) } else { offset };
         Ok(quantize(light, output, Round::HalfEven, Overflow::Saturate)?.0)

@@ -5,17 +5,18 @@
 //! direction keeps as many bits next to a light as far away.
 
 use super::dot::{dot, draw_words, extremes, signed, vector_ports};
-use super::plan::{self, rounding_ulp};
+use super::parts::divide;
+use super::parts::plan::{self, rounding_ulp};
 use super::rsqrt::Root;
-use super::{
-    Bound, BoundFn, Bounds, Design, Group, Kind, Param, Role, Shading, Unit, Values, divide,
+use crate::base::cast;
+use crate::base::error::Result;
+use crate::design::{
+    Bound, BoundFn, Bounds, Design, Group, Kind, Param, Role, Shading, Unit, Values,
 };
-use crate::cast;
-use crate::error::Result;
-use crate::format::{Format, Overflow, Round};
+use crate::netlist::op::Meaning;
 use crate::netlist::{Builder, NodeId, Quantity};
-use crate::op::Meaning;
-use crate::trig::Real;
+use crate::number::format::{Format, Overflow, Round};
+use crate::number::trig::Real;
 use std::sync::Arc;
 
 /// The unit.

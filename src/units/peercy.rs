@@ -3,11 +3,12 @@
 //! 18 multipliers and 12 adders transform L and H; 9 multipliers, 6 adders, 3 square roots and 9
 //! dividers normalise L', H' and N'. The paper gives no illumination for it.
 
-use super::plan::Plan;
-use super::{Bounds, Design, Group, Param, Shading, Shape, Unit, Values, fragment, setup};
-use crate::error::Result;
+use super::parts::plan::Plan;
+use super::parts::{fragment, setup};
+use crate::base::error::Result;
+use crate::design::{Bounds, Design, Group, Param, Shading, Shape, Unit, Values};
 use crate::netlist::Builder;
-use crate::trig::Real;
+use crate::number::trig::Real;
 use std::sync::Arc;
 
 /// The unit.

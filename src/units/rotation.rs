@@ -7,20 +7,20 @@
 //! - `corrected`: the same tables, multipliers and adders with the identities mended;
 //! - `exact`: the rotation's triple products expanded to sums, one table read per term.
 
-use super::plan::{self, Plan, angle, number, rounding_ulp};
-use super::polar::{self, PolarTables};
-use super::{
+use super::parts::plan::{self, Plan, angle, number, rounding_ulp};
+use super::parts::polar::{self, PolarTables};
+use crate::base::cast;
+use crate::base::error::Result;
+use crate::base::simd::{Body, vectorised};
+use crate::design::{
     Bound, Bounds, Design, Group, HardCase, Kind, Param, Role, Sampler, Shading, Shape, Uniform,
     Unit, Value, Values,
 };
-use crate::cast;
-use crate::error::Result;
-use crate::format::{Format, Overflow};
-use crate::function::Function;
+use crate::netlist::op::Meaning;
 use crate::netlist::{Builder, NodeId, Quantity};
-use crate::op::Meaning;
-use crate::simd::{Body, vectorised};
-use crate::trig::{Real, acos_turns, asin_turns, atan_turns, sin_cos_turns};
+use crate::number::format::{Format, Overflow};
+use crate::number::function::Function;
+use crate::number::trig::{Real, acos_turns, asin_turns, atan_turns, sin_cos_turns};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 

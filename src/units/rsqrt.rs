@@ -1,18 +1,19 @@
 //! The reciprocal square root as a unit, and the one that units of vectors share.
 
-use super::plan::{self, rounding_ulp};
-use super::root::{self, newton_error, reciprocal_root};
-use super::{
+use super::parts::plan::{self, rounding_ulp};
+use super::parts::root::{self, newton_error, reciprocal_root};
+use crate::base::cast;
+use crate::base::error::Result;
+use crate::design::{
     Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Role, Scale, Shading, Shape,
-    Tabulated, Unit, Values,
+    Unit, Values,
 };
-use crate::cast;
-use crate::error::Result;
-use crate::format::{Format, Overflow, Round};
-use crate::function::Function;
-use crate::lut::Scheme;
 use crate::netlist::{Builder, NodeId, Quantity};
-use crate::trig::Real;
+use crate::number::format::{Format, Overflow, Round};
+use crate::number::function::Function;
+use crate::number::trig::Real;
+use crate::table::Scheme;
+use crate::table::Tabulated;
 use std::sync::Arc;
 
 /// The unit.

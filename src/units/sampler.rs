@@ -11,16 +11,16 @@
 //! always those of the exact position. What that takes off, less than an ulp of the fractions, it takes off
 //! every sample, and differences of samples hardly see it.
 
-use super::{
+use crate::base::cast;
+use crate::base::error::Result;
+use crate::design::{
     Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Role, Sampler, Shading, Uniform,
     Unit, Values,
 };
-use crate::cast;
-use crate::error::Result;
-use crate::format::{Format, Overflow, Round};
+use crate::netlist::op::Meaning;
 use crate::netlist::{Builder, NodeId, Quantity};
-use crate::op::Meaning;
-use crate::trig::Real;
+use crate::number::format::{Format, Overflow, Round};
+use crate::number::trig::Real;
 use std::sync::Arc;
 
 /// The unit.

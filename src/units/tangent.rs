@@ -54,17 +54,17 @@ use super::basis::{
 use super::cross::cross;
 use super::dot::{dot, extremes, vector_ports};
 use super::normalise::{Block, NORM_BITS, block, direction_error, narrowed, unit_vector};
-use super::plan::{self, number, rounding_ulp};
+use super::parts::plan::{self, number, rounding_ulp};
 use super::rsqrt::{ROOT_ADDR_BITS, ROOT_FRAC_BITS, ROOT_SCHEME, Root, length_error};
-use super::{
+use crate::base::cast;
+use crate::base::error::Result;
+use crate::design::{
     Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Role, Sampler, Shading, Shape,
     Uniform, Unit, Values,
 };
-use crate::cast;
-use crate::error::Result;
-use crate::format::{Format, Overflow, Round, quantize};
 use crate::netlist::{Builder, Netlist, NodeId, Quantity};
-use crate::trig::{Real, sin_cos_turns};
+use crate::number::format::{Format, Overflow, Round, quantize};
+use crate::number::trig::{Real, sin_cos_turns};
 use glam::{DVec2, DVec3};
 use std::sync::Arc;
 
@@ -607,7 +607,7 @@ fn facet_map(
         };
         let along = axis(b, along, b.format(exact[0]));
         let exact = choose(b, edges.zero_area, along, exact);
-        Ok::<_, crate::error::Error>(unit_vector(b, root, name, exact, format)?.0)
+        Ok::<_, crate::base::error::Error>(unit_vector(b, root, name, exact, format)?.0)
     };
     let t = direction(b, "t", edges.tangent, Some(edges.e1), 0)?;
     let n = direction(b, "n", edges.area, None, 2)?;

@@ -6,8 +6,8 @@ mod set;
 pub use scratch::Scratch;
 pub use set::Set;
 
-use crate::error::{Error, Result};
-use crate::input;
+use crate::base::error::{Error, Result};
+use crate::base::input;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};

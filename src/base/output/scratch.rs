@@ -1,6 +1,6 @@
 //! Folders for files that are not in their places yet, or never will be.
 
-use crate::error::{Error, Result};
+use crate::base::error::{Error, Result};
 use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::io;

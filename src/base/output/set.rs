@@ -1,8 +1,8 @@
 //! Files that belong together.
 
 use super::{Scratch, at, check, make_folder, place, real_path, scratch, write_file};
-use crate::error::{Error, Result};
-use crate::input;
+use crate::base::error::{Error, Result};
+use crate::base::input;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{self, File, Metadata};
 use std::io::{self, Read, Write};

@@ -19,12 +19,12 @@
 //! the bits of registers, but for the rows of block RAM and what DSPs take in.
 
 use super::{Cost, Target};
-use crate::cast;
-use crate::error::{Error, Result};
-use crate::hdl::{
+use crate::base::cast;
+use crate::base::error::{Error, Result};
+use crate::hardware::hdl::{
     Bit, Expr, Item, Module, Next, Operand, Options, Register, RomTable, Tables, View, WordId,
 };
-use crate::rtl::Rtl;
+use crate::hardware::rtl::Rtl;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -338,9 +338,9 @@ impl Graph {
                 let pairs = a.into_iter().zip(b);
                 pairs
                     .map(|(a, b)| match operator {
-                        crate::hdl::Bitwise::And => self.bitwise(true, a, b),
-                        crate::hdl::Bitwise::Or => self.bitwise(false, a, b),
-                        crate::hdl::Bitwise::Xor => self.xor(a, b),
+                        crate::hardware::hdl::Bitwise::And => self.bitwise(true, a, b),
+                        crate::hardware::hdl::Bitwise::Or => self.bitwise(false, a, b),
+                        crate::hardware::hdl::Bitwise::Xor => self.xor(a, b),
                     })
                     .collect()
             }
@@ -360,7 +360,9 @@ impl Graph {
             Expr::Multiply(a, b) => {
                 let (x, y) = (module.word(*a), module.word(*b));
                 let signed = x.signed || y.signed;
-                let wide = |word: &crate::hdl::Word| word.bits + u32::from(signed && !word.signed);
+                let wide = |word: &crate::hardware::hdl::Word| {
+                    word.bits + u32::from(signed && !word.signed)
+                };
                 let (a, b) = (self.words[a.index()].clone(), self.words[b.index()].clone());
                 let kind = Kind::Product { a_bits: wide(x), b_bits: wide(y), signed };
                 self.part(kind, a, b, None, bits)

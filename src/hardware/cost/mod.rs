@@ -21,10 +21,10 @@ mod estimate;
 
 pub use estimate::{estimate, of_module};
 
-use crate::error::{Error, Result};
-use crate::hdl::{Module, Verilog};
-use crate::output::{Scratch, write_text};
-use crate::outside::{self, Limits, Outcome, Tool};
+use crate::base::error::{Error, Result};
+use crate::base::output::{Scratch, write_text};
+use crate::base::outside::{self, Limits, Outcome, Tool};
+use crate::hardware::hdl::{Module, Verilog};
 use estimate::{Adds, Dsp, Rules, Sum};
 use serde::Serialize;
 use serde_json::Value;

@@ -3,14 +3,14 @@
 
 pub mod vectors;
 
-use crate::error::{Error, Result};
-use crate::hdl::testbench::{companions, vectors_file};
-use crate::hdl::{File, LANGUAGES, Language, Module, Options, Tables};
+use crate::base::error::{Error, Result};
+use crate::base::output::{self, Set};
+use crate::design::{Design, Sampler};
+use crate::hardware::hdl::testbench::{companions, vectors_file};
+use crate::hardware::hdl::{File, LANGUAGES, Language, Module, Options, Tables};
+use crate::hardware::rtl::Rtl;
 use crate::measure::{self, Basis, BoundCheck, Inputs};
-use crate::output::{self, Set};
-use crate::rtl::Rtl;
 use crate::schedule::Rom;
-use crate::units::{Design, Sampler};
 use std::path::Path;
 use std::sync::Arc;
 use vectors::Vectors;

@@ -1,10 +1,10 @@
 //! Vectors for hardware: input words, and the words that must come out.
 
-use crate::cast;
-use crate::hdl::testbench::push_vector;
+use crate::base::cast;
+use crate::design::Design;
+use crate::hardware::hdl::testbench::push_vector;
 use crate::netlist::{Netlist, NodeId};
 use crate::sim::batch::{Program, Runner};
-use crate::units::Design;
 use rand_core::{RngCore, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use std::io::{self, Write};

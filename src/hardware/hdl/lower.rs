@@ -15,13 +15,13 @@ use super::{
     Stage, Tables, Valid, View, WORDS, Word, WordId, check_name, new_word_id, place_tables,
     refuse_size, valid_bit,
 };
-use crate::cast;
-use crate::error::{Error, Result};
-use crate::format::{Format, Narrowing, Overflow, Round, bit_len, narrow};
-use crate::hdl::names::Names;
+use crate::base::cast;
+use crate::base::error::{Error, Result};
+use crate::hardware::hdl::names::Names;
+use crate::hardware::rtl::{Port, Rtl, Signal, Source};
+use crate::netlist::op::Op;
 use crate::netlist::{NodeId, RAM_PORTS, Table, TableId};
-use crate::op::Op;
-use crate::rtl::{Port, Rtl, Signal, Source};
+use crate::number::format::{Format, Narrowing, Overflow, Round, bit_len, narrow};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 

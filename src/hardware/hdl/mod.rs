@@ -11,13 +11,13 @@ pub mod testbench;
 mod verilog;
 mod vhdl;
 
-pub use verilog::Verilog;
+pub use verilog::{Verilog, proof};
 pub use vhdl::Vhdl;
 
-use crate::cast;
-use crate::error::{Error, Result};
-use crate::format::Format;
-use crate::rtl::{Rtl, Signal};
+use crate::base::cast;
+use crate::base::error::{Error, Result};
+use crate::hardware::rtl::{Rtl, Signal};
+use crate::number::format::Format;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 

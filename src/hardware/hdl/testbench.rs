@@ -2,7 +2,7 @@
 //! ports, latency and names.
 
 use super::{File, Language, Module, Word};
-use crate::format::Format;
+use crate::number::format::Format;
 use minijinja::{Environment, UndefinedBehavior, context};
 use serde::Serialize;
 use std::fmt::Write as _;
@@ -60,17 +60,6 @@ pub fn vectors_file(module: &Module) -> String {
 #[must_use]
 pub fn reference_name(module: &Module) -> String {
     format!("{}_reference", module.name)
-}
-
-/// Verilog that compares a module with its reference cycle by cycle, and a Yosys script that
-/// proves that they never differ.
-#[must_use]
-pub fn proof(module: &Module) -> [File; 2] {
-    let comparison = render(include_str!("templates/equal.v"), module, 0, &super::verilog::shape);
-    [
-        File { name: format!("{}_equal.v", module.name), text: comparison },
-        companion(module, "_equal.ys", include_str!("templates/equal.ys"), 0),
-    ]
 }
 
 /// Adds a line of vectors: patterns of words in hexadecimal.

@@ -7,7 +7,7 @@ use super::{
     Bit, Bitwise, Driver, Expr, File, Item, Language, Module, Next, Operand, READY, ROWS_A_LINE,
     Register, RomTable, Stage, Tables, Valid, View, Word, WordId, rom_attributes, testbench,
 };
-use crate::cast;
+use crate::base::cast;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
@@ -90,8 +90,19 @@ impl Language for Verilog {
     }
 }
 
+/// Verilog that compares a module with its reference cycle by cycle, and a Yosys script that
+/// proves that they never differ.
+#[must_use]
+pub fn proof(module: &Module) -> [File; 2] {
+    let comparison = testbench::render(include_str!("templates/equal.v"), module, 0, &shape);
+    [
+        File { name: format!("{}_equal.v", module.name), text: comparison },
+        testbench::companion(module, "_equal.ys", include_str!("templates/equal.ys"), 0),
+    ]
+}
+
 /// `signed [1:-14] `, `[9:0] ` or nothing.
-pub(super) fn shape(word: &Word) -> String {
+fn shape(word: &Word) -> String {
     let sign = if word.signed { "signed " } else { "" };
     if word.bits == 1 {
         return sign.to_owned();

@@ -8,7 +8,7 @@ use super::{
     Bit, Bitwise, Driver, Expr, File, Item, Language, Module, Next, Operand, READY, ROWS_A_LINE,
     Register, RomTable, Stage, Tables, Valid, View, Word, WordId, rom_attributes, testbench,
 };
-use crate::cast;
+use crate::base::cast;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 

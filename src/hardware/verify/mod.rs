@@ -5,14 +5,14 @@ mod simulators;
 
 pub use simulators::Proof;
 
-use crate::emit::vectors::Vectors;
-use crate::emit::{Package, Settings};
-use crate::error::{Error, Result};
-use crate::hdl::Tables;
+use crate::base::error::{Error, Result};
+use crate::base::output::{Scratch, Set, copy_folder};
+use crate::base::outside::{self, Tool};
+use crate::design::Design;
+use crate::hardware::emit::vectors::Vectors;
+use crate::hardware::emit::{Package, Settings};
+use crate::hardware::hdl::Tables;
 use crate::netlist::Netlist;
-use crate::output::{Scratch, Set, copy_folder};
-use crate::outside::{self, Tool};
-use crate::units::Design;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc;
@@ -297,7 +297,7 @@ impl Job<'_> {
 fn decoded(netlist: &Netlist, node: crate::netlist::NodeId, port: &str, pattern: &str) -> Decoded {
     let format = netlist.node(node).format;
     let bits = u64::from_str_radix(pattern, 16).ok();
-    let raw = bits.map(|bits| format.wrap(crate::cast::word_of_bits(bits & (u64::MAX >> 1))));
+    let raw = bits.map(|bits| format.wrap(crate::base::cast::word_of_bits(bits & (u64::MAX >> 1))));
     Decoded {
         port: port.to_owned(),
         pattern: pattern.to_owned(),
@@ -370,7 +370,7 @@ pub fn simulators_of(names: &[String]) -> Result<Vec<Simulator>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::Unit;
+    use crate::design::Unit;
 
     #[test]
     fn a_tool_without_a_thread_is_unfinished() {

@@ -1,15 +1,16 @@
 //! How each tool is run, and what it says.
 
 use super::{Job, Row, Simulator, Verdict, mismatch};
-use crate::emit::vectors::Vectors;
-use crate::error::{Error, Result};
-use crate::hdl::testbench::{proof, reference_name};
-use crate::hdl::{File, Module, Options, Tables, Verilog};
-use crate::output::{Scratch, write_text};
-use crate::outside::{self, End, Limits, Outcome};
-use crate::rtl::Rtl;
+use crate::base::error::{Error, Result};
+use crate::base::output::{Scratch, write_text};
+use crate::base::outside::{self, End, Limits, Outcome};
+use crate::design::{Design, Kind, Role, Value};
+use crate::hardware::emit::vectors::Vectors;
+use crate::hardware::hdl::proof;
+use crate::hardware::hdl::testbench::reference_name;
+use crate::hardware::hdl::{File, Module, Options, Tables, Verilog};
+use crate::hardware::rtl::Rtl;
 use crate::schedule::{Depth, Rom, Schedule};
-use crate::units::{Design, Kind, Role, Value};
 use std::io::Write;
 use std::sync::Arc;
 use std::time::Instant;

@@ -5,7 +5,7 @@
 //! after the header are put straight into one buffer here, without allocation: bits come eight
 //! at a time from a table, and reals are the shortest text that reads back as the same `f64`.
 
-use crate::cast;
+use crate::base::cast;
 use std::io::{self, Write};
 use vcd::IdCode;
 

@@ -6,14 +6,14 @@
 
 use super::text::{Code, Lines};
 use super::{AngleTrace, Trace, Twin};
-use crate::cast;
+use crate::base::cast;
+use crate::design::Design;
+use crate::hardware::cycle::Cycle;
+use crate::hardware::rtl::Rtl;
 use crate::measure::{angle_errors, as_golden, values_of};
 use crate::netlist::{NodeId, Quantity};
-use crate::rtl::Rtl;
 use crate::sim::batch;
-use crate::sim::cycle::Cycle;
 use crate::sim::real::{Program, Runner};
-use crate::units::Design;
 use std::io;
 use vcd::IdCode;
 

@@ -10,11 +10,11 @@
 
 use super::text::{Code, Lines};
 use super::{Shown, index_range};
-use crate::cast;
-use crate::format::Format;
-use crate::rtl::{Instance, Rtl};
-use crate::sim::cycle::Cycle;
-use crate::timetable::{Name, Timetable};
+use crate::base::cast;
+use crate::hardware::cycle::Cycle;
+use crate::hardware::rtl::{Instance, Rtl};
+use crate::hardware::timetable::{Name, Timetable};
+use crate::number::format::Format;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use vcd::VarType;

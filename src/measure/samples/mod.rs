@@ -3,7 +3,7 @@
 //! An input port `P` stands there as its word `P_raw`, as its quantised value `P_q`, or as a real `P`. The first of
 //! these that is there counts, and the others have to mean the same word. Reals are written as words to nearest, angles
 //! modulo a turn. A value past the range of its port becomes the nearest word, and is told. Columns that
-//! [`crate::eval`] writes, or that a table of hard cases has, are passed over; any other is an error, unless they are to be ignored: it
+//! [`crate::measure::eval`] writes, or that a table of hard cases has, are passed over; any other is an error, unless they are to be ignored: it
 //! may be a misspelt one. Commas, semicolons or tabs stand between fields, as the header has it.
 //!
 //! Rows come in blocks: as many as are there, so that what reads from a pipe answers each row at once, and
@@ -11,12 +11,12 @@
 
 mod records;
 
-use crate::document::check_encoding;
-use crate::error::{Error, Result, nearest};
-use crate::escape;
+use crate::base::document::check_encoding;
+use crate::base::error::{Error, Result, nearest};
+use crate::base::escape;
+use crate::design::Design;
 use crate::measure::{case_columns, quantize_input};
 use crate::netlist::{Netlist, Quantity};
-use crate::units::Design;
 use records::{DELIMITERS, Next, ROW_BYTES, Records, Stop};
 use std::f64::consts::TAU;
 use std::io::Read;

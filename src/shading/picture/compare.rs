@@ -3,9 +3,9 @@
 use super::flip::flip;
 use super::ssim::ssim;
 use super::{Picture, Srgb8};
-use crate::cast;
-use crate::error::{Error, Result};
-use crate::json;
+use crate::base::cast;
+use crate::base::error::{Error, Result};
+use crate::base::json;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 

@@ -1,7 +1,7 @@
 //! Separable filters over bands of rows.
 
-use crate::cast;
-use crate::simd::{Body, vectorised};
+use crate::base::cast;
+use crate::base::simd::{Body, vectorised};
 use rayon::prelude::*;
 use std::ops::Range;
 

@@ -7,7 +7,7 @@
 
 use super::filter::{Plane, sum_over_bands, taps};
 use super::{Srgb8, linear};
-use crate::cast;
+use crate::base::cast;
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 use std::ops::Range;
 

@@ -3,8 +3,8 @@
 use super::compare::check_equal_sizes;
 use super::draw::{Canvas, GAP_PX, LINE_PX, code, text_width};
 use super::{LUMINANCE, NAN_COLOUR, Picture, Srgb8, encode};
-use crate::cast;
-use crate::error::{Error, Result};
+use crate::base::cast;
+use crate::base::error::{Error, Result};
 use rayon::prelude::*;
 
 /// How much a difference is amplified before it is drawn.

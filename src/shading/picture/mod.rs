@@ -28,10 +28,10 @@ pub(crate) use compare::{check_pixels_per_degree, nothing_in_view};
 pub use draw::{Panel, sheet};
 pub use maps::{Amplify, absolute_map, signed_map};
 
-use crate::cast;
-use crate::error::{Error, Result};
-use crate::output;
-use crate::srgb::from_srgb;
+use crate::base::cast;
+use crate::base::error::{Error, Result};
+use crate::base::output;
+use crate::shading::srgb::from_srgb;
 use rayon::prelude::*;
 use std::array;
 use std::path::Path;

@@ -3,7 +3,7 @@
 
 use super::filter::{Plane, sum_over_bands};
 use super::{LUMINANCE, Srgb8};
-use crate::cast;
+use crate::base::cast;
 
 /// Side of the window, in px.
 const WINDOW_PX: usize = 11;

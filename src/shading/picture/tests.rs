@@ -1,7 +1,7 @@
 use super::flip::flip;
 use super::ssim::ssim;
 use super::*;
-use crate::cast;
+use crate::base::cast;
 use std::fs;
 
 /// Gradients, a checkerboard and a disc with sharp edges.
@@ -389,7 +389,7 @@ fn a_sheet_holds_every_picture_and_caption() {
 
 #[test]
 fn png_files_hold_the_codes_or_nothing() {
-    let scratch = crate::output::Scratch::new().unwrap();
+    let scratch = crate::base::output::Scratch::new().unwrap();
     let path = scratch.path().join("scene.png");
     let picture = scene(33, 17);
     picture.to_linear().save_png(&path).unwrap();

@@ -40,13 +40,15 @@ use super::named::Stage;
 use super::{
     Block, BlockShot, Gathered, Pipeline, Rendered, Shot, count, gather, median_rate, overflows,
 };
-use crate::cast;
-use crate::error::{Error, Result};
-use crate::format::Format;
+use crate::base::cast;
+use crate::base::error::{Error, Result};
+use crate::design::Unit;
 use crate::measure::{BoundCheck, quantize_inputs};
-use crate::scene::{Address, Filter, Light, LightSign, Place, Scene, Seen, Tessellation, Vertex};
+use crate::number::format::Format;
+use crate::shading::scene::{
+    Address, Filter, Light, LightSign, Place, Scene, Seen, Tessellation, Vertex,
+};
 use crate::sim::batch::Runner;
-use crate::units::Unit;
 use crate::units::combine::COMBINE;
 use crate::units::sampler::SAMPLER;
 use glam::{DMat3, DVec2, DVec3};

@@ -21,20 +21,21 @@ pub mod tangent;
 
 pub use specialised::{SeenPort, SpecialisedStage, specialise_to};
 
-use crate::cast;
-use crate::error::{Error, Result, nearest};
-use crate::format::Format;
-use crate::json;
+use crate::base::cast;
+use crate::base::error::{Error, Result, nearest};
+use crate::base::json;
+use crate::design::{Design, Kind, Param, Reflection, Role, Shading, Unit, Value, Values};
 use crate::measure::{
     BINS, Basis, Figures, Histograms, OverflowCount, Report, Speed, Stream, angle_between,
     as_golden, overflow_counts, quantize_inputs, run_golden,
 };
 use crate::netlist::NodeId;
-use crate::picture::{Difference, Picture, nothing_in_view};
-use crate::scene::{Fragments, Light, Material, Scene};
+use crate::number::format::Format;
+use crate::shading::picture::{Difference, Picture, nothing_in_view};
+use crate::shading::scene::{Fragments, Light, Material, Scene};
 use crate::sim::batch::{Program, Runner, check_overflows};
+use crate::units::UNITS;
 use crate::units::fragment::{Fragment, Port};
-use crate::units::{Design, Kind, Param, Reflection, Role, Shading, UNITS, Unit, Value, Values};
 use glam::DVec3;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -943,7 +944,7 @@ fn shading_point(scene: &Scene, fragments: &Fragments, i: usize, light: &Light) 
         normal,
         tangent: vector(&fragments.tangent),
         light: to_light,
-        half: crate::scene::halfway(to_light, vector(&fragments.eye), normal),
+        half: crate::shading::scene::halfway(to_light, vector(&fragments.eye), normal),
         // A mirrored texture: its second axis is the other way round in the frame (T, N × T, N).
         perturbed: DVec3::new(bump.x, bump.y * fragments.handedness[i], bump.z),
     }

@@ -1,11 +1,11 @@
 //! A unit of a render path, fed and read by the names of its ports.
 
 use super::{BlockShot, Pipeline};
-use crate::error::Result;
-use crate::format::Format;
+use crate::base::error::Result;
+use crate::design::{Design, Unit};
 use crate::netlist::NodeId;
+use crate::number::format::Format;
 use crate::sim::batch::{Program, Runner};
-use crate::units::{Design, Unit};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Instant;

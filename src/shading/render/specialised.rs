@@ -3,15 +3,16 @@
 //! every pixel of the scene.
 
 use super::{Shader, Stage, blocks, by_material, port_column, shading_point};
-use crate::cast;
-use crate::error::Result;
+use crate::base::cast;
+use crate::base::error::Result;
 use crate::measure::quantize_inputs;
+use crate::netlist::op::Op;
+use crate::netlist::words::Words;
 use crate::netlist::{Netlist, NodeId};
-use crate::op::Op;
-use crate::render::Pipeline;
-use crate::scene::{CURVED, Fragments, Scene};
+use crate::shading::render::Pipeline;
+use crate::shading::scene::{CURVED, Fragments, Scene};
+use crate::shading::specialise::{Known, Rate, Reduced, Report, Source, Specialised, specialise};
 use crate::sim::batch::{Program, Runner};
-use crate::specialise::{Known, Rate, Reduced, Report, Source, Specialised, Words, specialise};
 use crate::units::fragment::Fragment;
 use rayon::prelude::*;
 use serde::Serialize;

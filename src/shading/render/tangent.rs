@@ -34,17 +34,20 @@
 
 use super::named::{Stage, knows};
 use super::{Block, BlockShot, Gathered, Pipeline, Shot, colour, gather, overflows, reflected};
-use crate::cast;
-use crate::error::Result;
-use crate::format::Format;
+use crate::base::cast;
+use crate::base::error::Result;
+use crate::design::{Design, Unit};
 use crate::measure::{OverflowCount, quantize_inputs, run_golden};
 use crate::netlist::Counts;
-use crate::picture::Picture;
-use crate::scene::{Assembly, CURVED, Fragments, Scene, Seen, SharedVertex, Sharing, halfway};
-use crate::specialise::{Known as KnownWords, Rate, Words, specialise};
+use crate::netlist::words::Words;
+use crate::number::format::Format;
+use crate::shading::picture::Picture;
+use crate::shading::scene::{
+    Assembly, CURVED, Fragments, Scene, Seen, SharedVertex, Sharing, halfway,
+};
+use crate::shading::specialise::{Known as KnownWords, Rate, specialise};
 use crate::units::fragment::Fragment;
 use crate::units::tangent::TANGENT;
-use crate::units::{Design, Unit};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use serde::Serialize;

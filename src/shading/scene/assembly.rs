@@ -5,8 +5,8 @@
 //! takes vertices and triangles of vertex numbers: what is computed per vertex is computed once for all
 //! triangles that share it, which is the claim of US 7,843,463 (seed 004), and [`Sharing`] counts it.
 
-use super::mesh::{MAX_TRIANGLES, too_many};
-use crate::cast;
+use super::limits::{MAX_TRIANGLES, too_many};
+use crate::base::cast;
 use glam::{DVec2, DVec3};
 use serde::Serialize;
 

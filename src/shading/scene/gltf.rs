@@ -14,11 +14,11 @@
 mod data;
 
 use super::assembly::{Mesh, MeshVertex, Topology};
+use super::limits::{MAX_TRIANGLES, check_coordinates, checked_normal};
 use super::map;
-use super::mesh::{MAX_TRIANGLES, check_coordinates, checked_normal};
-use crate::cast;
-use crate::document::check_encoding;
-use crate::error::{Error, Result};
+use crate::base::cast;
+use crate::base::document::check_encoding;
+use crate::base::error::{Error, Result};
 use data::{Accessor, Buffer, Buffers, Data, View, get};
 use glam::{DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
 use serde::Deserialize;

@@ -2,10 +2,10 @@
 
 use super::jpeg;
 use super::procedural::Samples;
-use crate::cast;
-use crate::error::{Error, Result};
-use crate::input;
-use crate::srgb::from_srgb;
+use crate::base::cast;
+use crate::base::error::{Error, Result};
+use crate::base::input;
+use crate::shading::srgb::from_srgb;
 use glam::DVec3;
 use image::{DynamicImage, ImageBuffer, ImageDecoder, ImageFormat, ImageReader, Rgb};
 use std::io::Cursor;

@@ -1,18 +1,14 @@
 //! Meshes from files by their extension, one that is made up, and what holds for all of them.
 
 use super::assembly::{Mesh, MeshVertex, Topology};
-use super::text::{self, FAR};
 use super::{gltf, map, obj};
-use crate::cast;
-use crate::error::{Error, Result};
+use crate::base::cast;
+use crate::base::error::{Error, Result};
 use glam::{DVec2, DVec3};
 use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-
-/// Most triangles of a mesh, and of all objects of a scene together.
-pub(super) const MAX_TRIANGLES: usize = 1_000_000;
 
 /// Strips of a made-up mesh, and squares of each.
 const SHELL_SQUARES: u32 = 48;
@@ -81,27 +77,6 @@ fn read(path: &Path) -> Result<Mesh> {
         return Err(Error::file(path, why.join("; ")));
     }
     Ok(mesh)
-}
-
-/// What is wrong with the coordinates of a vertex.
-pub(super) fn check_coordinates(what: &str, values: &[f64]) -> Result<(), String> {
-    match values.iter().find(|value| !(-FAR..=FAR).contains(*value)) {
-        Some(value) => {
-            let value = text::shown(*value);
-            Err(format!("{what} has {value}: legal is -{FAR} to {FAR}"))
-        }
-        None => Ok(()),
-    }
-}
-
-/// A normal; `None` for one of next to no length, which stands for none: longer ones keep their direction in all arithmetic.
-pub(super) fn checked_normal(what: &str, normal: DVec3) -> Result<Option<DVec3>, String> {
-    check_coordinates(what, &normal.to_array())?;
-    Ok((normal.length_squared() >= 1e-24).then_some(normal))
-}
-
-pub(super) fn too_many() -> String {
-    format!("more than {MAX_TRIANGLES} triangles, the most that a mesh may have: simplify it")
 }
 
 #[cfg(test)]

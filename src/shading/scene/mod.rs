@@ -1,7 +1,7 @@
 //! Scenes: objects, lights, textures and a camera from a TOML file, and the pixels that they cover.
 //!
 //! [`Scene::open`] reads a file, [`Scene::builtin`] one of the scenes that come with the program
-//! (their TOML text in `src/scene/builtin/` shows the format), and [`Scene::trace`] gives, row
+//! (their TOML text in `src/shading/scene/builtin/` shows the format), and [`Scene::trace`] gives, row
 //! by row, what each covered pixel sees:
 //!
 //! ```
@@ -61,7 +61,7 @@
 //! The texel of (u, v) is column `floor(u w)` and row `floor((1-v) h)`, both modulo the map's size:
 //! maps repeat, nearest texel, row 0 on top. A texel's index is `row * w + column`.
 //! Texture files hold sRGB and are decoded to linear light ([`from_srgb`]); colours in a scene file are
-//! linear. Whoever writes an image encodes it ([`to_srgb8`](crate::picture::Picture::to_srgb8)).
+//! linear. Whoever writes an image encodes it ([`to_srgb8`](crate::shading::picture::Picture::to_srgb8)).
 //! Heights are 0 to 1: the grey values of a file as they are, not decoded; of channels that differ by no more than
 //! 16/255, 0.2126 R + 0.7152 G + 0.0722 B, and other colours are refused. Transparency is passed over; a picture whose
 //! EXIF data ask for it is turned before anything else. The bump vector of a texel is
@@ -85,7 +85,7 @@
 //! surface a light is on. N' is the bump vector along (T, B, N). The two sums, and then the colour, end at 1.
 //!
 //! # Emboss
-//! `[emboss]` says how the same scene is embossed instead, which [`crate::render::emboss`] does; a scene with
+//! `[emboss]` says how the same scene is embossed instead, which [`crate::shading::render::emboss`] does; a scene with
 //! the section is so where no pipelines are named. Light is ambient and
 //! diffuse, with N in place of N', computed per vertex of the [`Tessellation`], ended at 1 and interpolated;
 //! times the texture's colour. Texture coordinates in texels, (u w, v h), are displaced per vertex and light by
@@ -97,7 +97,7 @@
 //! `2^gain_log2 Σ (height - displaced height)` over the lights, and it ends at 0 and 1.
 //!
 //! # In texture space
-//! Pipelines of the tangent-space set-up ([`crate::render::tangent`]) light the same triangles, with vertices shared
+//! Pipelines of the tangent-space set-up ([`crate::shading::render::tangent`]) light the same triangles, with vertices shared
 //! ([`Scene::assemble`]) and as fine as `tessellation` in `[emboss]` says, in texture space instead.
 //!
 //! # Frames
@@ -107,6 +107,7 @@
 mod assembly;
 mod gltf;
 mod jpeg;
+mod limits;
 mod map;
 mod mesh;
 mod normals;
@@ -117,15 +118,15 @@ mod tessellation;
 mod text;
 mod trace;
 
-pub use crate::srgb::from_srgb;
+pub use crate::shading::srgb::from_srgb;
 pub use assembly::{SharedVertex, Sharing, Topology};
 pub use map::{Bumps, Texture};
 pub use tessellation::{Assembly, Seen, Tessellation, Vertex};
 pub use trace::{CURVED, Fragments};
 
-use crate::document;
-use crate::error::{Error, Result};
-use crate::trig::rotation;
+use crate::base::document;
+use crate::base::error::{Error, Result};
+use crate::number::trig::rotation;
 use glam::DVec3;
 use normals::Normals;
 use serde::Deserialize;

@@ -8,8 +8,8 @@
 //! several. All of this is of the mesh as its file places it, before an object's `scale`.
 
 use super::assembly::{Mesh, SharedVertex};
-use crate::cast;
-use crate::trig::{atan2, sin_cos_turns};
+use crate::base::cast;
+use crate::number::trig::{atan2, sin_cos_turns};
 use glam::{DVec2, DVec3};
 use std::collections::HashMap;
 

@@ -7,11 +7,11 @@
 //! normals in files without any.
 
 use super::assembly::{Mesh, MeshVertex, Tally};
-use super::mesh::{MAX_TRIANGLES, check_coordinates, checked_normal, too_many};
+use super::limits::{MAX_TRIANGLES, check_coordinates, checked_normal, too_many};
 use super::polygon::Cutter;
-use crate::cast;
-use crate::document::check_encoding;
-use crate::error::{Error, Result};
+use crate::base::cast;
+use crate::base::document::check_encoding;
+use crate::base::error::{Error, Result};
 use glam::{DVec2, DVec3};
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -309,7 +309,7 @@ fn pick(
 
 /// A word for a message: not too long, nothing that a terminal would act on.
 fn shown(word: &str) -> String {
-    crate::escape::short(word)
+    crate::base::escape::short(word)
 }
 
 #[cfg(test)]

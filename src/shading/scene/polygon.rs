@@ -7,7 +7,7 @@
 //! does that goes to its hole and back. One that only rounding makes cross, or that goes out and back, has no area.
 
 use super::assembly::{Topology, is_area};
-use crate::cast;
+use crate::base::cast;
 use earcut::Earcut;
 use glam::{DVec2, DVec3};
 

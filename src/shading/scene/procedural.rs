@@ -2,8 +2,8 @@
 //!
 //! Everything is computed in f64 from an integer hash, so a pattern is the same on every run.
 
-use crate::cast;
-use crate::srgb::from_srgb;
+use crate::base::cast;
+use crate::shading::srgb::from_srgb;
 use glam::DVec3;
 use noto_sans_mono_bitmap::{FontWeight, RasterHeight, get_raster, get_raster_width};
 use rayon::prelude::*;

@@ -13,9 +13,9 @@
 use super::Scene;
 use super::assembly::{SharedVertex, Sharing, Topology};
 use super::trace::{self, Face, Place, Rays, Surfaces};
-use crate::cast;
-use crate::error::{Error, Result};
-use crate::trig::Real;
+use crate::base::cast;
+use crate::base::error::{Error, Result};
+use crate::number::trig::Real;
 use glam::{DVec2, DVec3};
 use std::ops::Range;
 

@@ -1,26 +1,25 @@
 //! From TOML text to a scene: what is legal, and what is wrong in which line.
 
-use super::map::{self, Bumps, Texture};
-use super::mesh::{self, Files, MAX_TRIANGLES};
-use super::normals::{self, CREASE_DEGREES, Normals};
+use super::limits::MAX_TRIANGLES;
+use super::limits::{FAR, shown};
+use super::map::{Bumps, Texture};
+use super::mesh::Files;
+use super::normals::{CREASE_DEGREES, Normals};
 use super::procedural::{Pattern, Samples};
 use super::trace::{Placement, Shape, Surfaces, Unfit};
 use super::{
     Address, Bare, Camera, Emboss, Filter, Image, Light, LightSign, Material, Orbit, Place,
-    Projection, Scene,
+    Projection, Scene, map, mesh, normals,
 };
-use crate::cast;
-use crate::document::{Document, Exactly, Table};
-use crate::error::{Error, Result};
+use crate::base::cast;
+use crate::base::document::{Document, Exactly, Table};
+use crate::base::error::{Error, Result};
 use glam::DVec3;
 use serde::Deserialize;
 use std::ops::{Range, RangeInclusive};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toml::Spanned;
-
-/// Coordinates, lengths and angles stay within this, so that their squares stay far from infinity.
-pub(super) const FAR: f64 = 1e6;
 /// Most objects of a scene.
 const MAX_OBJECTS: usize = 1000;
 /// Most lights of a scene.
@@ -692,11 +691,6 @@ impl Reader<'_> {
     fn beside(&self, file: &Path) -> PathBuf {
         self.document.path.parent().unwrap_or(Path::new("")).join(file)
     }
-}
-
-/// A number for a message, however large.
-pub(super) fn shown(value: f64) -> String {
-    if value.abs() < 1e9 { value.to_string() } else { format!("{value:e}") }
 }
 
 /// Where a map comes from.

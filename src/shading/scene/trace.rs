@@ -3,8 +3,8 @@
 use super::assembly::{Mesh, SharedVertex, has_area, is_area};
 use super::normals::{self, Normals};
 use super::{Camera, Image, Projection, Scene};
-use crate::cast;
-use crate::trig::Real;
+use crate::base::cast;
+use crate::number::trig::Real;
 use glam::{DMat3, DVec2, DVec3};
 use std::array;
 use std::collections::HashSet;

@@ -14,19 +14,17 @@
 //! What is left keeps its operation, format, name, scope and meaning. A meaning whose arguments are
 //! gone goes too: on reals, a constant is its word, with the error that it has.
 
-mod ranges;
 mod rebuild;
 mod tables;
-mod words;
 
-pub use ranges::ranges;
+pub use crate::netlist::ranges::ranges;
+pub use crate::netlist::words::Words;
 pub use tables::{CutTable, TableCut};
-pub use words::Words;
 
-use crate::cast;
-use crate::format::{Format, Overflow, narrow};
+use crate::base::cast;
+use crate::netlist::op::Op;
 use crate::netlist::{Counts, Netlist, NodeId};
-use crate::op::Op;
+use crate::number::format::{Format, Overflow, narrow};
 use rebuild::Rebuild;
 use std::collections::BTreeSet;
 

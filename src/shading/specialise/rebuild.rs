@@ -1,9 +1,9 @@
 //! Building a netlist again, node by node, with some of them replaced.
 
 use super::{Reduced, Source};
-use crate::format::{Overflow, Round};
+use crate::netlist::op::{Meaning, Op};
 use crate::netlist::{Builder, Netlist, NodeId, Quantity, ScopeId, TableId};
-use crate::op::{Meaning, Op};
+use crate::number::format::{Overflow, Round};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A netlist that grows from another; nodes are given in the order of the old one.

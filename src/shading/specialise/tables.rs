@@ -6,11 +6,11 @@
 
 use super::Reduced;
 use super::rebuild::Rebuild;
-use super::words::Words;
-use crate::cast;
-use crate::format::word_mask;
+use crate::base::cast;
+use crate::netlist::op::Op;
+use crate::netlist::words::Words;
 use crate::netlist::{Column, Netlist, NodeId, Table, TableId};
-use crate::op::Op;
+use crate::number::format::word_mask;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What became of a table.

@@ -21,7 +21,7 @@
 //! displaces, bits 15-17 its light. Bit 0 and those from 18 on are 0.
 
 use super::{Emboss, Setting};
-use crate::error::nearest;
+use crate::base::error::nearest;
 use serde::Deserialize;
 use std::fmt;
 

@@ -34,9 +34,9 @@ pub mod gx;
 pub mod nv;
 mod opengl;
 
-use crate::document::{Document, Table};
-use crate::error::Result;
-use crate::escape;
+use crate::base::document::{Document, Table};
+use crate::base::error::Result;
+use crate::base::escape;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::ops::Range;

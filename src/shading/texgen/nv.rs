@@ -15,8 +15,8 @@
 
 use super::gx::numbered;
 use super::{Emboss, Setting, opengl};
-use crate::cast;
-use crate::error::nearest;
+use crate::base::cast;
+use crate::base::error::nearest;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;

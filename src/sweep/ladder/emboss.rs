@@ -2,17 +2,17 @@
 //! narrower words, smaller tables of the reciprocal root, and coarser fractions between texels.
 
 use super::with;
-use crate::columns::{self, Field};
-use crate::error::{Error, Result};
-use crate::escape;
-use crate::json;
+use crate::base::columns::{self, Field};
+use crate::base::error::{Error, Result};
+use crate::base::escape;
+use crate::base::json;
+use crate::base::output;
 use crate::netlist::Counts;
-use crate::output;
-use crate::picture::{Difference, coverage};
-use crate::render::{Pipeline, Rendered, Shot, check_view, render, shots_together};
 use crate::report::ladder::{Table, markdown_table, refusals};
 use crate::report::record::{Parameters, SceneId, assigned};
-use crate::scene::Scene;
+use crate::shading::picture::{Difference, coverage};
+use crate::shading::render::{Pipeline, Rendered, Shot, check_view, render, shots_together};
+use crate::shading::scene::Scene;
 use serde::Serialize;
 use std::path::Path;
 

@@ -7,13 +7,13 @@
 
 pub mod emboss;
 
-use crate::error::{Error, Result};
-use crate::render::{Pipeline, Shader, check_view, set_material, shots_together};
+use crate::base::error::{Error, Result};
+use crate::design::{Reflection, Value};
 use crate::report;
 use crate::report::ladder::{Header, LightPoint, Record, Rung};
 use crate::report::record::{Point, SceneId, assigned, parameters_of};
-use crate::scene::Scene;
-use crate::units::{Reflection, Value};
+use crate::shading::render::{Pipeline, Shader, check_view, set_material, shots_together};
+use crate::shading::scene::Scene;
 use rayon::prelude::*;
 
 /// Widths of the rungs, if nothing else is asked for.

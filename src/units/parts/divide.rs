@@ -1,11 +1,11 @@
 //! Dividers: by digit recurrence, and by a table of reciprocals.
 
-use crate::cast;
-use crate::error::Result;
-use crate::format::{Format, Overflow, Round};
-use crate::lut::{self, Spec};
+use crate::base::cast;
+use crate::base::error::Result;
+use crate::netlist::op::Meaning;
 use crate::netlist::{Builder, NodeId, Part};
-use crate::op::Meaning;
+use crate::number::format::{Format, Overflow, Round};
+use crate::table::{self, Spec};
 
 /// How a quotient is found.
 #[derive(Clone, Copy, Debug)]
@@ -84,13 +84,13 @@ fn negate(b: &mut Builder, sign: NodeId, a: NodeId) -> NodeId {
 }
 
 /// The least number past a format on its positive side, which saturates on both sides.
-pub(super) fn limit(b: &mut Builder, output: Format) -> NodeId {
+pub(crate) fn limit(b: &mut Builder, output: Format) -> NodeId {
     let power = b.checked(Format::unsigned(1, -output.int_bits()));
     b.constant(1, power)
 }
 
 /// Bit `i` of an unsigned word with zeros appended.
-pub(super) fn bit_of(b: &mut Builder, a: NodeId, appended: u32, i: u32) -> NodeId {
+pub(crate) fn bit_of(b: &mut Builder, a: NodeId, appended: u32, i: u32) -> NodeId {
     let format = b.format(a);
     if (appended..appended + format.bits()).contains(&i) {
         b.slice(a, i - appended, 1)
@@ -100,13 +100,13 @@ pub(super) fn bit_of(b: &mut Builder, a: NodeId, appended: u32, i: u32) -> NodeI
 }
 
 /// The word of some bits, the first one on top.
-pub(super) fn word_of(b: &mut Builder, bits: &[NodeId]) -> NodeId {
+pub(crate) fn word_of(b: &mut Builder, bits: &[NodeId]) -> NodeId {
     let (first, rest) = bits.split_first().expect("bug: a word has bits");
     rest.iter().fold(*first, |word, bit| b.concat(word, *bit))
 }
 
 /// Flag: the word is not 0; the lowest bit of an exact result, for its rounding.
-pub(super) fn sticky(b: &mut Builder, rest: NodeId) -> NodeId {
+pub(crate) fn sticky(b: &mut Builder, rest: NodeId) -> NodeId {
     let (zero, one) = (b.constant(0, Format::FLAG), b.constant(1, Format::FLAG));
     let none = b.equal(rest, zero);
     b.xor(none, one)
@@ -114,7 +114,7 @@ pub(super) fn sticky(b: &mut Builder, rest: NodeId) -> NodeId {
 
 /// A word that is not 0, shifted up by `step` places at a time until one of its top `step` bits is
 /// set, and by how many steps. No wider than the word: a multiplexer for each bit of the count.
-pub(super) fn normalise(b: &mut Builder, word: NodeId, step: u32) -> (NodeId, NodeId) {
+pub(crate) fn normalise(b: &mut Builder, word: NodeId, step: u32) -> (NodeId, NodeId) {
     let bits = b.format(word).bits();
     let zero = b.constant(0, Format::FLAG);
     let mut word = b.slice(word, 0, bits);
@@ -225,7 +225,7 @@ fn normalised(
     let (mantissa, places) = normalise(b, divisor, 1);
     let argument = b.slice(mantissa, 0, bits - 1);
     let argument = b.shift(argument, -cast::signed_count(bits));
-    let recip = lut::emit(b, spec, argument)[0]; // 1 < recip <= 2
+    let recip = table::emit(b, spec, argument)[0]; // 1 < recip <= 2
     let shifted = b.shift_left(dividend, places, bits);
     let shifted = b.shift(shifted, of_d.frac_bits() - cast::signed_count(bits));
     // As recip is above 1, a dividend of 2^int_bits is past the output already.
@@ -243,9 +243,9 @@ fn normalised(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::function::Function;
-    use crate::lut::Scheme;
     use crate::netlist::{Netlist, Quantity};
+    use crate::number::function::Function;
+    use crate::table::Scheme;
 
     /// `n / d` rounded to a whole number, written apart from `narrow`.
     pub(crate) fn rounded(n: i128, d: i128, round: Round) -> i128 {
@@ -345,7 +345,7 @@ mod tests {
                 let mut b = Builder::new("table");
                 let argument = argument(d).unwrap();
                 let port = b.input("x", argument, Quantity::Number);
-                let node = lut::emit(&mut b, &spec, port)[0];
+                let node = table::emit(&mut b, &spec, port)[0];
                 b.output("y", node);
                 let table = b.build().unwrap();
                 let worst = words(argument)

@@ -11,11 +11,11 @@
 //!
 //! Angles are in turns; at a pole phi is 0, and psi suits that.
 
-use super::{Design, HardCase, Sampler, Uniform};
-use crate::format::{Overflow, Round, quantize};
+use crate::base::simd::{Body, vectorised};
+use crate::design::{Design, HardCase, Sampler, Uniform};
 use crate::netlist::{Netlist, NodeId, Quantity};
-use crate::simd::{Body, vectorised};
-use crate::trig;
+use crate::number::format::{Overflow, Round, quantize};
+use crate::number::trig;
 use glam::DVec3;
 
 /// A shading point: unit vectors.
@@ -210,7 +210,7 @@ impl Fragment {
 ///
 /// # Panics
 /// If a port's name means nothing here: that is wrong code.
-pub(super) fn draw(
+pub(crate) fn draw(
     design: &Design,
     sampler: Sampler,
     uniform: &mut Uniform,
@@ -232,7 +232,7 @@ pub(super) fn draw(
 ///
 /// # Panics
 /// If a port's name means nothing here: that is wrong code.
-pub(super) fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
+pub(crate) fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
     let words = |fragment: &Fragment| -> Vec<i64> {
         let word = |(port, id): (usize, &NodeId)| {
             let node = netlist.node(*id);

@@ -1,17 +1,18 @@
 //! What the units of a bump-mapping pipeline share: parameters, and the netlist's plan made of
 //! them.
 
-use super::{Kind, Param, Role, Tabulated, Values};
-use crate::cast;
-use crate::error::Result;
-use crate::format::{Format, Overflow, Round};
-use crate::function::Function;
-use crate::lut::{self, Scheme};
+use crate::base::cast;
+use crate::base::error::Result;
+use crate::design::{Kind, Param, Role, Values};
 use crate::netlist::{Builder, NodeId};
+use crate::number::format::{Format, Overflow, Round};
+use crate::number::function::Function;
+use crate::table::Tabulated;
+use crate::table::{self, Scheme};
 
 const TABLE_BITS: Kind = Kind::Int { min: 2, max: 20, auto: Some("table_addr_bits") };
 
-pub(super) const ANGLE_BITS: Param = Param {
+pub(crate) const ANGLE_BITS: Param = Param {
     name: "angle_bits",
     role: Role::Width,
     kind: Kind::Int { min: 2, max: 24, auto: None },
@@ -19,7 +20,7 @@ pub(super) const ANGLE_BITS: Param = Param {
     help: "bits of every angle port; a word counts 2^-angle_bits turns",
 };
 
-pub(super) const TABLE_ADDR_BITS: Param = Param {
+pub(crate) const TABLE_ADDR_BITS: Param = Param {
     name: "table_addr_bits",
     role: Role::TableSize,
     kind: Kind::Int { min: 2, max: 20, auto: None },
@@ -27,7 +28,7 @@ pub(super) const TABLE_ADDR_BITS: Param = Param {
     help: "address bits of every table that has none of its own",
 };
 
-pub(super) const SCHEME: Param = Param {
+pub(crate) const SCHEME: Param = Param {
     name: "scheme",
     role: Role::Scheme,
     kind: Kind::Choice(&["direct", "linear", "bipartite"]),
@@ -35,7 +36,7 @@ pub(super) const SCHEME: Param = Param {
     help: "how tables approximate: one word per cell, base + slope, or two tables added",
 };
 
-pub(super) const QUARTER_WAVE: Param = Param {
+pub(crate) const QUARTER_WAVE: Param = Param {
     name: "quarter_wave",
     role: Role::Switch,
     kind: Kind::Choice(&["off", "on"]),
@@ -43,7 +44,7 @@ pub(super) const QUARTER_WAVE: Param = Param {
     help: "store a quarter turn of sin, cos and their reciprocals and fold",
 };
 
-pub(super) const FRAC_BITS: Param = Param {
+pub(crate) const FRAC_BITS: Param = Param {
     name: "frac_bits",
     role: Role::Width,
     kind: Kind::Int { min: 2, max: 32, auto: None },
@@ -51,7 +52,7 @@ pub(super) const FRAC_BITS: Param = Param {
     help: "fraction bits of the components x, y, z",
 };
 
-pub(super) const GUARD_BITS: Param = Param {
+pub(crate) const GUARD_BITS: Param = Param {
     name: "guard_bits",
     role: Role::Width,
     kind: Kind::Int { min: 0, max: 8, auto: None },
@@ -59,7 +60,7 @@ pub(super) const GUARD_BITS: Param = Param {
     help: "extra fraction bits inside",
 };
 
-pub(super) const ROUNDING: Param = Param {
+pub(crate) const ROUNDING: Param = Param {
     name: "rounding",
     role: Role::Rounding,
     kind: Kind::Choice(&["floor", "toward-zero", "half-up", "half-away", "half-even"]),
@@ -67,7 +68,7 @@ pub(super) const ROUNDING: Param = Param {
     help: "rounding wherever bits are dropped",
 };
 
-pub(super) const OVERFLOW: Param = Param {
+pub(crate) const OVERFLOW: Param = Param {
     name: "overflow",
     role: Role::Overflow,
     kind: Kind::Choice(&["wrap", "saturate", "symmetric", "error"]),
@@ -75,7 +76,7 @@ pub(super) const OVERFLOW: Param = Param {
     help: "overflow of the components x, y, z (cartesian); everything inside saturates",
 };
 
-pub(super) const SINCOS_ADDR_BITS: Param = Param {
+pub(crate) const SINCOS_ADDR_BITS: Param = Param {
     name: "sincos_addr_bits",
     role: Role::TableSize,
     kind: TABLE_BITS,
@@ -83,7 +84,7 @@ pub(super) const SINCOS_ADDR_BITS: Param = Param {
     help: "address bits of the sin & cos table",
 };
 
-pub(super) const ASIN_ADDR_BITS: Param = Param {
+pub(crate) const ASIN_ADDR_BITS: Param = Param {
     name: "asin_addr_bits",
     role: Role::TableSize,
     kind: TABLE_BITS,
@@ -91,7 +92,7 @@ pub(super) const ASIN_ADDR_BITS: Param = Param {
     help: "address bits of the asin table (printed, corrected)",
 };
 
-pub(super) const RECIP_ADDR_BITS: Param = Param {
+pub(crate) const RECIP_ADDR_BITS: Param = Param {
     name: "recip_addr_bits",
     role: Role::TableSize,
     kind: TABLE_BITS,
@@ -99,7 +100,7 @@ pub(super) const RECIP_ADDR_BITS: Param = Param {
     help: "address bits of the reciprocal tables",
 };
 
-pub(super) const ATAN_ADDR_BITS: Param = Param {
+pub(crate) const ATAN_ADDR_BITS: Param = Param {
     name: "atan_addr_bits",
     role: Role::TableSize,
     kind: TABLE_BITS,
@@ -107,7 +108,7 @@ pub(super) const ATAN_ADDR_BITS: Param = Param {
     help: "address bits of the atan table",
 };
 
-pub(super) const PROP_ADDR_BITS: Param = Param {
+pub(crate) const PROP_ADDR_BITS: Param = Param {
     name: "prop_addr_bits",
     role: Role::TableSize,
     kind: TABLE_BITS,
@@ -115,7 +116,7 @@ pub(super) const PROP_ADDR_BITS: Param = Param {
     help: "address bits of T_prop (printed, corrected)",
 };
 
-pub(super) const RECIP_INT_BITS: Param = Param {
+pub(crate) const RECIP_INT_BITS: Param = Param {
     name: "recip_int_bits",
     role: Role::Width,
     kind: Kind::Int { min: 1, max: 16, auto: None },
@@ -123,7 +124,7 @@ pub(super) const RECIP_INT_BITS: Param = Param {
     help: "1/(2 sin Z) and 1/(2 cos Z) saturate at 2^recip_int_bits (printed, corrected)",
 };
 
-pub(super) const ATAN_INT_BITS: Param = Param {
+pub(crate) const ATAN_INT_BITS: Param = Param {
     name: "atan_int_bits",
     role: Role::Width,
     kind: Kind::Int {
@@ -135,7 +136,7 @@ pub(super) const ATAN_INT_BITS: Param = Param {
     help: "the index of the atan table, tan phi', saturates at 2^atan_int_bits (printed, corrected)",
 };
 
-pub(super) const QUADRANTS: Param = Param {
+pub(crate) const QUADRANTS: Param = Param {
     name: "quadrants",
     role: Role::Switch,
     kind: Kind::Choice(&["full", "half"]),
@@ -143,7 +144,7 @@ pub(super) const QUADRANTS: Param = Param {
     help: "phi' over the full circle, or plain atan as eq (9) is printed (printed, corrected)",
 };
 
-pub(super) const CORDIC_ITERATIONS: Param = Param {
+pub(crate) const CORDIC_ITERATIONS: Param = Param {
     name: "cordic_iterations",
     role: Role::Iterations,
     kind: Kind::Int { min: 1, max: 40, auto: Some("frac_bits + guard_bits") },
@@ -152,29 +153,29 @@ pub(super) const CORDIC_ITERATIONS: Param = Param {
 };
 
 /// Parameters in the form that the netlist is written in.
-pub(super) struct Plan<'a> {
-    pub(super) values: &'a Values,
-    pub(super) angle_bits: u32,
+pub(crate) struct Plan<'a> {
+    pub(crate) values: &'a Values,
+    pub(crate) angle_bits: u32,
     /// Fraction bits of components inside.
-    pub(super) work_bits: u32,
+    pub(crate) work_bits: u32,
     /// Fraction bits of angles inside.
-    pub(super) work_angle_bits: u32,
-    pub(super) frac_bits: u32,
-    pub(super) scheme: Scheme,
-    pub(super) quarter_wave: bool,
-    pub(super) round: Round,
-    pub(super) tabulated: Vec<Tabulated>,
+    pub(crate) work_angle_bits: u32,
+    pub(crate) frac_bits: u32,
+    pub(crate) scheme: Scheme,
+    pub(crate) quarter_wave: bool,
+    pub(crate) round: Round,
+    pub(crate) tabulated: Vec<Tabulated>,
 }
 
 /// Signed numbers below 2^int_bits with `frac_bits` fraction bits.
-pub(super) fn number(int_bits: u32, frac_bits: u32) -> Result<Format> {
+pub(crate) fn number(int_bits: u32, frac_bits: u32) -> Result<Format> {
     Format::signed(int_bits + frac_bits + 1, cast::signed_count(frac_bits))
 }
 
 impl<'a> Plan<'a> {
     /// The plan of parameters that have all of this file's but the tables' sizes; a unit without
     /// angles has none of theirs.
-    pub(super) fn new(values: &'a Values) -> Result<Self> {
+    pub(crate) fn new(values: &'a Values) -> Result<Self> {
         let angles = values.iter().any(|(name, _)| name == "angle_bits");
         let angle_bits = if angles { values.bits("angle_bits") } else { 0 };
         let guard_bits = values.bits("guard_bits");
@@ -192,7 +193,7 @@ impl<'a> Plan<'a> {
     }
 
     /// Tabulates functions of `argument`; the table's size comes from `<size>_addr_bits`.
-    pub(super) fn table(
+    pub(crate) fn table(
         &mut self,
         b: &mut Builder,
         name: &'static str,
@@ -202,10 +203,10 @@ impl<'a> Plan<'a> {
         output: Format,
     ) -> Vec<NodeId> {
         let tabulated = self.tabulate(name, size, functions, 0.0, output, b.format(argument));
-        lut::emit(b, &tabulated.spec(), argument)
+        table::emit(b, &tabulated.spec(), argument)
     }
 
-    pub(super) fn tabulate(
+    pub(crate) fn tabulate(
         &mut self,
         name: &'static str,
         size: &str,
@@ -236,7 +237,7 @@ impl<'a> Plan<'a> {
     }
 
     /// sin and cos of an angle.
-    pub(super) fn sincos(&mut self, b: &mut Builder, angle: NodeId) -> Result<(NodeId, NodeId)> {
+    pub(crate) fn sincos(&mut self, b: &mut Builder, angle: NodeId) -> Result<(NodeId, NodeId)> {
         let output = number(1, self.work_bits)?; // -2 to 2: 1.0 has a code
         let functions = &[Function::Sin, Function::Cos];
         let pair = self.table(b, "sincos", "sincos_addr_bits", functions, angle, output);
@@ -244,7 +245,7 @@ impl<'a> Plan<'a> {
     }
 
     /// An angle inside, rounded to the port's bits, modulo a turn.
-    pub(super) fn angle_word(&self, b: &mut Builder, name: &str, angle: NodeId) -> Result<NodeId> {
+    pub(crate) fn angle_word(&self, b: &mut Builder, name: &str, angle: NodeId) -> Result<NodeId> {
         let format = b.format(angle);
         let int_bits = u32::try_from(format.int_bits().max(0)).expect("bug: not negative");
         // One more whole bit, so that rounding up past the top is no overflow but the next turn.
@@ -261,20 +262,20 @@ impl<'a> Plan<'a> {
 }
 
 /// The scheme of a legal name.
-pub(super) fn scheme_of(name: &str) -> Scheme {
+pub(crate) fn scheme_of(name: &str) -> Scheme {
     let scheme = Scheme::ALL.iter().find(|scheme| scheme.name() == name);
     *scheme.expect("bug: every choice is a scheme")
 }
 
 /// Sum or difference of angles, modulo a turn.
-pub(super) fn angle(b: &mut Builder, name: &str, exact: NodeId, format: Format) -> NodeId {
+pub(crate) fn angle(b: &mut Builder, name: &str, exact: NodeId, format: Format) -> NodeId {
     let word = b.modulo(exact, format);
     b.turns(word);
     b.name(word, name)
 }
 
 /// Largest error of one rounding in ulp.
-pub(super) fn rounding_ulp(values: &Values) -> f64 {
+pub(crate) fn rounding_ulp(values: &Values) -> f64 {
     match values.choice("rounding") {
         "floor" | "toward-zero" => 1.0,
         _ => 0.5,

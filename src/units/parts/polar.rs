@@ -1,10 +1,10 @@
 //! Parts shared by units: from Cartesian to polar, by CORDIC and by tables.
 
-use crate::cast;
-use crate::format::{Format, Overflow, Round, bit_len};
-use crate::lut::{self, Spec};
+use crate::base::cast;
+use crate::netlist::op::Meaning;
 use crate::netlist::{Builder, NodeId};
-use crate::op::Meaning;
+use crate::number::format::{Format, Overflow, Round, bit_len};
+use crate::table::{self, Spec};
 use std::f64::consts::TAU;
 
 /// Angle of a vector and its length, as nodes; what they mean on reals is the caller's to say.
@@ -124,7 +124,7 @@ pub(crate) struct PolarTables<'a> {
 }
 
 /// Format of the reciprocal table's argument for components of format `component`.
-pub(crate) fn mantissa_argument(component: Format) -> crate::error::Result<Format> {
+pub(crate) fn mantissa_argument(component: Format) -> crate::base::error::Result<Format> {
     // |component| has as many bits as the component; without its top bit, one less.
     Format::unsigned(component.bits() - 1, cast::signed_count(component.bits()))
 }
@@ -148,13 +148,13 @@ pub(crate) fn table(b: &mut Builder, y: NodeId, x: NodeId, tables: &PolarTables<
     let (major_mantissa, minor_mantissa) = (mantissa(b, major), mantissa(b, minor));
     let argument = b.slice(major_mantissa, 0, bits - 1);
     let argument = b.shift(argument, -cast::signed_count(bits));
-    let recip = lut::emit(b, &tables.recip, argument)[0]; // 1 < recip <= 2
+    let recip = table::emit(b, &tables.recip, argument)[0]; // 1 < recip <= 2
     let numerator = b.shift(minor_mantissa, -cast::signed_count(bits)); // 0 <= numerator < 1
     let quotient = b.mul(numerator, recip);
     let ratio = b.checked(Format::turns(tables.ratio_bits)); // 0 <= ratio < 1
     let ratio = b.narrow(quotient, ratio, tables.recip.round, Overflow::Saturate);
     b.name(ratio, "ratio");
-    let [octant, secant] = lut::emit(b, &tables.atan, ratio)[..] else {
+    let [octant, secant] = table::emit(b, &tables.atan, ratio)[..] else {
         panic!("bug: two functions were asked for")
     };
 

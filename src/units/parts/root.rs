@@ -2,12 +2,12 @@
 //! step of Newton's iteration.
 
 use super::divide::{bit_of, limit, normalise, sticky, word_of};
-use crate::cast;
-use crate::error::Result;
-use crate::format::{Format, Overflow, Round, bit_len};
-use crate::lut::{self, Spec};
+use crate::base::cast;
+use crate::base::error::Result;
+use crate::netlist::op::Meaning;
 use crate::netlist::{Builder, NodeId, Part};
-use crate::op::Meaning;
+use crate::number::format::{Format, Overflow, Round, bit_len};
+use crate::table::{self, Spec};
 
 /// How a square root is found.
 #[derive(Clone, Copy, Debug)]
@@ -120,7 +120,7 @@ fn step(b: &mut Builder, m: NodeId, y: NodeId, frac_bits: u32, round: Round) -> 
 /// `y = Y (1 + e)` with Y = 1/sqrt(m) from 1 to 2 gives `Y (1 - 1.5 e² - 0.5 e³)`. The product m y is
 /// off by one rounding, so its own with y by y of them; with that of the difference and half of y
 /// again, y (y + 1) / 2 roundings, and the last one.
-pub(super) fn newton_error(worst: f64, frac_bits: u32, rounding: f64) -> f64 {
+pub(crate) fn newton_error(worst: f64, frac_bits: u32, rounding: f64) -> f64 {
     let ulp = rounding * 2f64.powi(-cast::signed_count(frac_bits));
     let y = 2.0 + worst;
     (1.5 + 0.5 * worst) * worst * worst + (0.5 * y * (y + 1.0) + 1.0) * ulp
@@ -179,7 +179,7 @@ fn normalised(b: &mut Builder, a: NodeId, table: &Table<'_>) -> Normalised {
     let m = b.shift(m, -cast::signed_count(kept));
     let argument = b.concat(top, low);
     let argument = b.shift(argument, -cast::signed_count(kept));
-    let table = lut::emit(b, &table.spec, argument)[0];
+    let table = table::emit(b, &table.spec, argument)[0];
     Normalised { table, m, half_places, half_bits: bits / 2, frac_bits }
 }
 
@@ -226,9 +226,9 @@ fn digits(b: &mut Builder, a: NodeId, output: Format) -> NodeId {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::function::Function;
-    use crate::lut::Scheme;
     use crate::netlist::{Netlist, Quantity};
+    use crate::number::function::Function;
+    use crate::table::Scheme;
 
     fn format(text: &str) -> Format {
         text.parse().unwrap()
@@ -321,7 +321,7 @@ mod tests {
     /// Worst error of a table over the mantissas from ¼ to 1.
     fn worst(table: &Table<'_>, operand: Format) -> f64 {
         let (argument, spec) = (argument(operand, table.kept_bits).unwrap(), table.spec);
-        let table = netlist(argument, |b, a| lut::emit(b, &spec, a)[0]);
+        let table = netlist(argument, |b, a| table::emit(b, &spec, a)[0]);
         let errors = (argument.min_raw()..=argument.max_raw()).filter_map(|word| {
             let m = 0.25 + argument.value(word);
             let is = spec.output.value(result(&table, word));

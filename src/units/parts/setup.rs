@@ -7,15 +7,15 @@
 use super::divide::{self, divide};
 use super::plan::{self, Plan, number, rounding_ulp};
 use super::root::{self, reciprocal_root};
-use super::{Bound, BoundFn, Kind, Param, Role, Values};
-use crate::cast;
-use crate::error::Result;
-use crate::format::{Format, Overflow, Round};
-use crate::function::Function;
+use crate::base::cast;
+use crate::base::error::Result;
+use crate::design::{Bound, BoundFn, Kind, Param, Role, Values};
 use crate::netlist::{Builder, NodeId, Quantity};
-use crate::trig::Real;
+use crate::number::format::{Format, Overflow, Round};
+use crate::number::function::Function;
+use crate::number::trig::Real;
 
-pub(super) const NORMALISE: Param = Param {
+pub(crate) const NORMALISE: Param = Param {
     name: "normalise",
     role: Role::Switch,
     kind: Kind::Choice(&["divide", "reciprocal-root"]),
@@ -23,7 +23,7 @@ pub(super) const NORMALISE: Param = Param {
     help: "a square root and three dividers, or a reciprocal square root and three multipliers",
 };
 
-pub(super) const DIVIDER: Param = Param {
+pub(crate) const DIVIDER: Param = Param {
     name: "divider",
     role: Role::Switch,
     kind: Kind::Choice(&["restoring", "non-restoring", "table"]),
@@ -31,7 +31,7 @@ pub(super) const DIVIDER: Param = Param {
     help: "digit recurrences, or a normalised reciprocal table and a product (normalise=divide)",
 };
 
-pub(super) const ROOT: Param = Param {
+pub(crate) const ROOT: Param = Param {
     name: "root",
     role: Role::Switch,
     kind: Kind::Choice(&["digits", "table"]),
@@ -39,7 +39,7 @@ pub(super) const ROOT: Param = Param {
     help: "a digit recurrence or a normalised table (normalise=divide)",
 };
 
-pub(super) const ROOT_ADDR_BITS: Param = Param {
+pub(crate) const ROOT_ADDR_BITS: Param = Param {
     name: "root_addr_bits",
     role: Role::TableSize,
     kind: Kind::Int { min: 2, max: 20, auto: Some("table_addr_bits") },
@@ -61,12 +61,12 @@ fn scopes(highlight: bool) -> &'static [&'static str] {
 }
 
 /// Labels of the components of a unit vector in a scope of `setup`.
-pub(super) fn labels(scope: &str) -> [String; 3] {
+pub(crate) fn labels(scope: &str) -> [String; 3] {
     ["x", "y", "z"].map(|axis| format!("setup.{scope}.unit_{axis}.{axis}"))
 }
 
 /// Makes the input ports, and unit vectors L', H' (with a highlight) and N' from them.
-pub(super) fn set_up(
+pub(crate) fn set_up(
     b: &mut Builder,
     plan: &mut Plan<'_>,
     highlight: bool,
@@ -172,15 +172,15 @@ fn kept_bits(work_bits: u32) -> u32 {
 }
 
 /// What the bounds hold for.
-pub(super) const INPUTS: &str = "L and H in the texture frame, and N', from 1/2 to 2 long";
+pub(crate) const INPUTS: &str = "L and H in the texture frame, and N', from 1/2 to 2 long";
 
 /// The bound on each component of the unit vectors.
-pub(super) fn bound(quantities: &'static [&'static str]) -> Bound {
+pub(crate) fn bound(quantities: &'static [&'static str]) -> Bound {
     Bound { what: "component", quantities, bound: component_bound as BoundFn }
 }
 
 /// Each component of L', H' and N', for [`INPUTS`].
-pub(super) fn component_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
+pub(crate) fn component_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
     let ulp = |bits: u32| 2f64.powi(-cast::signed_count(bits));
     let work_bits = values.bits("frac_bits") + values.bits("guard_bits");
     let (work_ulp, rounding) = (ulp(work_bits), rounding_ulp(values));
@@ -215,7 +215,7 @@ pub(super) fn component_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f
 }
 
 /// The golden unit vectors: L', H' (with a highlight) and N' in the texture frame.
-pub(super) fn golden<F: Real>(inputs: &[&[F]]) -> Vec<[Vec<F>; 3]> {
+pub(crate) fn golden<F: Real>(inputs: &[&[F]]) -> Vec<[Vec<F>; 3]> {
     let vectors: Vec<&[&[F]]> = inputs.chunks(3).collect();
     let (lights, frame) = vectors.split_at(vectors.len() - 4);
     let [n, t, binormal, p] = *frame else { panic!("bug: N, T, B, N'") };
@@ -241,7 +241,7 @@ pub(super) fn golden<F: Real>(inputs: &[&[F]]) -> Vec<[Vec<F>; 3]> {
 }
 
 /// Parameters of the set-up.
-pub(super) const PARAMS: [Param; 10] = [
+pub(crate) const PARAMS: [Param; 10] = [
     NORMALISE,
     DIVIDER,
     ROOT,

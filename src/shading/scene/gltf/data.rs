@@ -1,9 +1,9 @@
 //! The bytes of a glTF file: container, buffers, and the numbers in them.
 
-use crate::cast;
-use crate::error::{Error, Result};
-use crate::scene::map;
-use crate::scene::mesh::{MAX_TRIANGLES, too_many};
+use crate::base::cast;
+use crate::base::error::{Error, Result};
+use crate::shading::scene::limits::{MAX_TRIANGLES, too_many};
+use crate::shading::scene::map;
 use data_url::DataUrl;
 use percent_encoding::percent_decode_str;
 use serde::Deserialize;

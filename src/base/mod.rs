@@ -1,0 +1,13 @@
+//! What everything stands on: casts, errors, files, documents, vector code, outside tools.
+
+pub(crate) mod cast;
+pub mod columns;
+pub(crate) mod document;
+pub mod error;
+pub mod escape;
+pub(crate) mod input;
+pub mod json;
+pub mod output;
+pub mod outside;
+pub(crate) mod simd;
+pub(crate) mod whole;

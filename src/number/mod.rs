@@ -1,0 +1,5 @@
+//! Words and reals: formats with their one rounding, real functions to any precision.
+
+pub mod format;
+pub mod function;
+pub mod trig;

@@ -1,0 +1,36 @@
+//! What every surface keeps to, wherever it comes from.
+
+use crate::base::error::Result;
+use glam::DVec3;
+
+/// Coordinates, lengths and angles stay within this, so that their squares stay far from infinity.
+pub(super) const FAR: f64 = 1e6;
+
+/// A number for a message, however large.
+pub(super) fn shown(value: f64) -> String {
+    if value.abs() < 1e9 { value.to_string() } else { format!("{value:e}") }
+}
+
+/// Most triangles of a mesh, and of all objects of a scene together.
+pub(super) const MAX_TRIANGLES: usize = 1_000_000;
+
+/// What is wrong with the coordinates of a vertex.
+pub(super) fn check_coordinates(what: &str, values: &[f64]) -> Result<(), String> {
+    match values.iter().find(|value| !(-FAR..=FAR).contains(*value)) {
+        Some(value) => {
+            let value = shown(*value);
+            Err(format!("{what} has {value}: legal is -{FAR} to {FAR}"))
+        }
+        None => Ok(()),
+    }
+}
+
+/// A normal; `None` for one of next to no length, which stands for none: longer ones keep their direction in all arithmetic.
+pub(super) fn checked_normal(what: &str, normal: DVec3) -> Result<Option<DVec3>, String> {
+    check_coordinates(what, &normal.to_array())?;
+    Ok((normal.length_squared() >= 1e-24).then_some(normal))
+}
+
+pub(super) fn too_many() -> String {
+    format!("more than {MAX_TRIANGLES} triangles, the most that a mesh may have: simplify it")
+}

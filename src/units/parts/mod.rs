@@ -1,0 +1,8 @@
+//! What the units share.
+
+pub(super) mod divide;
+pub mod fragment;
+pub(super) mod plan;
+pub(super) mod polar;
+pub(super) mod root;
+pub(super) mod setup;
