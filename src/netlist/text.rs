@@ -1,0 +1,134 @@
+//! A netlist as text, and as a graph for Graphviz.
+
+use super::{Netlist, Node, Quantity, ScopeId};
+use crate::base::cast;
+use crate::netlist::op::Op;
+use std::fmt::Write as _;
+
+impl Netlist {
+    /// Readable text form: one line per node.
+    #[must_use]
+    pub fn to_text(&self) -> String {
+        let mut text = format!("netlist {}\n", self.name);
+        for table in &self.tables {
+            let columns: Vec<String> =
+                table.columns.iter().map(|c| format!("{} {}", c.name, c.format)).collect();
+            let _ = writeln!(
+                text,
+                "  table {}[{}]: {}",
+                table.name,
+                1u64 << table.addr_bits,
+                columns.join(", ")
+            );
+        }
+        for (id, node) in self.ids().zip(&self.nodes) {
+            let _ = write!(text, "  %{} = {}", id.0, self.describe(node));
+            for operand in &node.operands {
+                let _ = write!(text, " %{}", operand.0);
+            }
+            let _ = write!(text, " : {}", node.format);
+            text.push_str(match node.quantity {
+                Quantity::Number => "",
+                Quantity::Turns => " turns",
+                Quantity::Float20 => " float20",
+            });
+            if node.name.is_some() {
+                let _ = write!(text, "  # {}", self.label(id));
+            }
+            text.push('\n');
+        }
+        for output in &self.outputs {
+            let _ = writeln!(text, "  output {} = %{}", output.name, output.node.0);
+        }
+        text
+    }
+
+    /// Operation with its attributes, without operands.
+    fn describe(&self, node: &Node) -> String {
+        let name = node.op.name();
+        match node.op {
+            Op::Const { raw } => format!("{name} {raw}"),
+            Op::Slice { lo } => {
+                format!("{name}[{}:{lo}]", lo + node.format.bits() - 1)
+            }
+            Op::Shift { left } => format!("{name} {left:+}"),
+            Op::ShiftLeft { max } => format!("{name} max {max}"),
+            Op::Read { table, column } => {
+                let table = &self.tables[table.index()];
+                let column = &table.columns[usize::try_from(column).expect("bug: small")];
+                format!("{name} {}.{}", table.name, column.name)
+            }
+            Op::Narrow { round, overflow } => format!("{name} {round} {overflow}"),
+            Op::Input
+            | Op::Add
+            | Op::Sub
+            | Op::AddSub
+            | Op::Mul
+            | Op::Neg
+            | Op::Abs
+            | Op::And
+            | Op::Or
+            | Op::Xor
+            | Op::Equal
+            | Op::Less
+            | Op::Mux
+            | Op::Concat
+            | Op::LeadingZeros
+            | Op::Modulo => name.to_owned(),
+        }
+    }
+
+    /// Graphviz form: scopes are clusters.
+    #[must_use]
+    pub fn to_dot(&self) -> String {
+        let mut text = format!(
+            "digraph {} {{\n  rankdir=LR;\n  node [shape=box, fontname=\"sans-serif\", fontsize=10];\n",
+            self.name
+        );
+        for (s, scope) in self.scopes.iter().enumerate() {
+            let indent = if s == 0 { "  " } else { "    " };
+            if s > 0 {
+                let path = self.scope_path(ScopeId(cast::id_of(s))).join(".");
+                let _ = writeln!(text, "  subgraph cluster_{s} {{ label=\"{path}\"; color=gray;");
+            }
+            for (id, node) in self.ids().zip(&self.nodes).filter(|(_, n)| n.scope.index() == s) {
+                let name = node.name.as_deref().map(|n| format!("{n}\\n")).unwrap_or_default();
+                let shape = if node.op == Op::Input {
+                    ", shape=cds"
+                } else if matches!(node.op, Op::Read { .. }) {
+                    ", shape=cylinder"
+                } else if node.op == Op::Mul {
+                    ", style=filled, fillcolor=\"#ffd9b3\""
+                } else if scope.part.is_some() {
+                    ", style=dotted"
+                } else {
+                    ""
+                };
+                let _ = writeln!(
+                    text,
+                    "{indent}n{} [label=\"{name}{}\\n{}\"{shape}];",
+                    id.0,
+                    self.describe(node),
+                    node.format
+                );
+            }
+            if s > 0 {
+                text.push_str("  }\n");
+            }
+        }
+        for (id, node) in self.ids().zip(&self.nodes) {
+            for operand in &node.operands {
+                let _ = writeln!(text, "  n{} -> n{};", operand.0, id.0);
+            }
+        }
+        for output in &self.outputs {
+            let _ = writeln!(
+                text,
+                "  out_{0} [label=\"{0}\", shape=cds]; n{1} -> out_{0};",
+                output.name, output.node.0
+            );
+        }
+        text.push_str("}\n");
+        text
+    }
+}
