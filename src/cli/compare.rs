@@ -58,7 +58,7 @@ pub(super) fn run(args: &CompareArgs) -> Result<String> {
         return Err(Error::file(path, problem));
     }
     let inputs = Inputs { sampler: Sampler::Lit, samples: args.samples, seed: args.seed };
-    let bar = super::progress_bar(inputs.samples, "fragments");
+    let bar = super::progress::progress_bar(inputs.samples, "fragments");
     let progress = |name: &str, done| {
         bar.set_prefix(escape::short(name));
         bar.set_position(done);
@@ -77,7 +77,7 @@ pub(super) fn run(args: &CompareArgs) -> Result<String> {
     let mut comparison = compare::compare(&args.params, &inputs, &progress)?;
     bar.finish_and_clear();
     for (name, scene) in &scenes {
-        let bar = super::progress_bar(u64::from(scene.image.height), name);
+        let bar = super::progress::progress_bar(u64::from(scene.image.height), name);
         let name = Path::new(name).file_stem().and_then(|stem| stem.to_str()).unwrap_or(name);
         comparison.add_scene(&escape::short(name), scene, &|rows| bar.set_position(rows))?;
         bar.finish_and_clear();

@@ -1,6 +1,7 @@
 //! `fixpath cost`: what a unit takes on an FPGA.
 
-use super::{UnitArgs, number, text};
+use super::options::UnitArgs;
+use super::{number, text};
 use crate::base::error::{Error, Result};
 use crate::base::json;
 use crate::base::outside::{self, Limits};
@@ -84,7 +85,7 @@ pub(super) fn run(args: &CostArgs) -> Result<String> {
     let bar = ProgressBar::new_spinner();
     let names: Vec<&str> = targets.iter().map(|target| target.name()).collect();
     bar.set_message(format!("synthesis for {}", names.join(", ")));
-    super::tick(&bar);
+    super::progress::tick(&bar);
     let period_ps = rtl.schedule().period_ps();
     let row = |target: &Target| {
         let target = *target;

@@ -1,7 +1,11 @@
 //! `fixpath demo`: what takes no outside tool, on built-in settings, into one folder.
 
+use super::print::print;
 use super::render::{self, RenderArgs};
-use super::{Sim, print, run_sweep, show, stimulus, text, write_wave};
+use super::sim::Sim;
+use super::sweep::run_sweep;
+use super::wave::{stimulus, write_wave};
+use super::{show, text};
 use crate::base::error::Result;
 use crate::base::json;
 use crate::base::output::{self, Set};

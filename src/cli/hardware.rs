@@ -1,6 +1,8 @@
 //! `fixpath hdl`: a design as files of hardware.
 
-use super::{UnitArgs, note_unused, number, shell};
+use super::options::UnitArgs;
+use super::print::note_unused;
+use super::{number, shell};
 use crate::base::error::Result;
 use crate::hardware::emit::{Package, Settings};
 use crate::hardware::hdl::testbench::vectors_file;

@@ -1,6 +1,7 @@
 //! `fixpath render --ladder`: whole pipelines over widths, and light tables over exponents.
 
-use super::{progress_bar, text};
+use super::progress::progress_bar;
+use super::text;
 use crate::base::cast;
 use crate::base::error::{Error, Result};
 use crate::base::json;

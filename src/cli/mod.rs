@@ -7,38 +7,39 @@ mod demo;
 mod hardware;
 mod ladder;
 mod number;
+mod options;
+mod print;
+mod progress;
 mod render;
 mod schedule;
 mod shell;
 mod show;
 mod signals;
+mod sim;
+mod sweep;
 mod texgen;
 mod text;
 mod verify;
+mod wave;
 
-use crate::base::cast;
-use crate::base::columns::{self, Field};
 use crate::base::error::{Error, Result};
-use crate::base::escape;
-use crate::base::input;
-use crate::base::json;
-use crate::base::output::{self, Draft};
-use crate::base::whole;
-use crate::design::{Design, Sampler, Unit, Values};
-use crate::hardware::wave::{Options, Wave};
-use crate::measure::eval;
-use crate::measure::samples::{AngleUnit, Block, SampleFile};
-use crate::measure::{self, Basis, BoundCheck, Cone, Inputs, Profile, Report};
-use crate::report::record::RankBy;
+use crate::base::{cast, escape, json, output, whole};
+use crate::design::{Design, Unit};
+use crate::hardware::wave::Options;
+use crate::measure::{Basis, Cone, eval};
 use crate::sweep::{Axis, Sweep};
 use crate::units::UNITS;
 use clap::error::ErrorKind;
-use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
-use indicatif::{ProgressBar, ProgressStyle};
-use std::io::{self, Write};
+use clap::{CommandFactory, Parser, Subcommand};
+use options::{BasisArg, ErrorArg, InputArgs, TableArgs, UnitArgs};
+use print::{note, note_clipped, note_unused, print, printed};
+use progress::progress_bar;
+use sim::{Sim, with_profile, write_cases};
+use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::Duration;
+use sweep::run_sweep;
+use wave::{MAX_SAMPLES, read_stimulus, stimulus, write_wave};
 
 /// The most threads.
 const MAX_THREADS: u64 = 1024;
@@ -255,174 +256,6 @@ enum Command {
     },
 }
 
-#[derive(Args)]
-struct UnitArgs {
-    /// Unit; `fixpath list` names them.
-    unit: String,
-    /// Set a parameter.
-    #[arg(short = 'p', long = "param", value_name = "KEY=VALUE")]
-    params: Vec<String>,
-}
-
-impl UnitArgs {
-    fn values(&self) -> Result<Values> {
-        Unit::find(&self.unit)?.values(&self.params)
-    }
-
-    fn design(&self) -> Result<Design> {
-        self.values()?.build()
-    }
-}
-
-#[derive(Args)]
-struct InputArgs {
-    /// Number of random samples; 1e6 if not given.
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = number::whole(1..=u64::MAX))]
-    samples: Option<u64>,
-    /// Seed of the random samples; 1 if not given.
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = number::whole(0..=u64::MAX))]
-    seed: Option<u64>,
-    /// Where samples come from.
-    #[arg(long, value_enum, default_value = "lit")]
-    sampler: SamplerArg,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum AngleArg {
-    /// 2π to the turn.
-    Radians,
-    /// 360 to the turn.
-    Degrees,
-    /// Turns.
-    Turns,
-}
-
-impl AngleArg {
-    fn unit(self) -> AngleUnit {
-        match self {
-            Self::Radians => AngleUnit::Radians,
-            Self::Degrees => AngleUnit::Degrees,
-            Self::Turns => AngleUnit::Turns,
-        }
-    }
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum SamplerArg {
-    /// What suits the unit's inputs: vectors uniform on the sphere, light on the lit side of the surface (`list` tells where else).
-    Lit,
-    /// Likewise, on any side: vectors uniform on the sphere.
-    Sphere,
-    /// Every combination of input words (up to 2^32).
-    Exhaustive,
-}
-
-/// [`RankBy`] on the command line.
-#[derive(Clone, Copy)]
-struct ErrorArg(RankBy);
-
-impl ValueEnum for ErrorArg {
-    fn value_variants<'a>() -> &'a [Self] {
-        const ALL: [ErrorArg; 6] = {
-            let mut all = [ErrorArg(RankBy::Max); 6];
-            let mut i = 0;
-            while i < all.len() {
-                all[i] = ErrorArg(RankBy::ALL[i].0);
-                i += 1;
-            }
-            all
-        };
-        &ALL
-    }
-
-    fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
-        let known = RankBy::ALL.iter().find(|(error, ..)| *error == self.0);
-        known.map(|(_, name, help)| clap::builder::PossibleValue::new(*name).help(*help))
-    }
-}
-
-/// A basis by its name in reports.
-#[derive(Clone, Copy)]
-struct BasisArg(Basis);
-
-impl clap::ValueEnum for BasisArg {
-    fn value_variants<'a>() -> &'a [Self] {
-        const ALL: [BasisArg; 4] = [
-            BasisArg(Basis::ALL[0]),
-            BasisArg(Basis::ALL[1]),
-            BasisArg(Basis::ALL[2]),
-            BasisArg(Basis::ALL[3]),
-        ];
-        &ALL
-    }
-
-    fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
-        Some(clap::builder::PossibleValue::new(self.0.name()).help(self.0.meaning()))
-    }
-}
-
-impl InputArgs {
-    fn inputs(&self, hard: bool) -> Inputs {
-        let sampler = match self.sampler {
-            SamplerArg::Lit => Sampler::Lit,
-            SamplerArg::Sphere => Sampler::Sphere,
-            SamplerArg::Exhaustive => Sampler::Exhaustive,
-        };
-        let sampler = if hard { Sampler::Hard } else { sampler };
-        if !sampler.is_random() {
-            let why = format!("sampler {} draws nothing", sampler.name());
-            note_unused(&[("--samples", self.samples), ("--seed", self.seed)], &why);
-        }
-        Inputs { sampler, samples: self.samples.unwrap_or(1_000_000), seed: self.seed.unwrap_or(1) }
-    }
-}
-
-/// How a table of values is read.
-#[derive(Args)]
-struct TableArgs {
-    /// Unit of the angles in tables.
-    #[arg(long, value_enum, default_value = "radians")]
-    angle: AngleArg,
-    /// Pass over columns of the input that mean nothing here.
-    #[arg(long)]
-    ignore_columns: bool,
-}
-
-impl TableArgs {
-    fn open<'a>(
-        &self,
-        path: &'a Path,
-        design: &'a Design,
-    ) -> Result<SampleFile<'a, Box<dyn io::Read>>> {
-        let (from, path): (Box<dyn io::Read>, _) = if path == Path::new("-") {
-            (Box::new(input::stdin()?), Path::new("standard input"))
-        } else {
-            (Box::new(input::open(path)?), path)
-        };
-        SampleFile::open(from, path, design, self.angle.unit(), self.ignore_columns)
-    }
-}
-
-/// Tells what doesn't stop a command, and doesn't belong to its result.
-fn note(text: &str) {
-    // A lost stderr changes nothing.
-    let _ = writeln!(io::stderr(), "note: {}", escape::message(text));
-}
-
-/// Tells of values of a table that were clipped.
-fn note_clipped<R: io::Read>(samples: &SampleFile<'_, R>) {
-    if let Some(text) = samples.clipped_note() {
-        note(&text);
-    }
-}
-
-/// Tells which of some options were given for nothing.
-fn note_unused(options: &[(&str, Option<u64>)], why: &str) {
-    for (name, _) in options.iter().filter(|(_, given)| given.is_some()) {
-        note(&format!("{name} changes nothing: {why}"));
-    }
-}
-
 /// The command line as clap has it, such as for completions and manual pages.
 #[must_use]
 pub fn command() -> clap::Command {
@@ -637,33 +470,6 @@ fn run(command: &Command) -> Result<bool> {
     Ok(true)
 }
 
-/// Writes to the standard output, and nothing that a terminal would act on. A reader that went away is no error, and
-/// changes no verdict.
-fn print(text: &str) -> Result<()> {
-    printed(io::stdout().lock().write_all(escape::lines(text).as_bytes()))
-}
-
-/// Whether all of what was written to the standard output got there.
-fn printed(written: io::Result<()>) -> Result<()> {
-    match written.and_then(|()| io::stdout().flush()) {
-        Err(why) if why.kind() != io::ErrorKind::BrokenPipe => {
-            Err(output::at(Path::new("standard output"))(why))
-        }
-        Ok(()) | Err(_) => Ok(()),
-    }
-}
-
-/// A bar on a terminal, nothing elsewhere.
-fn progress_bar(total: u64, what: &str) -> ProgressBar {
-    let style = ProgressStyle::with_template(
-        "{prefix} [{bar:30}] {human_pos}/{human_len} {percent}% {per_sec}, {eta} left",
-    );
-    let bar = ProgressBar::new(total);
-    bar.set_style(style.expect("bug: the template is right").progress_chars("=> "));
-    bar.set_prefix(escape::short(what));
-    bar
-}
-
 fn eval_command(design: &Design, input: &Path, out: &Path, table: &TableArgs) -> Result<()> {
     let dash = Path::new("-");
     let mut samples = table.open(input, design)?;
@@ -675,185 +481,4 @@ fn eval_command(design: &Design, input: &Path, out: &Path, table: &TableArgs) ->
     }
     note_clipped(&samples);
     Ok(())
-}
-
-/// Turns a spinner that somebody sees; it takes a thread.
-fn tick(bar: &ProgressBar) {
-    if !bar.is_hidden() {
-        bar.enable_steady_tick(Duration::from_millis(200));
-    }
-}
-
-/// Seconds of each part beside what was measured.
-fn with_profile(mut json: serde_json::Value, times: Option<&Profile>) -> serde_json::Value {
-    if let Some(times) = times {
-        json["profile_seconds"] = serde_json::json!(times);
-    }
-    json
-}
-
-/// A measured design with all that `sim` tells.
-struct Sim {
-    design: Design,
-    inputs: Inputs,
-    report: Report,
-    bounds: BoundCheck,
-    hard: Vec<measure::HardVerdict>,
-}
-
-impl Sim {
-    fn run(design: Design, inputs: &Inputs, bases: &[Basis]) -> Result<Self> {
-        let bar = progress_bar(inputs.count(&design)?, design.values.unit().name);
-        let done = |done| bar.set_position(done);
-        let mut reports = measure::measure_on(bases, &[&design], inputs, &done)?;
-        bar.finish_and_clear();
-        let bounds = BoundCheck::new(&design)?;
-        let hard = if inputs.sampler == Sampler::Hard {
-            measure::hard_verdicts(&design, &bounds)
-        } else {
-            Vec::new()
-        };
-        let report = reports.pop().expect("bug: one report per design");
-        Ok(Self { design, inputs: *inputs, report, bounds, hard })
-    }
-
-    fn passed(&self) -> bool {
-        self.bounds.hold(&self.report) && self.hard.iter().all(|case| case.holds != Some(false))
-    }
-}
-
-/// Every hard case, one row each.
-fn write_cases(sim: &Sim, to: &mut dyn Write, path: &Path) -> Result<()> {
-    let netlist = &sim.design.netlist;
-    let (group, results) = measure::case_columns(&sim.design);
-    let mut heading = vec![group.to_owned()];
-    heading.extend((0..netlist.inputs().len()).map(|i| format!("{}_raw", netlist.input_name(i))));
-    heading.extend(results);
-    let results = |group| measure::hard_results(&sim.design, group, &sim.bounds);
-    let row = |case: measure::HardResult, group: &str| {
-        let mut row = vec![Field::from(group)];
-        row.extend(case.words.iter().map(|word| Field::Word(*word)));
-        for numbers in [&case.fixed, &case.float32, &case.float64] {
-            row.extend(numbers.iter().map(|number| Field::Real(*number)));
-        }
-        row.extend([case.error.into(), case.float32_error.into(), case.bound.into()]);
-        row.push(case.holds().map(|holds| holds.to_string()).into());
-        row.push(case.quantity.into());
-        row
-    };
-    let rows = sim
-        .design
-        .hard
-        .iter()
-        .flat_map(|group| results(group).into_iter().map(move |case| row(case, group.name)));
-    columns::write(to, path, &heading, rows)
-}
-
-/// The most samples of a wave, which are held at once.
-const MAX_SAMPLES: u64 = 10_000_000;
-
-/// Input words of a table's samples up to the end of the window.
-fn read_stimulus<R: io::Read>(mut samples: SampleFile<'_, R>, end: u64) -> Result<Vec<Vec<i64>>> {
-    let (mut block, mut rows) = (Block::default(), Vec::new());
-    loop {
-        let count = samples.read(&mut block)?;
-        rows.extend((0..count).map(|row| block.words.iter().map(|column| column[row]).collect()));
-        if count == 0 || cast::count_of(rows.len()) >= end {
-            note_clipped(&samples);
-            return Ok(rows);
-        }
-        if cast::count_of(rows.len()) > MAX_SAMPLES {
-            let problem = format!(
-                "more than {MAX_SAMPLES} rows, which a wave doesn't hold: --cycles 0..1e6 takes the first"
-            );
-            return Err(Error::file(samples.path(), problem));
-        }
-    }
-}
-
-/// One vector of each hard case, then a turn of the first input with the others held, which
-/// makes smooth curves, then random vectors.
-fn stimulus(design: &Design, samples: u64, seed: Option<u64>) -> Result<Vec<Vec<i64>>> {
-    const RAMP: u64 = 64;
-    let mut rows: Vec<Vec<i64>> =
-        design.hard.iter().filter_map(|case| case.words.first().cloned()).collect();
-    let netlist = &design.netlist;
-    for step in 0..RAMP {
-        let ports = netlist.inputs().iter().enumerate().map(|(port, id)| {
-            let format = netlist.node(*id).format;
-            let share = if port == 0 { (step, RAMP) } else { (1, 4 + 3 * cast::count_of(port)) };
-            let pattern = u128::from(format.words()) * u128::from(share.0) / u128::from(share.1);
-            format.wrap(cast::word_of_bits(u64::try_from(pattern).expect("bug: below 2^63")))
-        });
-        rows.push(ports.collect());
-    }
-    if cast::count_of(rows.len()) >= samples {
-        note_unused(&[("--seed", seed)], "hard cases and the curve are all of the samples");
-    }
-    let inputs = Inputs { sampler: Sampler::Lit, samples, seed: seed.unwrap_or(1) };
-    rows.extend(measure::sample_words(design, &inputs)?);
-    rows.truncate(usize::try_from(samples).unwrap_or(usize::MAX));
-    Ok(rows)
-}
-
-/// Writes a VCD and its save file; returns what to tell.
-fn write_wave(
-    design: &Design,
-    options: Options,
-    samples: &[Vec<i64>],
-    out: &Path,
-) -> Result<String> {
-    let save = out.with_extension("gtkw");
-    let special = std::fs::metadata(out).is_ok_and(|there| !there.is_file() && !there.is_dir());
-    if special || save == out || out == Path::new("-") {
-        let problem = "no place for the save file: give a file that ends in .vcd";
-        return Err(Error::file(&save, problem.to_owned()));
-    }
-    let window = options.cycles.clone();
-    let wave = Wave::new(design, options)?;
-    let latency = u64::from(wave.rtl().schedule().latency());
-    let end = wave.cycles(samples.len());
-    if let Some(window) = window.filter(|window| window.start >= end) {
-        return Err(Error::usage(format!(
-            "cycles {}..{} are past the end: there are {end}",
-            window.start, window.end
-        )));
-    }
-    let mut cycles = 0;
-    // Before the work, not after it.
-    output::check(&save)?;
-    let dump = Draft::write(out, |to| {
-        let bar = progress_bar(end, "cycles");
-        cycles = wave.write_with(samples, to, out, &|done| bar.set_position(done))?;
-        bar.finish_and_clear();
-        Ok(())
-    })?;
-    let save_file = Draft::write(&save, |to| wave.write_gtkw(out, to).map_err(output::at(&save)))?;
-    Draft::publish_all([dump, save_file])?;
-    Ok(format!(
-        "{}: {cycles} cycles, {} signals, latency {}\nopen with: gtkwave {} {}\n",
-        out.display(),
-        wave.len(),
-        latency,
-        shell::word(out),
-        shell::word(&save)
-    ))
-}
-
-/// Runs a sweep into a folder; returns what to tell.
-fn run_sweep(sweep: &Sweep, out: &Path, fresh: bool, profile: bool) -> Result<String> {
-    let bar = progress_bar(cast::count_of(sweep.points()), "points");
-    let record = sweep.run(out, fresh, &|progress| {
-        bar.set_position(cast::count_of(progress.points_done));
-    })?;
-    bar.finish_and_clear();
-    let mut told = text::sweep(&record, out);
-    if profile {
-        // Points that were on disk already took none.
-        let mut times = Profile::default();
-        let measured = record.points.iter().filter_map(|point| point.measured.as_ref());
-        measured.for_each(|measured| times.add(&measured.speed.profile));
-        told += &text::profile(&times);
-    }
-    Ok(told)
 }

@@ -1,6 +1,7 @@
 //! `fixpath render`: a scene by pipelines, its golden, differences and figures.
 
-use super::{ladder, number, progress_bar, text};
+use super::progress::progress_bar;
+use super::{ladder, number, text};
 use crate::base::cast;
 use crate::base::error::{Error, Result};
 use crate::base::escape;

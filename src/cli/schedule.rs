@@ -1,6 +1,7 @@
 //! `fixpath schedule`: a time-shared schedule in the layout of the table in seed 000 (US 6,980,218).
 
-use super::{UnitArgs, text};
+use super::options::UnitArgs;
+use super::text;
 use crate::base::error::Result;
 use crate::base::json;
 use crate::design::Design;

@@ -1,6 +1,6 @@
 //! What the commands print, as text and as JSON.
 
-use super::Sim;
+use super::sim::Sim;
 use crate::base::{cast, escape, json};
 use crate::design::{Design, Kind, PIPELINE, Param, Unit, Values};
 use crate::measure;

@@ -1,7 +1,9 @@
 //! `fixpath verify`: a unit's hardware in outside simulators.
 
 use super::hardware::TablesArg;
-use super::{UnitArgs, note_unused, number, text};
+use super::options::UnitArgs;
+use super::print::note_unused;
+use super::{number, text};
 use crate::base::error::{Error, Result};
 use crate::base::json;
 use crate::base::outside;
@@ -80,7 +82,7 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(String, Result<bool>)> {
     let bar = ProgressBar::new_spinner();
     let names: Vec<&str> = request.simulators.iter().map(|simulator| simulator.name()).collect();
     bar.set_message(format!("{} at work", names.join(", ")));
-    super::tick(&bar);
+    super::progress::tick(&bar);
     let rows = verify::verify(&design, &request, &|row| {
         bar.println(format!("{}: {:.1} s", row.tool, row.seconds));
     })?;
