@@ -142,6 +142,8 @@ impl Set {
             made.iter().try_for_each(|(file, stamp)| {
                 writeln!(list, "{} {} {}", stamp.bytes, stamp.nanoseconds, file.display())
             })?;
+            // An interrupt removes the side folder: before it is the journal, or not at all.
+            let _held = scratch::hold();
             fs::rename(self.side(), &self.journal)
         };
         tell().map_err(at(&self.list))
