@@ -342,19 +342,15 @@ fn a_pipe_is_waited_for_where_a_command_names_it_and_else_refused() {
         let message = format!("{file}: can't read: it is a pipe, and a file is needed");
         refused(here, &["render", scene, "--out", "out"], &message);
     }
-    // Whoever is late at the other end is waited for, with a note; a signal ends that.
-    let late = "(sleep 4; cat in.csv > p) & \"$0\" eval rotation --in p --out - | grep -c , & \
-                mkfifo q; \"$0\" eval rotation --in in.csv --out q & (sleep 4; grep -c , q) & wait; \
-                mkfifo r; \"$0\" texgen r & sleep 4; kill $!; wait $!; echo $?";
-    let mut bash = Command::new("bash");
-    let outcome = bash.args(["-c", late]).arg(cargo_bin("fixpath")).current_dir(here).output();
-    let outcome = outcome.unwrap();
-    let words = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
-    assert_eq!(words(&outcome.stdout), "2\n2\n143\n");
-    for name in ["p", "q", "r"] {
-        let note = format!("note: {name}: waiting for the other end of this pipe\n");
-        assert!(words(&outcome.stderr).contains(&note), "{}", words(&outcome.stderr));
-    }
+    // Whoever is late at the other end, here until the note is there, is waited for; a signal ends that.
+    let late = "exec 2>err; mkfifo q r; \
+                told() { until grep -q \"note: $1: waiting for the other end of this pipe\" err; do sleep 0.1; done; }; \
+                \"$0\" eval rotation --in p --out - | grep -c , & told p; cat in.csv > p; wait; \
+                \"$0\" eval rotation --in in.csv --out q & told q; grep -c , q; wait; \
+                \"$0\" texgen r & told r; kill $!; wait $!; echo $?";
+    let mut bash = Command::new("timeout");
+    bash.args(["300", "bash", "-c", late]).arg(cargo_bin("fixpath")).current_dir(here);
+    assert_eq!(ended(&bash.output().unwrap()), (Some(0), "2\n2\n143\n".to_owned()));
     // With somebody there it is as any file.
     let script = "cat in.csv > p & \"$0\" eval rotation --in p --out - | grep -c , ; \
                   cat p > copy & \"$0\" eval rotation --in in.csv --out p; wait; grep -c , copy";

@@ -29,8 +29,7 @@ use super::basis::{
 };
 use super::dot::{dot, ended_at, ends, extremes, vector_ports};
 use super::normalise::{Block, NORM_BITS, block, direction_error, narrowed, unit_vector};
-use super::parts::plan;
-use super::parts::plan::{number, rounding_ulp};
+use super::parts::plan::{self, number, rounding_ulp};
 use super::rsqrt::{ROOT_ADDR_BITS, ROOT_FRAC_BITS, ROOT_SCHEME, Root, length_error};
 use super::vertex::{draw, hard_cases};
 use crate::base::cast;
