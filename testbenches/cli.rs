@@ -684,7 +684,10 @@ fn a_sweep_over_input_widths_is_ranked_end_to_end() {
 fn an_interrupt_leaves_nothing_half_written() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("big.vcd");
-    let mut child = std::process::Command::new(assert_cmd::cargo::cargo_bin("fixpath"))
+    // The suite may itself run where signals are ignored.
+    let mut child = std::process::Command::new("env")
+        .arg("--default-signal=INT")
+        .arg(assert_cmd::cargo::cargo_bin("fixpath"))
         .args(["wave", "rotation", "--samples", "3000000", "--out"])
         .arg(&out)
         .spawn()
