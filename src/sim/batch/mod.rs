@@ -25,11 +25,11 @@
 //! the one setting, for AVX2 and for AVX-512, takes 0.7 times as long.
 //!
 //! `kernels.rs` has the loops, plain Rust that the compiler vectorises for each set of
-//! processor features in `simd.rs`. [`super::real`] does the same on reals, for the
+//! processor features in `simd.rs`. [`crate::sim::real`] does the same on reals, for the
 //! algorithm's value at every node.
 
-use super::kernels::{self, Fit, Kernel, Lane, Limit, Slow, Wrap};
-use super::lanes::{Narrowed, Placed, Way, Width, alignment, least, place, wide_product};
+use crate::sim::kernels::{self, Fit, Kernel, Lane, Limit, Slow, Wrap};
+use crate::sim::lanes::{Narrowed, Placed, Way, Width, alignment, least, place, wide_product};
 use crate::base::cast;
 use crate::base::error::{Error, Result};
 pub use crate::base::simd::Features;
