@@ -10,7 +10,7 @@
 //! results of units), and after them each unit: multiplexers, its own stages, results. Its hold
 //! registers load in their phase. All of it is stages and registers; a flat pipeline has no phase.
 
-use super::{
+use crate::hardware::hdl::{
     Bit, Bitwise, Driver, Expr, Item, Module, Next, Operand, Options, READY, Register, RomTable,
     Stage, Tables, Valid, View, WORDS, Word, WordId, check_name, new_word_id, place_tables,
     refuse_size, valid_bit,
@@ -25,7 +25,7 @@ use crate::number::format::{Format, Narrowing, Overflow, Round, bit_len, narrow}
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-pub(super) fn lower(rtl: &Arc<Rtl>, options: &Options) -> Result<Module> {
+pub(in crate::hardware::hdl) fn lower(rtl: &Arc<Rtl>, options: &Options) -> Result<Module> {
     let netlist = rtl.netlist();
     let name = options.name.clone().unwrap_or_else(|| netlist.name().to_owned());
     check_name(&name)?;
