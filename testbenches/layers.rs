@@ -19,7 +19,6 @@ const HEADS: &[&str] = &[
     "base/output",
     "design",
     "hardware/cost",
-    "hardware/hdl",
     "hardware/verify",
     "hardware/wave",
     "measure",

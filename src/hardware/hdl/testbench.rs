@@ -1,7 +1,8 @@
 //! Testbenches and what else goes with a module: templates in `templates/`, filled with its
 //! ports, latency and names.
 
-use super::{File, Language, Module, Word};
+use super::language::Language;
+use super::module::{File, Module, Word};
 use crate::number::format::Format;
 use minijinja::{Environment, UndefinedBehavior, context};
 use serde::Serialize;

@@ -3,10 +3,12 @@
 //! Every extension and every width is written out, so that Verilog's own rules for signs and
 //! contexts decide nothing. Words keep the binary point as their least index.
 
-use super::{
-    Bit, Bitwise, Driver, Expr, File, Item, Language, Module, Next, Operand, READY, ROWS_A_LINE,
-    Register, RomTable, Stage, Tables, Valid, View, Word, WordId, rom_attributes, testbench,
+use super::language::{Language, ROWS_A_LINE, rom_attributes};
+use super::module::{
+    Bit, Bitwise, Driver, Expr, File, Item, Module, Next, Operand, READY, Register, RomTable,
+    Stage, Tables, Valid, View, Word, WordId,
 };
+use super::testbench;
 use crate::base::cast;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;

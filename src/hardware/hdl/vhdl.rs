@@ -4,10 +4,12 @@
 //! the sign and bits of its result before anything is computed. `resize` only ever extends, for
 //! when it cuts a signed number it keeps the sign instead of the low bits: cuts are slices.
 
-use super::{
-    Bit, Bitwise, Driver, Expr, File, Item, Language, Module, Next, Operand, READY, ROWS_A_LINE,
-    Register, RomTable, Stage, Tables, Valid, View, Word, WordId, rom_attributes, testbench,
+use super::language::{Language, ROWS_A_LINE, rom_attributes};
+use super::module::{
+    Bit, Bitwise, Driver, Expr, File, Item, Module, Next, Operand, READY, Register, RomTable,
+    Stage, Tables, Valid, View, Word, WordId,
 };
+use super::testbench;
 use crate::base::cast;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
