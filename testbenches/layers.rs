@@ -23,7 +23,6 @@ const HEADS: &[&str] = &[
     "hardware/wave",
     "measure",
     "netlist",
-    "report",
     "schedule",
     "shading/picture",
     "shading/render",

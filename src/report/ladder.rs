@@ -8,7 +8,7 @@
 
 use super::chart::{Along, Chart, Front, Series, Style};
 use super::markdown::{self, short};
-use super::pareto;
+use super::pareto::pareto;
 use super::record::{Measured, Point, SceneId};
 use crate::base::cast;
 use crate::base::columns::{self, Field};

@@ -2,7 +2,7 @@
 
 use super::plot::Plot;
 use super::record::{Figures, Measured, PictureFigures, Record, plain};
-use super::{Row, against, axis_names, axis_values, best, inputs, rows};
+use super::rows::{Row, against, axis_names, axis_values, best, inputs, rows};
 use crate::base::escape::markdown;
 use crate::measure::Basis;
 use std::collections::BTreeSet;

@@ -2,7 +2,7 @@
 
 use super::chart::{Along, Chart, Front, Series, Style};
 use super::record::{Axis, Record, plain};
-use super::{Row, against, axis_names, axis_values, best, inputs, rows};
+use super::rows::{Row, against, axis_names, axis_values, best, inputs, rows};
 use crate::design::{Role, Unit};
 use crate::measure::Basis;
 
