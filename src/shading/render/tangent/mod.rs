@@ -32,8 +32,6 @@
 //! it does with frames in floating point. T isn't turned: with T and N × T both turned, bumps would be
 //! dents.
 
-use super::named::{Stage, knows};
-use super::{Block, BlockShot, Gathered, Pipeline, Shot, colour, gather, overflows, reflected};
 use crate::base::cast;
 use crate::base::error::Result;
 use crate::design::{Design, Unit};
@@ -42,6 +40,10 @@ use crate::netlist::Counts;
 use crate::netlist::words::Words;
 use crate::number::format::Format;
 use crate::shading::picture::Picture;
+use crate::shading::render::named::{Stage, knows};
+use crate::shading::render::{
+    Block, BlockShot, Gathered, Pipeline, Shot, colour, gather, overflows, reflected,
+};
 use crate::shading::scene::{
     Assembly, CURVED, Fragments, Scene, Seen, SharedVertex, Sharing, halfway,
 };
@@ -56,10 +58,10 @@ use std::sync::Arc;
 use std::time::Duration;
 
 /// Parameters of the unit that the pipeline's name and the scene give.
-pub(super) const FROM_SCENE: &[&str] = &["frame", "lights"];
+pub(in crate::shading::render) const FROM_SCENE: &[&str] = &["frame", "lights"];
 
 /// Units before a pipeline whose frames are set up.
-pub(super) static BEFORE: [&Unit; 1] = [&TANGENT];
+pub(in crate::shading::render) static BEFORE: [&Unit; 1] = [&TANGENT];
 
 /// Corners that a thread sets up at a time.
 const TOGETHER: usize = 3 << 10;
@@ -476,7 +478,7 @@ fn shade(front: &Front<'_>, seen: &Seen, vectors: &Vectors) -> Vec<[f64; 3]> {
 }
 
 /// Renders a scene by these pipelines. `progress` gets the rows done.
-pub(super) fn shots(
+pub(in crate::shading::render) fn shots(
     scene: &Scene,
     pipelines: &[&Pipeline],
     progress: &(dyn Fn(u64) + Sync),
@@ -540,7 +542,7 @@ pub(super) fn shots(
 }
 
 /// Frames at the corners of a scene's faces, by the unit.
-pub(super) struct FaceFrames {
+pub(in crate::shading::render) struct FaceFrames {
     design: Arc<Design>,
     /// Components of T, B and N of each corner of each face, by column.
     rows: Vec<Vec<f64>>,
@@ -549,11 +551,11 @@ pub(super) struct FaceFrames {
 
 impl FaceFrames {
     /// What of a pipeline's parameters they depend on.
-    pub(super) fn parameters(pipeline: &Pipeline) -> Vec<&String> {
+    pub(in crate::shading::render) fn parameters(pipeline: &Pipeline) -> Vec<&String> {
         pipeline.assignments.iter().filter(|set| knows(&TANGENT, set)).collect()
     }
 
-    pub(super) fn new(scene: &Scene, pipeline: &Pipeline) -> Result<Self> {
+    pub(in crate::shading::render) fn new(scene: &Scene, pipeline: &Pipeline) -> Result<Self> {
         scene.demand_uv("the set-up of frames")?;
         let of_face =
             |(object, face): (u32, [SharedVertex; 3])| face.map(|corner| (object, corner));
@@ -595,16 +597,16 @@ impl FaceFrames {
         Ok(Self { design, rows, known })
     }
 
-    pub(super) fn design(&self) -> &Arc<Design> {
+    pub(in crate::shading::render) fn design(&self) -> &Arc<Design> {
         &self.design
     }
 
-    pub(super) fn known(&self) -> &FramesKnown {
+    pub(in crate::shading::render) fn known(&self) -> &FramesKnown {
         &self.known
     }
 
     /// A shading point with the frame of the set-up; `None` on a sphere.
-    pub(super) fn frame(
+    pub(in crate::shading::render) fn frame(
         &self,
         scene: &Scene,
         fragments: &Fragments,

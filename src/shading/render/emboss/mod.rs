@@ -36,15 +36,15 @@
 //! d texels is off by at most d times the largest difference of neighbouring texels. Positions of vertices
 //! are compared with the golden's; interpolation makes no error larger.
 
-use super::named::Stage;
-use super::{
-    Block, BlockShot, Gathered, Pipeline, Rendered, Shot, count, gather, median_rate, overflows,
-};
 use crate::base::cast;
 use crate::base::error::{Error, Result};
 use crate::design::Unit;
 use crate::measure::{BoundCheck, quantize_inputs};
 use crate::number::format::Format;
+use crate::shading::render::named::Stage;
+use crate::shading::render::{
+    Block, BlockShot, Gathered, Pipeline, Rendered, Shot, count, gather, median_rate, overflows,
+};
 use crate::shading::scene::{
     Address, Filter, Light, LightSign, Place, Scene, Seen, Tessellation, Vertex,
 };
@@ -59,10 +59,10 @@ use std::sync::Arc;
 use std::time::Instant;
 
 /// Units behind the emboss unit.
-pub(super) static BEHIND: [&Unit; 2] = [&SAMPLER, &COMBINE];
+pub(in crate::shading::render) static BEHIND: [&Unit; 2] = [&SAMPLER, &COMBINE];
 
 /// Parameters of the units that the pipeline's name and the scene give.
-pub(super) const FROM_SCENE: &[&str] = &[
+pub(in crate::shading::render) const FROM_SCENE: &[&str] = &[
     "setting",
     "frame",
     "normalise_basis",
