@@ -25,7 +25,6 @@ const HEADS: &[&str] = &[
     "netlist",
     "schedule",
     "shading/picture",
-    "shading/render",
     "shading/scene",
     "shading/specialise",
     "shading/texgen",

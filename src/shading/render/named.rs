@@ -1,6 +1,7 @@
 //! A unit of a render path, fed and read by the names of its ports.
 
-use super::{BlockShot, Pipeline};
+use super::block::BlockShot;
+use super::pipeline::{Pipeline, knows};
 use crate::base::error::Result;
 use crate::design::{Design, Unit};
 use crate::netlist::NodeId;
@@ -9,12 +10,6 @@ use crate::sim::batch::{Program, Runner};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Instant;
-
-/// True if an assignment is to a parameter of a unit.
-pub(super) fn knows(unit: &'static Unit, set: &str) -> bool {
-    let key = set.split_once('=').map_or("", |(key, _)| key);
-    unit.param(key).is_some()
-}
 
 /// A design with its program.
 pub(super) struct Stage {

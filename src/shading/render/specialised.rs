@@ -2,14 +2,16 @@
 //! what runs once per flat face and what runs for every pixel, and held to the general design on
 //! every pixel of the scene.
 
-use super::{Shader, Stage, blocks, by_material, port_column, shading_point};
+use super::block::blocks;
+use super::bumps::{by_material, port_column, shading_point};
+use super::shader::{Shader, Stage};
 use crate::base::cast;
 use crate::base::error::Result;
 use crate::measure::quantize_inputs;
 use crate::netlist::op::Op;
 use crate::netlist::words::Words;
 use crate::netlist::{Netlist, NodeId};
-use crate::shading::render::Pipeline;
+use crate::shading::render::pipeline::Pipeline;
 use crate::shading::scene::{CURVED, Fragments, Scene};
 use crate::shading::specialise::{Known, Rate, Reduced, Report, Source, Specialised, specialise};
 use crate::sim::batch::{Program, Runner};

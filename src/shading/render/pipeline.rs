@@ -1,0 +1,312 @@
+//! A pipeline: a unit with parameters, as a way to shade pixels.
+
+use crate::base::error::{Error, Result, nearest};
+use crate::design::{Design, Kind, Param, Reflection, Role, Shading, Unit, Value, Values};
+use crate::shading::scene::{Light, Material, Scene};
+use crate::units::UNITS;
+use crate::units::combine::COMBINE;
+use crate::units::sampler::SAMPLER;
+use crate::units::tangent::TANGENT;
+
+/// A unit with parameters, as a way to shade pixels.
+#[derive(Clone, Debug)]
+pub struct Pipeline {
+    /// Name in reports and of its files.
+    pub name: String,
+    /// The unit.
+    pub unit: &'static Unit,
+    /// Parameters that differ from the defaults, as `key=value`. Those of the material come from the
+    /// scene.
+    pub assignments: Vec<String>,
+    /// Where the texture frames of pixels come from.
+    pub frames: Frames,
+}
+
+/// Where texture frames (T, B, N) of pixels come from.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum Frames {
+    /// Floating point, for each pixel: those of the golden.
+    #[default]
+    Float,
+    /// The fixed-point set-up (unit `tangent`), for each corner of each face; interpolated. Spheres, which have no
+    /// corners, keep their own. See [`tangent`].
+    Setup,
+}
+
+/// Pipelines that are settings of the emboss unit.
+pub const EMBOSS_PIPELINES: [&str; 2] = ["emboss-gx", "emboss-nv"];
+
+/// Units behind the emboss unit.
+static EMBOSS_BEHIND: [&Unit; 2] = [&SAMPLER, &COMBINE];
+
+/// Parameters of the units that the pipeline's name and the scene give.
+const EMBOSS_FROM_SCENE: &[&str] = &[
+    "setting",
+    "frame",
+    "normalise_basis",
+    "s_vector",
+    "t_sign",
+    "scale_q",
+    "constants",
+    "ks",
+    "kt",
+    "l_sign",
+    "texture_size",
+    "filter",
+    "address_s",
+    "address_t",
+    "int_bits",
+    "log2_width",
+    "log2_height",
+    "lights",
+    "gain_log2",
+    "difference",
+    "light",
+    "source",
+    "destination",
+];
+
+/// Pipelines that are settings of the tangent-space set-up.
+pub const TANGENT_PIPELINES: [&str; 2] = ["tangent-smooth", "tangent-faceted"];
+
+/// Units before a pipeline whose frames are set up.
+static TANGENT_BEFORE: [&Unit; 1] = [&TANGENT];
+
+/// Parameters of the unit that the pipeline's name and the scene give.
+const TANGENT_FROM_SCENE: &[&str] = &["frame", "lights"];
+
+/// Sets a part of the reflection formula in every material of a scene, for the golden and for pipelines
+/// alike.
+///
+/// # Panics
+/// If the value is none of its kind: that is wrong code.
+pub fn set_material(scene: &mut Scene, part: Reflection, value: Value) {
+    for material in &mut scene.materials {
+        match (part, value) {
+            (Reflection::Ambient, Value::Real(number)) => material.ambient = number.get(),
+            (Reflection::Diffuse, Value::Real(number)) => material.diffuse = number.get(),
+            (Reflection::Specular, Value::Real(number)) => material.specular = number.get(),
+            (Reflection::Exponent, Value::Int(number)) => {
+                material.exponent = u32::try_from(number).expect("bug: a legal exponent");
+            }
+            _ => panic!("bug: {part:?} is not {value}"),
+        }
+    }
+}
+
+/// The units that are pipelines.
+pub(crate) fn pipeline_units() -> impl Iterator<Item = &'static Unit> {
+    UNITS.iter().copied().filter(|unit| unit.shades == Shading::Pipeline)
+}
+
+/// Names of the pipelines that a unit is.
+fn pipelines_of(unit: &Unit) -> Vec<&'static str> {
+    let choices = unit.params.iter().find(|param| param.role == Role::Pipeline);
+    match choices.map(|param| param.kind) {
+        Some(Kind::Choice(names)) => names.to_vec(),
+        Some(Kind::Int { .. } | Kind::Real { .. }) | None => vec![unit.name],
+    }
+}
+
+/// True if a parameter of a unit comes from a scene's material and lights.
+fn is_of_material(unit: &Unit, key: &str) -> bool {
+    unit.param(key).is_some_and(|param| matches!(param.role, Role::Material(_)))
+}
+
+/// True if an assignment is to a parameter of a unit.
+pub(super) fn knows(unit: &'static Unit, set: &str) -> bool {
+    let key = set.split_once('=').map_or("", |(key, _)| key);
+    unit.param(key).is_some()
+}
+
+impl Pipeline {
+    /// Names of all pipelines that shade bumps.
+    #[must_use]
+    pub fn names() -> Vec<&'static str> {
+        pipeline_units().flat_map(pipelines_of).collect()
+    }
+
+    /// The pipeline of a name.
+    ///
+    /// # Errors
+    /// If there is none.
+    ///
+    /// # Panics
+    /// Never: each name is that of a unit.
+    pub fn named(name: &str) -> Result<Self> {
+        let names: Vec<&str> =
+            Self::names().into_iter().chain(TANGENT_PIPELINES).chain(EMBOSS_PIPELINES).collect();
+        if !names.contains(&name) {
+            let (hint, names) = (nearest(name, names.iter().copied()), names.join(", "));
+            return Err(Error::usage(format!("no pipeline `{name}`{hint}: legal is {names}")));
+        }
+        if let Some(setting) = name.strip_prefix("emboss-") {
+            let assignments = vec![format!("setting={setting}")];
+            return Ok(Self::with(name, Unit::find("emboss")?, assignments));
+        }
+        if let Some(frame) = name.strip_prefix("tangent-") {
+            let assignments = vec![format!("frame={frame}")];
+            return Ok(Self::with(name, Unit::find("tangent")?, assignments));
+        }
+        let unit = pipeline_units().find(|unit| pipelines_of(unit).contains(&name));
+        let unit = unit.expect("bug: it is among the names");
+        let choice = unit.params.iter().find(|param| param.role == Role::Pipeline);
+        let assignments = choice.map(|param| format!("{}={name}", param.name));
+        Ok(Self::with(name, unit, assignments.into_iter().collect()))
+    }
+
+    fn with(name: &str, unit: &'static Unit, assignments: Vec<String>) -> Self {
+        Self { name: name.to_owned(), unit, assignments, frames: Frames::Float }
+    }
+
+    /// True if it embosses: its golden is another one than that of the others.
+    #[must_use]
+    pub fn is_emboss(&self) -> bool {
+        EMBOSS_PIPELINES.contains(&self.name.as_str())
+    }
+
+    /// True if it sets triangles up and lights in texture space.
+    #[must_use]
+    pub fn is_tangent(&self) -> bool {
+        TANGENT_PIPELINES.contains(&self.name.as_str())
+    }
+
+    /// False if it takes nothing of the normals at vertices, so that triangles' own do where a mesh has none.
+    #[must_use]
+    pub fn takes_normals(&self) -> bool {
+        self.name != "tangent-faceted"
+    }
+
+    /// What it sets beside the parameter that tells the unit's pipelines apart.
+    pub(crate) fn given(&self) -> impl Iterator<Item = &String> {
+        self.assignments.iter().filter(|set| !self.names_it(set))
+    }
+
+    /// True if an assignment says which of the unit's pipelines this is.
+    fn names_it(&self, set: &str) -> bool {
+        let param = set.split_once('=').and_then(|(key, _)| self.unit.param(key));
+        param.is_some_and(|param| param.role == Role::Pipeline)
+    }
+
+    /// Parameters of all its units.
+    pub fn params(&self) -> impl Iterator<Item = &'static Param> + use<> {
+        let behind: &[&'static Unit] = match self.frames {
+            _ if self.is_emboss() => &EMBOSS_BEHIND,
+            Frames::Float => &[],
+            Frames::Setup => &TANGENT_BEFORE,
+        };
+        self.unit.all_params().chain(behind.iter().flat_map(|unit| unit.all_params()))
+    }
+
+    /// A unit with parameters, under a name of its own; what the scene gives is left out of them.
+    #[must_use]
+    pub fn of_unit(name: &str, unit: &'static Unit, assignments: &[String]) -> Self {
+        let from_scene =
+            |set: &&String| set.split_once('=').is_some_and(|(key, _)| is_of_material(unit, key));
+        let assignments = assignments.iter().filter(|set| !from_scene(set)).cloned().collect();
+        Self::with(name, unit, assignments)
+    }
+
+    /// The pipeline of all parameters of a unit but those of the material.
+    #[must_use]
+    pub fn of_values(values: &Values) -> Self {
+        let given = values.params().filter(|(p, _)| !matches!(p.role, Role::Material(_)));
+        let assignments = given.map(|(param, value)| format!("{}={value}", param.name)).collect();
+        Self::with(values.unit().name, values.unit(), assignments)
+    }
+
+    /// Sets parameters for all pipelines that have them.
+    ///
+    /// # Errors
+    /// If none has one of them, or the scene gives it.
+    pub fn set(pipelines: &mut [Self], assignments: &[String]) -> Result<()> {
+        for assignment in assignments {
+            let (key, _) =
+                assignment.split_once('=').ok_or_else(|| Error::form(assignment, "key=value"))?;
+            if pipelines.iter().any(|pipeline| is_of_material(pipeline.unit, key)) {
+                let text =
+                    format!("parameter `{key}` comes from the scene's [material] and lights");
+                return Err(Error::usage(text));
+            }
+            if EMBOSS_FROM_SCENE.contains(&key) && pipelines.iter().any(Self::is_emboss) {
+                let text = format!(
+                    "parameter `{key}` comes from the name of the emboss pipeline, or the scene's [emboss], lights and height map"
+                );
+                return Err(Error::usage(text));
+            }
+            if TANGENT_FROM_SCENE.contains(&key) && pipelines.iter().any(Self::is_tangent) {
+                let text = format!(
+                    "parameter `{key}` comes from the name of the tangent pipeline, or the scene's lights"
+                );
+                return Err(Error::usage(text));
+            }
+            let is_named = |p: &Self| {
+                p.names_it(assignment) && p.assignments.iter().any(|own| p.names_it(own))
+            };
+            if pipelines.iter().any(is_named) {
+                let text = format!("parameter `{key}` comes from the names of the pipelines");
+                return Err(Error::usage(text));
+            }
+            let mut known = false;
+            for pipeline in pipelines.iter_mut() {
+                if pipeline.params().any(|param| param.name == key) {
+                    known = true;
+                    pipeline.assignments.push(assignment.clone());
+                }
+            }
+            if !known {
+                let names: Vec<&str> = pipelines.iter().map(|p| p.name.as_str()).collect();
+                let all = pipelines.iter().flat_map(Self::params);
+                return Err(Error::usage(format!(
+                    "no parameter `{key}` in any of the pipelines {}{}: `fixpath list` names them all",
+                    names.join(", "),
+                    nearest(key, all.map(|param| param.name))
+                )));
+            }
+        }
+        Ok(())
+    }
+
+    /// Its design for a material in a light; `ambient` is what the light brings of that.
+    ///
+    /// # Errors
+    /// If the parameters don't go together.
+    pub fn design(&self, ambient: f64, light: &Light, material: &Material) -> Result<Design> {
+        // Others are for the set-up of the frames.
+        let mut assignments = match self.frames {
+            Frames::Float => self.assignments.clone(),
+            Frames::Setup => {
+                let known = |set: &&String| knows(self.unit, set);
+                self.assignments.iter().filter(known).cloned().collect()
+            }
+        };
+        if light.intensity * material.specular > 0.0
+            && assignments.iter().any(|set| set == "highlight=off")
+        {
+            let text = "highlight=off leaves out specular light that the scene has: set specular = 0 in its [material]";
+            return Err(Error::usage(text.to_owned()));
+        }
+        for param in self.unit.params {
+            let Role::Material(part) = param.role else { continue };
+            let value = match part {
+                Reflection::Ambient => ambient,
+                Reflection::Diffuse => light.intensity * material.diffuse,
+                Reflection::Specular => light.intensity * material.specular,
+                Reflection::Exponent => f64::from(material.exponent),
+            };
+            // A product of numbers that are at most 1 each can be an ulp above.
+            let legal = match param.kind {
+                Kind::Real { min, max } => value.clamp(min, max),
+                Kind::Int { .. } | Kind::Choice(_) => value,
+            };
+            assignments.push(format!("{}={legal}", param.name));
+        }
+        self.unit.values(&assignments)?.build()
+    }
+}
+
+/// The error for emboss pipelines among others.
+pub(crate) fn mixed() -> Error {
+    let text = "emboss pipelines have a golden of their own: render them apart from the others, into another folder";
+    Error::usage(text.to_owned())
+}
