@@ -20,7 +20,6 @@ const HEADS: &[&str] = &[
     "design",
     "hardware/cost",
     "hardware/verify",
-    "hardware/wave",
     "measure",
     "netlist",
     "schedule",

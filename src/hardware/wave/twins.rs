@@ -5,7 +5,7 @@
 //! sample in the pipeline on, so memory doesn't grow with the wave.
 
 use super::text::{Code, Lines};
-use super::{AngleTrace, Trace, Twin};
+use super::trace::{AngleTrace, Trace, Twin};
 use crate::base::cast;
 use crate::design::Design;
 use crate::hardware::cycle::Cycle;

@@ -8,8 +8,8 @@
 //! one that is issued to the one at the output. Only operations on valid data are shown. The words at
 //! ports are there in every cycle, whatever sits in the unit: where `issue` and `out` are `-` they mean nothing.
 
+use super::shown::{Shown, index_range};
 use super::text::{Code, Lines};
-use super::{Shown, index_range};
 use crate::base::cast;
 use crate::hardware::cycle::Cycle;
 use crate::hardware::rtl::{Instance, Rtl};

@@ -4,7 +4,7 @@ use super::csv::Columns;
 use super::header::Header;
 use super::measured::{Measured, Point, short};
 use super::rank::{Lead, RankBy};
-use crate::base::columns::{self};
+use crate::base::columns;
 use crate::base::error::{Error, Result};
 use crate::base::input;
 use crate::base::json;

@@ -2,7 +2,7 @@
 
 use crate::base::error::{Error, Result};
 use crate::hardware::hdl::module::Tables;
-use crate::hardware::hdl::names::{self};
+use crate::hardware::hdl::names;
 use crate::hardware::rtl::Rtl;
 
 /// The most table rows that a module holds in line: more belong into files.
