@@ -20,7 +20,6 @@ const HEADS: &[&str] = &[
     "design",
     "hardware/cost",
     "hardware/verify",
-    "measure",
     "netlist",
     "schedule",
     "shading/picture",

@@ -1,11 +1,13 @@
 //! Stated bounds and the hard-case list, judged.
 
+use super::golden::{as_golden, run_golden};
+use super::inputs::values_of;
+use super::measurand::Measurand;
+use super::report::{Basis, Report};
 use crate::base::cast;
 use crate::base::error::Result;
 use crate::base::json;
 use crate::design::{Bound, Bounds, Design, HardCase};
-use crate::measure::inputs::values_of;
-use crate::measure::{Basis, Measurand, Report, as_golden, run_golden};
 use crate::sim::batch::Program;
 use crate::table::figures::table_figures;
 use serde::Serialize;

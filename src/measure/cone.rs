@@ -5,10 +5,8 @@
 //! so what depends on those only is computed once a run, by the engine and on reals.
 
 use super::inputs::{EXHAUSTIVE_BITS, Scale};
-use super::{
-    Basis, Counts, Differences, Figures, Histograms, Lap, Merged, Profile, Report, Speed, Stream,
-    Witness, overflow_counts,
-};
+use super::report::{Basis, Figures, Lap, Profile, Report, Speed, Witness, overflow_counts};
+use super::stream::{Counts, Differences, Histograms, Merged, Stream};
 use crate::base::cast;
 use crate::base::error::{Error, Result};
 use crate::base::simd::{Body, vectorised};

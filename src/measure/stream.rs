@@ -1,8 +1,8 @@
 //! Accumulated errors: sums, the largest with its sample, a histogram for quantiles.
 
+use super::report::{Basis, Figures, Witness};
 use crate::base::cast;
 use crate::base::simd::{Body, vectorised};
-use crate::measure::{Basis, Figures, Witness};
 use crate::number::trig::atan2;
 use std::f64::consts::PI;
 use std::sync::{Mutex, PoisonError};

@@ -1,0 +1,139 @@
+//! The quantities whose errors are measured.
+
+use super::stream::{Angles, Differences, Lengths};
+use crate::base::simd::vectorised;
+use crate::design::{Design, Scale, Shape};
+
+/// How an error comes from golden columns.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Kind {
+    /// Angle between the directions of three columns.
+    Angle,
+    /// Length of the difference of three columns.
+    Dot,
+    /// Difference of one column.
+    Number,
+    /// The same over the golden's scale, in this column.
+    Relative(usize),
+    /// Difference of one column in texels of a texture of that size.
+    Texels(u32),
+}
+
+/// A quantity whose error is measured.
+#[derive(Clone, Debug)]
+pub(super) struct Measurand {
+    pub(super) name: String,
+    pub(super) kind: Kind,
+    /// The first golden column that it takes.
+    pub(super) column: usize,
+    /// Last place of the node, where the column is a node.
+    pub(super) ulp: Option<f64>,
+}
+
+impl Measurand {
+    pub(super) fn unit(&self) -> &'static str {
+        match self.kind {
+            Kind::Angle => "rad",
+            Kind::Dot | Kind::Number => "1",
+            Kind::Relative(_) => "rel",
+            Kind::Texels(_) => "texel",
+        }
+    }
+
+    /// True if it stands for its group where no bound is stated: the angle of a direction, or a
+    /// number itself.
+    pub(super) fn counts_unbounded(&self, design: &Design) -> bool {
+        let direction = design.groups.iter().any(|group| group.shape.is_direction());
+        if direction { self.kind == Kind::Angle } else { self.kind == Kind::Number }
+    }
+
+    /// All of a design, in reporting order: the same for all designs of a unit.
+    pub(super) fn all(design: &Design) -> Vec<Self> {
+        let mut all = Vec::new();
+        let mut column = 0;
+        let mut scale: usize = design.groups.iter().map(|group| group.shape.columns().len()).sum();
+        for group in &design.groups {
+            let named = |part: &str| match group.name {
+                "" => part.to_owned(),
+                name => format!("{name}_{part}"),
+            };
+            if group.shape.is_direction() {
+                for (part, kind) in [("angle", Kind::Angle), ("dot", Kind::Dot)] {
+                    all.push(Self { name: named(part), kind, column, ulp: None });
+                }
+            }
+            if let Shape::Scaled { scales, texels } = group.shape {
+                let own = |part: &str, kind| Self { name: named(part), kind, column, ulp: None };
+                all.extend(texels.map(|texels| own("texels", Kind::Texels(texels))));
+                for Scale { name, .. } in scales {
+                    all.push(own(name, Kind::Relative(scale)));
+                    scale += 1;
+                }
+            }
+            for (i, name) in group.columns().into_iter().enumerate() {
+                let ulp = |i: usize| design.netlist.node(group.nodes[i]).format.ulp();
+                let ulp = (group.shape != Shape::Polar).then(|| ulp(i));
+                all.push(Self { name, kind: Kind::Number, column: column + i, ulp });
+            }
+            column += group.shape.columns().len();
+        }
+        all
+    }
+
+    /// Errors of samples; scales are those of the golden.
+    pub(super) fn errors(
+        &self,
+        is: &[Vec<f64>],
+        should: &[Vec<f64>],
+        golden: &[Vec<f64>],
+        errors: &mut Vec<f64>,
+    ) {
+        errors.resize(is[self.column].len(), 0.0);
+        match self.kind {
+            Kind::Angle => {
+                let (u, v) = (self.three(is), self.three(should));
+                vectorised(Angles { u, v, angles: errors });
+            }
+            Kind::Dot => {
+                let (u, v) = (self.three(is), self.three(should));
+                vectorised(Lengths { u, v, lengths: errors });
+            }
+            Kind::Number | Kind::Texels(_) | Kind::Relative(_) => {
+                let factor =
+                    if let Kind::Texels(texels) = self.kind { f64::from(texels) } else { 1.0 };
+                let (is, should) = (&is[self.column], &should[self.column]);
+                vectorised(Differences { is, should, factor, errors });
+            }
+        }
+        if let Kind::Relative(scale) = self.kind {
+            for (error, scale) in errors.iter_mut().zip(&golden[scale]) {
+                // Of nothing nothing is no error.
+                *error = if *error == 0.0 { 0.0 } else { *error / scale };
+            }
+        }
+    }
+
+    /// Its columns, of a vector.
+    fn three<'a>(&self, columns: &'a [Vec<f64>]) -> [&'a [f64]; 3] {
+        [0, 1, 2].map(|axis| columns[self.column + axis].as_slice())
+    }
+}
+
+/// Names of the angles whose error is measured, one for each direction.
+pub(crate) fn angle_quantities(design: &Design) -> Vec<String> {
+    angles(design).map(|measurand| measurand.name).collect()
+}
+
+/// The same errors in rad, of golden columns of samples; each is a column.
+pub(crate) fn angle_errors(design: &Design, is: &[Vec<f64>], should: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let errors = |measurand: Measurand| {
+        let mut errors = Vec::new();
+        measurand.errors(is, should, should, &mut errors);
+        errors
+    };
+    angles(design).map(errors).collect()
+}
+
+fn angles(design: &Design) -> impl Iterator<Item = Measurand> {
+    Measurand::all(design).into_iter().filter(|measurand| measurand.kind == Kind::Angle)
+}
