@@ -1,12 +1,12 @@
 //! `fixpath render`: a scene by pipelines, its golden, differences and figures.
 
-use super::progress::progress_bar;
-use super::{ladder, number, text};
 use crate::base::cast;
 use crate::base::error::{Error, Result};
 use crate::base::escape;
 use crate::base::json;
 use crate::base::output::{self, Set};
+use crate::cli::progress::progress_bar;
+use crate::cli::{ladder, number, text};
 use crate::design::Design;
 use crate::netlist::Counts;
 use crate::report::record::RankBy;
@@ -31,7 +31,7 @@ const PIPELINES: [&str; 4] = ["printed", "corrected", "exact-polar", "exact-cart
 
 /// Arguments of `fixpath render`.
 #[derive(Args)]
-pub(super) struct RenderArgs {
+pub(in crate::cli) struct RenderArgs {
     /// Scene file, or a built-in scene: plane, cube, sphere, lettering-raised, lettering-lowered, brick,
     /// light-orbit, mirrored.
     scene: PathBuf,
@@ -73,7 +73,7 @@ pub(super) struct RenderArgs {
 
 impl RenderArgs {
     /// A built-in scene by some pipelines, or, if none are named, the usual ones.
-    pub(super) fn of_builtin(name: &str, pipelines: &[&str], out: &Path) -> Self {
+    pub(in crate::cli) fn of_builtin(name: &str, pipelines: &[&str], out: &Path) -> Self {
         Self {
             scene: name.into(),
             out: out.to_owned(),
@@ -90,7 +90,7 @@ impl RenderArgs {
 }
 
 /// Renders and writes; returns a row of the demo's table for each pipeline, and false if a bound is broken.
-pub(super) fn demo_rows(args: &RenderArgs) -> Result<(Vec<String>, bool)> {
+pub(in crate::cli) fn demo_rows(args: &RenderArgs) -> Result<(Vec<String>, bool)> {
     let made = render_and_write(args, scene_of(&args.scene)?)?;
     let value =
         figures(&made.scene, &made.rendered, &made.differences, &parts(&made.rendered, args)?);
@@ -117,12 +117,12 @@ const SHEET_PIPELINES: usize = 4;
 const SHEET_FRAMES: usize = 12;
 
 /// The scene of a name or a file; what isn't as its files have it goes to standard error.
-pub(super) fn scene_of(path: &Path) -> Result<Scene> {
+pub(in crate::cli) fn scene_of(path: &Path) -> Result<Scene> {
     Ok(noted(named_scene(path)?))
 }
 
 /// The same for what takes one picture: a light that moves stands still.
-pub(super) fn still_scene_of(path: &Path) -> Result<Scene> {
+pub(in crate::cli) fn still_scene_of(path: &Path) -> Result<Scene> {
     Ok(noted(named_scene(path)?.at_start()))
 }
 
@@ -148,7 +148,7 @@ fn named_scene(path: &Path) -> Result<Scene> {
 }
 
 /// The scene of a name or a file, to sweep over.
-pub(super) fn view_of(path: &Path, error: RankBy) -> Result<View> {
+pub(in crate::cli) fn view_of(path: &Path, error: RankBy) -> Result<View> {
     Ok(View { scene: still_scene_of(path)?, name: name_of(path), error })
 }
 
@@ -399,7 +399,7 @@ fn bounds_hold(rendered: &Rendered, differences: &[Difference]) -> bool {
 }
 
 /// Renders and writes; returns what to tell, and false if a specialised pipeline differs.
-pub(super) fn run(args: &RenderArgs) -> Result<(String, bool)> {
+pub(in crate::cli) fn run(args: &RenderArgs) -> Result<(String, bool)> {
     let scene = match &args.ladder {
         Some(_) => still_scene_of(&args.scene)?,
         None => scene_of(&args.scene)?,
