@@ -6,7 +6,7 @@ use crate::design::{Design, Scale, Shape};
 
 /// How an error comes from golden columns.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Kind {
+enum Kind {
     /// Angle between the directions of three columns.
     Angle,
     /// Length of the difference of three columns.
@@ -23,7 +23,7 @@ pub(super) enum Kind {
 #[derive(Clone, Debug)]
 pub(super) struct Measurand {
     pub(super) name: String,
-    pub(super) kind: Kind,
+    kind: Kind,
     /// The first golden column that it takes.
     pub(super) column: usize,
     /// Last place of the node, where the column is a node.

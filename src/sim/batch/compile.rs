@@ -11,20 +11,20 @@ use std::sync::Arc;
 
 /// Columns are numbered as they are made, and shared between nodes at the end.
 pub(super) struct Compiler<'a> {
-    pub(super) netlist: &'a Netlist,
-    pub(super) placed: Vec<Placed>,
+    netlist: &'a Netlist,
+    placed: Vec<Placed>,
     /// True if a node is computed with the one that reads it, in the same pass.
-    pub(super) fused_into: Vec<bool>,
+    fused_into: Vec<bool>,
     /// Of a sum, the operand that is a sum in the same pass: the first or the second.
-    pub(super) inner: Vec<Option<usize>>,
+    inner: Vec<Option<usize>>,
     pub(super) instructions: Vec<Instruction>,
     /// Width of each column.
     pub(super) widths: Vec<Width>,
     /// Columns of nodes, by width.
-    pub(super) columns: Vec<[Option<usize>; 3]>,
+    columns: Vec<[Option<usize>; 3]>,
     pub(super) constants: HashMap<(i64, Width), usize>,
-    pub(super) known_tables: HashMap<(usize, usize, Width), usize>,
-    pub(super) counters: Vec<usize>,
+    known_tables: HashMap<(usize, usize, Width), usize>,
+    counters: Vec<usize>,
     pub(super) program: Program,
 }
 

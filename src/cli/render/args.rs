@@ -1,0 +1,114 @@
+//! What is asked for: a scene, pipelines, a folder.
+
+use crate::base::error::{Error, Result};
+use crate::cli::number;
+use crate::shading::picture::{PIXELS_PER_DEGREE, check_pixels_per_degree};
+use crate::shading::render::{EMBOSS_PIPELINES, Frames, Pipeline, check_view};
+use crate::shading::scene::Scene;
+use clap::Args;
+use std::path::{Path, PathBuf};
+
+/// The pipelines of a picture, if none are named.
+const PIPELINES: [&str; 4] = ["printed", "corrected", "exact-polar", "exact-cartesian"];
+
+/// Arguments of `fixpath render`.
+#[derive(Args)]
+pub(in crate::cli) struct RenderArgs {
+    /// Scene file, or a built-in scene: plane, cube, sphere, lettering-raised, lettering-lowered, brick,
+    /// light-orbit, mirrored.
+    pub(super) scene: PathBuf,
+    /// Folder to write; pictures that an earlier run made there go.
+    #[arg(long, value_name = "DIR")]
+    pub(super) out: PathBuf,
+    /// Pipelines to compare; if not given emboss-gx,emboss-nv for a scene with an [emboss] section, else
+    /// printed,corrected,exact-polar,exact-cartesian, and for a ladder all that shade bumps. Those that emboss have
+    /// a golden of their own and go into a folder of their own. tangent-smooth and tangent-faceted set triangles up and
+    /// light them in texture space; their difference is told in two parts.
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
+    pub(super) pipelines: Vec<String>,
+    /// Set a parameter of every pipeline that has it; those of the material come from the scene.
+    #[arg(short = 'p', long = "param", value_name = "KEY=VALUE")]
+    params: Vec<String>,
+    /// Where texture frames come from: float, for each pixel; or setup, by the fixed-point unit tangent for each corner
+    /// of planes, cubes and meshes, which -p then sets, too.
+    #[arg(long, value_name = "SOURCE", default_value = "float", value_parser = ["float", "setup"])]
+    pub(super) frames: String,
+    /// Pixels per degree of sight, for FLIP.
+    #[arg(long, value_name = "X", default_value_t = PIXELS_PER_DEGREE, allow_negative_numbers = true, value_parser = number::real)]
+    pub(super) pixels_per_degree: f64,
+    /// Cut each pipeline down to what the scene needs, hold it to the general one on every pixel, and
+    /// tell what that saves.
+    #[arg(long)]
+    pub(super) specialise: bool,
+    /// In place of pictures, a report of error against cost and speed: every pipeline over a ladder of
+    /// widths (8,10,12,14,16 bits if none are given), and the light tables over exponents.
+    #[arg(long, value_name = "BITS,…", conflicts_with = "specialise", num_args = 0..=1, require_equals = true, default_missing_value = "")]
+    pub(super) ladder: Option<String>,
+    /// Exponents of the highlight that the ladder's light tables are judged at; 1,8,32,128,255 if none
+    /// are given.
+    #[arg(long, value_name = "N,…", requires = "ladder")]
+    pub(super) exponents: Option<String>,
+    /// As JSON.
+    #[arg(long)]
+    pub(super) json: bool,
+}
+
+impl RenderArgs {
+    /// A built-in scene by some pipelines, or, if none are named, the usual ones.
+    pub(in crate::cli) fn of_builtin(name: &str, pipelines: &[&str], out: &Path) -> Self {
+        Self {
+            scene: name.into(),
+            out: out.to_owned(),
+            pipelines: pipelines.iter().map(|&name| name.to_owned()).collect(),
+            params: Vec::new(),
+            frames: "float".to_owned(),
+            pixels_per_degree: PIXELS_PER_DEGREE,
+            specialise: false,
+            ladder: None,
+            exponents: None,
+            json: false,
+        }
+    }
+}
+
+/// The pipelines asked for, with their parameters.
+pub(super) fn pipelines_of(args: &RenderArgs, scene: &Scene) -> Result<Vec<Pipeline>> {
+    let mut pipelines = Vec::new();
+    let names: Vec<&str> = match (&args.pipelines[..], &args.ladder) {
+        ([], _) if scene.emboss.asked && args.specialise => {
+            let text = format!(
+                "--specialise is for pipelines that shade bumps, and the scene has an [emboss] section: name some that shade bumps, as --pipelines {}",
+                PIPELINES.join(",")
+            );
+            return Err(Error::usage(text));
+        }
+        ([], _) if scene.emboss.asked => EMBOSS_PIPELINES.to_vec(),
+        ([], None) => PIPELINES.to_vec(),
+        ([], Some(_)) => Pipeline::names(),
+        (names, _) => names.iter().map(String::as_str).collect(),
+    };
+    for name in names {
+        if pipelines.iter().any(|known: &Pipeline| known.name == name) {
+            return Err(Error::usage(format!("pipeline `{name}` is named twice")));
+        }
+        pipelines.push(Pipeline::named(name)?);
+    }
+    if args.frames == "setup" {
+        if let Some(other) = pipelines.iter().find(|p| p.is_emboss() || p.is_tangent()) {
+            let text = format!(
+                "--frames=setup is for pipelines that shade bumps: `{}` has frames of its own; leave one of them out",
+                other.name
+            );
+            return Err(Error::usage(text));
+        }
+        pipelines.iter_mut().for_each(|pipeline| pipeline.frames = Frames::Setup);
+    }
+    Pipeline::set(&mut pipelines, &args.params)?;
+    // Before the work, not after it.
+    check_view(scene)?;
+    check_pixels_per_degree(args.pixels_per_degree)?;
+    if args.out.exists() && !args.out.is_dir() {
+        return Err(Error::file(&args.out, "is no folder, and pictures go into one".to_owned()));
+    }
+    Ok(pipelines)
+}
