@@ -1,38 +1,8 @@
 //! The command line as scripts use it: results, exit codes, messages, and files left whole.
 
-use assert_cmd::Command;
+use crate::common::{fixpath, refused, run};
 use std::fs;
 use std::path::Path;
-
-fn fixpath() -> Command {
-    Command::cargo_bin("fixpath").unwrap()
-}
-
-/// Runs and gives exit code, standard output and standard error.
-pub(crate) fn run(args: &[&str]) -> (i32, String, String) {
-    let output = fixpath().args(args).output().unwrap();
-    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
-    (output.status.code().unwrap(), text(&output.stdout), text(&output.stderr))
-}
-
-/// Standard output of a run that has nothing to say beside it.
-pub(crate) fn done(args: &[&str]) -> String {
-    let (code, stdout, stderr) = run(args);
-    assert_eq!((code, stderr.as_str()), (0, ""), "{args:?}");
-    stdout
-}
-
-pub(crate) fn json(path: &Path) -> serde_json::Value {
-    serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap()
-}
-
-/// Expects wrong use: exit code 2, nothing on standard output, one line that says `message`.
-pub(crate) fn refused(args: &[&str], message: &str) {
-    let (code, stdout, stderr) = run(args);
-    assert_eq!((code, stdout.as_str()), (2, ""), "{args:?}: {stderr}");
-    assert_eq!(stderr.trim_end().lines().count(), 1, "{args:?}: {stderr}");
-    assert!(stderr.contains(message), "{args:?}: {stderr}");
-}
 
 fn is_empty(folder: &Path) -> bool {
     fs::read_dir(folder).unwrap().next().is_none()
@@ -707,7 +677,7 @@ fn an_interrupt_leaves_nothing_half_written() {
 #[test]
 fn a_profile_tells_the_share_of_each_part() {
     let run = |args: &[&str]| {
-        let output = Command::cargo_bin("fixpath").unwrap().args(args).output().unwrap();
+        let output = fixpath().args(args).output().unwrap();
         assert_eq!(output.status.code(), Some(0), "{args:?}");
         String::from_utf8(output.stdout).unwrap()
     };
@@ -741,7 +711,7 @@ fn fewer_bases_give_the_same_figures() {
     let figures = |sampler: &[&str], basis: &[&str]| -> Vec<serde_json::Value> {
         let args = ["sim", "rotation", "-p", "angle_bits=8", "-p", "table_addr_bits=6", "--json"];
         let args = [&args[..], sampler, basis].concat();
-        let output = Command::cargo_bin("fixpath").unwrap().args(&args).output().unwrap();
+        let output = fixpath().args(&args).output().unwrap();
         assert!(output.stderr.is_empty(), "{args:?}");
         let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
         json["figures"].as_array().unwrap().clone()
@@ -761,7 +731,7 @@ fn fewer_bases_give_the_same_figures() {
             assert_eq!(is.iter().collect::<Vec<_>>(), should, "{sampler:?} {bases}");
         }
     }
-    let mut wrong = Command::cargo_bin("fixpath").unwrap();
+    let mut wrong = fixpath();
     let wrong = wrong.args(["sim", "rotation", "--basis", "relative"]).output().unwrap();
     assert_eq!(wrong.status.code(), Some(2));
     let told = String::from_utf8(wrong.stderr).unwrap();

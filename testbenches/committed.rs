@@ -1,8 +1,9 @@
 //! What `hdl_out/` and `testbenches/` hold is what the code makes of the defaults of every unit.
 
+use crate::common::design;
 use fixpath::emit::{Package, Settings};
 use fixpath::hdl::testbench::vectors_file;
-use fixpath::units::{UNITS, Unit};
+use fixpath::units::UNITS;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -43,7 +44,7 @@ pub(crate) const COMMITTED: &[(&str, &str, &[&str])] = &[
 /// Netlist, module in both languages and tables go to `hdl_out`, what tests them to a folder of
 /// `testbenches`.
 fn files(name: &str, unit: &str, assignments: &[&str]) -> Vec<(PathBuf, String)> {
-    let design = Unit::find(unit).unwrap().values(assignments).unwrap().build().unwrap();
+    let design = design(unit, assignments);
     let settings = Settings {
         name: Some(name.to_owned()),
         random: 200,

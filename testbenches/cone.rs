@@ -1,14 +1,9 @@
 //! One node over every combination of the words that it depends on.
 
-use assert_cmd::Command;
+use crate::common::{design, fixpath};
 use fixpath::measure::{Basis, Cone, ConeReport, Inputs, measure};
 use fixpath::op::Op;
-use fixpath::units::{Design, Sampler, Unit};
-
-fn design(unit: &str, params: &[&str]) -> Design {
-    let params: Vec<String> = params.iter().map(|p| (*p).to_owned()).collect();
-    Unit::find(unit).unwrap().values(&params).unwrap().build().unwrap()
-}
+use fixpath::units::{Design, Sampler};
 
 fn cone(design: &Design, node: &str) -> ConeReport {
     Cone::new(&design.netlist, node).unwrap().measure(design, &|_| ()).unwrap()
@@ -131,22 +126,14 @@ fn nodes_go_by_label_port_and_number() {
     }
     let unknown = of("nothing").unwrap_err().to_string();
     assert!(unknown.starts_with("there is no node `nothing`") && unknown.contains("angles.delta"));
-    let wide = self::design("rotation", &["variant=exact"]);
+    let wide = crate::common::design("rotation", &["variant=exact"]);
     let refused = Cone::new(&wide.netlist, "x").unwrap_err().to_string();
     assert!(refused.contains("phi_a of 16 bits") && refused.contains("2^64"), "{refused}");
 }
 
 #[test]
 fn the_command_line_tells_cones() {
-    let run = |args: &[&str]| {
-        Command::cargo_bin("fixpath")
-            .unwrap()
-            .arg("sim")
-            .arg("rotation")
-            .args(args)
-            .output()
-            .unwrap()
-    };
+    let run = |args: &[&str]| fixpath().arg("sim").arg("rotation").args(args).output().unwrap();
     let small = ["-p", "variant=exact", "-p", "angle_bits=3", "--cone", "x"];
     let text = run(&[&small[..], &["--profile"]].concat());
     let text = String::from_utf8(text.stdout).unwrap();

@@ -1,6 +1,7 @@
 //! Synthesis figures: what is read from tools, the estimate, and how far it is from Yosys.
 
 use crate::committed::COMMITTED;
+use crate::common::design;
 use crate::record::recorded;
 use fixpath::cost::{
     Cost, DEVIATIONS, DEVIATIONS_SETTINGS, DEVIATIONS_YOSYS, Target, cells_of, estimate, of_module,
@@ -12,7 +13,6 @@ use fixpath::netlist::{Builder, Quantity};
 use fixpath::outside::{self, Limits};
 use fixpath::rtl::Rtl;
 use fixpath::schedule::{Depth, Rom, Schedule};
-use fixpath::units::Unit;
 use rayon::prelude::*;
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -26,8 +26,7 @@ fn limits() -> Limits {
 const SMALL: &[&str] = &["angle_bits=10", "table_addr_bits=8", "frac_bits=8"];
 
 fn rtl_of(assignments: &[&str]) -> Arc<Rtl> {
-    let design = Unit::find("rotation").unwrap().values(assignments).unwrap().build().unwrap();
-    Arc::new(design.rtl().unwrap())
+    Arc::new(design("rotation", assignments).rtl().unwrap())
 }
 
 fn module_of(assignments: &[&str]) -> Module {
@@ -210,8 +209,7 @@ fn wider_words_never_cost_less() {
 #[test]
 fn show_tells_the_estimate_and_how_far_it_is() {
     let run = |args: &[&str]| {
-        let output =
-            assert_cmd::Command::cargo_bin("fixpath").unwrap().args(args).output().unwrap();
+        let output = crate::common::fixpath().args(args).output().unwrap();
         assert!(output.status.success());
         String::from_utf8(output.stdout).unwrap()
     };

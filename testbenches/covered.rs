@@ -1,16 +1,11 @@
 //! What a picture's figures are over: the pixels that see an object, and none is no result.
 
-use crate::cli::{done, json, refused};
+use crate::common::{done, json, refused, written};
 use fixpath::picture::{Difference, PIXELS_PER_DEGREE};
 use fixpath::render::{Pipeline, render};
 use fixpath::scene::{Fragments, Scene};
 use std::fs;
 use std::path::{Path, PathBuf};
-
-fn written(folder: &Path, name: &str, text: &str) -> PathBuf {
-    fs::write(folder.join(name), text).unwrap();
-    folder.join(name)
-}
 
 const SMALL: &str = "[image]\nwidth = 24\nheight = 16\n[height]\nsource = \"brick\"\nscale = 3.0\n";
 

@@ -1,25 +1,11 @@
 //! The emboss family against a plain model of both published schemes, written here from the seeds.
 
+use crate::common::{Vector, cross, design, dot};
 use fixpath::format::float20;
 use fixpath::measure::{Basis, BoundCheck, Inputs, hard_verdicts, measure, sample_words};
 use fixpath::netlist::{Netlist, Part, Quantity};
 use fixpath::op::Op;
-use fixpath::units::{Design, Sampler, Unit};
-
-type Vector = [f64; 3];
-
-fn design(unit: &str, assignments: &[&str]) -> Design {
-    let values = Unit::find(unit).unwrap().values(assignments).unwrap();
-    values.build().unwrap_or_else(|why| panic!("{unit} {assignments:?}: {why}"))
-}
-
-fn dot(u: Vector, v: Vector) -> f64 {
-    u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
-}
-
-fn cross(u: Vector, v: Vector) -> Vector {
-    [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
-}
+use fixpath::units::{Design, Sampler};
 
 fn unit(v: Vector) -> Vector {
     let length = dot(v, v).sqrt();
@@ -511,7 +497,7 @@ fn sweeps_are_in_texels_and_see_what_inputs_are() {
     let folder = tempfile::tempdir().unwrap();
     let sweep = |name: &str, axes: &[&str]| {
         let out = folder.path().join(name);
-        let mut command = assert_cmd::Command::cargo_bin("fixpath").unwrap();
+        let mut command = crate::common::fixpath();
         command.args(["sweep", "emboss", "--samples", "3000", "--out"]).arg(&out);
         for axis in axes {
             command.args(["--axis", axis]);

@@ -1,6 +1,6 @@
 //! Embossed scenes: what looks raised is raised, fixed point stays near the golden, and hostile scenes are refused.
 
-use assert_cmd::Command;
+use crate::common;
 use fixpath::picture::{Difference, PIXELS_PER_DEGREE, Picture};
 use fixpath::render::{EMBOSS_PIPELINES, Pipeline, Rendered, Shot, render};
 use fixpath::scene::{Address, Filter, Light, LightSign, Place, Scene, Seen};
@@ -10,11 +10,7 @@ use std::fs;
 use std::path::Path;
 
 fn pipelines(set: &[&str]) -> Vec<Pipeline> {
-    let mut all: Vec<Pipeline> =
-        EMBOSS_PIPELINES.iter().map(|name| Pipeline::named(name).unwrap()).collect();
-    let set: Vec<String> = set.iter().map(|&set| set.to_owned()).collect();
-    Pipeline::set(&mut all, &set).unwrap();
-    all
+    common::pipelines(&EMBOSS_PIPELINES, set)
 }
 
 fn embossed(scene: &Scene, set: &[&str]) -> Rendered {
@@ -450,7 +446,7 @@ fn a_light_that_is_taken_where_it_starts_is_noted() {
     fs::write(here.join("scene.toml"), text).unwrap();
     let note = "[orbit]: light 0 moves, and is taken where it starts";
     let run = |args: &[&str], notes: usize| -> String {
-        let mut command = Command::cargo_bin("fixpath").unwrap();
+        let mut command = common::fixpath();
         let output = command.current_dir(here).args(args).output().unwrap();
         let errors = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(0), "{args:?}: {errors}");
@@ -486,11 +482,9 @@ fn the_command_line_writes_frames_and_refuses() {
     fs::write(&file, text).unwrap();
     let out = folder.path().join("out");
     let run = |args: &[&str]| {
-        let mut command = Command::cargo_bin("fixpath").unwrap();
+        let mut command = common::fixpath();
         command.arg("render").arg(&file).arg("--out").arg(&out).args(args);
-        let output = command.output().unwrap();
-        let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-        (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
+        common::told(command.output().unwrap())
     };
     let (code, told, errors) = run(&["--pipelines", "emboss-gx"]);
     assert_eq!((code, errors.as_str()), (0, ""));
@@ -542,7 +536,7 @@ fn an_emboss_section_asks_for_emboss_pipelines() {
     {
         fs::write(&file, format!("{section}{text}")).unwrap();
         let out = folder.path().join(there);
-        let mut command = Command::cargo_bin("fixpath").unwrap();
+        let mut command = common::fixpath();
         command.arg("render").arg(&file).arg("--out").arg(&out).assert().success();
         assert!(out.join(there).is_file() && !out.join(not).exists(), "{there}");
     }
@@ -556,11 +550,9 @@ fn a_ladder_shows_what_each_parameter_costs() {
     let text = "[image]\nwidth = 64\nheight = 48\n[height]\nsource = \"brick\"\nwidth = 256\nheight = 256\n[[object]]\nshape = \"sphere\"";
     fs::write(&file, text).unwrap();
     let run = |args: &[&str]| {
-        let mut command = Command::cargo_bin("fixpath").unwrap();
+        let mut command = common::fixpath();
         command.arg("render").arg(&file).arg("--out").arg(&out).args(args);
-        let output = command.output().unwrap();
-        let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-        (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
+        common::told(command.output().unwrap())
     };
     let (code, _, errors) =
         run(&["--pipelines", "emboss-gx", "--ladder=8,12", "-p", "channel_bits=10"]);

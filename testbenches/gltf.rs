@@ -1,6 +1,7 @@
 //! glTF files of one square, each written in another way that the format allows: all give one picture. And those that
 //! it doesn't allow, or that say something else: each is refused with what is wrong.
 
+use crate::common;
 use crate::scene::{base64, glb};
 use fixpath::scene::{Fragments, Scene};
 use serde_json::{Value, json};
@@ -122,10 +123,7 @@ fn scene(file: &[u8], extension: &str) -> Result<Scene, String> {
 }
 
 fn traced(file: &[u8], extension: &str) -> Fragments {
-    let scene = scene(file, extension).unwrap();
-    let mut fragments = Fragments::default();
-    scene.trace(0..scene.image.height, &mut fragments);
-    fragments
+    common::traced(&scene(file, extension).unwrap())
 }
 
 fn extended(name: &str) -> File {
@@ -545,8 +543,7 @@ fn a_mesh_without_normals_is_faceted() {
             "[image]\nwidth = 24\nheight = 24\n[camera]\neye = [0, 0, 4]\nup = [0, 1, 0]\n[[object]]\nshape = \"mesh\"\nfile = \"m.glb\"\n{crease}"
         );
         let scene = Scene::parse(&text, &folder.path().join("s.toml")).unwrap();
-        let mut fragments = Fragments::default();
-        scene.trace(0..scene.image.height, &mut fragments);
+        let fragments = common::traced(&scene);
         let normals = (0..fragments.len()).map(|i| [0, 1, 2].map(|k| fragments.normal[k][i]));
         let mut normals: Vec<[f64; 3]> = normals.collect();
         normals.sort_by(|a, b| a.partial_cmp(b).unwrap());

@@ -1,6 +1,6 @@
 //! Sweeps over a scene, and ladders of whole pipelines, as scripts use them.
 
-use crate::cli::{done, json, refused};
+use crate::common::{done, json, refused};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;

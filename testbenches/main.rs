@@ -10,6 +10,7 @@
 
 mod cli;
 mod committed;
+mod common;
 mod cone;
 mod cost;
 mod covered;

@@ -1,9 +1,9 @@
 //! Building netlists, their text forms and their counts.
 
+use crate::common::design;
 use expect_test::expect;
 use fixpath::format::{Format, Overflow, Round};
 use fixpath::netlist::{Builder, Column, Counts, Netlist, Part, Quantity, Table};
-use fixpath::units::Unit;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -255,9 +255,7 @@ fn tables_of_no_or_too_many_address_bits_are_refused() {
 }
 
 fn rotation(assignments: &[&str]) -> Netlist {
-    let values = Unit::find("rotation").unwrap().values(assignments).unwrap();
-    let design = values.build().unwrap();
-    Netlist::clone(&design.netlist)
+    Netlist::clone(&design("rotation", assignments).netlist)
 }
 
 #[test]

@@ -1,33 +1,16 @@
 //! What other programs read: JSON by its schema, CSV in typed readers, Markdown in a strict renderer, PNG by its
 //! colours; and text from outside, which acts on none of them, nor on a terminal.
 
-use assert_cmd::Command;
+use crate::common::{done, fixpath, written};
 use fixpath::json::{SCHEMA, SCHEMA_VERSION};
 use fixpath::units::UNITS;
 use pulldown_cmark::{Event, Options, Parser, Tag};
 use serde_json::{Map, Value};
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::{Path, PathBuf};
-
-fn fixpath(args: &[&str]) -> std::process::Output {
-    Command::cargo_bin("fixpath").unwrap().args(args).output().unwrap()
-}
-
-fn done(args: &[&str]) -> String {
-    let output = fixpath(args);
-    let stderr = String::from_utf8(output.stderr).unwrap();
-    assert_eq!((output.status.code(), stderr.as_str()), (Some(0), ""), "{args:?}");
-    String::from_utf8(output.stdout).unwrap()
-}
 
 fn json_of(args: &[&str]) -> Value {
     serde_json::from_str(&done(args)).unwrap()
-}
-
-fn written(folder: &Path, name: &str, text: &str) -> PathBuf {
-    fs::write(folder.join(name), text).unwrap();
-    folder.join(name)
 }
 
 const SMALL: &str = "[image]\nwidth = 24\nheight = 16\n[height]\nsource = \"brick\"\nscale = 3.0\n[[object]]\nshape = \"cube\"\n";
@@ -209,7 +192,7 @@ fn every_json_document_keeps_to_the_schema() {
                  [[nv]]\ncall = \"Enable\"\ncap = \"TEXTURE_GEN_S\"\n\
                  [[nv]]\ncall = \"ActiveTexture\"\ntexture = \"TEXTURE99\"\n";
     let calls = written(folder.path(), "calls.toml", calls);
-    let output = fixpath(&["texgen", calls.to_str().unwrap(), "--json"]);
+    let output = fixpath().args(["texgen", calls.to_str().unwrap(), "--json"]).output().unwrap();
     check("texgen", &serde_json::from_slice(&output.stdout).unwrap());
 
     // The others take outside tools.
@@ -248,7 +231,7 @@ fn json_of_outside_tools_keeps_to_the_schema() {
         ],
         &["cost", "dot", "--target", "ice40", "--json"],
     ] {
-        let value = serde_json::from_slice(&fixpath(args).stdout).unwrap();
+        let value = serde_json::from_slice(&fixpath().args(args).output().unwrap().stdout).unwrap();
         schema.check(&schema.0, &value, &args.join(" ")).unwrap();
     }
 }
@@ -502,7 +485,7 @@ fn nothing_from_outside_acts_on_a_terminal() {
     .collect();
     for args in cases {
         let args: Vec<&str> = args.iter().map(String::as_str).collect();
-        let output = fixpath(&args);
+        let output = fixpath().args(&args).output().unwrap();
         let what: Vec<String> = args.iter().map(|a| a.chars().take(30).collect()).collect();
         for text in [&output.stdout, &output.stderr] {
             let text = String::from_utf8(text.clone()).unwrap();

@@ -3,6 +3,7 @@
 //! A pixel may be off by what the units state for its material under each light, times the texture,
 //! and by what the words of the inputs do before; nothing here is measured and then written down.
 
+use crate::common::{pipelines, traced};
 use fixpath::measure::BoundCheck;
 use fixpath::picture::{Difference, PIXELS_PER_DEGREE, Picture};
 use fixpath::render::{Pipeline, Rendered, render};
@@ -26,21 +27,8 @@ const SETTINGS: [&[&str]; 3] = [
     &["angle_bits=8", "frac_bits=8", "guard_bits=0", "table_addr_bits=6", "rounding=floor"],
 ];
 
-fn pipelines(names: &[&str], assignments: &[&str]) -> Vec<Pipeline> {
-    let mut all: Vec<Pipeline> = names.iter().map(|name| Pipeline::named(name).unwrap()).collect();
-    let assignments: Vec<String> = assignments.iter().map(|text| (*text).to_owned()).collect();
-    Pipeline::set(&mut all, &assignments).unwrap();
-    all
-}
-
 fn rendered(scene: &Scene, names: &[&str], assignments: &[&str]) -> Rendered {
     render(scene, &pipelines(names, assignments), true, &|_| ()).unwrap()
-}
-
-fn traced(scene: &Scene) -> Fragments {
-    let mut fragments = Fragments::default();
-    scene.trace(0..scene.image.height, &mut fragments);
-    fragments
 }
 
 /// The largest difference of any channel, in linear light.

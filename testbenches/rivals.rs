@@ -2,25 +2,16 @@
 //!
 //! Golden values are derived here from fragments: nothing is taken from the units but their ports.
 
+use crate::common::{Vector, design, dot};
 use fixpath::compare::{ARCHITECTURES, BY_PARAMETERS, COUNTS, compare, saved_percent};
 use fixpath::measure::{Basis, BoundCheck, Inputs, hard_verdicts, measure, sample_words};
 use fixpath::netlist::{Netlist, Part, ScopeId};
 use fixpath::op::Op;
-use fixpath::units::{Bounds, Design, Sampler, Unit};
+use fixpath::units::{Bounds, Design, Sampler};
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
 const RIVALS: [&str; 4] = ["peercy", "ernst", "kim", "kugler"];
-
-type Vector = [f64; 3];
-
-fn design(unit: &str, assignments: &[&str]) -> Design {
-    Unit::find(unit).unwrap().values(assignments).unwrap().build().unwrap()
-}
-
-fn dot(u: Vector, v: Vector) -> f64 {
-    u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
-}
 
 fn unit(v: Vector) -> Vector {
     let length = dot(v, v).sqrt();
@@ -336,27 +327,21 @@ fn look_ups_are_the_same_in_every_scheme() {
 }
 
 mod commands {
-    use assert_cmd::Command;
+    use crate::common::run;
     use std::fs;
-
-    fn fixpath(args: &[&str]) -> (i32, String, String) {
-        let output = Command::cargo_bin("fixpath").unwrap().args(args).output().unwrap();
-        let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
-        (output.status.code().unwrap(), text(&output.stdout), text(&output.stderr))
-    }
 
     #[test]
     fn compare_tells_writes_and_refuses() {
         let folder = tempfile::tempdir().unwrap();
         let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
-        let (code, told, _) = fixpath(&["compare", "--samples", "500", "--out", &file("t.md")]);
+        let (code, told, _) = run(&["compare", "--samples", "500", "--out", &file("t.md")]);
         assert_eq!(code, 0);
         for text in ["27 / 27", "1 - 6/27 = 77.8 %", "1 - 8/37 = 78.4 %", "exact-cartesian"] {
             assert!(told.contains(text), "{text}: {told}");
             assert!(fs::read_to_string(file("t.md")).unwrap().contains(text), "{text}");
         }
         let args = ["compare", "--samples", "500", "--json", "--out", &file("t.csv")];
-        let (code, json, _) = fixpath(&args);
+        let (code, json, _) = run(&args);
         assert_eq!(code, 0);
         let json: serde_json::Value = serde_json::from_str(&json).unwrap();
         assert_eq!(json["rows"][0]["set_up"]["dividers"], 9);
@@ -374,7 +359,7 @@ mod commands {
             (&["compare", "--out", "table.txt"], "ends in .md or .csv"),
             (&["compare", "--samples", "0"], "--samples"),
         ] {
-            let (code, told, error) = fixpath(args);
+            let (code, told, error) = run(args);
             assert_eq!((code, told.as_str()), (2, ""), "{args:?}: {error}");
             assert!(error.contains(says), "{args:?}: {error}");
         }

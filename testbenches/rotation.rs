@@ -15,7 +15,7 @@ type Vector = [f64; 3];
 type Matrix = [Vector; 3];
 
 fn design(assignments: &[&str]) -> Design {
-    Unit::find("rotation").unwrap().values(assignments).unwrap().build().unwrap()
+    crate::common::design("rotation", assignments)
 }
 
 fn times(m: Matrix, v: Vector) -> Vector {

@@ -1,6 +1,6 @@
 //! Tables of values: one rule for every command that reads them.
 
-use assert_cmd::Command;
+use crate::common::{fixpath, told};
 use assert_cmd::cargo::cargo_bin;
 use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -8,10 +8,7 @@ use std::process::Stdio;
 
 /// Runs with this standard input; gives exit code, standard output and standard error.
 fn run(args: &[&str], input: impl Into<Vec<u8>>) -> (i32, String, String) {
-    let mut command = Command::cargo_bin("fixpath").unwrap();
-    let output = command.args(args).write_stdin(input).output().unwrap();
-    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-    (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
+    told(fixpath().args(args).write_stdin(input).output().unwrap())
 }
 
 const DEGREES: [&str; 8] = ["eval", "rotation", "--angle", "degrees", "--in", "-", "--out", "-"];

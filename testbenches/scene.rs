@@ -1,5 +1,6 @@
 //! Scenes against conventions derived once more, and every way in which their files can be wrong.
 
+use crate::common::traced;
 use expect_test::expect;
 use fixpath::scene::{BUILTIN, CURVED, Fragments, Light, Place, Scene, halfway};
 use glam::{DMat3, DVec2, DVec3};
@@ -11,12 +12,6 @@ use std::path::Path;
 
 fn parse(text: &str) -> Scene {
     Scene::parse(text, Path::new("scene.toml")).unwrap()
-}
-
-fn traced(scene: &Scene) -> Fragments {
-    let mut fragments = Fragments::default();
-    scene.trace(0..scene.image.height, &mut fragments);
-    fragments
 }
 
 fn normal(f: &Fragments, i: usize) -> DVec3 {
@@ -1269,7 +1264,7 @@ fn notes_go_to_standard_error_and_into_the_report() {
     fs::write(folder.path().join("m.obj"), ROOF.to_owned() + "l 1 2\n").unwrap();
     let text = "[image]\nwidth = 8\nheight = 8\n[[object]]\nshape = \"mesh\"\nfile = \"m.obj\"\n";
     fs::write(folder.path().join("s.toml"), text).unwrap();
-    let mut program = assert_cmd::Command::cargo_bin("fixpath").unwrap();
+    let mut program = crate::common::fixpath();
     program.current_dir(folder.path()).args(["render", "s.toml", "--out", "o"]);
     let outcome = program.args(["--pipelines", "exact-cartesian"]).output().unwrap();
     assert!(outcome.status.success());

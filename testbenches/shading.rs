@@ -3,17 +3,14 @@
 //! Everything here is written from the mathematics, with matrices of glam: nothing is taken from
 //! the units but their ports.
 
+use crate::common::design;
 use fixpath::measure::{Basis, BoundCheck, Inputs, Report, hard_verdicts, measure};
 use fixpath::netlist::Netlist;
-use fixpath::units::{Design, Sampler, Unit, Values};
+use fixpath::units::{Design, Sampler, Values};
 use glam::{DMat3, DVec3};
 use std::f64::consts::TAU;
 
 use crate::engines::Random;
-
-fn design(unit: &str, assignments: &[&str]) -> Design {
-    Unit::find(unit).unwrap().values(assignments).unwrap().build().unwrap()
-}
 
 fn report(design: &Design, sampler: Sampler, samples: u64) -> Report {
     let inputs = Inputs { sampler, samples, seed: 5 };

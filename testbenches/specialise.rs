@@ -1,17 +1,16 @@
 //! Netlists cut down to what occurs at their inputs, against the general ones.
 
 use super::engines::{self, Random, random_netlist_of, random_netlist_within};
+use crate::common::design;
 use fixpath::format::{Format, Overflow, Round};
 use fixpath::netlist::{Builder, Column, Counts, Netlist, NodeId, Operators, Quantity, Table};
 use fixpath::op::Op;
 use fixpath::specialise::{Known, Rate, Source, Specialised, Words, ranges, specialise};
-use fixpath::units::Unit;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 fn rotation(assignments: &[&str]) -> Netlist {
-    let design = Unit::find("rotation").unwrap().values(assignments).unwrap().build().unwrap();
-    Netlist::clone(&design.netlist)
+    Netlist::clone(&design("rotation", assignments).netlist)
 }
 
 fn all_outputs(netlist: &Netlist) -> Vec<&str> {

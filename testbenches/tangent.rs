@@ -1,22 +1,13 @@
 //! The tangent-space set-up against what the seed's words mean, worked out here in whole numbers.
 
+use crate::common::{Vector, cross, dot};
 use fixpath::measure::{Basis, BoundCheck, Inputs, hard_verdicts, measure, sample_words};
 use fixpath::specialise::{Known, Rate, specialise};
 use fixpath::units::{Design, Sampler, Unit};
 
-type Vector = [f64; 3];
-
 fn design(assignments: &[&str]) -> Design {
     let values = Unit::find("tangent").unwrap().values(assignments).unwrap();
     values.build().unwrap_or_else(|why| panic!("{assignments:?}: {why}"))
-}
-
-fn dot(u: Vector, v: Vector) -> f64 {
-    u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
-}
-
-fn cross(u: Vector, v: Vector) -> Vector {
-    [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
 }
 
 /// A vector of whole numbers over its length.

@@ -1,6 +1,6 @@
 //! The two texture-coordinate interfaces: every rule is broken once, and its message pinned.
 
-use assert_cmd::Command;
+use crate::common::{fixpath, told};
 use fixpath::texgen::gx::{Function, IDENTITY, MATRIX_ROWS, Source, TexCoords, TexGen};
 use fixpath::texgen::{Calls, Outcome};
 use fixpath::units::Unit;
@@ -1087,11 +1087,9 @@ fn every_condition_of_an_undefined_result_is_told() {
 fn command(toml: &str, arguments: &[&str]) -> (i32, String, String) {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("calls.toml"), toml).unwrap();
-    let mut command = Command::cargo_bin("fixpath").unwrap();
+    let mut command = fixpath();
     let command = command.current_dir(folder.path()).args(["texgen", "calls.toml"]);
-    let output = command.args(arguments).output().unwrap();
-    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-    (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
+    told(command.args(arguments).output().unwrap())
 }
 
 #[test]
@@ -1202,7 +1200,7 @@ fn malformed_files_are_refused_with_the_line() {
         assert_eq!(stderr.lines().count(), 1, "{toml}: {stderr}");
         assert!(stderr.starts_with("error: ") && stderr.contains(message), "{toml}: {stderr}");
     }
-    let mut missing = Command::cargo_bin("fixpath").unwrap();
+    let mut missing = fixpath();
     let output = missing.args(["texgen", "no/such.toml"]).output().unwrap();
     assert_eq!(output.status.code(), Some(2));
     let stderr = String::from_utf8(output.stderr).unwrap();
@@ -1275,7 +1273,7 @@ fn a_broken_rule_or_an_undefined_result_is_exit_code_2_with_all_else_told() {
 /// The file that `--help` shows, but for what it leaves to "so for S, T, R and Q".
 #[test]
 fn the_example_of_the_help_runs() {
-    let mut help = Command::cargo_bin("fixpath").unwrap();
+    let mut help = fixpath();
     let output = help.args(["texgen", "--help"]).output().unwrap();
     let text = String::from_utf8(output.stdout).unwrap();
     let example = text.split_once("in each interface:\n").unwrap().1;

@@ -1,9 +1,9 @@
 //! Tangent-space set-up of whole scenes: bumps the right way out on mirrored halves, errors told apart, vertices
 //! shared, frames fed to other pipelines, and the standard tangent generator as an outside judge.
 
+use crate::common::fixpath;
 use crate::readme::is_told;
 use crate::scene::gltf_of;
-use assert_cmd::Command;
 use bevy_mikktspace::{Geometry, TangentSpace, generate_tangents};
 use fixpath::measure::{BoundCheck, Inputs, quantize_inputs, sample_words};
 use fixpath::picture::{Difference, PIXELS_PER_DEGREE, Picture};
@@ -308,7 +308,7 @@ fn strips_and_fans_are_set_up_as_lists() {
     // Told, as text and as JSON.
     fs::write(folder.path().join("scene.toml"), SHEET_SCENE).unwrap();
     let run = |more: &[&str]| {
-        let mut command = Command::cargo_bin("fixpath").unwrap();
+        let mut command = fixpath();
         command.current_dir(folder.path()).args(["render", "scene.toml", "--out", "out"]);
         command.args(["--pipelines", "tangent-smooth,exact-polar"]).args(more);
         let output = command.output().unwrap();
@@ -333,7 +333,7 @@ fn strips_and_fans_are_set_up_as_lists() {
         (&["--ladder"], "leave tangent pipelines out"),
         (&["--frames", "setup"], "has frames of its own"),
     ] {
-        let mut command = Command::cargo_bin("fixpath").unwrap();
+        let mut command = fixpath();
         command.args(["render", "plane", "--out", "none", "--pipelines", "tangent-smooth"]);
         let output = command.args(args).output().unwrap();
         let told = String::from_utf8_lossy(&output.stderr).into_owned();

@@ -1,6 +1,7 @@
 //! Units in outside simulators, at what is committed and at random parameters.
 
 use crate::committed::COMMITTED;
+use crate::common;
 use crate::engines::Random;
 use crate::record::recorded;
 use fixpath::emit::{Package, Settings};
@@ -162,7 +163,7 @@ fn all_agree(designs: Vec<(String, Design, Option<Tables>, Effort)>) {
 #[ignore = "needs verilator, iverilog, ghdl and yosys: testbenches/run installs them"]
 fn committed_settings_agree_in_every_tool() {
     let design = |(name, unit, assignments): &(&str, &str, &[&str])| {
-        let design = Unit::find(unit).unwrap().values(assignments).unwrap().build().unwrap();
+        let design = common::design(unit, assignments);
         let effort = if *unit == "rotation" { Effort::Long } else { Effort::Normal };
         ((*name).to_owned(), design, None, effort)
     };
@@ -320,6 +321,7 @@ fn random_settings_agree_in_every_tool() {
 
 /// The command line of `hdl` and `verify`, with tools that are missing or lie.
 mod commands {
+    use crate::common::{self, refused, told};
     use assert_cmd::Command;
     use std::collections::BTreeMap;
     use std::fs;
@@ -331,22 +333,13 @@ mod commands {
     use std::time::Instant;
 
     fn fixpath(args: &[&str]) -> Command {
-        let mut command = Command::cargo_bin("fixpath").unwrap();
+        let mut command = common::fixpath();
         command.args(args);
         command
     }
 
     fn ended(command: &mut Command) -> (i32, String, String) {
-        let output = command.output().unwrap();
-        let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
-        (output.status.code().unwrap(), text(&output.stdout), text(&output.stderr))
-    }
-
-    fn refused(args: &[&str], says: &str) {
-        let (code, stdout, stderr) = ended(&mut fixpath(args));
-        assert_eq!((code, stdout.as_str()), (2, ""), "{args:?}: {stderr}");
-        assert_eq!(stderr.trim_end().lines().count(), 1, "{args:?}: {stderr}");
-        assert!(stderr.contains(says), "{args:?}: {stderr}");
+        told(command.output().unwrap())
     }
 
     fn contents(folder: &Path) -> BTreeMap<String, String> {

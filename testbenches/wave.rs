@@ -1,5 +1,6 @@
 //! Waves are read back by independent readers and compared with the reference.
 
+use crate::common;
 use fixpath::measure::{Basis, Inputs, measure, sample_words};
 use fixpath::units::rotation::ROTATION;
 use fixpath::units::{Design, Sampler, Shape, UNITS, Unit};
@@ -178,7 +179,7 @@ fn angle_errors_are_those_that_sim_measures() {
     let all = UNITS.iter().map(|unit| (unit.name, &[][..]));
     let mut directions = 0;
     for (unit, assignments) in all.chain(more) {
-        let design = Unit::find(unit).unwrap().values(assignments).unwrap().build().unwrap();
+        let design = common::design(unit, assignments);
         if !design.groups.iter().any(|group| group.shape.is_direction()) {
             continue;
         }
@@ -306,7 +307,7 @@ fn gtkwave_opens_on_inputs_and_outputs_of_the_first_samples() {
         ("emboss", &[], 0),
         ("illumination", &shared, 0),
     ] {
-        let design = Unit::find(unit).unwrap().values(assignments).unwrap().build().unwrap();
+        let design = common::design(unit, assignments);
         let options = Options { cycles: (first > 0).then_some(first..1000), ..Options::default() };
         let wave = Wave::new(&design, options).unwrap();
         let mut save = Vec::new();
@@ -349,7 +350,7 @@ fn twins_are_those_of_their_sample_in_long_waves() {
         ("emboss", &shared, 2300, Some(16_101..16_400)),
     ];
     for (unit, assignments, count, cycles) in cases {
-        let design = Unit::find(unit).unwrap().values(assignments).unwrap().build().unwrap();
+        let design = common::design(unit, assignments);
         let inputs = Inputs { sampler: Sampler::Lit, samples: count, seed: 5 };
         let rows = sample_words(&design, &inputs).unwrap();
         let netlist = &design.netlist;
