@@ -9,7 +9,7 @@ use crate::base::json;
 use crate::base::output;
 use crate::design::Sampler;
 use crate::measure::Inputs;
-use crate::report::ladder::{Table, markdown_table};
+use crate::report::Table;
 use crate::shading::picture::coverage;
 use crate::shading::render::check_view;
 use crate::sweep::compare::{
@@ -94,10 +94,11 @@ pub(super) fn run(args: &CompareArgs) -> Result<String> {
         return Ok(json::text(&json::document("compare", &comparison)));
     }
     let mut told = String::new();
-    for section in sections(&comparison).into_iter().filter(|section| !section.rows.is_empty()) {
+    for section in
+        sections(&comparison).into_iter().filter(|section| !section.table.rows.is_empty())
+    {
         let _ = writeln!(told, "{}", section.title);
-        let headings: Vec<&str> = section.headings.iter().map(String::as_str).collect();
-        told.push_str(&text::table(&headings, &section.rows));
+        told.push_str(&section.table.text());
         for note in section.notes {
             let _ = writeln!(told, "  {note}");
         }
@@ -109,9 +110,7 @@ pub(super) fn run(args: &CompareArgs) -> Result<String> {
 /// A table with a title.
 struct Section {
     title: String,
-    /// Those of numbers start with `>`.
-    headings: Vec<String>,
-    rows: Vec<Vec<String>>,
+    table: Table,
     notes: Vec<String>,
 }
 
@@ -196,8 +195,7 @@ fn sections(comparison: &Comparison) -> Vec<Section> {
     vec![
         Section {
             title: format!("operators, ours / the paper's: {}", comparison.source),
-            headings,
-            rows: counts,
+            table: Table { headings, rows: counts },
             notes: strings(&[
                 "counted from the netlists, by scope; whole counts once what both stages share",
                 "not counted, as in the paper: operators inside dividers, roots and tables; rounding, negation, multiplexers",
@@ -205,19 +203,18 @@ fn sections(comparison: &Comparison) -> Vec<Section> {
         },
         Section {
             title: "storage and latency".to_owned(),
-            headings: strings(&[
-                "architecture",
-                ">distinct tables",
-                ">ROM bits",
-                ">latency in cycles",
-            ]),
-            rows: comparison.rows.iter().map(cost).collect(),
+            table: Table::new(
+                &["architecture", ">distinct tables", ">ROM bits", ">latency in cycles"],
+                comparison.rows.iter().map(cost).collect(),
+            ),
             notes: Vec::new(),
         },
         Section {
             title: "\"up to 78 % fewer multiplications\", in both readings".to_owned(),
-            headings: strings(&["pipeline", "reading", "by these netlists", "by the paper"]),
-            rows: claims.collect(),
+            table: Table::new(
+                &["pipeline", "reading", "by these netlists", "by the paper"],
+                claims.collect(),
+            ),
             notes: Vec::new(),
         },
         Section {
@@ -225,19 +222,21 @@ fn sections(comparison: &Comparison) -> Vec<Section> {
                 "error over {samples} lit fragments, seed {}, end to end",
                 comparison.seed
             ),
-            headings: strings(&[
-                "architecture",
-                ">vector: mean",
-                ">p99",
-                ">max",
-                ">dot: mean",
-                ">p99",
-                ">max",
-                ">intensity: mean",
-                ">p99",
-                ">max",
-            ]),
-            rows: comparison.rows.iter().map(error).collect(),
+            table: Table::new(
+                &[
+                    "architecture",
+                    ">vector: mean",
+                    ">p99",
+                    ">max",
+                    ">dot: mean",
+                    ">p99",
+                    ">max",
+                    ">intensity: mean",
+                    ">p99",
+                    ">max",
+                ],
+                comparison.rows.iter().map(error).collect(),
+            ),
             notes: strings(&[
                 "vector: angle between L' as it comes and as it should (kugler: N' as its light sees it); dot: N'·L'",
                 "end to end: against the golden of the inputs before quantisation; `fixpath sim` splits each error",
@@ -246,8 +245,10 @@ fn sections(comparison: &Comparison) -> Vec<Section> {
         images(comparison),
         Section {
             title: "why counts differ from the paper's".to_owned(),
-            headings: strings(&["architecture", "stage", "count", ">ours / paper", "because"]),
-            rows: differences.collect(),
+            table: Table::new(
+                &["architecture", "stage", "count", ">ours / paper", "because"],
+                differences.collect(),
+            ),
             notes: Vec::new(),
         },
     ]
@@ -271,11 +272,13 @@ fn images(comparison: &Comparison) -> Section {
     };
     Section {
         title: "difference of pictures to the golden, in linear light".to_owned(),
-        headings,
-        rows: if scenes.is_empty() {
-            Vec::new()
-        } else {
-            comparison.rows.iter().map(row).collect()
+        table: Table {
+            headings,
+            rows: if scenes.is_empty() {
+                Vec::new()
+            } else {
+                comparison.rows.iter().map(row).collect()
+            },
         },
         notes: comparison
             .scenes
@@ -294,10 +297,10 @@ fn images(comparison: &Comparison) -> Section {
 
 fn markdown_of(comparison: &Comparison) -> String {
     let mut text = "# Table 1 rebuilt\n".to_owned();
-    for section in sections(comparison).into_iter().filter(|section| !section.rows.is_empty()) {
+    for section in sections(comparison).into_iter().filter(|section| !section.table.rows.is_empty())
+    {
         let _ = writeln!(text, "\n## {}\n", escape::markdown(&section.title));
-        let table = Table { headings: section.headings, rows: section.rows };
-        text.push_str(&markdown_table(&table));
+        text.push_str(&section.table.markdown());
         for note in &section.notes {
             let _ = writeln!(text, "\n{}.", escape::markdown(note));
         }

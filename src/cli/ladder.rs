@@ -7,7 +7,7 @@ use crate::base::error::{Error, Result};
 use crate::base::json;
 use crate::base::output::Set;
 use crate::base::whole;
-use crate::report::ladder::{Record, Table};
+use crate::report::ladder::Record;
 use crate::shading::picture::coverage;
 use crate::shading::render::Pipeline;
 use crate::shading::scene::Scene;
@@ -108,18 +108,13 @@ pub(super) fn run_emboss(
         "scene {}: {}; differences to the golden, in linear light\n{}",
         record.scene,
         coverage(record.covered_px, record.background_px),
-        shown(&record.table())
+        record.table().text()
     );
     let _ = writeln!(told, "see {}", out.join("ladder.md").display());
     if !held {
         told.push_str(text::BROKEN);
     }
     Ok((told, held))
-}
-
-fn shown(table: &Table) -> String {
-    let headings: Vec<&str> = table.headings.iter().map(String::as_str).collect();
-    text::table(&headings, &table.rows)
 }
 
 fn told(record: &Record, out: &Path) -> String {
@@ -129,13 +124,13 @@ fn told(record: &Record, out: &Path) -> String {
         header.scene,
         coverage(header.covered_px, header.background_px)
     );
-    told.push_str(&shown(&record.pipelines_table()));
+    told.push_str(&record.pipelines_table().text());
     if let (Some(table), Some(pipeline)) = (record.exponents_table(), &header.light_pipeline) {
         let _ = writeln!(
             told,
             "\nmax/255 by exponent n of the highlight and light tables, pipeline {pipeline}, else fine"
         );
-        told.push_str(&shown(&table));
+        told.push_str(&table.text());
         for refused in record.refused_tables() {
             let _ = writeln!(told, "{refused}");
         }

@@ -1,46 +1,22 @@
 //! What the commands print, as text and as JSON.
 
 use super::sim::Sim;
-use crate::base::{cast, escape, json};
+use crate::base::{cast, json};
 use crate::design::{Design, Kind, PIPELINE, Param, Unit, Values};
 use crate::measure;
 use crate::measure::{Basis, Cone, ConeReport, Figures, Profile, Report, Witness};
 use crate::netlist::Netlist;
-use crate::report::pareto;
 use crate::report::record::{Measured, Point, Record, json_of, parameters_of};
+use crate::report::{Table, pareto};
 use serde_json::{Map, Value, json};
 use std::fmt::Write as _;
 use std::path::Path;
 
 pub(super) const BROKEN: &str = "a stated bound is BROKEN\n";
 
-/// Rows under headings, columns padded to their widest cell; columns whose heading starts with
-/// `>` are flush right. A cell stays on its line.
+/// A table that is shown and nothing else.
 pub(super) fn table(headings: &[&str], rows: &[Vec<String>]) -> String {
-    let cells = |row: &Vec<String>| row.iter().map(|cell| escape::message(cell)).collect();
-    let rows: Vec<Vec<String>> = rows.iter().map(cells).collect();
-    let right: Vec<bool> = headings.iter().map(|heading| heading.starts_with('>')).collect();
-    let headings: Vec<String> =
-        headings.iter().map(|heading| heading.trim_start_matches('>').to_owned()).collect();
-    let width = |column: usize| {
-        let cells = rows.iter().map(|row| row[column].chars().count());
-        cells.chain([headings[column].chars().count()]).max().unwrap_or(0)
-    };
-    let widths: Vec<usize> = (0..headings.len()).map(width).collect();
-    let mut text = String::new();
-    for row in std::iter::once(&headings).chain(&rows) {
-        let mut line = String::from(" ");
-        for ((cell, width), right) in row.iter().zip(&widths).zip(&right) {
-            let _ = if *right {
-                write!(line, " {cell:>width$}")
-            } else {
-                write!(line, " {cell:<width$}")
-            };
-        }
-        text.push_str(line.trim_end());
-        text.push('\n');
-    }
-    text
+    Table::new(headings, rows.to_vec()).text()
 }
 
 /// A number to four digits, in the form that is easiest to read.

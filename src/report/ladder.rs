@@ -7,9 +7,10 @@
 //! then `error`, why there are none.
 
 use super::chart::{Along, Chart, Front, Series, Style};
-use super::markdown::{self, short};
+use super::markdown::short;
 use super::pareto::pareto;
 use super::record::{Measured, Point, SceneId};
+use super::table::Table;
 use crate::base::cast;
 use crate::base::columns::{self, Field};
 use crate::base::error::Result;
@@ -145,14 +146,6 @@ pub const FILES: [&str; 7] = [
     "exponents.svg",
 ];
 
-/// Rows under headings.
-pub struct Table {
-    /// Headings; those of columns that are flush right start with `>`.
-    pub headings: Vec<String>,
-    /// Rows.
-    pub rows: Vec<Vec<String>>,
-}
-
 impl Record {
     /// As JSON.
     #[must_use]
@@ -251,7 +244,7 @@ impl Record {
         };
         let mut rows: Vec<Vec<String>> = self.rungs.iter().map(row).collect();
         refusals(&mut headings, &mut rows, self.rungs.iter().map(|r| r.point.error.as_deref()));
-        Table { headings: headings.into_iter().map(str::to_owned).collect(), rows }
+        Table::new(&headings, rows)
     }
 
     /// Light tables with their points, exponent by exponent.
@@ -495,7 +488,7 @@ impl Record {
             "- Multipliers, adders, tables and cycles are those of one pass: a pixel under one light. Copies are those that each table needs for two ports a copy. Pixels per second are those of the bit-true engine alone, per thread; other load on the machine shows.\n"
         )?;
         writeln!(text, "## Pipelines\n")?;
-        text.push_str(&markdown_table(&self.pipelines_table()));
+        text.push_str(&self.pipelines_table().markdown());
         let plot = |text: &mut String, file: &str| {
             let charts = self.charts();
             let found = charts.iter().find(|(known, _)| *known == file);
@@ -516,7 +509,7 @@ impl Record {
             "\n## Light tables over exponents\n\nThe largest difference in 1/255 by pipeline {pipeline}, whose other parameters are so fine that the light tables show: {}, unless others were set. The exponent takes the place of the scene's, in the golden too; diffuse and specular table are of one size. ROM bits and multipliers are of the whole pipeline.\n",
             parameters.join(", ")
         )?;
-        text.push_str(&markdown_table(&lights));
+        text.push_str(&lights.markdown());
         for refused in self.refused_tables() {
             write!(text, "\n{}\n", escape::markdown(&refused))?;
         }
@@ -542,13 +535,4 @@ pub fn refusals<'a>(
         row.push(why.unwrap_or_default().to_owned());
     }
     headings.push("refused because");
-}
-
-/// A table as Markdown.
-#[must_use]
-pub fn markdown_table(of: &Table) -> String {
-    let mut text = String::new();
-    // Writing to a string can't fail.
-    let _ = markdown::table(&mut text, &of.headings, of.rows.iter().cloned());
-    text
 }

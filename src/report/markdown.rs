@@ -3,6 +3,7 @@
 use super::plot::Plot;
 use super::record::{Figures, Measured, PictureFigures, Record, plain};
 use super::rows::{Row, against, axis_names, axis_values, best, inputs, rows};
+use super::table::Table;
 use crate::base::escape::markdown;
 use crate::measure::Basis;
 use std::collections::BTreeSet;
@@ -193,7 +194,7 @@ fn pictures(text: &mut String, record: &Record, rows: &[Row<'_>]) -> std::fmt::R
         ]);
         cells
     });
-    table(text, &headings, cells)?;
+    text.push_str(&Table::new(&headings, cells.collect()).markdown());
     if rows.len() > MAX_ROWS {
         writeln!(text, "\n{} more points are in `sweep.csv`.", rows.len() - MAX_ROWS)?;
     }
@@ -233,24 +234,6 @@ pub(super) fn picture_cells(measured: &Measured) -> Vec<String> {
         figure("lt_angle", |f| f.max.0, 1f64.to_degrees()),
         figure("lt_angle", |f| f.mean.0, 1f64.to_degrees()),
     ]
-}
-
-/// Rows under headings; columns whose heading starts with `>` are flush right.
-pub(super) fn table(
-    text: &mut String,
-    headings: &[impl AsRef<str>],
-    rows: impl Iterator<Item = Vec<String>>,
-) -> std::fmt::Result {
-    let headings = || headings.iter().map(AsRef::as_ref);
-    let row = |cells: Vec<String>| format!("| {} |", cells.join(" | "));
-    let rule = |heading: &str| if heading.starts_with('>') { "---:" } else { "---" }.to_owned();
-    let heading = |heading: &str| markdown(heading.trim_start_matches('>'));
-    writeln!(text, "{}", row(headings().map(heading).collect()))?;
-    writeln!(text, "{}", row(headings().map(rule).collect()))?;
-    for cells in rows {
-        writeln!(text, "{}", row(cells.iter().map(|cell| markdown(cell)).collect()))?;
-    }
-    Ok(())
 }
 
 fn failures(text: &mut String, record: &Record) -> std::fmt::Result {

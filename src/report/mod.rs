@@ -12,10 +12,12 @@ pub mod record;
 mod rows;
 mod shots;
 mod sweep;
+mod table;
 
 pub use pareto::pareto;
 pub use shots::shots;
 pub use sweep::{FILES, write};
+pub use table::Table;
 
 #[cfg(test)]
 mod tests;

@@ -8,7 +8,8 @@ use crate::base::escape;
 use crate::base::json;
 use crate::base::output;
 use crate::netlist::Counts;
-use crate::report::ladder::{Table, markdown_table, refusals};
+use crate::report::Table;
+use crate::report::ladder::refusals;
 use crate::report::record::{Parameters, SceneId, assigned};
 use crate::shading::picture::{Difference, coverage};
 use crate::shading::render::{Pipeline, Rendered, Shot, check_view, render, shots_together};
@@ -279,7 +280,7 @@ impl Record {
         };
         let mut rows: Vec<Vec<String>> = self.rungs.iter().map(row).collect();
         refusals(&mut headings, &mut rows, self.rungs.iter().map(Rung::refused));
-        Table { headings: headings.into_iter().map(str::to_owned).collect(), rows }
+        Table::new(&headings, rows)
     }
 
     /// As JSON.
@@ -339,7 +340,7 @@ impl Record {
         for note in &self.scene.notes {
             told.push_str(&format!("Note: {}.\n\n", escape::markdown(note)));
         }
-        told.push_str(&markdown_table(&self.table()));
+        told.push_str(&self.table().markdown());
         output::write_text(&folder.join("ladder.md"), &told)
     }
 }
