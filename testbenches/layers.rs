@@ -19,13 +19,10 @@ const HEADS: &[&str] = &[
     "base/output",
     "design",
     "hardware/cost",
-    "hardware/verify",
     "netlist",
     "schedule",
-    "shading/picture",
     "shading/scene",
     "shading/specialise",
-    "shading/texgen",
 ];
 
 /// A module's names from the crate's root.

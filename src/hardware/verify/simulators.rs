@@ -1,6 +1,8 @@
 //! How each tool is run, and what it says.
 
-use super::{Job, Row, Simulator, Verdict, mismatch};
+use super::mismatch::mismatch;
+use super::request::{Job, Simulator};
+use super::row::{Row, Verdict};
 use crate::base::error::{Error, Result};
 use crate::base::output::{Scratch, write_text};
 use crate::base::outside::{self, End, Limits, Outcome};

@@ -1,8 +1,8 @@
 //! How far a picture is from a golden one, in figures.
 
 use super::flip::flip;
+use super::pixels::{Picture, Srgb8};
 use super::ssim::ssim;
-use super::{Picture, Srgb8};
 use crate::base::cast;
 use crate::base::error::{Error, Result};
 use crate::base::json;

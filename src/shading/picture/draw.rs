@@ -1,6 +1,6 @@
 //! Pictures, scales and words on white sheets.
 
-use super::{MAX_SIDE_PX, Srgb8};
+use super::pixels::{MAX_SIDE_PX, Srgb8};
 use crate::base::cast;
 use crate::base::error::{Error, Result};
 use noto_sans_mono_bitmap::{FontWeight, RasterHeight, get_raster, get_raster_width};

@@ -6,7 +6,7 @@
 //! picture goes on with its last pixels.
 
 use super::filter::{Plane, sum_over_bands, taps};
-use super::{Srgb8, linear};
+use super::pixels::{Srgb8, linear};
 use crate::base::cast;
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 use std::ops::Range;

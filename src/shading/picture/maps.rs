@@ -2,7 +2,7 @@
 
 use super::compare::check_equal_sizes;
 use super::draw::{Canvas, GAP_PX, LINE_PX, code, text_width};
-use super::{LUMINANCE, NAN_COLOUR, Picture, Srgb8, encode};
+use super::pixels::{LUMINANCE, NAN_COLOUR, Picture, Srgb8, encode};
 use crate::base::cast;
 use crate::base::error::{Error, Result};
 use rayon::prelude::*;

@@ -2,7 +2,7 @@
 //! visibility to structural similarity", 2004.
 
 use super::filter::{Plane, sum_over_bands};
-use super::{LUMINANCE, Srgb8};
+use super::pixels::{LUMINANCE, Srgb8};
 use crate::base::cast;
 
 /// Side of the window, in px.

@@ -1,4 +1,5 @@
 use super::flip::flip;
+use super::pixels::encode;
 use super::ssim::ssim;
 use super::*;
 use crate::base::cast;

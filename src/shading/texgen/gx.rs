@@ -20,7 +20,7 @@
 //! 1 normal, 2 colours, 3 and 4 the binormals, 5 to 12 textures), bits 12-14 the coordinate that emboss
 //! displaces, bits 15-17 its light. Bit 0 and those from 18 on are 0.
 
-use super::{Emboss, Setting};
+use super::setting::{Emboss, Setting};
 use crate::base::error::nearest;
 use serde::Deserialize;
 use std::fmt;

@@ -14,7 +14,8 @@
 //! and that a unit or a light out of range is INVALID_ENUM. From OpenGL 1.3: REFLECTION_MAP and NORMAL_MAP, not for Q.
 
 use super::gx::numbered;
-use super::{Emboss, Setting, opengl};
+use super::opengl;
+use super::setting::{Brief, Emboss, Setting};
 use crate::base::cast;
 use crate::base::error::nearest;
 use serde::{Deserialize, Serialize};
@@ -414,17 +415,6 @@ impl fmt::Display for Mode {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let known = Self::ALL.iter().find(|(mode, ..)| mode == self);
         write!(f, "{}", known.expect("bug: every mode has a name").1)
-    }
-}
-
-/// A number as short as its value allows: extreme ones in scientific form.
-pub(crate) struct Brief(pub(crate) f64);
-
-impl fmt::Display for Brief {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self(number) = self;
-        let plain = !number.is_finite() || *number == 0.0 || (1e-5..1e16).contains(&number.abs());
-        if plain { write!(f, "{number}") } else { write!(f, "{number:e}") }
     }
 }
 

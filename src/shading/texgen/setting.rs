@@ -1,0 +1,66 @@
+//! What the interfaces configure: the emboss unit.
+
+use serde::Serialize;
+use std::fmt;
+
+/// One of the two interfaces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Setting {
+    /// `GXSetTexCoordGen`.
+    Gx,
+    /// `GL_NV_texgen_emboss`.
+    Nv,
+}
+
+impl fmt::Display for Setting {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "{}",
+            match self {
+                Self::Gx => "gx",
+                Self::Nv => "nv",
+            }
+        )
+    }
+}
+
+/// A configuration of the emboss unit.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Emboss {
+    /// The interface, whose variant of the unit it is.
+    pub setting: Setting,
+    /// The light.
+    pub light: u32,
+    /// What is displaced: a generated coordinate (gx), a texture unit (nv).
+    pub source: u32,
+    /// Where the result goes, likewise.
+    pub destination: u32,
+    /// Scale of the displacement of s.
+    pub ks: f64,
+    /// Scale of the displacement of t.
+    pub kt: f64,
+}
+
+impl fmt::Display for Emboss {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { setting, light, source, destination, ks, kt } = self;
+        let (ks, kt) = (Brief(*ks), Brief(*kt));
+        write!(
+            f,
+            "setting={setting} light={light} source={source} destination={destination} ks={ks} kt={kt}"
+        )
+    }
+}
+
+/// A number as short as its value allows: extreme ones in scientific form.
+pub(super) struct Brief(pub(super) f64);
+
+impl fmt::Display for Brief {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(number) = self;
+        let plain = !number.is_finite() || *number == 0.0 || (1e-5..1e16).contains(&number.abs());
+        if plain { write!(f, "{number}") } else { write!(f, "{number:e}") }
+    }
+}
