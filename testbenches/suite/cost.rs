@@ -34,7 +34,7 @@ fn module_of(assignments: &[&str]) -> Module {
 }
 
 /// What makes the scripts, arguments and test bench that tools get, and reads what they say.
-const COST: &str = include_str!("../src/hardware/cost/mod.rs");
+const COST: &str = include_str!("../../src/hardware/cost/mod.rs");
 
 /// All that tools get of a module.
 fn texts_of(module: &Module) -> Vec<String> {

@@ -1,6 +1,6 @@
 //! The fuzz targets' readers over their seeds: what fuzzing once found stays found.
 
-#[path = "../fuzz/readers.rs"]
+#[path = "../../fuzz/readers.rs"]
 mod readers;
 
 use std::fs;

@@ -1286,7 +1286,7 @@ fn the_example_of_the_help_runs() {
 
 #[test]
 fn the_example_of_the_readme_runs() {
-    let readme = include_str!("../README.md");
+    let readme = include_str!("../../README.md");
     let example = readme.split("```toml\n").find(|text| text.starts_with("[[gx]]")).unwrap();
     let outcome = run(example.split_once("```").unwrap().0);
     assert_eq!(outcome.problems(), 0);
