@@ -70,7 +70,7 @@ pub struct Figures {
     /// product with any unit vector: the length of the difference) and each component; a number
     /// by its own name.
     pub quantity: String,
-    /// `rad`, `texel`, `rel` over a scale of the golden ([`Design::scales`]), or `1` for absolute errors.
+    /// `rad`, `texel`, `rel` over a scale of the golden ([`Design::scales`](crate::design::Design::scales)), or `1` for absolute errors.
     pub unit: &'static str,
     /// What it is told over, in words, where it isn't absolute.
     pub over: Option<&'static str>,

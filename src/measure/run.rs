@@ -29,7 +29,7 @@ pub fn measure(
     measure_on(&Basis::ALL, designs, inputs, progress)
 }
 
-/// As [`measure`], on some bases: what the others need isn't computed. [`BoundCheck`] needs
+/// As [`measure`], on some bases: what the others need isn't computed. [`BoundCheck`](crate::measure::BoundCheck) needs
 /// [`Basis::Total`].
 ///
 /// # Errors

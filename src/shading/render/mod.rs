@@ -1,7 +1,7 @@
 //! Scenes rendered by fixed-point pipelines, beside the golden picture in plain floating point.
 //!
-//! The front end ([`Scene::trace`]) is floating point and gives what each pixel sees. A pipeline is a
-//! unit whose input ports are those of a [`Fragment`] and that has an output port `diffuse`, and
+//! The front end ([`Scene::trace`](crate::shading::scene::Scene::trace)) is floating point and gives what each pixel sees. A pipeline is a
+//! unit whose input ports are those of a [`Fragment`](crate::units::fragment::Fragment) and that has an output port `diffuse`, and
 //! `specular` if it has highlights: one pass for each light. What goes on from there is the same for
 //! the pipelines and for the golden: over all lights, diffuse light (with the ambient light, which the
 //! first light brings) times the texture's colour, plus specular light, each sum and the colour saturated

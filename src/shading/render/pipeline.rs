@@ -29,7 +29,7 @@ pub enum Frames {
     #[default]
     Float,
     /// The fixed-point set-up (unit `tangent`), for each corner of each face; interpolated. Spheres, which have no
-    /// corners, keep their own. See [`tangent`].
+    /// corners, keep their own. See [`tangent`](super::tangent).
     Setup,
 }
 

@@ -70,7 +70,7 @@ pub struct Program {
 }
 
 impl Program {
-    /// The `narrow` nodes, in the order of [`Runner::overflows`].
+    /// The `narrow` nodes, in the order of [`Runner::overflows`](super::Runner::overflows).
     #[must_use]
     pub fn narrows(&self) -> &[NodeId] {
         &self.narrows

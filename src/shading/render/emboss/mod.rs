@@ -1,6 +1,6 @@
 //! Scenes by emboss: displaced texture coordinates per vertex, texels and a combiner per pixel.
 //!
-//! The scene's surfaces are tessellated ([`Scene::tessellate`]). Per vertex and light the unit `emboss` displaces
+//! The scene's surfaces are tessellated ([`Scene::tessellate`](crate::shading::scene::Scene::tessellate)). Per vertex and light the unit `emboss` displaces
 //! the texture coordinates; rays interpolate the plain and the displaced ones in floating point; per pixel the
 //! units `sampler` and `combine` look the height map up and add the differences to the diffuse light, which is the
 //! texture's colour times light computed per vertex (Gouraud). There is no specular light.

@@ -1,7 +1,7 @@
 //! Scenes by tangent-space set-up: texture-space vectors per corner of a triangle, lighting per pixel.
 //!
 //! The flow of US 7,843,463 (seed 004): a vertex stage (float: unit normal, unit vector to the eye and to each
-//! light, once per shared vertex), primitive assembly ([`Scene::assemble`]), the set-up (the fixed-point unit
+//! light, once per shared vertex), primitive assembly ([`Scene::assemble`](crate::shading::scene::Scene::assemble)), the set-up (the fixed-point unit
 //! `tangent`, for each corner of each triangle: the map from object space to texture space, and the eye's and the
 //! lights' vectors through it), a rasteriser (float: rays and perspective-correct weights, which interpolate
 //! those vectors and the texture coordinates), and lighting per pixel in texture space: with interpolated
@@ -9,7 +9,7 @@
 //!
 //! - `tangent-smooth` has a map for each vertex of a triangle, with the vertex's normal;
 //! - `tangent-faceted` has one for each triangle, whose normal is its own. It takes none from vertices: by itself it
-//!   shows a mesh without normals in facets, as does its golden then ([`Scene::faceted`]).
+//!   shows a mesh without normals in facets, as does its golden then ([`Scene::faceted`](crate::shading::scene::Scene::faceted)).
 //!
 //! # Two goldens
 //! A picture's difference to the golden of all pipelines (frames and vectors per pixel, without triangles) splits
