@@ -1,6 +1,6 @@
 //! Building a netlist again, node by node, with some of them replaced.
 
-use super::{Reduced, Source};
+use super::reduced::{Reduced, Source};
 use crate::netlist::op::{Meaning, Op};
 use crate::netlist::{Builder, Netlist, NodeId, Quantity, ScopeId, TableId};
 use crate::number::format::{Overflow, Round};

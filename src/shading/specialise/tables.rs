@@ -4,8 +4,8 @@
 //! within any 2^k consecutive ones, also past the end and round to the start, differ in their low k
 //! bits. So a cut costs no operation, wherever the range begins.
 
-use super::Reduced;
 use super::rebuild::Rebuild;
+use super::reduced::Reduced;
 use crate::base::cast;
 use crate::netlist::op::Op;
 use crate::netlist::words::Words;
