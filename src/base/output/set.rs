@@ -1,6 +1,9 @@
 //! Files that belong together.
 
-use super::{Scratch, at, check, make_folder, place, real_path, scratch, write_file};
+use super::file::{check, write_file};
+use super::folder::make_folder;
+use super::place::{FILES, STATE, at, place, real_path};
+use super::scratch::{self, Scratch};
 use crate::base::error::{Error, Result};
 use crate::base::input;
 use std::collections::{BTreeMap, BTreeSet};
@@ -9,12 +12,6 @@ use std::io::{self, Read, Write};
 use std::path::{Component, Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use std::time::UNIX_EPOCH;
-
-/// Folder in an output folder that tells what was written there.
-const STATE: &str = ".fixpath";
-
-/// Folder in a scratch folder or journal there, for the files.
-const FILES: &str = "files";
 
 /// Names those files, beside them.
 const LIST: &str = "list";
@@ -300,16 +297,6 @@ fn claim(state: &Path, list: &Path) -> io::Result<Option<File>> {
         if input::is_at(&file, list) {
             return Ok(Some(file));
         }
-    }
-}
-
-/// Where a file of a set will be, if that is a path in its side folder.
-pub(super) fn in_place(path: &Path) -> PathBuf {
-    let parts: Vec<Component<'_>> = path.components().collect();
-    let is_side = |at: usize| parts[at].as_os_str() == STATE && parts[at + 2].as_os_str() == FILES;
-    match (0..parts.len().saturating_sub(2)).find(|at| is_side(*at)) {
-        Some(at) => in_place(&parts[..at].iter().chain(&parts[at + 3..]).collect::<PathBuf>()),
-        None => path.to_owned(),
     }
 }
 
