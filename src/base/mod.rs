@@ -7,6 +7,7 @@ pub mod error;
 pub mod escape;
 pub(crate) mod input;
 pub mod json;
+pub(crate) mod name;
 pub mod output;
 pub mod outside;
 pub(crate) mod simd;

@@ -3,6 +3,7 @@
 use super::{Netlist, Node, NodeId, Output, Part, Quantity, Scope, ScopeId, Table, TableId};
 use crate::base::cast;
 use crate::base::error::{Error, Result};
+use crate::base::name;
 use crate::netlist::op::{FormatProblem, Meaning, Op};
 use crate::number::format::{Format, Overflow, Round};
 use std::collections::{BTreeSet, HashMap};
@@ -403,7 +404,7 @@ impl Builder {
         for id in &old.inputs {
             let node = &old.nodes[id.index()];
             let name = node.name.clone().expect("bug: inputs are named");
-            assert!(is_identifier(&name), "bug: `{name}` is no identifier");
+            assert!(name::is_legal(&name), "bug: `{name}` is no identifier");
             assert!(names.insert((node.scope, name)), "bug: two inputs share a name");
         }
         for (index, mut node) in old.nodes.into_iter().enumerate().filter(|(i, _)| live[*i]) {
@@ -429,7 +430,7 @@ impl Builder {
             if node.op != Op::Input
                 && let Some(name) = node.name.take()
             {
-                assert!(is_identifier(&name), "bug: `{name}` is no identifier");
+                assert!(name::is_legal(&name), "bug: `{name}` is no identifier");
                 let unique = (1..)
                     .map(|n| if n == 1 { name.clone() } else { format!("{name}_{n}") })
                     .find(|name| names.insert((node.scope, name.clone())));
@@ -444,7 +445,7 @@ impl Builder {
         }
         for output in old.outputs {
             let fresh = netlist.outputs.iter().all(|known| known.name != output.name);
-            assert!(fresh && is_identifier(&output.name), "bug: output name `{}`", output.name);
+            assert!(fresh && name::is_legal(&output.name), "bug: output name `{}`", output.name);
             netlist.outputs.push(Output { node: new_ids[output.node.index()], ..output });
         }
         netlist.verify();
@@ -467,12 +468,4 @@ fn live(netlist: &Netlist) -> Vec<bool> {
         }
     }
     live
-}
-
-/// True for names that are legal in VCD, Verilog and VHDL.
-fn is_identifier(name: &str) -> bool {
-    name.starts_with(|c: char| c.is_ascii_lowercase())
-        && name.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'_')
-        && !name.ends_with('_')
-        && !name.contains("__")
 }

@@ -27,14 +27,8 @@ pub struct Options {
 
 /// Refuses a name that some tool would stumble over.
 pub(super) fn check_name(name: &str) -> Result<()> {
-    let legal = name.len() <= 64
-        && name.starts_with(|c: char| c.is_ascii_lowercase())
-        && name.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'_')
-        && !name.contains("__")
-        && !name.ends_with('_');
-    if !legal {
-        let form = "my_module: a to z first, then a to z, 0 to 9 and single _, up to 64 in all";
-        return Err(Error::form(name, form));
+    if !crate::base::name::is_legal(name) {
+        return Err(Error::form(name, &format!("my_module: {}", crate::base::name::RULE)));
     }
     if names::is_reserved(name) {
         return Err(Error::usage(format!(
