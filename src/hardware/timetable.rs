@@ -131,30 +131,9 @@ impl Name {
         let formula = match rtl.units()[unit].kind {
             Kind::Dot => told.join(" · "),
             Kind::Multiplier => told.join(" × "),
-            Kind::Adder => told.join(match op {
-                Op::Sub => " − ",
-                Op::AddSub => " ± ",
-                Op::Input
-                | Op::Const { .. }
-                | Op::Add
-                | Op::Mul
-                | Op::Neg
-                | Op::Abs
-                | Op::And
-                | Op::Or
-                | Op::Xor
-                | Op::Equal
-                | Op::Less
-                | Op::Mux
-                | Op::Slice { .. }
-                | Op::Concat
-                | Op::Shift { .. }
-                | Op::LeadingZeros
-                | Op::ShiftLeft { .. }
-                | Op::Read { .. }
-                | Op::Modulo
-                | Op::Narrow { .. } => " + ",
-            }),
+            Kind::Adder if op == Op::Sub => told.join(" − "),
+            Kind::Adder if op == Op::AddSub => told.join(" ± "),
+            Kind::Adder => told.join(" + "),
             kind @ (Kind::Table | Kind::Root | Kind::Divider) => {
                 format!("{}({})", kind.name(), told.join(", "))
             }

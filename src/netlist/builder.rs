@@ -68,7 +68,7 @@ impl Builder {
     }
 
     /// Any operation but a port; `asked` is its format, where the operation takes one.
-    pub(crate) fn operation(&mut self, op: Op, operands: &[NodeId], asked: Format) -> NodeId {
+    pub fn operation(&mut self, op: Op, operands: &[NodeId], asked: Format) -> NodeId {
         self.push(op, operands, Some(asked))
     }
 

@@ -2,7 +2,7 @@
 
 use super::{Netlist, NodeId, Part, ScopeId, Table};
 use crate::base::cast;
-use crate::netlist::op::Op;
+use crate::netlist::op::{Op, Operator};
 use crate::number::format::Narrowing;
 use std::collections::BTreeSet;
 
@@ -112,38 +112,29 @@ impl Netlist {
                     &mut counts.parts
                 }
             };
-            match node.op {
-                Op::Mul => operators.multipliers += 1,
-                Op::Add | Op::Sub | Op::AddSub => operators.adders += 1,
-                Op::Neg | Op::Abs => operators.negations += 1,
-                Op::Equal | Op::Less => operators.comparators += 1,
-                Op::Mux => operators.multiplexers += 1,
-                Op::LeadingZeros | Op::ShiftLeft { .. } => operators.shifters += 1,
-                Op::Narrow { round, overflow } => {
-                    let from = netlist.node(node.operands[0]).format;
-                    let hardware = Narrowing::new(from, node.format, round, overflow);
-                    operators.narrows += 1;
-                    operators.rounders += u64::from(hardware.rounds);
-                }
-                Op::Read { table, .. } => {
-                    counts.reads += 1;
-                    let table = &netlist.tables[table.index()];
-                    let known = tables.iter().position(|(known, _)| *known == table);
-                    let at = known.unwrap_or_else(|| {
-                        tables.push((table, BTreeSet::new()));
-                        tables.len() - 1
-                    });
-                    tables[at].1.insert((n, node.operands[0]));
-                }
-                Op::Input
-                | Op::Const { .. }
-                | Op::And
-                | Op::Or
-                | Op::Xor
-                | Op::Slice { .. }
-                | Op::Concat
-                | Op::Shift { .. }
-                | Op::Modulo => {}
+            match node.op.traits().operator {
+                None => {}
+                Some(Operator::Multiplier) => operators.multipliers += 1,
+                Some(Operator::Adder) => operators.adders += 1,
+                Some(Operator::Negation) => operators.negations += 1,
+                Some(Operator::Comparator) => operators.comparators += 1,
+                Some(Operator::Multiplexer) => operators.multiplexers += 1,
+                Some(Operator::Shifter) => operators.shifters += 1,
+                Some(Operator::Narrow) => operators.narrows += 1,
+                Some(Operator::Read) => counts.reads += 1,
+            }
+            if let Op::Narrow { round, overflow } = node.op {
+                let from = netlist.node(node.operands[0]).format;
+                let hardware = Narrowing::new(from, node.format, round, overflow);
+                operators.rounders += u64::from(hardware.rounds);
+            } else if let Op::Read { table, .. } = node.op {
+                let table = &netlist.tables[table.index()];
+                let known = tables.iter().position(|(known, _)| *known == table);
+                let at = known.unwrap_or_else(|| {
+                    tables.push((table, BTreeSet::new()));
+                    tables.len() - 1
+                });
+                tables[at].1.insert((n, node.operands[0]));
             }
         }
         for (table, at) in tables {

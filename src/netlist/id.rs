@@ -22,6 +22,9 @@ impl NodeId {
 }
 
 impl TableId {
+    /// The first table of a netlist.
+    pub(super) const FIRST: Self = Self(0);
+
     /// Position in [`Netlist::tables`](super::Netlist::tables).
     #[must_use]
     #[expect(clippy::missing_panics_doc, reason = "32 bits always fit")]

@@ -327,34 +327,140 @@ fn expect(holds: bool, text: &str) -> Result<(), FormatProblem> {
     if holds { Ok(()) } else { Err(FormatProblem::Mismatch(text.to_owned())) }
 }
 
+/// What an operation is to whoever counts, prints, shares or times it.
+#[derive(Clone, Copy, Debug)]
+pub struct Traits {
+    /// Name in the netlist's text form.
+    pub name: &'static str,
+    /// Number of operands.
+    pub arity: usize,
+    /// What it counts as.
+    pub operator: Option<Operator>,
+    /// True if it is built with a format: others' follows from their operands'.
+    pub takes_format: bool,
+    /// True if it looks at bit patterns and not at what they are worth.
+    pub looks_at_bits: bool,
+    /// What takes time in its hardware.
+    pub logic: Logic,
+}
+
+/// Sorts of operators that are counted.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Operator {
+    /// A multiplier.
+    Multiplier,
+    /// An adder or subtractor.
+    Adder,
+    /// A change of sign.
+    Negation,
+    /// A comparison.
+    Comparator,
+    /// A choice.
+    Multiplexer,
+    /// A barrel shifter, or a count of zeros for one.
+    Shifter,
+    /// A change of format.
+    Narrow,
+    /// A word of a table.
+    Read,
+}
+
+/// What takes time in an operation's hardware.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Logic {
+    /// Nothing: wires.
+    Wires,
+    /// A level of gates.
+    Gates,
+    /// A carry over the result.
+    Carry,
+    /// A carry over the wider operand.
+    Comparison,
+    /// Rows of a product.
+    Product,
+    /// A tree over the operand's bits.
+    Tree,
+    /// A tree over the shifts.
+    Shifter {
+        /// Largest shift.
+        max: u32,
+    },
+    /// A table.
+    Table {
+        /// Table of the netlist.
+        table: TableId,
+    },
+    /// Rounding and saturation.
+    Narrow {
+        /// What is done with low bits.
+        round: Round,
+        /// What is done outside the format.
+        overflow: Overflow,
+    },
+}
+
+/// One row for each operation: its pattern, one of its kind, and its traits.
+macro_rules! operations {
+    ($($op:pat, $one:expr, $name:literal $arity:literal $operator:expr, $takes_format:literal $looks_at_bits:literal $logic:expr;)*) => {
+        /// One operation of each kind.
+        pub const ALL: &'static [Self] = &[$($one),*];
+
+        /// What it is besides its meaning.
+        #[must_use]
+        pub const fn traits(self) -> Traits {
+            match self {
+                $($op => Traits {
+                    name: $name,
+                    arity: $arity,
+                    operator: $operator,
+                    takes_format: $takes_format,
+                    looks_at_bits: $looks_at_bits,
+                    logic: $logic,
+                },)*
+            }
+        }
+    };
+}
+
+const ADDER: Option<Operator> = Some(Operator::Adder);
+const NEGATION: Option<Operator> = Some(Operator::Negation);
+const COMPARATOR: Option<Operator> = Some(Operator::Comparator);
+const SHIFTER: Option<Operator> = Some(Operator::Shifter);
+const READ: Op = Op::Read { table: TableId::FIRST, column: 0 };
+const NARROW: Op = Op::Narrow { round: Round::Floor, overflow: Overflow::Wrap };
+
 impl Op {
+    // pattern, one of its kind, name, operands, what it counts as, takes a format, looks at bits, what takes time
+    #[rustfmt::skip]
+    operations! {
+        Self::Const { .. }, Self::Const { raw: 0 }, "const" 0 None, true false Logic::Wires;
+        Self::Add, Self::Add, "add" 2 ADDER, false false Logic::Carry;
+        Self::Sub, Self::Sub, "sub" 2 ADDER, false false Logic::Carry;
+        Self::Mul, Self::Mul, "mul" 2 Some(Operator::Multiplier), false false Logic::Product;
+        Self::Equal, Self::Equal, "equal" 2 COMPARATOR, false false Logic::Comparison;
+        Self::Less, Self::Less, "less" 2 COMPARATOR, false false Logic::Comparison;
+        Self::AddSub, Self::AddSub, "addsub" 3 ADDER, false false Logic::Carry;
+        Self::Mux, Self::Mux, "mux" 3 Some(Operator::Multiplexer), false false Logic::Gates;
+        Self::Neg, Self::Neg, "neg" 1 NEGATION, false false Logic::Carry;
+        Self::Abs, Self::Abs, "abs" 1 NEGATION, false false Logic::Carry;
+        Self::And, Self::And, "and" 2 None, false true Logic::Gates;
+        Self::Or, Self::Or, "or" 2 None, false true Logic::Gates;
+        Self::Xor, Self::Xor, "xor" 2 None, false true Logic::Gates;
+        Self::Slice { .. }, Self::Slice { lo: 0 }, "slice" 1 None, true true Logic::Wires;
+        Self::Concat, Self::Concat, "concat" 2 None, false true Logic::Wires;
+        Self::Shift { .. }, Self::Shift { left: 0 }, "shift" 1 None, false false Logic::Wires;
+        Self::LeadingZeros, Self::LeadingZeros, "leading_zeros" 1 SHIFTER, false true Logic::Tree;
+        Self::ShiftLeft { max }, Self::ShiftLeft { max: 0 }, "shift_left" 2 SHIFTER, false false Logic::Shifter { max };
+        Self::Read { table, .. }, READ, "read" 1 Some(Operator::Read), false true Logic::Table { table };
+        Self::Modulo, Self::Modulo, "modulo" 1 None, true true Logic::Wires;
+        Self::Narrow { round, overflow }, NARROW, "narrow" 1 Some(Operator::Narrow), true false Logic::Narrow { round, overflow };
+        Self::Input, Self::Input, "input" 0 None, true false Logic::Wires;
+    }
+
     /// Name in the netlist's text form.
     #[must_use]
     pub const fn name(self) -> &'static str {
-        match self {
-            Self::Input => "input",
-            Self::Const { .. } => "const",
-            Self::Add => "add",
-            Self::Sub => "sub",
-            Self::AddSub => "addsub",
-            Self::Mul => "mul",
-            Self::Neg => "neg",
-            Self::Abs => "abs",
-            Self::And => "and",
-            Self::Or => "or",
-            Self::Xor => "xor",
-            Self::Equal => "equal",
-            Self::Less => "less",
-            Self::Mux => "mux",
-            Self::Slice { .. } => "slice",
-            Self::Concat => "concat",
-            Self::Shift { .. } => "shift",
-            Self::LeadingZeros => "leading_zeros",
-            Self::ShiftLeft { .. } => "shift_left",
-            Self::Read { .. } => "read",
-            Self::Modulo => "modulo",
-            Self::Narrow { .. } => "narrow",
-        }
+        self.traits().name
     }
 
     /// Overflow mode of a `narrow`.
@@ -366,28 +472,7 @@ impl Op {
     /// Number of operands.
     #[must_use]
     pub const fn arity(self) -> usize {
-        match self {
-            Self::Input | Self::Const { .. } => 0,
-            Self::Neg
-            | Self::Abs
-            | Self::Slice { .. }
-            | Self::Shift { .. }
-            | Self::LeadingZeros
-            | Self::Read { .. }
-            | Self::Modulo
-            | Self::Narrow { .. } => 1,
-            Self::Add
-            | Self::Sub
-            | Self::Mul
-            | Self::And
-            | Self::Or
-            | Self::Xor
-            | Self::Equal
-            | Self::Less
-            | Self::Concat
-            | Self::ShiftLeft { .. } => 2,
-            Self::AddSub | Self::Mux => 3,
-        }
+        self.traits().arity
     }
 
     /// The format of the exact result. `asked` is the format that the builder was given, for
@@ -467,8 +552,12 @@ impl Op {
                     "a slice is an unsigned integer",
                 )?;
                 expect(
-                    lo + format.bits() <= of[0].bits(),
-                    &format!("bits {lo}..{} of a {}-bit word", lo + format.bits(), of[0].bits()),
+                    lo.saturating_add(format.bits()) <= of[0].bits(),
+                    &format!(
+                        "bits {lo}..{} of a {}-bit word",
+                        lo.saturating_add(format.bits()),
+                        of[0].bits()
+                    ),
                 )?;
                 Ok(format)
             }
@@ -492,7 +581,7 @@ impl Op {
                     !of[1].is_signed() && of[1].frac_bits() == 0,
                     "a shift count is an unsigned integer",
                 )?;
-                let bits = of[0].bits() + max;
+                let bits = of[0].bits().saturating_add(max);
                 if bits > Format::MAX_BITS {
                     return Err(FormatProblem::TooWide(bits));
                 }

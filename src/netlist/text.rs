@@ -46,35 +46,22 @@ impl Netlist {
     /// Operation with its attributes, without operands.
     fn describe(&self, node: &Node) -> String {
         let name = node.op.name();
-        match node.op {
-            Op::Const { raw } => format!("{name} {raw}"),
-            Op::Slice { lo } => {
-                format!("{name}[{}:{lo}]", lo + node.format.bits() - 1)
-            }
-            Op::Shift { left } => format!("{name} {left:+}"),
-            Op::ShiftLeft { max } => format!("{name} max {max}"),
-            Op::Read { table, column } => {
-                let table = &self.tables[table.index()];
-                let column = &table.columns[usize::try_from(column).expect("bug: small")];
-                format!("{name} {}.{}", table.name, column.name)
-            }
-            Op::Narrow { round, overflow } => format!("{name} {round} {overflow}"),
-            Op::Input
-            | Op::Add
-            | Op::Sub
-            | Op::AddSub
-            | Op::Mul
-            | Op::Neg
-            | Op::Abs
-            | Op::And
-            | Op::Or
-            | Op::Xor
-            | Op::Equal
-            | Op::Less
-            | Op::Mux
-            | Op::Concat
-            | Op::LeadingZeros
-            | Op::Modulo => name.to_owned(),
+        if let Op::Const { raw } = node.op {
+            format!("{name} {raw}")
+        } else if let Op::Slice { lo } = node.op {
+            format!("{name}[{}:{lo}]", lo + node.format.bits() - 1)
+        } else if let Op::Shift { left } = node.op {
+            format!("{name} {left:+}")
+        } else if let Op::ShiftLeft { max } = node.op {
+            format!("{name} max {max}")
+        } else if let Op::Read { table, column } = node.op {
+            let table = &self.tables[table.index()];
+            let column = &table.columns[usize::try_from(column).expect("bug: small")];
+            format!("{name} {}.{}", table.name, column.name)
+        } else if let Op::Narrow { round, overflow } = node.op {
+            format!("{name} {round} {overflow}")
+        } else {
+            name.to_owned()
         }
     }
 

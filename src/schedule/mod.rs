@@ -44,7 +44,7 @@ pub use share::{Kind, Operand, Operation, Unit, UnitPort, name_of};
 
 use crate::base::cast;
 use crate::base::error::{Error, Result};
-use crate::netlist::op::Op;
+use crate::netlist::op::{Logic, Op};
 use crate::netlist::{Netlist, NodeId};
 use crate::number::format::{Narrowing, addr_bits};
 
@@ -361,23 +361,18 @@ pub fn delay_ps(netlist: &Netlist, id: NodeId) -> u32 {
     let carry = |bits: u32| 600 + 25 * bits;
     let levels = |n: u32| 450 * addr_bits(u64::from(n.max(2)));
     let operand = |i: usize| netlist.node(node.operands[i]).format;
-    match node.op {
-        Op::Input
-        | Op::Const { .. }
-        | Op::Slice { .. }
-        | Op::Concat
-        | Op::Shift { .. }
-        | Op::Modulo => 0,
-        Op::And | Op::Or | Op::Xor | Op::Mux => 500,
-        Op::Add | Op::Sub | Op::AddSub | Op::Neg | Op::Abs => carry(node.format.bits()),
-        Op::Equal | Op::Less => carry(operand(0).bits().max(operand(1).bits())),
-        Op::Mul => 1500 + 50 * (operand(0).bits() + operand(1).bits()),
-        Op::LeadingZeros => levels(operand(0).bits()),
-        Op::ShiftLeft { max } => levels(max + 1),
-        Op::Read { table, .. } => {
+    match node.op.traits().logic {
+        Logic::Wires => 0,
+        Logic::Gates => 500,
+        Logic::Carry => carry(node.format.bits()),
+        Logic::Comparison => carry(operand(0).bits().max(operand(1).bits())),
+        Logic::Product => 1500 + 50 * (operand(0).bits() + operand(1).bits()),
+        Logic::Tree => levels(operand(0).bits()),
+        Logic::Shifter { max } => levels(max + 1),
+        Logic::Table { table } => {
             700 + 350 * netlist.tables()[table.index()].addr_bits.saturating_sub(6)
         }
-        Op::Narrow { round, overflow } => {
+        Logic::Narrow { round, overflow } => {
             let hardware = Narrowing::new(operand(0), node.format, round, overflow);
             let rounding = if hardware.rounds { carry(node.format.bits()) } else { 0 };
             rounding + if hardware.saturates { 600 } else { 0 }

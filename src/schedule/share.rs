@@ -113,34 +113,6 @@ enum Wire {
     Place(usize),
 }
 
-/// True for operations on bit patterns, where formats must agree.
-fn looks_at_bits(op: Op) -> bool {
-    match op {
-        Op::And
-        | Op::Or
-        | Op::Xor
-        | Op::Slice { .. }
-        | Op::Concat
-        | Op::LeadingZeros
-        | Op::Read { .. }
-        | Op::Modulo => true,
-        Op::Input
-        | Op::Const { .. }
-        | Op::Add
-        | Op::Sub
-        | Op::AddSub
-        | Op::Mul
-        | Op::Neg
-        | Op::Abs
-        | Op::Equal
-        | Op::Less
-        | Op::Mux
-        | Op::Shift { .. }
-        | Op::ShiftLeft { .. }
-        | Op::Narrow { .. } => false,
-    }
-}
-
 impl Operation {
     /// The operation of these nodes with its structure, or `None` if something outside stands
     /// between two of its nodes: it can't be done in one go.
@@ -181,32 +153,11 @@ impl Operation {
                     }
                 });
             }
-            let asked = match node.op {
-                Op::Slice { .. } | Op::Modulo | Op::Narrow { .. } => Some(node.format),
-                Op::Input
-                | Op::Const { .. }
-                | Op::Add
-                | Op::Sub
-                | Op::AddSub
-                | Op::Mul
-                | Op::Neg
-                | Op::Abs
-                | Op::And
-                | Op::Or
-                | Op::Xor
-                | Op::Equal
-                | Op::Less
-                | Op::Mux
-                | Op::Concat
-                | Op::Shift { .. }
-                | Op::LeadingZeros
-                | Op::ShiftLeft { .. }
-                | Op::Read { .. } => None,
-            };
+            let asked = node.op.traits().takes_format.then_some(node.format);
             let op = if adder { Op::AddSub } else { node.op };
             shapes.push(Shape { op, asked, operands: wires });
         }
-        let bits = shapes.iter().any(|shape| looks_at_bits(shape.op));
+        let bits = shapes.iter().any(|shape| shape.op.traits().looks_at_bits);
         let formats = bits.then(|| operands.iter().map(|o| format_of(netlist, *o)).collect());
         let used_outside = |id: &NodeId| {
             netlist.outputs().iter().any(|output| output.node == *id)

@@ -223,90 +223,78 @@ impl Grower {
         self.random.below(self.tables.len())
     }
 
+    /// An operation of any kind that there is.
     fn operation(&mut self) {
-        let node = match self.random.below(22) {
-            0 => {
+        let op = self.random.pick(Op::ALL);
+        let node = match op {
+            Op::Const { .. } => {
                 let format = self.format();
                 let raw = self.random.word(format);
                 self.b.constant(raw, format)
             }
-            kind @ 1..=7 => {
-                type Build = fn(&mut Builder, &[NodeId]) -> NodeId;
-                let kinds: [(Op, Build); 7] = [
-                    (Op::Add, |b, of| b.add(of[0], of[1])),
-                    (Op::Sub, |b, of| b.sub(of[0], of[1])),
-                    (Op::Mul, |b, of| b.mul(of[0], of[1])),
-                    (Op::Equal, |b, of| b.equal(of[0], of[1])),
-                    (Op::Less, |b, of| b.less(of[0], of[1])),
-                    (Op::AddSub, |b, of| b.addsub(of[0], of[1], of[2])),
-                    (Op::Mux, |b, of| b.mux(of[0], of[1], of[2])),
-                ];
-                let (op, build) = kinds[kind - 1];
+            Op::Add | Op::Sub | Op::Mul | Op::Equal | Op::Less | Op::AddSub | Op::Mux => {
                 let mut operands = if op.arity() == 3 { vec![self.flag()] } else { Vec::new() };
                 operands.extend([self.any(), self.any()]);
                 let of = self.arithmetic(op, operands);
-                build(&mut self.b, &of)
+                self.b.operation(op, &of, Format::FLAG)
             }
-            8 => {
+            Op::Neg => {
                 let operand = self.any();
-                let of = self.arithmetic(Op::Neg, vec![operand]);
+                let of = self.arithmetic(op, vec![operand]);
                 self.b.neg(of[0])
             }
-            9 => {
+            Op::Abs => {
                 let operand = self.any();
                 self.b.abs(operand)
             }
-            kind @ 10..=12 => {
+            Op::And | Op::Or | Op::Xor => {
                 let (a, b) = (self.any(), self.any());
                 let format = self.b.format(a);
                 let b = if self.b.format(b) == format { b } else { self.narrow_to(b, format) };
-                match kind {
-                    10 => self.b.and(a, b),
-                    11 => self.b.or(a, b),
-                    _ => self.b.xor(a, b),
-                }
+                self.b.operation(op, &[a, b], format)
             }
-            13 => {
+            Op::Slice { .. } => {
                 let width = self.max_bits;
                 self.integer(width)
             }
-            14 => {
+            Op::Concat => {
                 let half = self.max_bits / 2;
                 let (high, low) = (self.integer(half), self.integer(half));
                 self.b.concat(high, low)
             }
-            15 => {
+            Op::Shift { .. } => {
                 let node = self.any();
                 let frac = self.b.format(node).frac_bits();
                 let left = self.random.within(-6, 6) as i32;
                 if (-127..=127).contains(&(frac - left)) { self.b.shift(node, left) } else { node }
             }
-            16 => {
+            Op::LeadingZeros => {
                 let node = self.any();
                 let node = if self.b.format(node).is_signed() { self.b.abs(node) } else { node };
                 self.push(node);
                 self.b.leading_zeros(node)
             }
-            17 => {
+            Op::ShiftLeft { .. } => {
                 let (node, count) = (self.any(), self.integer(7));
                 let room = self.max_bits.saturating_sub(self.b.format(node).bits());
                 let max = self.random.below(room as usize + 1) as u32;
                 self.b.shift_left(node, count, max)
             }
-            18 => {
+            Op::Read { .. } => {
                 let index = self.table();
                 let (id, table) = self.tables[index].clone();
                 let address = self.exactly(table.addr_bits);
                 let column = self.random.below(table.columns.len());
                 self.b.read(id, column, address)
             }
-            19 => {
+            Op::Modulo => {
                 let node = self.any();
                 let to = self.format();
                 let frac = self.b.format(node).frac_bits();
                 self.b.modulo(node, Format::new(to.is_signed(), to.bits(), frac).unwrap())
             }
-            _ => {
+            // Ports come by themselves; in their place comes what all else needs.
+            Op::Narrow { .. } | Op::Input => {
                 let (node, format) = (self.any(), self.format());
                 self.narrow_to(node, format)
             }
@@ -632,35 +620,11 @@ fn random_netlists_have_every_operation_and_width() {
             late_inputs += u32::from(node.op == Op::Input && i > 8);
         }
     }
-    let names = [
-        "input",
-        "const",
-        "add",
-        "sub",
-        "addsub",
-        "mul",
-        "neg",
-        "abs",
-        "and",
-        "or",
-        "xor",
-        "equal",
-        "less",
-        "mux",
-        "slice",
-        "concat",
-        "shift",
-        "leading_zeros",
-        "shift_left",
-        "read",
-        "modulo",
-        "narrow",
-    ];
-    for name in names {
-        let count = seen.get(name).copied().unwrap_or(0);
-        assert!(count >= 30, "only {count} of {name}");
+    for op in Op::ALL {
+        let count = seen.get(op.name()).copied().unwrap_or(0);
+        assert!(count >= 30, "only {count} of {}", op.name());
     }
-    assert_eq!(seen.len(), names.len());
+    assert_eq!(seen.len(), Op::ALL.len());
     assert_eq!(modes.len(), Round::ALL.len() * Overflow::ALL.len());
     assert!(widths.len() > 55, "only widths {widths:?}");
     assert!(late_inputs > 30, "only {late_inputs} late inputs");
