@@ -116,7 +116,7 @@ fn bench(variant: &str, rounds: usize, only: &str) -> serde_json::Value {
             let (mut runner, program) = (program.runner(), &program);
             let mut columns = vec![Vec::new(); outputs.len()];
             move |at: &Piece<'_>, to| {
-                runner.run(program, &at.wide, &mut columns);
+                runner.run(program, &at.wide, &mut columns).unwrap();
                 for (to, column) in to.iter_mut().zip(&columns) {
                     // Not part of the engine's work; but columns must be used.
                     black_box(column);
@@ -434,12 +434,12 @@ fn mixed(sum: u64, word: i32) -> u64 {
 }
 
 fn narrow_columns(runner: &mut Runner, program: &Program, at: &Piece<'_>, to: &mut [Vec<i32>]) {
-    runner.run_words(program, &at.narrow, to);
+    runner.run_words(program, &at.narrow, to).expect("bug: words are of their ports' formats");
 }
 
 fn reference(netlist: &Netlist, ports: &[NodeId], at: &Piece<'_>, to: &mut [Vec<i32>]) {
     for i in 0..PIECE {
-        let (words, _) = netlist.eval(&at.wide.map(|column| column[i]));
+        let (words, _) = netlist.eval(&at.wide.map(|column| column[i])).unwrap();
         for (to, id) in to.iter_mut().zip(ports) {
             to[i] = words[id.index()] as i32;
         }

@@ -115,7 +115,7 @@ pub(crate) fn samples(bytes: &[u8]) {
             assert!(words.iter().all(|word| netlist.node(*node).format.contains(*word)));
         }
         let row: Vec<i64> = block.words.iter().map(|words| words[0]).collect();
-        outputs = netlist.eval(&row).0;
+        outputs = netlist.eval(&row).unwrap().0;
     }
     drop(outputs);
     let _ = file.clipped_note();

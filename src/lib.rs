@@ -34,7 +34,7 @@
 //! b.output("y", y);
 //! let square = b.build()?;
 //!
-//! let (words, overflowed) = square.eval(&[-96]); // -1.5
+//! let (words, overflowed) = square.eval(&[-96])?; // -1.5
 //! assert_eq!(words[y_index(&square)], 144); // 2.25
 //! assert!(!overflowed.contains(&true));
 //! # fn y_index(n: &fixpath::netlist::Netlist) -> usize { n.outputs()[0].node.index() }

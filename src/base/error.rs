@@ -39,6 +39,15 @@ enum Kind {
     FormatText { text: String },
     #[error("word {raw} is outside format {format} ({min}..={max})")]
     WordRange { raw: i64, format: String, min: i64, max: i64 },
+    #[error("input `{port}`: word {raw}{} is outside {format} ({min}..={max})", .sample.map(|at| format!(" of sample {at}")).unwrap_or_default())]
+    OutsidePort {
+        port: String,
+        raw: i64,
+        sample: Option<usize>,
+        format: String,
+        min: i64,
+        max: i64,
+    },
     #[error(
         "word {raw} of format {format} needs {given_bits} significant bits and an f64 holds 53: use the raw word"
     )]
@@ -100,6 +109,7 @@ constructors! {
     format_frac(frac_bits: i32) = Kind::FormatFrac { frac_bits };
     format_text(text: &str) = Kind::FormatText { text: escape::short(text) };
     word_range(raw: i64, format: String, min: i64, max: i64) = Kind::WordRange { raw, format, min, max };
+    outside_port(port: String, raw: i64, sample: Option<usize>, format: (String, i64, i64)) = Kind::OutsidePort { port, raw, sample, format: format.0, min: format.1, max: format.2 };
     not_exact(raw: i64, format: String, given_bits: u32) = Kind::NotExact { raw, format, given_bits };
     not_finite(value: f64, format: String) = Kind::NotFinite { value, format };
     value_overflow(value: String, format: String) = Kind::ValueOverflow { value, format };

@@ -13,6 +13,7 @@
 //! [`Op::eval_raw`], with no second meaning: on the rotation unit a cycle takes 0.4 us, a quarter of a wave's time.
 
 use crate::base::cast;
+use crate::base::error::Result;
 use crate::hardware::rtl::{Case, Rtl, Signal, Source};
 use crate::netlist::op::Op;
 use crate::netlist::{NodeId, Table};
@@ -267,11 +268,17 @@ impl Cycle {
 
     /// Lets logic follow the input words; `valid` says whether they are data.
     ///
-    /// # Panics
-    /// If there is not one word per input port.
-    pub fn settle(&mut self, inputs: &[i64], valid: bool) {
+    /// # Errors
+    /// If there is not one word of its format per input port.
+    pub fn settle(&mut self, inputs: &[i64], valid: bool) -> Result<()> {
+        self.program.rtl.netlist().check_words(inputs)?;
+        self.follow(inputs, valid);
+        Ok(())
+    }
+
+    /// As [`Cycle::settle`], of words that are in their formats.
+    fn follow(&mut self, inputs: &[i64], valid: bool) {
         let Self { program, words, control, units, forbidden, .. } = self;
-        assert_eq!(inputs.len(), program.inputs.len(), "bug: one word per input");
         control.valid_in = valid && control.ready();
         for (slot, word) in program.inputs.iter().zip(inputs) {
             words[*slot] = *word;
@@ -447,7 +454,7 @@ impl UnitState {
         let operations = rtl.operations(number);
         let issued = feeds.issued[phase].filter(|at| control.valid(operations[*at].issue));
         self.sits[0] = issued;
-        self.inside.settle(&self.ports, issued.is_some());
+        self.inside.follow(&self.ports, issued.is_some());
         let inside = self.inside.forbidden.take()?;
         // The node of the operation that sits there.
         let stage = self.inside.program.rtl.schedule().stage(inside);

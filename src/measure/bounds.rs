@@ -198,7 +198,7 @@ pub fn case_columns(design: &Design) -> (&'static str, Vec<String>) {
 /// Runs a group of hard cases, in its order.
 ///
 /// # Panics
-/// If a case doesn't have one word per input port: that is wrong code.
+/// If a case doesn't have one word of its format per input port: that is wrong code.
 #[must_use]
 pub fn hard_results(design: &Design, group: &HardCase, bounds: &BoundCheck) -> Vec<HardResult> {
     let netlist = &design.netlist;
@@ -209,7 +209,8 @@ pub fn hard_results(design: &Design, group: &HardCase, bounds: &BoundCheck) -> V
         .collect();
     let slices: Vec<&[i64]> = columns.iter().map(Vec::as_slice).collect();
     let mut words = vec![Vec::new(); judged.len()];
-    program.runner().run(&program, &slices, &mut words);
+    let ran = program.runner().run(&program, &slices, &mut words);
+    ran.expect("bug: cases are words of their ports");
     let (mut values, mut inputs) = (Vec::new(), Vec::new());
     values_of(netlist, &judged, &words, &mut values);
     values_of(netlist, netlist.inputs(), &columns, &mut inputs);

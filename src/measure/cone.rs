@@ -145,7 +145,8 @@ impl Cone {
                 let values = ports.map(|(word, id)| netlist.node(*id).format.value(*word));
                 let values = values.collect();
                 // The node's own word stands for the outputs.
-                let outputs = vec![netlist.eval(&words).0[self.node.index()]];
+                let ran = netlist.eval(&words).expect("bug: words are of their ports' formats");
+                let outputs = vec![ran.0[self.node.index()]];
                 merged.merge(&stream, Witness { sample: stream.at, words, values, outputs });
                 overflows.iter_mut().zip(counts).for_each(|(total, count)| *total += count);
                 profile.add(&times);
@@ -322,7 +323,8 @@ impl<'a> Pass<'a> {
         for ((port, _), words) in self.offsets.iter().zip(&lane.words) {
             columns[*port] = words;
         }
-        lane.runner.run(&self.program, &columns, &mut lane.given);
+        let ran = lane.runner.run(&self.program, &columns, &mut lane.given);
+        ran.expect("bug: words are of their ports' formats");
         profile.engine = lap.seconds();
         let mut columns: Vec<&[f64]> = vec![&lane.zero_values; self.netlist.inputs().len()];
         for ((port, _), values) in self.offsets.iter().zip(&lane.values) {

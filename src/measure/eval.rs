@@ -61,7 +61,7 @@ pub fn eval(
         }
         values_of(netlist, netlist.inputs(), &block.words, &mut quantised);
         let columns: Vec<&[i64]> = block.words.iter().map(Vec::as_slice).collect();
-        runner.run(&program, &columns, &mut out_words);
+        runner.run(&program, &columns, &mut out_words)?;
         runner.check(&program, netlist)?;
         values_of(netlist, &outputs, &out_words, &mut out_values);
         let columns: Vec<&[f64]> = quantised.iter().map(Vec::as_slice).collect();

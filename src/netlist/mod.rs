@@ -24,6 +24,7 @@ pub use id::{NodeId, ScopeId, TableId};
 pub use table::{Column, Table};
 
 use crate::base::cast;
+use crate::base::error::{Error, Result};
 use crate::netlist::op::{Meaning, Op};
 use crate::number::format::Format;
 
@@ -200,11 +201,13 @@ impl Netlist {
     ///
     /// Returns the word of each node and the flags of the `narrow`s that overflowed.
     ///
-    /// # Panics
+    /// # Errors
     /// If `inputs` doesn't hold one word of each input's format.
-    #[must_use]
-    pub fn eval(&self, inputs: &[i64]) -> (Vec<i64>, Vec<bool>) {
-        assert_eq!(inputs.len(), self.inputs.len(), "bug: one word per input");
+    ///
+    /// # Panics
+    /// Never: an operation gives words of its format.
+    pub fn eval(&self, inputs: &[i64]) -> Result<(Vec<i64>, Vec<bool>)> {
+        self.check_words(inputs)?;
         let mut words: Vec<i64> = Vec::with_capacity(self.nodes.len());
         let mut overflowed = Vec::with_capacity(self.nodes.len());
         let mut ports = inputs.iter();
@@ -222,7 +225,26 @@ impl Netlist {
             words.push(word);
             overflowed.push(flag);
         }
-        (words, overflowed)
+        Ok((words, overflowed))
+    }
+
+    /// Refuses what isn't one word of its format for each input port.
+    pub(crate) fn check_words(&self, words: &[i64]) -> Result<()> {
+        if words.len() != self.inputs.len() {
+            let ports: Vec<&str> = (0..self.inputs.len()).map(|i| self.input_name(i)).collect();
+            let (given, ports) = (words.len(), ports.join(", "));
+            let problem =
+                format!("{given} words for `{}`: it takes one for each of {ports}", self.name);
+            return Err(Error::usage(problem));
+        }
+        for (port, (id, word)) in self.inputs.iter().zip(words).enumerate() {
+            let format = self.node(*id).format;
+            if !format.contains(*word) {
+                let name = self.input_name(port).to_owned();
+                return Err(Error::outside_port(name, *word, None, format.spelled()));
+            }
+        }
+        Ok(())
     }
 
     /// Evaluates every node on reals: `narrow` keeps its operand and tables are their functions.

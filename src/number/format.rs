@@ -222,6 +222,11 @@ impl Format {
         (self.min_raw()..=self.max_raw()).contains(&raw)
     }
 
+    /// Its name and its least and greatest word, for messages.
+    pub(crate) fn spelled(self) -> (String, i64, i64) {
+        (self.to_string(), self.min_raw(), self.max_raw())
+    }
+
     /// Value of one unit in the last place: 2^-frac_bits.
     #[must_use]
     pub fn ulp(self) -> f64 {

@@ -74,7 +74,8 @@ pub fn table_figures(tabulated: &Tabulated) -> Result<Option<Vec<TableFigures>>>
                 let last = (start + CHUNK_WORDS - 1).min(hi);
                 let words: Vec<i64> = (first..=last).collect();
                 let mut columns = vec![Vec::new(); nodes.len()];
-                runner.run(&program, &[&words], &mut columns);
+                let ran = runner.run(&program, &[&words], &mut columns);
+                ran.expect("bug: words are of their ports' formats");
                 tabulated
                     .functions
                     .iter()

@@ -33,8 +33,8 @@ fn check(netlist: &Arc<Netlist>, schedule: Schedule, context: &str) {
     for at in 0..u64::from(latency) + 24 {
         let valid = at < 24 && at % 5 != 3;
         let words = stimulus(netlist, at);
-        cycle.settle(&words, valid);
-        let (reference, _) = netlist.eval(&words);
+        cycle.settle(&words, valid).unwrap();
+        let (reference, _) = netlist.eval(&words).unwrap();
         let outputs = netlist.outputs().iter().map(|o| reference[o.node.index()]).collect();
         expected.push_back(valid.then_some(outputs));
         if expected.len() > latency as usize {
@@ -157,20 +157,20 @@ fn reset_drops_data_in_flight() {
     let netlist = Arc::new(small());
     let schedule = Schedule::pipeline(&netlist, Rom::Block, Depth::Stages(3)).unwrap();
     let mut cycle = Cycle::new(Arc::new(Rtl::new(Arc::clone(&netlist), schedule)));
-    cycle.settle(&[1], true);
+    cycle.settle(&[1], true).unwrap();
     cycle.clock();
     cycle.reset();
     for _ in 0..6 {
-        cycle.settle(&[2], false);
+        cycle.settle(&[2], false).unwrap();
         assert_eq!(cycle.outputs(), None);
         cycle.clock();
     }
-    cycle.settle(&[3], true);
+    cycle.settle(&[3], true).unwrap();
     for _ in 0..3 {
         cycle.clock();
-        cycle.settle(&[0], false);
+        cycle.settle(&[0], false).unwrap();
     }
-    let (reference, _) = netlist.eval(&[3]);
+    let (reference, _) = netlist.eval(&[3]).unwrap();
     assert_eq!(cycle.outputs(), Some(vec![reference[4]]));
 }
 

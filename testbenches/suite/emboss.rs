@@ -125,7 +125,7 @@ fn s_goes_with_the_tangent_and_t_with_the_binormal() {
             .zip(ports)
             .map(|(id, x)| (x / netlist.node(*id).format.ulp()) as i64)
             .collect();
-        let all = netlist.eval(&words).0;
+        let all = netlist.eval(&words).unwrap().0;
         [0, 1].map(|port| {
             let id = netlist.outputs()[port].node;
             (netlist.node(id).format.value(all[id.index()]) * 1000.0).round() / 1000.0
@@ -369,7 +369,7 @@ fn near_lights_are_no_worse_than_far_ones() {
         }
         let ports = Ports::new(netlist, &words);
         let should = gx(&ports);
-        let all = netlist.eval(&words).0;
+        let all = netlist.eval(&words).unwrap().0;
         let rows = ["m0", "m1", "m2"].map(|row| ports.vector(row));
         for (port, v) in ["tangent", "binormal"].iter().enumerate() {
             let eye = rows.map(|row| dot(row, ports.vector(v)));
@@ -483,7 +483,7 @@ fn coordinates_saturate_or_wrap() {
                 _ => 0,
             })
             .collect();
-        let (all, overflowed) = netlist.eval(&words);
+        let (all, overflowed) = netlist.eval(&words).unwrap();
         let s1 = netlist.outputs().iter().find(|output| output.name == "s1").unwrap().node;
         let is = netlist.node(s1).format.value(all[s1.index()]);
         assert!((is - should).abs() < 1e-4, "{overflow}: {is}");
@@ -527,7 +527,8 @@ fn relative_errors_of_small_results_are_relative() {
     let bound = |of: &str| bounds.stated.iter().find(|bound| bound.of.contains(&of)).unwrap();
     let r = design.netlist.outputs()[0].node.index();
     let off = |word: i64| {
-        let (is, should) = (design.netlist.eval(&[word]).0[r], (256.0 / word as f64).sqrt());
+        let (is, should) =
+            (design.netlist.eval(&[word]).unwrap().0[r], (256.0 / word as f64).sqrt());
         (is as f64 / f64::from(1 << 18) - should).abs() / should
     };
     // a = 7668.8125

@@ -392,7 +392,7 @@ pub(crate) fn check(netlist: &Netlist, seed: u64, count: usize) -> Result<(), St
     let mut flags = vec![0u64; all.len()];
     for sample in 0..count {
         let inputs: Vec<i64> = columns.iter().map(|column| column[sample]).collect();
-        let (words, overflowed) = netlist.eval(&inputs);
+        let (words, overflowed) = netlist.eval(&inputs).unwrap();
         for (column, word) in expected.iter_mut().zip(words) {
             column.push(word);
         }
@@ -411,7 +411,7 @@ pub(crate) fn check(netlist: &Netlist, seed: u64, count: usize) -> Result<(), St
         for features in Features::here() {
             let mut runner = program.runner_for(*features);
             let mut given = vec![Vec::new(); outputs.len()];
-            runner.run(&program, &views(&columns), &mut given);
+            runner.run(&program, &views(&columns), &mut given).unwrap();
             for (id, column) in outputs.iter().zip(&given) {
                 let should = &expected[id.index()];
                 compare(netlist, *id, column, should, |is, should| is == should)
@@ -425,7 +425,7 @@ pub(crate) fn check(netlist: &Netlist, seed: u64, count: usize) -> Result<(), St
         let mut runner = program.runner();
         let mut given = vec![vec![77; 3]; outputs.len()];
         for range in [0..count / 2, count / 2..count] {
-            runner.run(&program, &views(&part(&columns, range.clone())), &mut given);
+            runner.run(&program, &views(&part(&columns, range.clone())), &mut given).unwrap();
             for (id, column) in outputs.iter().zip(&given) {
                 let should = &expected[id.index()][range.clone()];
                 compare(netlist, *id, column, should, |is, should| is == should)?;
@@ -433,7 +433,7 @@ pub(crate) fn check(netlist: &Netlist, seed: u64, count: usize) -> Result<(), St
         }
         let halves = runner.overflows().to_vec();
         let mut runner = program.runner();
-        runner.run(&program, &views(&columns), &mut given);
+        runner.run(&program, &views(&columns), &mut given).unwrap();
         for (id, column) in outputs.iter().zip(&given) {
             compare(netlist, *id, column, &expected[id.index()], |is, should| is == should)?;
         }
@@ -549,7 +549,7 @@ fn check_repeats(netlist: &Netlist, seed: u64) {
     let plain = Program::compile(netlist, &outputs);
     let mut runner = plain.runner();
     let mut should = vec![Vec::new(); outputs.len()];
-    runner.run(&plain, &views(&columns), &mut should);
+    runner.run(&plain, &views(&columns), &mut should).unwrap();
     // Only what the outputs depend on is computed and counted.
     let mut inside = vec![false; netlist.nodes().len()];
     outputs.iter().for_each(|id| inside[id.index()] = true);
@@ -570,7 +570,7 @@ fn check_repeats(netlist: &Netlist, seed: u64) {
     for _ in 0..2 {
         let mut given = vec![Vec::new(); outputs.len()];
         let before = runner.overflows().to_vec();
-        runner.run(&once, &views(&columns), &mut given);
+        runner.run(&once, &views(&columns), &mut given).unwrap();
         assert_eq!(given, should, "{repeats:?}\n{}", netlist.to_text());
         let counted: Vec<u64> =
             runner.overflows().iter().zip(before).map(|(now, before)| now - before).collect();

@@ -443,7 +443,7 @@ fn random_hardware_moves_as_the_cycle_simulator() {
         let mut compared = 0;
         for at in 0..rows.len() + latency {
             let then = first + PERIOD * at as u64 + PERIOD - 1;
-            cycle.settle(rows.get(at).unwrap_or(&rows[0]), at < rows.len());
+            cycle.settle(rows.get(at).unwrap_or(&rows[0]), at < rows.len()).unwrap();
             for (name, signal) in &signals {
                 let format = netlist.node(signal.node).format;
                 let stage = signal.stage as usize;

@@ -94,7 +94,7 @@ fn sweep(tabulated: &Tabulated) -> Vec<(i64, f64, i64)> {
     (argument.min_raw()..=argument.max_raw())
         .map(|raw| {
             let x = tabulated.origin + raw as f64 / 2f64.powi(argument.frac_bits());
-            (raw, x, netlist.eval(&[raw]).0[out.index()])
+            (raw, x, netlist.eval(&[raw]).unwrap().0[out.index()])
         })
         .collect()
 }
@@ -134,7 +134,7 @@ fn worst_errors_are_as_measured() {
                     assert!((figures.worst_ulp - figures.worst / ulp).abs() < 1e-9);
                     // The witness gives the worst error.
                     let x = figures.witness;
-                    let word = netlist(&tabulated).eval(&[figures.witness_raw]).0;
+                    let word = netlist(&tabulated).eval(&[figures.witness_raw]).unwrap().0;
                     let is = word[netlist(&tabulated).outputs()[0].node.index()] as f64 * ulp;
                     assert!(((is - target(&tabulated, x)).abs() - worst).abs() < 1e-11, "{label}");
                 }
@@ -268,7 +268,7 @@ fn poles_saturate_to_both_ends() {
                 let netlist = netlist(&tabulated);
                 let at = |pattern: i64| {
                     let raw = tabulated.argument.wrap(pattern);
-                    let (words, _) = netlist.eval(&[raw]);
+                    let (words, _) = netlist.eval(&[raw]).unwrap();
                     words[netlist.outputs()[0].node.index()]
                 };
                 let (lo, hi) = (tabulated.output.min_raw(), tabulated.output.max_raw());

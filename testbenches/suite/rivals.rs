@@ -378,7 +378,7 @@ fn bounds_of_the_set_up_name_the_vectors_that_they_hold_for() {
         let l = [length, length / 3, 0];
         let frame = [[0, 0, one], [one, 0, 0], [0, one, 0], [0, 0, one]];
         let words: Vec<i64> = [l, l].into_iter().chain(frame).flatten().collect();
-        let is = design.netlist.eval(&words).0[design.netlist.outputs()[0].node.index()];
+        let is = design.netlist.eval(&words).unwrap().0[design.netlist.outputs()[0].node.index()];
         let should = l[0] as f64 / (l[0] as f64).hypot(l[1] as f64);
         (is as f64 / one as f64 - should).abs()
     };

@@ -87,7 +87,7 @@ fn run(netlist: &Netlist, samples: &[Vec<i64>]) -> Vec<Vec<i64>> {
         (0..netlist.inputs().len()).map(|i| samples.iter().map(|s| s[i]).collect()).collect();
     let views: Vec<&[i64]> = columns.iter().map(Vec::as_slice).collect();
     let mut outputs = vec![Vec::new(); ports.len()];
-    program.runner().run(&program, &views, &mut outputs);
+    program.runner().run(&program, &views, &mut outputs).unwrap();
     outputs
 }
 
@@ -367,7 +367,7 @@ fn witnesses_give_their_errors() {
     for (i, quantity) in ["x", "y", "z"].into_iter().enumerate() {
         let figures = report.figures(quantity, Basis::Total);
         let witness = figures.witness.as_ref().unwrap();
-        let (nodes, _) = design.netlist.eval(&witness.words);
+        let (nodes, _) = design.netlist.eval(&witness.words).unwrap();
         let outputs: Vec<i64> =
             design.netlist.outputs().iter().map(|output| nodes[output.node.index()]).collect();
         assert_eq!(outputs, witness.outputs);
@@ -505,7 +505,7 @@ fn corners_of_the_legal_ranges_build_or_say_why_not() {
                     for words in
                         [[0; 4], [top; 4], [1, top / 2, top, top / 2 + 1], [top, 0, 0, top]]
                     {
-                        let (nodes, _) = design.netlist.eval(&words);
+                        let (nodes, _) = design.netlist.eval(&words).unwrap();
                         let outputs = run(&design.netlist, &[words.to_vec()]);
                         for (port, output) in design.netlist.outputs().iter().zip(outputs) {
                             assert_eq!(output[0], nodes[port.node.index()], "{named:?} {words:?}");
@@ -534,7 +534,7 @@ fn on_a_pole_the_azimuth_is_0() {
                 [0, 0, 0, half],
                 [5, half, 9, half],
             ] {
-                let (words, _) = design.netlist.eval(&[phi_a, theta_a, phi_n, theta_n]);
+                let (words, _) = design.netlist.eval(&[phi_a, theta_a, phi_n, theta_n]).unwrap();
                 let [phi, theta] = [0, 1].map(|i| words[design.netlist.outputs()[i].node.index()]);
                 let is_up = (theta_a == half) == (theta_n == half);
                 assert_eq!(phi, 0, "{output} {more}: {phi_a} {theta_a} {phi_n} {theta_n}");

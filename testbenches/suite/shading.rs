@@ -252,14 +252,14 @@ fn light_saturates() {
     let format = netlist.node(netlist.inputs()[0]).format;
     for word in [1 << 16, format.max_raw()] {
         // L = H = N' = (0, 0, word): dot products of 1 and of nearly 4.
-        let (words, _) = netlist.eval(&[0, 0, word, 0, 0, word, 0, 0, word]);
+        let (words, _) = netlist.eval(&[0, 0, word, 0, 0, word, 0, 0, word]).unwrap();
         for output in netlist.outputs() {
             let light = words[output.node.index()];
             assert!((65534..=65535).contains(&light), "{} {word}: {light}", output.name);
         }
     }
     // From behind there is ambient light alone, which is 1 here.
-    let (words, _) = netlist.eval(&[0, 0, -(1 << 16), 0, 0, -(1 << 16), 0, 0, 1 << 16]);
+    let (words, _) = netlist.eval(&[0, 0, -(1 << 16), 0, 0, -(1 << 16), 0, 0, 1 << 16]).unwrap();
     let ports: Vec<i64> = netlist.outputs().iter().map(|o| words[o.node.index()]).collect();
     assert_eq!(ports, [(1 << 16) - 1, (1 << 16) - 1, 0]);
 }
@@ -274,7 +274,7 @@ fn dot_products_pass_one() {
     let mut most = 0;
     for theta in 0..256 {
         for tilt in 0..256 {
-            let (words, _) = netlist.eval(&[0, theta, 0, 0, 0, tilt]);
+            let (words, _) = netlist.eval(&[0, theta, 0, 0, 0, tilt]).unwrap();
             most = most.max(words[dot.index()]);
         }
     }
@@ -313,7 +313,7 @@ fn light_in_the_middle_of_a_highlight_is_the_formula_s() {
             for size in ["specular_addr_bits=4", "specular_addr_bits=12"] {
                 let more = [light, size, "exponent=255", "specular=0.9"];
                 let design = design(unit, &[set, &more].concat());
-                let (values, _) = design.netlist.eval(&words);
+                let (values, _) = design.netlist.eval(&words).unwrap();
                 let outputs = design.netlist.outputs();
                 let port = |name: &str| outputs.iter().find(|output| output.name == name).unwrap();
                 let light = |name: &str| values[port(name).node.index()];

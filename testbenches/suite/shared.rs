@@ -58,12 +58,12 @@ pub(crate) fn check(netlist: &Arc<Netlist>, schedule: &Schedule, seed: u64) -> R
         let words = stimulus(netlist, &mut random);
         let offered = at < samples * u64::from(interval) && random.chance(80);
         let ready = at % u64::from(interval) == 0;
-        cycle.settle(&words, offered);
+        cycle.settle(&words, offered).unwrap();
         if cycle.ready() != ready {
             return Err(format!("cycle {at}: ready is {}", cycle.ready()));
         }
         if offered && ready {
-            let (reference, _) = netlist.eval(&words);
+            let (reference, _) = netlist.eval(&words).unwrap();
             let outputs = netlist.outputs().iter().map(|o| reference[o.node.index()]).collect();
             expected.push_back((at + u64::from(latency), outputs));
         }
@@ -336,7 +336,7 @@ fn waves_show_the_table() {
     for (name, node, stage) in wave.signals() {
         let format = netlist.node(node).format;
         for (sample, words) in rows.iter().enumerate() {
-            let (reference, _) = netlist.eval(words);
+            let (reference, _) = netlist.eval(words).unwrap();
             let should = format!(
                 "{:0width$b}",
                 format.pattern(reference[node.index()]),
@@ -551,7 +551,7 @@ fn a_forbidden_overflow_in_a_shared_unit_names_the_node() {
     let run = |valid: bool| {
         let mut cycle = Cycle::new(Arc::new(Rtl::new(Arc::clone(&netlist), schedule.clone())));
         for at in 0..12 {
-            cycle.settle(&[3, 31], valid && at % 2 == 0);
+            cycle.settle(&[3, 31], valid && at % 2 == 0).unwrap();
             cycle.clock();
         }
         cycle.forbidden_overflow().map(|id| netlist.label(id))

@@ -74,7 +74,7 @@ fn inputs_of(words: &[Words], random: &mut Random, most: usize) -> Vec<Vec<i64>>
 }
 
 fn outputs(netlist: &Netlist, inputs: &[i64]) -> BTreeMap<String, i64> {
-    let words = netlist.eval(inputs).0;
+    let words = netlist.eval(inputs).unwrap().0;
     netlist.outputs().iter().map(|o| (o.name.clone(), words[o.node.index()])).collect()
 }
 
@@ -82,7 +82,7 @@ fn outputs(netlist: &Netlist, inputs: &[i64]) -> BTreeMap<String, i64> {
 fn both_ways(of: &Specialised, inputs: &[i64]) -> [BTreeMap<String, i64>; 2] {
     let whole = outputs(&of.whole.netlist, &of.whole.select(inputs, &[]));
     let face: Vec<i64> = of.face.as_ref().map_or_else(Vec::new, |face| {
-        let words = face.netlist.eval(&face.select(inputs, &[])).0;
+        let words = face.netlist.eval(&face.select(inputs, &[])).unwrap().0;
         face.netlist.outputs().iter().map(|output| words[output.node.index()]).collect()
     });
     [whole, outputs(&of.pixel.netlist, &of.pixel.select(inputs, &face))]
@@ -100,7 +100,7 @@ fn check(
     let found = ranges(netlist, &words);
     let special = specialise(netlist, known, wanted);
     for input in inputs_of(&words, random, most) {
-        let general = netlist.eval(&input).0;
+        let general = netlist.eval(&input).unwrap().0;
         for (id, raw) in netlist.ids().zip(&general) {
             if !found[id.index()].contains(*raw) {
                 return Err(format!(
@@ -374,7 +374,7 @@ fn check_operation(netlist: &Netlist, name: &str) -> u64 {
     let wholes: Vec<Words> = intervals.iter().map(|of| Words::of(of.iter().copied())).collect();
     let mut random = Random::new(0);
     for input in inputs_of(&wholes, &mut random, usize::MAX) {
-        let word = netlist.eval(&input).0[node.index()];
+        let word = netlist.eval(&input).unwrap().0[node.index()];
         results.insert(input, word);
     }
     let mut cases = 0;

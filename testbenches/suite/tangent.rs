@@ -106,7 +106,7 @@ impl Exact {
 /// Words of the outputs in order as values.
 fn run(design: &Design, words: &[i64]) -> Vec<f64> {
     let netlist = &design.netlist;
-    let all = netlist.eval(words).0;
+    let all = netlist.eval(words).unwrap().0;
     let value = |id: fixpath::netlist::NodeId| netlist.node(id).format.value(all[id.index()]);
     netlist.outputs().iter().map(|output| value(output.node)).collect()
 }
@@ -703,7 +703,7 @@ fn triangles_share_what_does_not_depend_on_the_vertex() {
         assert_eq!(multipliers, [primitive, vertex], "{set:?}");
         for words in samples(&design, Sampler::Lit, 200) {
             let values = |netlist: &fixpath::netlist::Netlist, words: &[i64]| -> Vec<i64> {
-                let all = netlist.eval(words).0;
+                let all = netlist.eval(words).unwrap().0;
                 netlist.outputs().iter().map(|output| all[output.node.index()]).collect()
             };
             let of_face = values(&face.netlist, &face.select(&words, &[]));

@@ -20,7 +20,7 @@ fn run(design: &Design, inputs: &[Vec<i64>]) -> BTreeMap<String, Vec<i64>> {
     let program = Program::compile(&design.netlist, &nodes);
     let mut words = vec![Vec::new(); nodes.len()];
     let inputs: Vec<&[i64]> = inputs.iter().map(Vec::as_slice).collect();
-    program.runner().run(&program, &inputs, &mut words);
+    program.runner().run(&program, &inputs, &mut words).unwrap();
     outputs.iter().map(|output| output.name.clone()).zip(words).collect()
 }
 

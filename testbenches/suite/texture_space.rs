@@ -516,7 +516,7 @@ fn bit_true(design: &Design, rows: &[Vec<i64>]) -> Vec<Corner> {
         .collect();
     let slices: Vec<&[i64]> = columns.iter().map(Vec::as_slice).collect();
     let mut out = vec![Vec::new(); nodes.len()];
-    program.runner().run(&program, &slices, &mut out);
+    program.runner().run(&program, &slices, &mut out).unwrap();
     let at = |name: &str, i: usize| {
         let port = netlist.outputs().iter().position(|output| output.name == name).unwrap();
         netlist.node(nodes[port]).format.value(out[port][i])

@@ -115,7 +115,7 @@ fn every_word_and_twin_is_the_reference_of_its_sample() {
                     continue;
                 };
                 let Some(words) = rows.get(sample) else { continue };
-                let (reference, _) = netlist.eval(words);
+                let (reference, _) = netlist.eval(words).unwrap();
                 let format = netlist.node(node).format;
                 let word = reference[node.index()];
                 let should = bits(format.pattern(word), format.bits());
@@ -222,7 +222,7 @@ fn an_angle_error_is_in_the_cycle_of_its_result() {
         let columns: Vec<&[f64]> = values.iter().map(std::slice::from_ref).collect();
         let mut golden = vec![vec![0.0]; design.golden_columns()];
         (design.golden)(&design.values, &columns, &mut golden);
-        let (reference, _) = netlist.eval(words);
+        let (reference, _) = netlist.eval(words).unwrap();
         let outputs = netlist.outputs().iter();
         let is: Vec<f64> =
             outputs.map(|o| netlist.node(o.node).format.value(reference[o.node.index()])).collect();
@@ -466,7 +466,7 @@ fn gtkwave_decodes_words_as_the_save_file_tells_it() {
         value.parse().unwrap_or_else(|_| panic!("{name} = {value}"))
     };
     let netlist = &design.netlist;
-    let (reference, _) = netlist.eval(&rows[0]);
+    let (reference, _) = netlist.eval(&rows[0]).unwrap();
     let x = netlist.outputs()[0].node;
     let value = netlist.node(x).format.value(reference[x.index()]);
     // A signed word by its fixed-point shift, a real twin, and an unsigned angle in turns and degrees.

@@ -104,7 +104,8 @@ impl Vectors {
             self.given += 1;
         }
         let columns: Vec<&[i64]> = self.inputs.iter().map(Vec::as_slice).collect();
-        self.runner.run(&self.program, &columns, &mut self.outputs);
+        let ran = self.runner.run(&self.program, &columns, &mut self.outputs);
+        ran.expect("bug: words are of their ports' formats");
         true
     }
 

@@ -90,7 +90,7 @@ impl Wave<'_> {
         for at in 0..end {
             let number = usize::try_from(at / interval).ok().filter(|_| cycle.ready());
             let sample = number.and_then(|number| samples.get(number));
-            cycle.settle(sample.unwrap_or(&idle), sample.is_some());
+            cycle.settle(sample.unwrap_or(&idle), sample.is_some()).map_err(io::Error::other)?;
             if at >= window.start {
                 lines.timestamp(at * self.period_ps)?;
                 let first = at == window.start;

@@ -100,7 +100,8 @@ impl Angles {
         let words: Vec<&[i64]> = words.iter().map(Vec::as_slice).collect();
         let judged = design.judged();
         let mut results = vec![Vec::new(); judged.len()];
-        self.runner.run(&self.program, &words, &mut results);
+        let ran = self.runner.run(&self.program, &words, &mut results);
+        ran.expect("bug: words are of their ports' formats");
         let (mut values, mut is) = (Vec::new(), Vec::new());
         values_of(&design.netlist, &judged, &results, &mut values);
         as_golden(&design.groups, &mut values, &mut is);

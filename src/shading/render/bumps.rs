@@ -257,7 +257,7 @@ fn shade(
     let judged = stage.vector.as_ref().map_or(0, Range::len);
     let mut out = vec![Vec::new(); 1 + usize::from(stage.has_specular) + judged];
     let start = Instant::now();
-    runner.run(&stage.program, &slices, &mut out);
+    runner.run(&stage.program, &slices, &mut out)?;
     shot.engine += start.elapsed();
     shot.samples += cast::count_of(members.len());
     let ulp = stage.light_format.ulp();

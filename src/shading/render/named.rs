@@ -52,7 +52,9 @@ impl Stage {
         let mut out = vec![Vec::new(); outputs.len()];
         let before = runner.overflows().to_vec();
         let start = Instant::now();
-        runner.run(&self.program, &slices, &mut out);
+        runner
+            .run(&self.program, &slices, &mut out)
+            .expect("bug: words are of their ports' formats");
         shot.engine += start.elapsed();
         let counts = runner.overflows().iter().zip(before);
         for (total, (after, before)) in shot.overflows[stage].iter_mut().zip(counts) {

@@ -206,7 +206,7 @@ impl Lean {
                 Source::Face(_) => hoisted.as_slice(),
             })
             .collect();
-        runner.run(program, &columns, to);
+        runner.run(program, &columns, to).expect("bug: words are of their ports' formats");
     }
 }
 
@@ -216,7 +216,8 @@ fn face_words(face: &Reduced, seen: &Seen) -> BTreeMap<Face, Vec<i64>> {
     let words = |known: &Vec<Option<i64>>| {
         // Ports that the face's part takes are constant on it; others are never looked at.
         let ports: Vec<i64> = known.iter().map(|word| word.unwrap_or(0)).collect();
-        let (words, _) = face.netlist.eval(&face.select(&ports, &[]));
+        let ran = face.netlist.eval(&face.select(&ports, &[]));
+        let (words, _) = ran.expect("bug: words are of their ports' formats");
         outputs.iter().map(|output| words[output.node.index()]).collect()
     };
     seen.faces.iter().map(|(face, known)| (*face, words(known))).collect()
@@ -313,7 +314,8 @@ pub fn specialise_to(scene: &Scene, pipeline: &Pipeline) -> Result<Vec<Specialis
                     let slices: Vec<&[i64]> = words.iter().map(Vec::as_slice).collect();
                     let mut should = vec![Vec::new(); 1 + usize::from(stage.has_specular)];
                     let start = Instant::now();
-                    general[index].run(&stage.program, &slices, &mut should);
+                    let ran = general[index].run(&stage.program, &slices, &mut should);
+                    ran.expect("bug: words are of their ports' formats");
                     let middle = Instant::now();
                     let mut is = vec![Vec::new(); leans[index].outputs.len()];
                     leans[index].run(lean[index].as_mut(), words, faces, &mut is);

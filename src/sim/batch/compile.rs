@@ -1,6 +1,6 @@
 //! From a netlist to instructions, a node after the other.
 
-use super::program::{Action, Column, Instruction, Program, Tables, slot_of};
+use super::program::{Action, Column, Instruction, Port, Program, Tables, slot_of};
 use crate::netlist::op::Op;
 use crate::netlist::{Netlist, NodeId};
 use crate::number::format::Overflow;
@@ -92,6 +92,8 @@ impl Program {
                 tables64: Tables::default(),
                 slots: [0; 3],
                 inputs: Vec::new(),
+                ports: input_ports(netlist),
+                results: ports(netlist, outputs),
                 outputs: Vec::new(),
                 narrows: Vec::new(),
                 repeated: 0,
@@ -118,6 +120,24 @@ impl Program {
             .collect();
         compiler.finish(&outputs)
     }
+}
+
+fn input_ports(netlist: &Netlist) -> Vec<Port> {
+    let ids = netlist.inputs().iter().enumerate();
+    ids.map(|(port, id)| Port {
+        name: netlist.input_name(port).to_owned(),
+        format: netlist.node(*id).format,
+    })
+    .collect()
+}
+
+/// Nodes as output ports are called, and others by their labels.
+fn ports(netlist: &Netlist, ids: &[NodeId]) -> Vec<Port> {
+    let name = |id: NodeId| {
+        let output = netlist.outputs().iter().find(|output| output.node == id);
+        output.map_or_else(|| netlist.label(id), |output| output.name.clone())
+    };
+    ids.iter().map(|id| Port { name: name(*id), format: netlist.node(*id).format }).collect()
 }
 
 impl Compiler<'_> {

@@ -1,6 +1,7 @@
 //! A program: instructions over columns, with their constants and tables.
 
 use crate::netlist::NodeId;
+use crate::number::format::Format;
 use crate::sim::kernels::{Fit, Kernel, Lane};
 use crate::sim::lanes::Width;
 use std::sync::Arc;
@@ -47,6 +48,14 @@ pub(super) struct Tables<L: Lane> {
     pub(super) pairs: Vec<Arc<[L::Pair]>>,
 }
 
+/// What callers' columns are held to.
+#[derive(Clone, Debug)]
+pub(super) struct Port {
+    /// Label of the node.
+    pub(super) name: String,
+    pub(super) format: Format,
+}
+
 /// A netlist compiled for blocks of samples.
 #[derive(Clone, Debug)]
 pub struct Program {
@@ -61,6 +70,9 @@ pub struct Program {
     pub(super) inputs: Vec<Option<Column>>,
     /// Column of each output, and whether zeros extend it.
     pub(super) outputs: Vec<(Column, bool)>,
+    /// The input ports, and the nodes that are given out.
+    pub(super) ports: Vec<Port>,
+    pub(super) results: Vec<Port>,
     /// The `narrow` nodes, in the order of the counters.
     pub(super) narrows: Vec<NodeId>,
     /// The first instructions give the same words in each block of a run, so many of them.

@@ -1,9 +1,9 @@
 //! Programs run over callers' columns, block by block.
 
-use super::program::{BLOCK, Column, Program};
+use super::program::{BLOCK, Column, Port, Program};
 use super::step::run_block;
 use super::store::{Lanes, Store, columns, fill};
-use super::word::Word;
+use super::word::{Inside, Word};
 use crate::base::error::{Error, Result};
 use crate::base::simd::{Body, Features, prefetch, vectorised_for};
 use crate::netlist::{Netlist, NodeId};
@@ -59,42 +59,45 @@ pub struct Runner {
 impl Runner {
     /// Simulates as many samples as the input columns hold; `outputs` are overwritten.
     ///
-    /// # Panics
-    /// If the columns don't match the program's ports or differ in length.
-    pub fn run(&mut self, program: &Program, inputs: &[&[i64]], outputs: &mut [Vec<i64>]) {
-        self.run_words(program, inputs, outputs);
+    /// # Errors
+    /// As [`Runner::run_words`].
+    pub fn run(
+        &mut self,
+        program: &Program,
+        inputs: &[&[i64]],
+        outputs: &mut [Vec<i64>],
+    ) -> Result<()> {
+        self.run_words(program, inputs, outputs)
     }
 
-    /// As [`Runner::run`] on columns of any [`Word`]s that hold those of all ports: narrow ones
-    /// save time.
+    /// As [`Runner::run`] on columns of any [`Word`]s: narrow ones save time.
     ///
-    /// # Panics
-    /// If the columns don't match the program's ports or differ in length.
+    /// # Errors
+    /// If there isn't a column for each port and each output of the program, columns differ in length, a port that
+    /// something reads has a word outside its format, or an output has words that its column can't hold. What has been
+    /// computed until then is of no use.
     pub fn run_words<I: Word, O: Word>(
         &mut self,
         program: &Program,
         inputs: &[&[I]],
         outputs: &mut [Vec<O>],
-    ) {
-        assert_eq!(inputs.len(), program.inputs.len(), "bug: one column per input");
-        assert_eq!(outputs.len(), program.outputs.len(), "bug: one column per output");
-        let count = inputs.first().map_or(0, |column| column.len());
-        assert!(inputs.iter().all(|column| column.len() == count), "bug: columns differ in length");
+    ) -> Result<()> {
+        let count = check_columns(program, inputs, outputs)?;
         for column in outputs.iter_mut() {
             column.resize(count, O::default());
         }
-        let some_repeats = program.repeats.contains(&true);
-        assert!(
-            !some_repeats || count <= BLOCK || count.is_multiple_of(BLOCK),
-            "bug: blocks repeat words, and the last is short"
-        );
         let Self { store, overflows, repeated, .. } = self;
         let features = store.features;
         let mut start = 0;
         while start < count {
             let len = BLOCK.min(count - start);
             let again = start > 0;
-            vectorised_for(features, Load { program, store, inputs, again, start, len });
+            let mut outside = None;
+            let load = Load { program, store, inputs, again, start, len, outside: &mut outside };
+            vectorised_for(features, load);
+            if let Some(port) = outside {
+                return Err(outside_of(&program.ports[port], &inputs[port][start..], start));
+            }
             if again {
                 // What isn't computed again would overflow again.
                 overflows.iter_mut().zip(&*repeated).for_each(|(count, more)| *count += more);
@@ -115,6 +118,7 @@ impl Runner {
             vectorised_for(features, Unload { program, store, outputs, start, len });
             start += len;
         }
+        Ok(())
     }
 
     /// How often each `narrow` overflowed so far, in the order of [`Program::narrows`].
@@ -155,33 +159,97 @@ struct Load<'a, 'b, I> {
     again: bool,
     start: usize,
     len: usize,
+    /// A port with words outside its format.
+    outside: &'a mut Option<usize>,
 }
 
 impl<I: Word> Body for Load<'_, '_, I> {
     #[inline(always)]
     fn run(self) {
-        let Self { program, store, inputs, again, start, len } = self;
-        for ((column, input), repeats) in program.inputs.iter().zip(inputs).zip(&program.repeats) {
+        let Self { program, store, inputs, again, start, len, outside } = self;
+        for (port, (column, input)) in program.inputs.iter().zip(inputs).enumerate() {
             let Some(Column { width, slot }) = *column else { continue };
-            if again && *repeats {
+            if again && program.repeats[port] {
                 continue;
             }
             let input = &input[start..start + len];
-            match width {
-                Width::W16 => load(input, &mut store.lanes16[slot]),
-                Width::W32 => load(input, &mut store.lanes32[slot]),
-                Width::W64 => load(input, &mut store.lanes64[slot]),
+            let inside = Inside::new(program.ports[port].format);
+            let holds = match width {
+                Width::W16 => load(input, inside, &mut store.lanes16[slot]),
+                Width::W32 => load(input, inside, &mut store.lanes32[slot]),
+                Width::W64 => load(input, inside, &mut store.lanes64[slot]),
+            };
+            if !holds {
+                outside.get_or_insert(port);
             }
         }
     }
 }
 
+/// Fills a column, and says whether all words are inside.
 #[inline(always)]
-fn load<I: Word, L: Lane>(from: &[I], to: &mut Option<Box<Lanes<L>>>) {
+fn load<I: Word, L: Lane>(from: &[I], inside: Inside<I>, to: &mut Option<Box<Lanes<L>>>) -> bool {
     let to = to.as_mut().expect("bug: no column is taken out");
+    let mut seen = I::default();
     for (to, word) in to.0.iter_mut().zip(from) {
         *to = L::of(word.word());
+        seen = inside.see(*word, seen);
     }
+    inside.holds(seen)
+}
+
+/// Samples in the columns, or why they don't fit a program.
+fn check_columns<I: Word, O: Word>(
+    program: &Program,
+    inputs: &[&[I]],
+    outputs: &[Vec<O>],
+) -> Result<usize> {
+    let columns = |what: &str, given: usize, ports: &[Port]| {
+        let right = given == ports.len();
+        let problem = || {
+            let names: Vec<&str> = ports.iter().map(|port| &port.name[..]).collect();
+            format!("{given} columns of {what}: one is needed for each of {}", names.join(", "))
+        };
+        if right { Ok(()) } else { Err(Error::usage(problem())) }
+    };
+    columns("input words", inputs.len(), &program.ports)?;
+    columns("output words", outputs.len(), &program.results)?;
+    let count = inputs.first().map_or(0, |column| column.len());
+    if let Some(at) = inputs.iter().position(|column| column.len() != count) {
+        return Err(Error::usage(format!(
+            "the column of port `{}` has {} words and that of `{}` has {count}: give as many to each",
+            program.ports[at].name,
+            inputs[at].len(),
+            program.ports[0].name
+        )));
+    }
+    if program.repeats.contains(&true) && count > BLOCK && !count.is_multiple_of(BLOCK) {
+        return Err(Error::usage(format!(
+            "{count} samples where blocks of {BLOCK} repeat words: give up to one block, or whole ones"
+        )));
+    }
+    let held = |port: &&Port| {
+        (O::RANGE.0..=O::RANGE.1).contains(&port.format.min_raw())
+            && (O::RANGE.0..=O::RANGE.1).contains(&port.format.max_raw())
+    };
+    match program.results.iter().find(|port| !held(port)) {
+        None => Ok(count),
+        Some(Port { name, format }) => Err(Error::usage(format!(
+            "words of `{name}` are {format} and its column holds {} to {}: take wider numbers",
+            O::RANGE.0,
+            O::RANGE.1
+        ))),
+    }
+}
+
+/// The error of a word of a block that is outside a port's format.
+#[cold]
+fn outside_of<I: Word>(port: &Port, block: &[I], start: usize) -> Error {
+    let Port { name, format } = port;
+    let at = block.iter().position(|word| !format.contains(word.word()));
+    let at = at.expect("bug: there is one in the block");
+    let word = block[at].word();
+    Error::outside_port(name.clone(), word, Some(start + at), format.spelled())
 }
 
 /// Columns of the outputs into the callers'.

@@ -278,7 +278,7 @@ mod tests {
     }
 
     fn result(netlist: &Netlist, inputs: [i64; 2]) -> i64 {
-        netlist.eval(&inputs).0[netlist.outputs()[0].node.index()]
+        netlist.eval(&inputs).unwrap().0[netlist.outputs()[0].node.index()]
     }
 
     /// Dividend and divisor on a common scale of whole numbers, times 2^frac_bits of the output.
@@ -350,7 +350,7 @@ mod tests {
                 let table = b.build().unwrap();
                 let worst = words(argument)
                     .map(|x| {
-                        let word = table.eval(&[x]).0[table.outputs()[0].node.index()];
+                        let word = table.eval(&[x]).unwrap().0[table.outputs()[0].node.index()];
                         (spec.output.value(word) - 1.0 / (0.5 + argument.value(x))).abs()
                     })
                     .fold(0.0, f64::max);

@@ -243,7 +243,7 @@ mod tests {
     }
 
     fn result(netlist: &Netlist, word: i64) -> i64 {
-        netlist.eval(&[word]).0[netlist.outputs()[0].node.index()]
+        netlist.eval(&[word]).unwrap().0[netlist.outputs()[0].node.index()]
     }
 
     /// Half the root of `n`, rounded to a whole number, by whole numbers only.
