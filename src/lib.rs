@@ -41,6 +41,8 @@
 //! # Ok::<(), fixpath::error::Error>(())
 //! ```
 //!
+//! The same with operators, `(&x * &x).narrow(…)`, is written with [`netlist::Wires`].
+//!
 //! The folders of the source are its layers, from `base` up to `cli`: each names only those below it, and a path
 //! inside the crate starts with the folder. From outside, modules have short paths, whichever folder they stand in:
 //! `fixpath::format`, not `fixpath::number::format`.

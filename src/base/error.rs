@@ -7,6 +7,7 @@
 
 use crate::base::escape;
 use std::fmt;
+use std::panic::Location;
 use std::path::{Path, PathBuf};
 
 /// What every fallible function of this crate returns.
@@ -57,9 +58,9 @@ enum Kind {
     #[error("{value} overflows format {format} and overflow mode `error` forbids it")]
     ValueOverflow { value: String, format: String },
     #[error(
-        "node `{node}` needs {given_bits} bits and words have at most {limit_bits}: lower the widths or guard bits that feed it"
+        "node `{}` needs {given_bits} bits and words have at most {limit_bits}: lower the widths or guard bits that feed it", .node.with_formats
     )]
-    NodeTooWide { node: String, place: usize, given_bits: u32, limit_bits: u32 },
+    NodeTooWide { node: Operation, place: usize, given_bits: u32, limit_bits: u32 },
     #[error("{part} needs {bits} bits and words have at most 63: {remedy}")]
     TooWide { part: String, bits: u32, remedy: String },
     #[error(
@@ -74,6 +75,12 @@ enum Kind {
     },
     #[error("node `{node}`: {problem}")]
     Node { node: String, problem: String },
+    #[error("node `{}`: {problem}", .node.with_formats)]
+    Operands { node: Operation, problem: String },
+    #[error("{what}: {problem} ({}:{})", .caller.file(), .caller.line())]
+    Misuse { what: String, problem: String, caller: &'static Location<'static> },
+    #[error("netlist `{netlist}` has no node `{given}` of a format of its own{hint}: {known}")]
+    UnknownNode { netlist: String, given: String, hint: String, known: String },
     #[error(
         "node `{node}` overflowed {count} times under overflow mode `error`: widen it or choose another overflow mode"
     )]
@@ -96,6 +103,17 @@ enum Kind {
     Usage(String),
 }
 
+/// An operation that can't be built, named by its operands.
+#[derive(Clone, Debug)]
+pub(crate) struct Operation {
+    /// As in `add of x`.
+    pub(crate) plain: String,
+    /// As in `add of x (s8f4), lookup.y (s10f4)`.
+    pub(crate) with_formats: String,
+    /// Who asked for it.
+    pub(crate) caller: &'static Location<'static>,
+}
+
 macro_rules! constructors {
     ($($(#[$doc:meta])* $name:ident($($arg:ident: $ty:ty),*) = $kind:expr;)*) => {
         impl Error {
@@ -113,9 +131,11 @@ constructors! {
     not_exact(raw: i64, format: String, given_bits: u32) = Kind::NotExact { raw, format, given_bits };
     not_finite(value: f64, format: String) = Kind::NotFinite { value, format };
     value_overflow(value: String, format: String) = Kind::ValueOverflow { value, format };
-    node_too_wide(node: String, place: usize, given_bits: u32, limit_bits: u32) = Kind::NodeTooWide { node, place, given_bits, limit_bits };
+    node_too_wide(node: Operation, place: usize, given_bits: u32, limit_bits: u32) = Kind::NodeTooWide { node, place, given_bits, limit_bits };
     shared_too_wide(unit: &str, operations: String, bits: u32, kind: &'static str) = Kind::SharedTooWide { unit: unit.to_owned(), operations, bits, remedy: "narrow its operands".to_owned(), kind };
     node(node: String, problem: String) = Kind::Node { node, problem };
+    operands(node: Operation, problem: String) = Kind::Operands { node, problem };
+    misuse(what: String, problem: String, caller: &'static Location<'static>) = Kind::Misuse { what, problem, caller };
     node_overflow(node: String, count: u64) = Kind::NodeOverflow { node, count };
     parameter_value(name: &str, value: &str, legal: String) = Kind::ParameterValue { name: name.to_owned(), value: escape::short(value), legal };
     form(given: &str, form: &str) = Kind::Form { given: escape::short(given), form: form.to_owned() };
@@ -146,12 +166,26 @@ impl Error {
         }))
     }
 
+    /// That a netlist has no node of this name whose format can be given.
+    pub(crate) fn unknown_node(netlist: &str, given: &str, known: &[&str]) -> Self {
+        let listed = match known {
+            [] => "there is none".to_owned(),
+            names => format!("there are {}", names.join(", ")),
+        };
+        Self(Box::new(Kind::UnknownNode {
+            netlist: netlist.to_owned(),
+            given: escape::short(given),
+            hint: nearest(given, known.iter().copied()),
+            known: listed,
+        }))
+    }
+
     /// If this is about a format's bits: the node or shared unit without its number, how many nodes were built
     /// before, and the bits; of a format by itself the bits alone.
     pub(crate) fn bits_needed(&self) -> Option<(&str, usize, u32)> {
         let stem = |name: &'_ String| name.trim_end_matches(|c: char| c.is_ascii_digit()).len();
         if let Kind::NodeTooWide { node, place, given_bits, .. } = &*self.0 {
-            return Some((&node[..stem(node)], *place, *given_bits));
+            return Some((&node.plain[..stem(&node.plain)], *place, *given_bits));
         }
         if let Kind::SharedTooWide { unit, bits, .. } = &*self.0 {
             return Some((&unit[..stem(unit)], 0, *bits));
@@ -168,11 +202,20 @@ impl Error {
         }
         let Some((_, _, bits)) = self.bits_needed() else { return self };
         let part = if let Kind::NodeTooWide { node, .. } = &*self.0 {
-            format!("node `{node}`")
+            format!("node `{}`", node.with_formats)
         } else {
             "a word".to_owned()
         };
         Self(Box::new(Kind::TooWide { part, bits, remedy }))
+    }
+
+    /// Where the code that asked for a node stands, if this is about building a netlist: for whoever wrote that code.
+    #[must_use]
+    pub fn caller(&self) -> Option<&'static Location<'static>> {
+        if let Kind::NodeTooWide { node, .. } | Kind::Operands { node, .. } = &*self.0 {
+            return Some(node.caller);
+        }
+        if let Kind::Misuse { caller, .. } = &*self.0 { Some(caller) } else { None }
     }
 
     /// True if the run was stopped by a failed check (exit code 1) and not by wrong input (2).

@@ -15,3 +15,18 @@ pub(crate) fn is_legal(name: &str) -> bool {
         && !name.ends_with('_')
         && !name.contains("__")
 }
+
+/// A name with something appended, which takes the place of its end where both are too long.
+pub(crate) fn with_suffix(name: &str, suffix: &str) -> String {
+    let kept = name.get(..MAX_LEN - suffix.len()).unwrap_or(name);
+    format!("{}{suffix}", kept.trim_end_matches('_'))
+}
+
+/// The first of a name, `name_2`, `name_3` and so on that `is_free`.
+pub(crate) fn numbered(name: &str, mut is_free: impl FnMut(&str) -> bool) -> String {
+    let numbers = (2..).map(|n| with_suffix(name, &format!("_{n}")));
+    std::iter::once(with_suffix(name, ""))
+        .chain(numbers)
+        .find(|name| is_free(name))
+        .expect("bug: there is no end of numbers")
+}

@@ -145,7 +145,7 @@ impl Cone {
                 let values = ports.map(|(word, id)| netlist.node(*id).format.value(*word));
                 let values = values.collect();
                 // The node's own word stands for the outputs.
-                let ran = netlist.eval(&words).expect("bug: words are of their ports' formats");
+                let ran = netlist.eval(&words)?;
                 let outputs = vec![ran.0[self.node.index()]];
                 merged.merge(&stream, Witness { sample: stream.at, words, values, outputs });
                 overflows.iter_mut().zip(counts).for_each(|(total, count)| *total += count);

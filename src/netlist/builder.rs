@@ -1,31 +1,49 @@
 //! Growing a netlist, step by checked step.
 
+use super::choices::{Asked, Overrides, Place};
+use super::id::Owner;
 use super::{Netlist, Node, NodeId, Output, Part, Quantity, Scope, ScopeId, Table, TableId};
 use crate::base::cast;
-use crate::base::error::{Error, Result};
-use crate::base::name;
+use crate::base::error::{Error, Operation, Result};
+use crate::base::{escape, name};
 use crate::netlist::op::{FormatProblem, Meaning, Op};
 use crate::number::format::{Format, Overflow, Round};
-use std::collections::{BTreeSet, HashMap};
+use std::cell::OnceCell;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::panic::Location;
 
 /// Grows a netlist.
 ///
 /// The first mistake is kept and returned by [`Builder::build`], so that a datapath is
-/// written as plain expressions.
+/// written as plain expressions: a word past 63 bits, operands that don't fit, a node of another builder, a name
+/// that is none ([rules](super#names)). Nothing that is asked of a builder panics.
 #[derive(Debug)]
 pub struct Builder {
     netlist: Netlist,
+    owner: Owner,
     known: HashMap<(Op, Vec<NodeId>, Format), NodeId>,
     scope: ScopeId,
-    error: Option<Error>,
+    overrides: Overrides,
+    /// How many `narrow`s were asked for in each scope.
+    narrows: BTreeMap<ScopeId, u32>,
+    asked: Vec<Asked>,
+    error: OnceCell<Error>,
 }
 
 impl Builder {
     /// Starts an empty netlist.
     #[must_use]
+    #[track_caller]
     pub fn new(name: &str) -> Self {
+        Self::with(name, &Overrides::default())
+    }
+
+    /// As [`Builder::new`], where some nodes have other formats than the recipe's.
+    #[must_use]
+    #[track_caller]
+    pub fn with(name: &str, overrides: &Overrides) -> Self {
         let root = Scope { name: name.to_owned(), parent: None, part: None };
-        Self {
+        let builder = Self {
             netlist: Netlist {
                 name: name.to_owned(),
                 nodes: Vec::new(),
@@ -33,11 +51,18 @@ impl Builder {
                 tables: Vec::new(),
                 inputs: Vec::new(),
                 outputs: Vec::new(),
+                choices: Vec::new(),
             },
+            owner: Owner::builder(),
             known: HashMap::new(),
-            scope: ScopeId(0),
-            error: None,
-        }
+            scope: ScopeId::ROOT,
+            overrides: overrides.clone(),
+            narrows: BTreeMap::new(),
+            asked: Vec::new(),
+            error: OnceCell::new(),
+        };
+        builder.check_name("netlist", name);
+        builder
     }
 
     /// Starts a netlist called `name` with the scopes of another, which is rebuilt node by node.
@@ -67,26 +92,49 @@ impl Builder {
         &self.netlist.tables
     }
 
-    /// Any operation but a port; `asked` is its format, where the operation takes one.
+    /// Any operation but a port, by its name; `asked` is its format, where the operation takes one.
+    #[track_caller]
     pub fn operation(&mut self, op: Op, operands: &[NodeId], asked: Format) -> NodeId {
+        if op == Op::Input {
+            return self.refuse(op, operands, Some(asked), "a port has a name: take `input`");
+        }
+        if operands.len() != op.arity() {
+            let problem = format!("it takes {} operands", op.arity());
+            return self.refuse(op, operands, Some(asked), problem);
+        }
+        if let Op::Read { table, column } = op {
+            return self.read(table, cast::index_of_u32(column), operands[0]);
+        }
         self.push(op, operands, Some(asked))
     }
 
-    /// Format of a node.
+    /// The first mistake so far.
+    pub(super) fn into_error(self) -> Option<Error> {
+        self.error.into_inner()
+    }
+
+    /// Whose nodes this builder takes.
+    pub(super) fn owner(&self) -> Owner {
+        self.owner
+    }
+
+    /// Format of a node; of one that is not this builder's, any.
     #[must_use]
+    #[track_caller]
     pub fn format(&self, id: NodeId) -> Format {
-        self.netlist.node(id).format
+        if self.owned("format", id) { self.netlist.node(id).format } else { Format::FLAG }
     }
 
     /// True once there was a mistake: `build` will return it.
     #[must_use]
     pub fn has_failed(&self) -> bool {
-        self.error.is_some()
+        self.error.get().is_some()
     }
 
     /// Keeps the first error.
-    pub fn fail(&mut self, error: Error) {
-        self.error.get_or_insert(error);
+    pub fn fail(&self, error: Error) {
+        // A later one follows from the first.
+        let _ = self.error.set(error);
     }
 
     /// Takes a format, or keeps its error and goes on with a placeholder.
@@ -97,29 +145,119 @@ impl Builder {
         })
     }
 
+    /// Keeps a mistake of the caller's code.
+    #[track_caller]
+    pub(super) fn misuse(&self, what: impl Into<String>, problem: impl Into<String>) {
+        self.fail(Error::misuse(what.into(), problem.into(), Location::caller()));
+    }
+
+    #[track_caller]
+    fn check_name(&self, what: &str, given: &str) {
+        if !name::is_legal(given) {
+            let given = escape::short(given);
+            self.misuse(format!("{what} `{given}`"), format!("a name is {}", name::RULE));
+        }
+    }
+
+    /// True if a node is this builder's.
+    fn owns(&self, id: NodeId) -> bool {
+        id.owner == self.owner
+    }
+
+    /// True if a node is this builder's and in a format.
+    fn is_in(&self, id: NodeId, format: Format) -> bool {
+        self.owns(id) && self.netlist.node(id).format == format
+    }
+
+    /// As [`Builder::owns`]; if not, that is a mistake.
+    #[track_caller]
+    fn owned(&self, operation: &str, id: NodeId) -> bool {
+        let owned = self.owns(id);
+        if !owned {
+            self.misuse(
+                format!("{operation} in `{}`", self.netlist.name),
+                "the node is another builder's: a netlist is built by one",
+            );
+        }
+        owned
+    }
+
+    /// A node with its format, as messages name it.
+    fn described(&self, id: NodeId) -> String {
+        if self.owns(id) {
+            format!("{} ({})", self.netlist.label(id), self.netlist.node(id).format)
+        } else {
+            "a node of another builder".to_owned()
+        }
+    }
+
+    /// An operation as messages name it.
+    #[track_caller]
+    fn operation_of(&self, op: Op, operands: &[NodeId]) -> Operation {
+        let of = |names: String| match &names[..] {
+            "" => op.name().to_owned(),
+            names => format!("{} of {names}", op.name()),
+        };
+        let first = operands.first().filter(|id| self.owns(**id));
+        let listed: Vec<String> = operands.iter().map(|id| self.described(*id)).collect();
+        Operation {
+            plain: of(first.map(|id| self.netlist.label(*id)).unwrap_or_default()),
+            with_formats: of(listed.join(", ")),
+            caller: Location::caller(),
+        }
+    }
+
+    /// Keeps a mistake in an operation and gives a node in its place.
+    #[track_caller]
+    fn refuse(
+        &mut self,
+        op: Op,
+        operands: &[NodeId],
+        asked: Option<Format>,
+        problem: impl Into<String>,
+    ) -> NodeId {
+        let operation = self.operation_of(op, operands);
+        self.misuse(operation.with_formats, problem);
+        self.placeholder(asked)
+    }
+
+    /// A node to go on with after a mistake.
+    fn placeholder(&mut self, asked: Option<Format>) -> NodeId {
+        self.insert(Op::Const { raw: 0 }, &[], asked.unwrap_or(Format::FLAG))
+    }
+
+    #[track_caller]
     fn push(&mut self, op: Op, operands: &[NodeId], asked: Option<Format>) -> NodeId {
-        let formats: Vec<Format> = operands.iter().map(|id| self.format(*id)).collect();
-        let format =
-            op.result_format(&formats, asked, &self.netlist.tables).unwrap_or_else(|why| {
-                let operand =
-                    operands.first().map(|id| self.netlist.label(*id)).unwrap_or_default();
-                let node = format!("{} of {operand}", op.name());
+        if !operands.iter().all(|id| self.owns(*id)) {
+            return self.refuse(op, operands, asked, "a netlist is built by one builder");
+        }
+        let formats: Vec<Format> =
+            operands.iter().map(|id| self.netlist.node(*id).format).collect();
+        match op.result_format(&formats, asked, &self.netlist.tables) {
+            Ok(format) => self.insert(op, operands, format),
+            Err(why) => {
+                let operation = self.operation_of(op, operands);
                 let place = self.netlist.nodes.len();
                 self.fail(match why {
                     FormatProblem::TooWide(bits) => {
-                        Error::node_too_wide(node, place, bits, Format::MAX_BITS)
+                        Error::node_too_wide(operation, place, bits, Format::MAX_BITS)
                     }
-                    FormatProblem::Mismatch(problem) => Error::node(node, problem),
+                    FormatProblem::Mismatch(problem) => Error::operands(operation, problem),
                 });
-                asked.unwrap_or(Format::FLAG)
-            });
+                self.placeholder(asked)
+            }
+        }
+    }
+
+    /// The node of an operation whose format is right, which is built once.
+    fn insert(&mut self, op: Op, operands: &[NodeId], format: Format) -> NodeId {
         let key = (op, operands.to_vec(), format);
         if op != Op::Input
             && let Some(id) = self.known.get(&key)
         {
             return *id;
         }
-        let id = NodeId(cast::id_of(self.netlist.nodes.len()));
+        let id = NodeId { owner: self.owner, number: cast::id_of(self.netlist.nodes.len()) };
         self.netlist.nodes.push(Node {
             op,
             operands: operands.to_vec(),
@@ -135,21 +273,34 @@ impl Builder {
     }
 
     /// Builds the nodes of `body` in a named scope.
+    #[track_caller]
     pub fn scope<R>(&mut self, name: &str, body: impl FnOnce(&mut Self) -> R) -> R {
         self.in_scope(name, None, body)
     }
 
     /// As [`Builder::scope`], for nodes that are counted as one operator.
+    #[track_caller]
     pub fn part<R>(&mut self, part: Part, name: &str, body: impl FnOnce(&mut Self) -> R) -> R {
         self.in_scope(name, Some(part), body)
     }
 
+    #[track_caller]
     fn in_scope<R>(
         &mut self,
         name: &str,
         part: Option<Part>,
         body: impl FnOnce(&mut Self) -> R,
     ) -> R {
+        let outer = self.open(name, part);
+        let result = body(self);
+        self.scope = outer;
+        result
+    }
+
+    /// Builds the next nodes in a named scope; gives the one that they were built in before.
+    #[track_caller]
+    pub(super) fn open(&mut self, name: &str, part: Option<Part>) -> ScopeId {
+        self.check_name("scope", name);
         let outer = self.scope;
         let scope = Scope { name: name.to_owned(), parent: Some(outer), part };
         let found = self.netlist.scopes.iter().position(|known| *known == scope);
@@ -158,187 +309,272 @@ impl Builder {
             self.netlist.scopes.len() - 1
         });
         self.scope = ScopeId(cast::id_of(index));
-        let result = body(self);
-        self.scope = outer;
-        result
+        outer
     }
 
     /// Names a node, in the scope that it was built in; a node keeps its first name.
+    #[track_caller]
     pub fn name(&mut self, id: NodeId, name: &str) -> NodeId {
-        let node = &mut self.netlist.nodes[id.index()];
-        if node.name.is_none() {
-            node.name = Some(name.to_owned());
+        self.check_name("node", name);
+        if self.owned("name", id) {
+            let node = &mut self.netlist.nodes[id.index()];
+            if node.name.is_none() {
+                node.name = Some(name.to_owned());
+            }
         }
         id
     }
 
     /// Says that a node is an angle in turns.
+    #[track_caller]
     pub fn turns(&mut self, id: NodeId) -> NodeId {
-        self.netlist.nodes[id.index()].quantity = Quantity::Turns;
+        if self.owned("turns", id) {
+            self.netlist.nodes[id.index()].quantity = Quantity::Turns;
+        }
         id
     }
 
-    /// Says what a node stands for on reals; a node keeps its first meaning.
+    /// Says what a node stands for on reals, of nodes that are built before it; a node keeps its first meaning.
+    #[track_caller]
     pub fn means(&mut self, id: NodeId, meaning: Meaning) -> NodeId {
-        self.netlist.nodes[id.index()].meaning.get_or_insert(meaning);
+        if !self.owned("means", id) {
+            return id;
+        }
+        let earlier = |of: &NodeId| self.owns(*of) && *of < id;
+        match meaning.arguments().into_iter().flatten().find(|of| !earlier(of)) {
+            None => {
+                self.netlist.nodes[id.index()].meaning.get_or_insert(meaning);
+            }
+            Some(of) => {
+                let problem = format!(
+                    "means something of {}: that must be an earlier node",
+                    self.described(of)
+                );
+                self.misuse(self.described(id), problem);
+            }
+        }
         id
     }
 
     /// Adds an input port.
+    #[track_caller]
     pub fn input(&mut self, name: &str, format: Format, quantity: Quantity) -> NodeId {
-        let id = self.push(Op::Input, &[], Some(format));
-        self.netlist.nodes[id.index()].quantity = quantity;
+        self.check_port("input", name);
+        let id = self.insert(Op::Input, &[], format);
+        let node = &mut self.netlist.nodes[id.index()];
+        node.quantity = quantity;
+        node.name = Some(name.to_owned());
         self.netlist.inputs.push(id);
-        self.name(id, name)
+        id
     }
 
     /// Adds an output port.
+    #[track_caller]
     pub fn output(&mut self, name: &str, node: NodeId) {
-        self.netlist.outputs.push(Output { name: name.to_owned(), node });
+        self.check_port("output", name);
+        if self.owned(&format!("output `{name}`"), node) {
+            self.netlist.outputs.push(Output { name: name.to_owned(), node });
+        }
+    }
+
+    /// Hardware has one name for a port.
+    #[track_caller]
+    fn check_port(&self, what: &str, given: &str) {
+        self.check_name(what, given);
+        let inputs =
+            self.netlist.inputs.iter().map(|id| (self.netlist.node(*id).name.as_deref(), "input"));
+        let outputs = self.netlist.outputs.iter().map(|output| (Some(&output.name[..]), "output"));
+        if let Some((_, other)) = inputs.chain(outputs).find(|(name, _)| *name == Some(given)) {
+            let article = if other == what { "another" } else { "an" };
+            self.misuse(
+                format!("{what} `{given}` of `{}`", self.netlist.name),
+                format!("{article} {other} has this name: give one of them another"),
+            );
+        }
     }
 
     /// Adds a table; an identical one that is there already is used again.
-    ///
-    /// # Panics
-    /// If a column doesn't have one word of its format per address: that is wrong code.
+    #[track_caller]
     pub fn table(&mut self, table: Table) -> TableId {
-        let index = self.netlist.tables.iter().position(|known| *known == table);
-        let index = index.unwrap_or_else(|| {
-            if table.addr_bits == 0 || table.addr_bits > 30 {
-                let problem = format!("{} address bits: legal is 1 to 30", table.addr_bits);
-                self.fail(Error::node(table.name.clone(), problem));
+        let known = self.netlist.tables.iter().position(|known| *known == table);
+        let index = known.unwrap_or(self.netlist.tables.len());
+        if known.is_none() {
+            match table_problem(&table) {
+                None => self.netlist.tables.push(table),
+                // Reading it is a mistake as well, and not the first.
+                Some(problem) => {
+                    self.misuse(format!("table `{}`", escape::short(&table.name)), problem)
+                }
             }
-            for column in &table.columns {
-                assert_eq!(column.words.len(), 1 << table.addr_bits, "bug: one word per address");
-                assert!(
-                    column.words.iter().all(|word| column.format.contains(*word)),
-                    "bug: `{}.{}` has words outside its format",
-                    table.name,
-                    column.name
-                );
-            }
-            self.netlist.tables.push(table);
-            self.netlist.tables.len() - 1
-        });
-        TableId(cast::id_of(index))
+        }
+        TableId { owner: self.owner, number: cast::id_of(index) }
+    }
+
+    /// The format of a table's result: the recipe's, or what the table's name is [overridden](Overrides) with. Whoever
+    /// makes a table's words asks here first.
+    pub fn table_format(&mut self, name: &str, format: Format) -> Format {
+        let place = Place::Table(name.to_owned());
+        let (format, given) = self.overrides.at(&place, format);
+        self.asked.push(Asked { place, format, node: None, given });
+        format
     }
 
     /// The constant word `raw`.
+    #[track_caller]
     pub fn constant(&mut self, raw: i64, format: Format) -> NodeId {
         self.push(Op::Const { raw }, &[], Some(format))
     }
 
     /// `a + b`.
+    #[track_caller]
     pub fn add(&mut self, a: NodeId, b: NodeId) -> NodeId {
         self.push(Op::Add, &[a, b], None)
     }
 
     /// `a - b`.
+    #[track_caller]
     pub fn sub(&mut self, a: NodeId, b: NodeId) -> NodeId {
         self.push(Op::Sub, &[a, b], None)
     }
 
     /// `a - b` where `flag` is set, else `a + b`.
+    #[track_caller]
     pub fn addsub(&mut self, flag: NodeId, a: NodeId, b: NodeId) -> NodeId {
         self.push(Op::AddSub, &[flag, a, b], None)
     }
 
     /// `a * b`.
+    #[track_caller]
     pub fn mul(&mut self, a: NodeId, b: NodeId) -> NodeId {
         self.push(Op::Mul, &[a, b], None)
     }
 
     /// `-a`.
+    #[track_caller]
     pub fn neg(&mut self, a: NodeId) -> NodeId {
         self.push(Op::Neg, &[a], None)
     }
 
     /// `|a|`.
+    #[track_caller]
     pub fn abs(&mut self, a: NodeId) -> NodeId {
         self.push(Op::Abs, &[a], None)
     }
 
     /// Bitwise and.
+    #[track_caller]
     pub fn and(&mut self, a: NodeId, b: NodeId) -> NodeId {
         self.push(Op::And, &[a, b], None)
     }
 
     /// Bitwise or.
+    #[track_caller]
     pub fn or(&mut self, a: NodeId, b: NodeId) -> NodeId {
         self.push(Op::Or, &[a, b], None)
     }
 
     /// Bitwise exclusive or.
+    #[track_caller]
     pub fn xor(&mut self, a: NodeId, b: NodeId) -> NodeId {
         self.push(Op::Xor, &[a, b], None)
     }
 
     /// Flag `a = b`.
+    #[track_caller]
     pub fn equal(&mut self, a: NodeId, b: NodeId) -> NodeId {
         self.push(Op::Equal, &[a, b], None)
     }
 
     /// Flag `a < b`.
+    #[track_caller]
     pub fn less(&mut self, a: NodeId, b: NodeId) -> NodeId {
         self.push(Op::Less, &[a, b], None)
     }
 
     /// `a` where `flag` is set, else `b`.
+    #[track_caller]
     pub fn mux(&mut self, flag: NodeId, a: NodeId, b: NodeId) -> NodeId {
         self.push(Op::Mux, &[flag, a, b], None)
     }
 
     /// `bits` bits of a word from bit `lo` up, as an integer.
+    #[track_caller]
     pub fn slice(&mut self, a: NodeId, lo: u32, bits: u32) -> NodeId {
+        if bits == 0 {
+            return self.refuse(Op::Slice { lo }, &[a], None, "no bits are taken");
+        }
         let format = self.checked(Format::integer(bits));
         self.push(Op::Slice { lo }, &[a], Some(format))
     }
 
     /// The bits of `high` above the bits of `low`.
+    #[track_caller]
     pub fn concat(&mut self, high: NodeId, low: NodeId) -> NodeId {
         self.push(Op::Concat, &[high, low], None)
     }
 
     /// The sign bit of a signed word as a flag.
-    ///
-    /// # Panics
-    /// If the word is unsigned.
+    #[track_caller]
     pub fn negative(&mut self, a: NodeId) -> NodeId {
-        assert!(self.format(a).is_signed(), "bug: an unsigned word has no sign");
-        let sign = self.slice(a, self.format(a).bits() - 1, 1);
+        let sign_bit = self.format(a).bits() - 1;
+        if !self.format(a).is_signed() {
+            return self.refuse(
+                Op::Slice { lo: sign_bit },
+                &[a],
+                None,
+                "an unsigned word has no sign",
+            );
+        }
+        let sign = self.slice(a, sign_bit, 1);
         self.means(sign, Meaning::Negative(a))
     }
 
     /// `a * 2^left` by moving the binary point.
+    #[track_caller]
     pub fn shift(&mut self, a: NodeId, left: i32) -> NodeId {
         if left == 0 { a } else { self.push(Op::Shift { left }, &[a], None) }
     }
 
     /// Zero bits above the first one.
+    #[track_caller]
     pub fn leading_zeros(&mut self, a: NodeId) -> NodeId {
         self.push(Op::LeadingZeros, &[a], None)
     }
 
     /// `a * 2^min(n, max)`.
+    #[track_caller]
     pub fn shift_left(&mut self, a: NodeId, n: NodeId, max: u32) -> NodeId {
         self.push(Op::ShiftLeft { max }, &[a, n], None)
     }
 
     /// The word of a column at an address.
-    ///
-    /// # Panics
-    /// If the table has no such column.
+    #[track_caller]
     pub fn read(&mut self, table: TableId, column: usize, address: NodeId) -> NodeId {
-        assert!(column < self.netlist.tables[table.index()].columns.len(), "bug: no such column");
-        self.push(Op::Read { table, column: cast::id_of(column) }, &[address], None)
+        let op = Op::Read { table, column: cast::id_of(column) };
+        let found = self.netlist.tables.get(table.index()).filter(|_| table.owner == self.owner);
+        let Some(found) = found else {
+            return self.refuse(op, &[address], None, "the table is another builder's");
+        };
+        if column >= found.columns.len() {
+            let names: Vec<&str> = found.columns.iter().map(|column| &column.name[..]).collect();
+            let problem = format!(
+                "table `{}` has no column {column}: from 0, they are {}",
+                found.name,
+                names.join(", ")
+            );
+            return self.refuse(op, &[address], None, problem);
+        }
+        self.push(op, &[address], None)
     }
 
     /// The residue of `a` modulo the span of `format`.
+    #[track_caller]
     pub fn modulo(&mut self, a: NodeId, format: Format) -> NodeId {
-        if self.format(a) == format { a } else { self.push(Op::Modulo, &[a], Some(format)) }
+        if self.is_in(a, format) { a } else { self.push(Op::Modulo, &[a], Some(format)) }
     }
 
-    /// `a` in `format`: the one way to lose bits.
+    /// `a` in `format`: the one way to lose bits. The node's name may be [overridden](Overrides) with another format.
+    #[track_caller]
     pub fn narrow(
         &mut self,
         a: NodeId,
@@ -346,11 +582,19 @@ impl Builder {
         round: Round,
         overflow: Overflow,
     ) -> NodeId {
+        let number = self.narrows.entry(self.scope).or_insert(0);
+        *number += 1;
+        let scope = self.netlist.scope_path(self.scope).join(".");
+        let place = Place::Narrow { scope, number: *number };
+        let (format, given) = self.overrides.at(&place, format);
         // Only symmetric saturation changes a word that is in the format already.
-        if self.format(a) == format && overflow != Overflow::Symmetric {
-            return a;
+        let same = self.is_in(a, format) && overflow != Overflow::Symmetric;
+        let id =
+            if same { a } else { self.push(Op::Narrow { round, overflow }, &[a], Some(format)) };
+        if !same || given.is_some() {
+            self.asked.push(Asked { place, format, node: Some(id), given });
         }
-        self.push(Op::Narrow { round, overflow }, &[a], Some(format))
+        id
     }
 
     /// As [`Builder::build`], but a meaning of a node that no output needs is dropped.
@@ -367,29 +611,20 @@ impl Builder {
     /// Verifies and freezes the netlist; nodes and tables that no output needs are gone.
     ///
     /// # Errors
-    /// The first mistake made while building: a word past 63 bits, operands that don't fit.
+    /// The first mistake made while building, or that there is no output, that a node means something of a node that no
+    /// output needs, or that a node whose format is overridden isn't there.
     ///
     /// # Panics
-    /// If ports are missing, share a name, a name is no identifier, or a node means something of
-    /// a node that no output needs: that is wrong code.
+    /// Never: what is asked of a builder is checked.
+    #[track_caller]
     pub fn build(self) -> Result<Netlist> {
-        if let Some(error) = self.error {
+        self.checks();
+        if let Some(error) = self.error.into_inner() {
             return Err(error);
         }
         let old = self.netlist;
-        assert!(!old.outputs.is_empty(), "bug: `{}` has no output", old.name);
-        let input_named = |name: &str| {
-            old.inputs.iter().any(|id| old.nodes[id.index()].name.as_deref() == Some(name))
-        };
-        if let Some(Output { name, .. }) = old.outputs.iter().find(|o| input_named(&o.name)) {
-            return Err(Error::usage(format!(
-                "`{name}` is an input and an output of `{}`: give one of them another name",
-                old.name
-            )));
-        }
-
         let live = live(&old);
-        let mut new_ids = vec![NodeId(u32::MAX); old.nodes.len()];
+        let mut new_ids = vec![NodeId::finished(u32::MAX); old.nodes.len()];
         let mut new_tables: Vec<Option<TableId>> = vec![None; old.tables.len()];
         let mut netlist = Netlist {
             name: old.name,
@@ -398,14 +633,13 @@ impl Builder {
             tables: Vec::new(),
             inputs: Vec::new(),
             outputs: Vec::new(),
+            choices: Vec::new(),
         };
         // Ports have their names first: whatever else is called so gets a number.
         let mut names: BTreeSet<(ScopeId, String)> = BTreeSet::new();
         for id in &old.inputs {
             let node = &old.nodes[id.index()];
-            let name = node.name.clone().expect("bug: inputs are named");
-            assert!(name::is_legal(&name), "bug: `{name}` is no identifier");
-            assert!(names.insert((node.scope, name)), "bug: two inputs share a name");
+            names.insert((node.scope, node.name.clone().expect("bug: inputs are named")));
         }
         for (index, mut node) in old.nodes.into_iter().enumerate().filter(|(i, _)| live[*i]) {
             for operand in &mut node.operands {
@@ -415,7 +649,7 @@ impl Builder {
             if let Op::Read { table, .. } = &mut node.op {
                 let new = *new_tables[table.index()].get_or_insert_with(|| {
                     netlist.tables.push(old.tables[table.index()].clone());
-                    TableId(cast::id_of(netlist.tables.len() - 1))
+                    TableId::finished(cast::id_of(netlist.tables.len() - 1))
                 });
                 *table = new;
             }
@@ -430,13 +664,11 @@ impl Builder {
             if node.op != Op::Input
                 && let Some(name) = node.name.take()
             {
-                assert!(name::is_legal(&name), "bug: `{name}` is no identifier");
-                let unique = (1..)
-                    .map(|n| if n == 1 { name.clone() } else { format!("{name}_{n}") })
-                    .find(|name| names.insert((node.scope, name.clone())));
-                node.name = unique;
+                let scope = node.scope;
+                node.name =
+                    Some(name::numbered(&name, |name| names.insert((scope, name.to_owned()))));
             }
-            let id = NodeId(cast::id_of(netlist.nodes.len()));
+            let id = NodeId::finished(cast::id_of(netlist.nodes.len()));
             new_ids[index] = id;
             if node.op == Op::Input {
                 netlist.inputs.push(id);
@@ -444,12 +676,44 @@ impl Builder {
             netlist.nodes.push(node);
         }
         for output in old.outputs {
-            let fresh = netlist.outputs.iter().all(|known| known.name != output.name);
-            assert!(fresh && name::is_legal(&output.name), "bug: output name `{}`", output.name);
             netlist.outputs.push(Output { node: new_ids[output.node.index()], ..output });
         }
+        let new = |asked: Asked| -> Option<Asked> {
+            let Some(node) = asked.node else { return Some(asked) };
+            live[node.index()].then(|| Asked { node: Some(new_ids[node.index()]), ..asked })
+        };
+        netlist.choose(self.asked.into_iter().filter_map(new).collect());
         netlist.verify();
         Ok(netlist)
+    }
+
+    /// What is checked at the end.
+    #[track_caller]
+    fn checks(&self) {
+        if self.has_failed() {
+            return;
+        }
+        let Netlist { name, nodes, outputs, .. } = &self.netlist;
+        if outputs.is_empty() {
+            self.misuse(format!("netlist `{name}`"), "it has no output");
+        }
+        if let Some(node) = self.overrides.unasked(&self.asked) {
+            self.fail(Error::usage(format!(
+                "with these formats, `{name}` has no node `{node}`: leave its format out"
+            )));
+        }
+        let live = live(&self.netlist);
+        for (index, node) in nodes.iter().enumerate().filter(|(index, _)| live[*index]) {
+            let mut arguments = node.meaning.into_iter().flat_map(Meaning::arguments).flatten();
+            if let Some(dead) = arguments.find(|id| !live[id.index()]) {
+                let id = NodeId { owner: self.owner, number: cast::id_of(index) };
+                let problem = format!(
+                    "its meaning is of {}, which no output needs: make it an output, too, or leave the meaning out",
+                    self.described(dead)
+                );
+                self.misuse(self.described(id), problem);
+            }
+        }
     }
 }
 
@@ -468,4 +732,40 @@ fn live(netlist: &Netlist) -> Vec<bool> {
         }
     }
     live
+}
+
+/// Why a table is none.
+fn table_problem(table: &Table) -> Option<String> {
+    if !name::is_legal(&table.name) {
+        return Some(format!("a name is {}", name::RULE));
+    }
+    if !(1..=Table::MAX_ADDR_BITS).contains(&table.addr_bits) {
+        return Some(format!(
+            "{} address bits: legal is 1 to {}",
+            table.addr_bits,
+            Table::MAX_ADDR_BITS
+        ));
+    }
+    let rows = 1usize << table.addr_bits;
+    let mut names = BTreeSet::new();
+    table.columns.iter().find_map(|column| {
+        let (name, format) = (escape::short(&column.name), column.format);
+        if !name::is_legal(&column.name) {
+            return Some(format!("column `{name}`: a name is {}", name::RULE));
+        }
+        if !names.insert(&column.name) {
+            return Some(format!("two columns are called `{name}`"));
+        }
+        if column.words.len() != rows {
+            let words = column.words.len();
+            return Some(format!(
+                "column `{name}` has {words} words and {rows} rows: one for each address"
+            ));
+        }
+        let outside = column.words.iter().position(|word| !format.contains(*word))?;
+        let (word, lo, hi) = (column.words[outside], format.min_raw(), format.max_raw());
+        Some(format!(
+            "column `{name}` has word {word} at address {outside}, outside {format} ({lo}..={hi})"
+        ))
+    })
 }

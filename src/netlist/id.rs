@@ -1,35 +1,66 @@
 //! Indices into a netlist.
 
-/// Index of a node in its netlist.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
-pub struct NodeId(pub(super) u32);
+use std::sync::atomic::{AtomicU32, Ordering};
 
-/// Index of a table in its netlist.
+/// What an index is of: a builder, or finished netlists, which share one.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
-pub struct TableId(pub(super) u32);
+pub(super) struct Owner(u32);
+
+impl Owner {
+    /// Any finished netlist: the same unit built twice has the same ids.
+    pub(super) const FINISHED: Self = Self(0);
+
+    /// A builder that has no other's number.
+    pub(super) fn builder() -> Self {
+        static LAST: AtomicU32 = AtomicU32::new(0);
+        Self(LAST.fetch_add(1, Ordering::Relaxed).wrapping_add(1))
+    }
+}
+
+/// Index of a node in its netlist. While the netlist is built, it says of which builder it is.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub struct NodeId {
+    pub(super) owner: Owner,
+    pub(super) number: u32,
+}
+
+/// Index of a table in its netlist. While the netlist is built, it says of which builder it is.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub struct TableId {
+    pub(super) owner: Owner,
+    pub(super) number: u32,
+}
 
 /// Index of a scope in its netlist; scope 0 is the unit itself.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
 pub struct ScopeId(pub(super) u32);
 
 impl NodeId {
+    pub(super) fn finished(number: u32) -> Self {
+        Self { owner: Owner::FINISHED, number }
+    }
+
     /// Position in [`Netlist::nodes`](super::Netlist::nodes).
     #[must_use]
     #[expect(clippy::missing_panics_doc, reason = "32 bits always fit")]
     pub fn index(self) -> usize {
-        usize::try_from(self.0).expect("bug: 32 bits fit")
+        usize::try_from(self.number).expect("bug: 32 bits fit")
     }
 }
 
 impl TableId {
-    /// The first table of a netlist.
-    pub(super) const FIRST: Self = Self(0);
+    /// The first table of a finished netlist.
+    pub(super) const FIRST: Self = Self::finished(0);
+
+    pub(super) const fn finished(number: u32) -> Self {
+        Self { owner: Owner::FINISHED, number }
+    }
 
     /// Position in [`Netlist::tables`](super::Netlist::tables).
     #[must_use]
     #[expect(clippy::missing_panics_doc, reason = "32 bits always fit")]
     pub fn index(self) -> usize {
-        usize::try_from(self.0).expect("bug: 32 bits fit")
+        usize::try_from(self.number).expect("bug: 32 bits fit")
     }
 }
 

@@ -6,22 +6,36 @@
 //! operation on the same operands twice gives the same node: a table read at an
 //! address is one port, however often it is used.
 //!
+//! # Names
+//! Netlists, ports, nodes, scopes, tables and their columns have names of one rule: a to z first, then a to z, 0 to 9
+//! and single _ between them, up to 64 in all. So they are legal in Verilog, VHDL, C++ and waves. What is a keyword
+//! there is renamed where hardware is written; only a module can't be called by one.
+//!
+//! # Wrong use
+//! Nothing that is asked of a [`Builder`] panics: it keeps the first mistake, with the place in the code that made it
+//! ([`Error::caller`](crate::base::error::Error::caller)), and [`Builder::build`] gives it back. [`Wires`] are nodes with operators
+//! over one.
+//!
 //! The reference interpreter ([`Netlist::eval`] on words, [`Netlist::eval_reals`]
 //! on reals) is a loop over [`Op`]; every other engine is held to it bit for bit.
 
 mod builder;
+mod choices;
 mod counts;
 mod id;
 pub mod op;
 pub(crate) mod ranges;
 mod table;
 mod text;
+mod wire;
 pub(crate) mod words;
 
 pub use builder::Builder;
+pub use choices::{Choice, Overrides, with_formats};
 pub use counts::{Counts, Operators, RAM_PORTS};
 pub use id::{NodeId, ScopeId, TableId};
 pub use table::{Column, Table};
+pub use wire::{Wire, Wires};
 
 use crate::base::cast;
 use crate::base::error::{Error, Result};
@@ -105,6 +119,7 @@ pub struct Netlist {
     tables: Vec<Table>,
     inputs: Vec<NodeId>,
     outputs: Vec<Output>,
+    choices: Vec<Choice>,
 }
 
 impl Netlist {
@@ -128,13 +143,13 @@ impl Netlist {
 
     /// All node ids in order.
     pub fn ids(&self) -> impl DoubleEndedIterator<Item = NodeId> + ExactSizeIterator + use<> {
-        (0..cast::id_of(self.nodes.len())).map(NodeId)
+        (0..cast::id_of(self.nodes.len())).map(NodeId::finished)
     }
 
     /// Id of the node at a position in [`Netlist::nodes`].
     #[must_use]
     pub(crate) fn id_at(&self, index: usize) -> NodeId {
-        NodeId(cast::id_of(index))
+        NodeId::finished(cast::id_of(index))
     }
 
     /// All scopes; parents come before children.
@@ -193,7 +208,7 @@ impl Netlist {
         }
         match &node.name {
             Some(name) => path + name,
-            None => format!("{path}%{}", id.0),
+            None => format!("{path}%{}", id.number),
         }
     }
 
@@ -299,7 +314,7 @@ impl Netlist {
             assert!(
                 node.operands.iter().all(|operand| *operand < id),
                 "bug: operands of %{} come later",
-                id.0
+                id.number
             );
             let formats: Vec<Format> =
                 node.operands.iter().map(|id| self.node(*id).format).collect();

@@ -26,6 +26,9 @@ pub struct Table {
 }
 
 impl Table {
+    /// The most address bits.
+    pub const MAX_ADDR_BITS: u32 = 30;
+
     /// Format of an address.
     ///
     /// # Panics

@@ -22,9 +22,9 @@ impl Netlist {
             );
         }
         for (id, node) in self.ids().zip(&self.nodes) {
-            let _ = write!(text, "  %{} = {}", id.0, self.describe(node));
+            let _ = write!(text, "  %{} = {}", id.number, self.describe(node));
             for operand in &node.operands {
-                let _ = write!(text, " %{}", operand.0);
+                let _ = write!(text, " %{}", operand.number);
             }
             let _ = write!(text, " : {}", node.format);
             text.push_str(match node.quantity {
@@ -38,7 +38,7 @@ impl Netlist {
             text.push('\n');
         }
         for output in &self.outputs {
-            let _ = writeln!(text, "  output {} = %{}", output.name, output.node.0);
+            let _ = writeln!(text, "  output {} = %{}", output.name, output.node.number);
         }
         text
     }
@@ -94,7 +94,7 @@ impl Netlist {
                 let _ = writeln!(
                     text,
                     "{indent}n{} [label=\"{name}{}\\n{}\"{shape}];",
-                    id.0,
+                    id.number,
                     self.describe(node),
                     node.format
                 );
@@ -105,14 +105,14 @@ impl Netlist {
         }
         for (id, node) in self.ids().zip(&self.nodes) {
             for operand in &node.operands {
-                let _ = writeln!(text, "  n{} -> n{};", operand.0, id.0);
+                let _ = writeln!(text, "  n{} -> n{};", operand.number, id.number);
             }
         }
         for output in &self.outputs {
             let _ = writeln!(
                 text,
                 "  out_{0} [label=\"{0}\", shape=cds]; n{1} -> out_{0};",
-                output.name, output.node.0
+                output.name, output.node.number
             );
         }
         text.push_str("}\n");

@@ -49,3 +49,4 @@ mod texture_space;
 mod units;
 mod verify;
 mod wave;
+mod wires;

@@ -1,9 +1,15 @@
 //! Building netlists, their text forms and their counts.
 
 use crate::common::design;
+use crate::engines::Random;
 use expect_test::expect;
+use fixpath::cycle::Cycle;
 use fixpath::format::{Format, Overflow, Round};
-use fixpath::netlist::{Builder, Column, Counts, Netlist, Part, Quantity, Table};
+use fixpath::netlist::{Builder, Column, Counts, Netlist, NodeId, Part, Quantity, Table};
+use fixpath::op::{Meaning, Op};
+use fixpath::rtl::Rtl;
+use fixpath::schedule::{Depth, Rom, Schedule};
+use fixpath::sim::batch::{BLOCK, Program, Word};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -211,47 +217,457 @@ fn names_stay_unique_in_their_scope() {
     assert_eq!(unique.len(), labels.len());
 }
 
-/// Names from `<what>: <text>` messages that wrong code gets.
-fn panic_of(body: impl FnOnce() + std::panic::UnwindSafe) -> String {
-    let payload = std::panic::catch_unwind(body).unwrap_err();
-    match payload.downcast_ref::<String>() {
-        Some(text) => text.clone(),
-        None => (*payload.downcast_ref::<&str>().unwrap()).to_owned(),
-    }
+/// Message of a netlist with input `x`, s8f4, and output `y` beside what `wrong` does; without the place in the code.
+fn refusal<R>(wrong: impl FnOnce(&mut Builder, NodeId) -> R) -> String {
+    let mut b = Builder::new("wrong");
+    let x = b.input("x", format("s8f4"), Quantity::Number);
+    b.output("y", x);
+    wrong(&mut b, x);
+    assert!(b.has_failed());
+    // Whatever comes after the first mistake is no panic, and no other message.
+    let flag = b.less(x, x);
+    let other = b.operation(Op::And, &[x, flag], Format::FLAG);
+    b.name(other, "NO NAME");
+    b.output("y", other);
+    message(b.build())
 }
 
+fn message(built: fixpath::error::Result<Netlist>) -> String {
+    let error = built.unwrap_err();
+    let text = error.to_string();
+    let Some(caller) = error.caller() else { return text };
+    assert!(caller.file().ends_with("netlist.rs"), "{caller} of {text}");
+    let place = format!(" ({}:{})", caller.file(), caller.line());
+    text.strip_suffix(&place).unwrap_or(&text).to_owned()
+}
+
+const RULE: &str =
+    "a name is a to z first, then a to z, 0 to 9 and single _ between them, up to 64 in all";
+
 #[test]
-fn names_that_hardware_languages_refuse_are_bugs() {
-    for name in ["", "A", "1a", "a-b", "a__b", "a_", "_a", "é", "a b"] {
-        let message = panic_of(move || {
-            let mut b = Builder::new("names");
-            let a = b.input("a", Format::FLAG, Quantity::Number);
-            b.output(name, a);
-            drop(b.build());
+fn names_that_hardware_languages_refuse_are_refused() {
+    let long = "a".repeat(65);
+    let names = ["", "A", "1a", "a-b", "a__b", "a_", "_a", "é", "a b", "a\nb", &long];
+    for name in names {
+        let shown = message(Builder::new(name).build());
+        assert!(shown.starts_with("netlist `") && shown.ends_with(RULE), "{shown}");
+        let given = |what: &str| {
+            format!("{what} {}: {RULE}", shown.split('`').nth(1).map(|n| format!("`{n}`")).unwrap())
+        };
+        let of = |what: &str, wrong: &dyn Fn(&mut Builder, NodeId)| {
+            assert_eq!(refusal(|b, x| wrong(b, x)), given(what));
+        };
+        of("input", &|b, _| {
+            b.input(name, Format::FLAG, Quantity::Number);
         });
-        assert_eq!(message, format!("bug: output name `{name}`"));
+        of("output", &|b, x| b.output(name, x));
+        of("node", &|b, x| {
+            b.name(x, name);
+        });
+        of("scope", &|b, _| b.scope(name, |_| ()));
+        of("scope", &|b, _| b.part(Part::Dot, name, |_| ()));
+        of("table", &|b, _| {
+            b.table(Table { name: name.to_owned(), ..square_table() });
+        });
+        of("table `squares`: column", &|b, _| {
+            let mut table = square_table();
+            table.columns[1].name = name.to_owned();
+            b.table(table);
+        });
     }
-    let message = panic_of(|| {
-        let mut b = Builder::new("names");
-        let a = b.input("a", Format::FLAG, Quantity::Number);
-        b.output("twice", a);
-        b.output("twice", a);
-        drop(b.build());
-    });
-    assert_eq!(message, "bug: output name `twice`");
-    let message = panic_of(|| drop(Builder::new("empty").build()));
-    assert_eq!(message, "bug: `empty` has no output");
+    // The longest name there is, and keywords: hardware renames them.
+    for name in [&"a".repeat(64), "module", "signal", "x9", "a_b_c", "z"] {
+        let mut b = Builder::new("legal");
+        let x = b.input(name, Format::FLAG, Quantity::Number);
+        b.output("out", x);
+        assert_eq!(b.build().unwrap().input_name(0), name);
+    }
+}
+
+/// Numbers make names no longer than they may be: what is built can be built again.
+#[test]
+fn numbered_names_stay_legal() {
+    let mut b = Builder::new("long");
+    let x = b.input("x", format("s8f4"), Quantity::Number);
+    let name = format!("{}_{}", "a".repeat(61), "b".repeat(2));
+    for i in 0..12 {
+        let word = b.constant(i, format("s8f4"));
+        let sum = b.add(x, word);
+        b.name(sum, &name);
+        b.output(&format!("out{i}"), sum);
+    }
+    let netlist = b.build().unwrap();
+    let mut again = Builder::new("again");
+    let names: BTreeSet<&str> = netlist.nodes().iter().filter_map(|n| n.name.as_deref()).collect();
+    assert_eq!(names.len(), 13);
+    for name in &names {
+        again.input(name, Format::FLAG, Quantity::Number);
+    }
+    assert!(!again.has_failed(), "{names:?}");
 }
 
 #[test]
-fn tables_of_no_or_too_many_address_bits_are_refused() {
-    let mut b = Builder::new("tables");
-    let a = b.input("a", Format::FLAG, Quantity::Number);
-    b.output("a_out", a);
-    let column = Column { name: "c".to_owned(), format: Format::FLAG, words: Arc::from([1]) };
-    b.table(Table { name: "tiny".to_owned(), addr_bits: 0, columns: vec![column] });
-    let message = b.build().unwrap_err().to_string();
-    assert_eq!(message, "node `tiny`: 0 address bits: legal is 1 to 30");
+fn ports_have_names_of_their_own() {
+    let flag = Format::FLAG;
+    let port = |b: &mut Builder, name| {
+        b.input(name, flag, Quantity::Number);
+    };
+    assert_eq!(
+        refusal(|b, _| port(b, "x")),
+        "input `x` of `wrong`: another input has this name: give one of them another"
+    );
+    assert_eq!(
+        refusal(|b, _| port(b, "y")),
+        "input `y` of `wrong`: an output has this name: give one of them another"
+    );
+    assert_eq!(
+        refusal(|b, x| b.output("y", x)),
+        "output `y` of `wrong`: another output has this name: give one of them another"
+    );
+    assert_eq!(
+        refusal(|b, x| b.output("x", x)),
+        "output `x` of `wrong`: an input has this name: give one of them another"
+    );
+    // In whatever scope they were declared.
+    assert_eq!(
+        refusal(|b, _| b.scope("inner", |b| port(b, "x"))),
+        "input `x` of `wrong`: another input has this name: give one of them another"
+    );
+    assert_eq!(message(Builder::new("empty").build()), "netlist `empty`: it has no output");
+}
+
+#[test]
+fn tables_are_whole() {
+    let tables = |change: &dyn Fn(&mut Table)| {
+        refusal(|b, _| {
+            let mut table = square_table();
+            change(&mut table);
+            let table = b.table(table);
+            let address = b.constant(3, format("u3f0"));
+            b.read(table, 0, address);
+        })
+    };
+    for bits in [0, 31, 63, 64, u32::MAX] {
+        assert_eq!(
+            tables(&|t| t.addr_bits = bits),
+            format!("table `squares`: {bits} address bits: legal is 1 to 30")
+        );
+    }
+    assert_eq!(
+        tables(&|t| t.addr_bits = 4),
+        "table `squares`: column `square` has 8 words and 16 rows: one for each address"
+    );
+    assert_eq!(
+        tables(&|t| t.columns[1].words = Arc::from([])),
+        "table `squares`: column `half` has 0 words and 8 rows: one for each address"
+    );
+    assert_eq!(
+        tables(&|t| t.columns[0].format = format("u5f3")),
+        "table `squares`: column `square` has word 36 at address 6, outside u5f3 (0..=31)"
+    );
+    assert_eq!(
+        tables(&|t| t.columns[1].name = "square".to_owned()),
+        "table `squares`: two columns are called `square`"
+    );
+    assert_eq!(
+        refusal(|b, x| {
+            let table = b.table(square_table());
+            let address = b.slice(x, 0, 3);
+            b.name(address, "address");
+            b.read(table, 2, address);
+        }),
+        "read of address (u3f0): table `squares` has no column 2: from 0, they are square, half"
+    );
+    assert_eq!(
+        refusal(|b, x| {
+            let table = b.table(square_table());
+            b.read(table, 0, x);
+        }),
+        "node `read of x (s8f4)`: `squares` takes addresses u3f0"
+    );
+}
+
+/// A node and a table of another builder, of this one's past and of a finished netlist: indices that exist here, too.
+#[test]
+fn what_is_another_builders_is_seen() {
+    let mut other = Builder::new("other");
+    let node = other.input("x", format("s8f4"), Quantity::Number);
+    let table = other.table(square_table());
+    other.output("y", node);
+    let finished = other.build().unwrap();
+    let [first, last] = [node, finished.outputs()[0].node];
+    assert_ne!(first, last, "of a builder, and of what it built");
+    for id in [first, last] {
+        type Wrong = fn(&mut Builder, NodeId, NodeId) -> NodeId;
+        let cases: [(&str, Wrong); 16] = [
+            ("add of x (s8f4), a node of another builder", |b, x, id| b.add(x, id)),
+            ("sub of a node of another builder, x (s8f4)", |b, x, id| b.sub(id, x)),
+            ("neg of a node of another builder", |b, _, id| b.neg(id)),
+            ("shift of a node of another builder", |b, _, id| b.shift(id, 1)),
+            ("slice of a node of another builder", |b, _, id| b.slice(id, 0, 1)),
+            ("narrow of a node of another builder", |b, _, id| {
+                b.narrow(id, format("s8f4"), Round::Floor, Overflow::Wrap)
+            }),
+            ("modulo of a node of another builder", |b, _, id| b.modulo(id, format("s8f4"))),
+            ("mux of x (s8f4), a node of another builder, x (s8f4)", |b, x, id| b.mux(x, id, x)),
+            ("name in `wrong`", |b, _, id| b.name(id, "z")),
+            ("turns in `wrong`", |b, _, id| b.turns(id)),
+            ("means in `wrong`", |b, x, id| b.means(id, Meaning::Floor(x))),
+            ("format in `wrong`", |b, x, id| if b.format(id) == Format::FLAG { id } else { x }),
+            ("format in `wrong`", |b, _, id| b.negative(id)),
+            ("output `z` in `wrong`", |b, x, id| {
+                b.output("z", id);
+                x
+            }),
+            ("x (s8f4)", |b, x, id| b.means(x, Meaning::Floor(id))),
+            ("less of a node of another builder, a node of another builder", |b, _, id| {
+                b.less(id, id)
+            }),
+        ];
+        for (start, wrong) in cases {
+            let message = refusal(|b, x| wrong(b, x, id));
+            assert!(message.starts_with(&format!("{start}: ")), "{message}");
+            assert!(message.contains("builder"), "{message}");
+        }
+    }
+    let message = refusal(|b, x| {
+        b.table(square_table());
+        let address = b.slice(x, 0, 3);
+        b.read(table, 0, address);
+    });
+    assert_eq!(message, "read of %1 (u3f0): the table is another builder's");
+}
+
+#[test]
+fn operations_are_asked_what_they_can() {
+    assert_eq!(
+        refusal(|b, _| {
+            let flag = b.constant(1, Format::FLAG);
+            b.negative(flag);
+        }),
+        "slice of %1 (u1f0): an unsigned word has no sign"
+    );
+    assert_eq!(refusal(|b, x| b.slice(x, 3, 0)), "slice of x (s8f4): no bits are taken");
+    let far = refusal(|b, x| b.slice(x, u32::MAX, 63));
+    assert!(far.starts_with("node `slice of x (s8f4)`: bits "), "{far}");
+    let far = refusal(|b, x| {
+        let count = b.slice(x, 0, 3);
+        b.shift_left(x, count, u32::MAX);
+    });
+    assert!(far.starts_with("node `shift_left of x (s8f4), %1 (u3f0)` needs "), "{far}");
+    for left in [i32::MIN, i32::MAX, 200, -200] {
+        assert_eq!(
+            refusal(|b, x| b.shift(x, left)),
+            "node `shift of x (s8f4)`: the binary point moves past 127 places"
+        );
+    }
+    assert_eq!(
+        refusal(|b, _| b.constant(200, format("s8f4"))),
+        "node `const`: word 200 is outside s8f4"
+    );
+    assert_eq!(
+        refusal(|b, x| b.operation(Op::Add, &[x], Format::FLAG)),
+        "add of x (s8f4): it takes 2 operands"
+    );
+    assert_eq!(
+        refusal(|b, _| b.operation(Op::Input, &[], Format::FLAG)),
+        "input: a port has a name: take `input`"
+    );
+    // A meaning is of what is there before, and of what stays.
+    assert_eq!(
+        refusal(|b, x| b.means(x, Meaning::Floor(x))),
+        "x (s8f4): means something of x (s8f4): that must be an earlier node"
+    );
+    let mut b = Builder::new("wrong");
+    let x = b.input("x", format("s8f4"), Quantity::Number);
+    let dead = b.mul(x, x);
+    let y = b.neg(x);
+    b.means(y, Meaning::Floor(dead));
+    b.output("y", y);
+    assert_eq!(
+        message(b.build()),
+        "%2 (s9f4): its meaning is of %1 (s16f8), which no output needs: make it an output, too, or leave the meaning out"
+    );
+}
+
+/// Any calls in any order, of ids from anywhere: never a panic, and what is built runs.
+#[test]
+fn builders_take_anything() {
+    let mut built = 0;
+    for seed in 0..4000 {
+        let mut random = Random::new(seed);
+        let mut other = Builder::new("other");
+        let foreign = other.input("f", format("s8f4"), Quantity::Number);
+        let mut b = Builder::new("any");
+        let mut ids = vec![b.input("x", format("s8f4"), Quantity::Number)];
+        let mut tables = vec![b.table(square_table())];
+        if random.chance(5) {
+            tables.push(other.table(square_table()));
+        }
+        if random.chance(10) {
+            ids.push(foreign);
+        }
+        for step in 0..random.below(12) {
+            let [p, q, r] = [0; 3].map(|_| random.pick(&ids));
+            let word = random.pick(&[0, 1, 3, 8, 62, 63, 64, u32::MAX]);
+            let bits = 1 + random.below(63) as u32;
+            let to = Format::new(random.chance(50), bits, random.within(-127, 127) as i32).unwrap();
+            let name = random.pick(&["x", "y", "ok", "Bad", ""]);
+            let id = match random.below(14) {
+                0 => b.slice(p, word, random.pick(&[0, 1, 8, 63, 64, u32::MAX])),
+                1 => b.shift(p, random.pick(&[1, -3, 130, i32::MIN, i32::MAX])),
+                2 => b.shift_left(p, q, word),
+                3 => b.narrow(p, to, random.pick(Round::ALL), random.pick(Overflow::ALL)),
+                4 => b.modulo(p, to),
+                5 => b.read(random.pick(&tables), random.below(3), p),
+                6 => b.negative(p),
+                7 => b.name(p, name),
+                8 => b.means(p, Meaning::Floor(q)),
+                9 => b.constant(random.pick(&[0, 1, -1, i64::MAX, i64::MIN]), to),
+                10 => b.scope(name, |b| b.add(p, q)),
+                11 => {
+                    let mut table = square_table();
+                    table.addr_bits = random.pick(&[3, 0, 5, 31, 200]);
+                    let read = b.table(table);
+                    tables.push(read);
+                    b.read(read, 0, p)
+                }
+                12 if random.chance(30) => b.input(name, to, Quantity::Turns),
+                _ => {
+                    let op = random.pick(Op::ALL);
+                    let of = [p, q, r];
+                    let arity = if random.chance(95) { op.arity() } else { random.below(4) };
+                    b.operation(op, &of[..arity], to)
+                }
+            };
+            ids.push(id);
+            if random.chance(20) {
+                b.output(&format!("out{step}"), id);
+            }
+        }
+        let last = ids[ids.len() - 1];
+        b.output("last", last);
+        let failed = b.has_failed();
+        match b.build() {
+            Ok(netlist) => {
+                assert!(!failed);
+                built += 1;
+                crate::engines::check(&netlist, seed, 3).unwrap();
+            }
+            Err(error) => {
+                let text = error.to_string();
+                assert!(!text.contains("bug:"), "{text}");
+            }
+        }
+    }
+    assert!((200..3800).contains(&built), "{built}");
+}
+
+/// Words outside a port are an error of whoever is given them.
+#[test]
+fn words_outside_a_port_are_refused() {
+    let netlist = Arc::new(small());
+    let outputs: Vec<NodeId> = netlist.outputs().iter().map(|output| output.node).collect();
+    let program = Program::compile(&netlist, &outputs);
+    let run = |a: &[i64], phase: &[i64]| {
+        let mut out = vec![Vec::new(); outputs.len()];
+        program.runner().run(&program, &[a, phase], &mut out).map(|()| out)
+    };
+    // Anywhere in a block, in the last one, too.
+    for count in [1, 2, 700, BLOCK, BLOCK + 1, 2 * BLOCK + 5] {
+        for at in [0, count / 2, count - 1] {
+            for wrong in [8, 9, -1, 1 << 16, 1 << 32, i64::MIN, i64::MAX, (1 << 32) + 3, 1 << 62] {
+                let (mut a, phase) = (vec![7; count], vec![255; count]);
+                assert!(run(&a, &phase).is_ok());
+                a[at] = wrong;
+                assert_eq!(
+                    run(&a, &phase).unwrap_err().to_string(),
+                    format!("input `a`: word {wrong} of sample {at} is outside u3f0 (0..=7)")
+                );
+            }
+        }
+    }
+    let narrow = |a: u16, phase: u16| {
+        let mut out: Vec<Vec<i32>> = vec![Vec::new(); 2];
+        program.runner().run_words(&program, &[&[a][..], &[phase]], &mut out)
+    };
+    assert!(narrow(7, 255).is_ok());
+    let why = narrow(7, 256).unwrap_err().to_string();
+    assert_eq!(why, "input `phase`: word 256 of sample 0 is outside u8f8 (0..=255)");
+    let mut out: Vec<Vec<u16>> = vec![Vec::new(); 2];
+    let why = program.runner().run_words(&program, &[&[7u16][..], &[1]], &mut out);
+    let why = why.unwrap_err().to_string();
+    assert_eq!(
+        why,
+        "words of `result` are s6f1 and its column holds 0 to 65535: take wider numbers"
+    );
+    let mut out = vec![Vec::new(); 2];
+    let mut wrong = |columns: &[&[i64]]| {
+        program.runner().run(&program, columns, &mut out).unwrap_err().to_string()
+    };
+    assert_eq!(wrong(&[&[1]]), "1 columns of input words: one is needed for each of a, phase");
+    let why = "the column of port `phase` has 1 words and that of `a` has 2: give as many to each";
+    assert_eq!(wrong(&[&[1, 2], &[3]]), why);
+    let why = program.runner().run(&program, &[&[1], &[1]], &mut []).unwrap_err().to_string();
+    assert_eq!(why, "0 columns of output words: one is needed for each of result, turned");
+
+    let outside = "input `a`: word 8 is outside u3f0 (0..=7)";
+    assert_eq!(netlist.eval(&[8, 0]).unwrap_err().to_string(), outside);
+    let few = "1 words for `small`: it takes one for each of a, phase";
+    assert_eq!(netlist.eval(&[8]).unwrap_err().to_string(), few);
+    let schedule = Schedule::pipeline(&netlist, Rom::Distributed, Depth::Stages(1)).unwrap();
+    let mut cycle = Cycle::new(Arc::new(Rtl::new(Arc::clone(&netlist), schedule)));
+    assert_eq!(cycle.settle(&[8, 0], true).unwrap_err().to_string(), outside);
+    assert_eq!(cycle.settle(&[8], true).unwrap_err().to_string(), few);
+    cycle.settle(&[7, 0], true).unwrap();
+}
+
+/// Every format near the ends of each sort of number.
+#[test]
+fn all_words_of_a_format_pass_and_no_others() {
+    fn check<W: Word>(widest: i128) {
+        for bits in (1..=20).chain([30, 31, 32, 33, 62, 63]) {
+            for signed in [false, true] {
+                let format = Format::new(signed, bits, 0).unwrap();
+                let mut b = Builder::new("port");
+                let x = b.input("x", format, Quantity::Number);
+                let y = b.slice(x, 0, 1);
+                b.output("y", y);
+                let netlist = b.build().unwrap();
+                let program = Program::compile(&netlist, &[netlist.outputs()[0].node]);
+                let (lo, hi) = (format.min_raw(), format.max_raw());
+                let ends = [
+                    lo,
+                    hi,
+                    lo.wrapping_sub(1),
+                    hi.wrapping_add(1),
+                    0,
+                    -1,
+                    1 << 15,
+                    1 << 16,
+                    -(1 << 31),
+                    1 << 31,
+                    i64::MIN,
+                    i64::MAX,
+                ];
+                for word in ends {
+                    let there = W::of_word(word).word() == word && i128::from(word) <= widest;
+                    if there {
+                        let mut out: Vec<Vec<i64>> = vec![Vec::new()];
+                        let ran = program.runner().run_words(
+                            &program,
+                            &[&[W::of_word(word)][..]],
+                            &mut out,
+                        );
+                        assert_eq!(ran.is_ok(), format.contains(word), "{format} {word}");
+                    }
+                }
+            }
+        }
+    }
+    check::<i64>(i64::MAX.into());
+    check::<i32>(i32::MAX.into());
+    check::<u16>(u16::MAX.into());
 }
 
 fn rotation(assignments: &[&str]) -> Netlist {
@@ -397,16 +813,4 @@ fn text_is_reproducible() {
     for scheme in ["scheme=direct", "scheme=linear", "scheme=bipartite"] {
         assert_eq!(text(scheme), text(scheme));
     }
-}
-
-/// Hardware has one name for a port.
-#[test]
-fn an_input_and_an_output_of_one_name_are_refused() {
-    let format = Format::signed(8, 4).unwrap();
-    let mut b = Builder::new("echo");
-    let x = b.input("x", format, Quantity::Number);
-    let y = b.neg(x);
-    b.output("x", y);
-    let why = b.build().unwrap_err().to_string();
-    assert_eq!(why, "`x` is an input and an output of `echo`: give one of them another name");
 }

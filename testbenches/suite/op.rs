@@ -302,7 +302,7 @@ fn constants_reads_and_narrows() {
     b.output("constant", constant);
     let netlist = b.build().unwrap();
     for at in 0..8usize {
-        let (nodes, _) = netlist.eval(&[at as i64]);
+        let (nodes, _) = netlist.eval(&[at as i64]).unwrap();
         let outputs: Vec<i64> = netlist.outputs().iter().map(|o| nodes[o.node.index()]).collect();
         assert_eq!(outputs, [words[at], words[7 - at], -8]);
         assert_eq!(netlist.eval_reals(&[at as f64])[netlist.outputs()[2].node.index()], -4.0);
@@ -362,24 +362,36 @@ fn words_of_63_bits_pass_and_of_64_are_refused_by_name() {
     assert_eq!(Op::Add.result_format(&[s62, s62], None, &[]), Ok(s));
     assert_eq!(Op::Mul.result_format(&[s31, s32], None, &[]), Ok(s));
     assert_eq!(Op::Add.result_format(&[s, s], None, &[]), Err(FormatProblem::TooWide(64)));
-    assert_eq!(refusal(&[s, s], |b, i| b.add(i[0], i[1])), wide("add of a", 64));
-    assert_eq!(refusal(&[s, s], |b, i| b.sub(i[0], i[1])), wide("sub of a", 64));
-    assert_eq!(refusal(&[s32, s32], |b, i| b.mul(i[0], i[1])), wide("mul of a", 64));
-    assert_eq!(refusal(&[s], |b, i| b.neg(i[0])), wide("neg of a", 64));
-    assert_eq!(refusal(&[u], |b, i| b.neg(i[0])), wide("neg of a", 64));
-    assert_eq!(refusal(&[u, u], |b, i| b.concat(i[0], i[1])), wide("concat of a", 126));
+    assert_eq!(refusal(&[s, s], |b, i| b.add(i[0], i[1])), wide("add of a (s63f0), b (s63f0)", 64));
+    assert_eq!(refusal(&[s, s], |b, i| b.sub(i[0], i[1])), wide("sub of a (s63f0), b (s63f0)", 64));
+    assert_eq!(
+        refusal(&[s32, s32], |b, i| b.mul(i[0], i[1])),
+        wide("mul of a (s32f0), b (s32f0)", 64)
+    );
+    assert_eq!(refusal(&[s], |b, i| b.neg(i[0])), wide("neg of a (s63f0)", 64));
+    assert_eq!(refusal(&[u], |b, i| b.neg(i[0])), wide("neg of a (u63f0)", 64));
+    assert_eq!(
+        refusal(&[u, u], |b, i| b.concat(i[0], i[1])),
+        wide("concat of a (u63f0), b (u63f0)", 126)
+    );
     let fine = Format::signed(60, 4).unwrap();
     // Alignment to 4 fraction bits takes 67 bits before anything is added.
-    assert_eq!(refusal(&[s, fine], |b, i| b.less(i[0], i[1])), wide("less of a", 67));
+    assert_eq!(
+        refusal(&[s, fine], |b, i| b.less(i[0], i[1])),
+        wide("less of a (s63f0), b (s60f4)", 67)
+    );
     let n = Format::integer(2).unwrap();
-    assert_eq!(refusal(&[s62, n], |b, i| b.shift_left(i[0], i[1], 2)), wide("shift_left of a", 64));
+    assert_eq!(
+        refusal(&[s62, n], |b, i| b.shift_left(i[0], i[1], 2)),
+        wide("shift_left of a (s62f0), b (u2f0)", 64)
+    );
     assert_eq!(
         refusal(&[s, u, Format::FLAG], |b, i| b.mux(i[2], i[0], i[1])),
-        wide("mux of c", 64)
+        wide("mux of c (u1f0), a (s63f0), b (u63f0)", 64)
     );
     assert_eq!(
         refusal(&[s, s, Format::FLAG], |b, i| b.addsub(i[2], i[0], i[1])),
-        wide("addsub of c", 64)
+        wide("addsub of c (u1f0), a (s63f0), b (s63f0)", 64)
     );
 }
 
@@ -409,16 +421,16 @@ fn operands_that_do_not_fit_are_refused() {
     let far = Format::signed(4, 100).unwrap();
     assert_eq!(
         refusal(&[far, far], |b, i| b.mul(i[0], i[1])),
-        "node `mul of a`: fraction bits add up past 127"
+        "node `mul of a (s4f100), b (s4f100)`: fraction bits add up past 127"
     );
     assert_eq!(
         refusal(&[far], |b, i| b.shift(i[0], -28)),
-        "node `shift of a`: the binary point moves past 127 places"
+        "node `shift of a (s4f100)`: the binary point moves past 127 places"
     );
     // The first mistake is the one that is told.
     let first = refusal(&[s4, u4], |b, i| {
         let wrong = b.and(i[0], i[1]);
         b.slice(wrong, 60, 60)
     });
-    assert_eq!(first, "node `and of a`: bitwise operands have one format");
+    assert_eq!(first, "node `and of a (s4f0), b (u4f1)`: bitwise operands have one format");
 }

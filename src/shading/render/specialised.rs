@@ -264,6 +264,9 @@ struct Compared {
 ///
 /// # Errors
 /// If the pipeline can't be built.
+///
+/// # Panics
+/// Never: words are written in their ports' formats.
 pub fn specialise_to(scene: &Scene, pipeline: &Pipeline) -> Result<Vec<SpecialisedStage>> {
     let shader = Shader::with_stages(scene, pipeline, false, false, true)?;
     let blocks = blocks(scene.image.height);

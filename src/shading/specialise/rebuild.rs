@@ -1,6 +1,7 @@
 //! Building a netlist again, node by node, with some of them replaced.
 
 use super::reduced::{Reduced, Source};
+use crate::base::name;
 use crate::netlist::op::{Meaning, Op};
 use crate::netlist::{Builder, Netlist, NodeId, Quantity, ScopeId, TableId};
 use crate::number::format::{Overflow, Round};
@@ -189,15 +190,13 @@ pub(super) fn port_name(netlist: &Netlist, id: NodeId, taken: &mut BTreeSet<Stri
     let node = netlist.node(id);
     let mut words = netlist.scope_path(node.scope);
     words.push(node.name.as_deref().unwrap_or(node.op.name()));
-    let base = words.join("_");
-    let name = (1..)
-        .map(|n| match n {
-            1 => base.clone(),
-            2 => format!("{base}_face"),
-            n => format!("{base}_face_{}", n - 1),
-        })
-        .find(|name| !taken.contains(name))
-        .expect("bug: there is no end of numbers");
+    let base = name::with_suffix(&words.join("_"), "");
+    let is_free = |name: &str| !taken.contains(name);
+    let name = if is_free(&base) {
+        base
+    } else {
+        name::numbered(&name::with_suffix(&base, "_face"), is_free)
+    };
     taken.insert(name.clone());
     name
 }

@@ -1,0 +1,206 @@
+//! The formats that a recipe chooses, and others in their place.
+
+use super::{Netlist, NodeId};
+use crate::base::error::{Error, Result};
+use crate::number::format::Format;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Where a recipe asks for a format: the same place whatever the formats before it are.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(super) enum Place {
+    /// The `number`th `narrow` of a scope, from 1.
+    Narrow {
+        /// The scope's path.
+        scope: String,
+        /// It counts those that need no node, too.
+        number: u32,
+    },
+    /// All tables of a name.
+    Table(String),
+}
+
+/// What a recipe asked for while it ran.
+#[derive(Debug)]
+pub(super) struct Asked {
+    pub(super) place: Place,
+    /// What it got.
+    pub(super) format: Format,
+    /// The node, if it is a `narrow`.
+    pub(super) node: Option<NodeId>,
+    /// The name by which the format was overridden.
+    pub(super) given: Option<String>,
+}
+
+/// A node of a netlist whose format its recipe chose: a `narrow`, or a table's result.
+#[derive(Clone, Debug)]
+pub struct Choice {
+    /// Its stable name: its own, or `scope.narrow`, `scope.narrow_2` by its place in the scope; for tables the table's.
+    pub name: String,
+    /// Its format.
+    pub format: Format,
+    /// The node, if it is a `narrow`.
+    pub node: Option<NodeId>,
+    /// True if its format is not the recipe's but was given by its name.
+    pub overridden: bool,
+    places: Vec<Place>,
+}
+
+/// Formats for some nodes of a netlist in place of its recipe's, by their [stable names](Choice::name).
+///
+/// Formats of later nodes follow by themselves, as the recipe is run again with these in place; rounding and overflow
+/// stay the recipe's.
+///
+/// ```
+/// use fixpath::error::Result;
+/// use fixpath::format::{Format, Overflow, Round};
+/// use fixpath::netlist::{Builder, Netlist, Overrides, Quantity};
+///
+/// fn recipe(overrides: &Overrides) -> Result<Netlist> {
+///     let mut b = Builder::with("cube", overrides);
+///     let x = b.input("x", Format::signed(8, 7)?, Quantity::Number);
+///     let square = b.mul(x, x);
+///     let square = b.narrow(square, Format::unsigned(9, 8)?, Round::HalfEven, Overflow::Saturate);
+///     b.name(square, "square");
+///     let cube = b.mul(square, x);
+///     b.output("cube", cube);
+///     b.build()
+/// }
+///
+/// let plain = recipe(&Overrides::default())?;
+/// assert_eq!(plain.choices()[0].name, "square");
+/// let coarse = recipe(&Overrides::new(&plain, &[("square", "u5f4".parse()?)])?)?;
+/// let format = |netlist: &Netlist| netlist.node(netlist.outputs()[0].node).format.to_string();
+/// assert_eq!((format(&plain), format(&coarse)), ("s17f15".to_owned(), "s13f11".to_owned()));
+///
+/// let why = Overrides::new(&plain, &[("sqare", Format::FLAG)]).unwrap_err().to_string();
+/// assert!(why.contains("did you mean `square`"), "{why}");
+/// # Ok::<(), fixpath::error::Error>(())
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Overrides {
+    at: BTreeMap<Place, (Format, String)>,
+}
+
+impl Overrides {
+    /// Formats for nodes of a netlist, which its recipe makes without any.
+    ///
+    /// # Errors
+    /// If a name is given twice, or the netlist has no such node.
+    pub fn new<N: AsRef<str>>(plain: &Netlist, formats: &[(N, Format)]) -> Result<Self> {
+        let mut at = BTreeMap::new();
+        for (name, format) in formats {
+            let name = name.as_ref();
+            let choice = plain.choices.iter().find(|choice| choice.name == name);
+            let choice = choice.ok_or_else(|| {
+                let known: Vec<&str> = plain.choices.iter().map(|c| &c.name[..]).collect();
+                Error::unknown_node(&plain.name, name, &known)
+            })?;
+            for place in &choice.places {
+                if at.insert(place.clone(), (*format, name.to_owned())).is_some() {
+                    return Err(Error::usage(format!(
+                        "the format of node `{name}` is given twice"
+                    )));
+                }
+            }
+        }
+        Ok(Self { at })
+    }
+
+    /// The format at a place, with the node's name if it is not the recipe's.
+    pub(super) fn at(&self, place: &Place, format: Format) -> (Format, Option<String>) {
+        match self.at.get(place) {
+            Some((given, name)) => (*given, Some(name.clone())),
+            None => (format, None),
+        }
+    }
+
+    /// A node that the recipe didn't ask for.
+    pub(super) fn unasked(&self, asked: &[Asked]) -> Option<&str> {
+        let met: BTreeSet<&str> = asked.iter().filter_map(|asked| asked.given.as_deref()).collect();
+        self.at.values().map(|(_, name)| &name[..]).find(|name| !met.contains(name))
+    }
+}
+
+impl Netlist {
+    /// The nodes whose formats the recipe chose, in the order of their first place there.
+    #[must_use]
+    pub fn choices(&self) -> &[Choice] {
+        &self.choices
+    }
+
+    /// The name by which a node's format can be [overridden](Overrides); a node whose format follows from its operands' has
+    /// none.
+    #[must_use]
+    pub fn stable_name(&self, id: NodeId) -> Option<&str> {
+        self.choices.iter().find(|choice| choice.node == Some(id)).map(|choice| &choice.name[..])
+    }
+
+    /// Names what a recipe asked for; `asked` has the ids of this netlist, and what no output needs is left out.
+    pub(super) fn choose(&mut self, asked: Vec<Asked>) {
+        let labels = self.ids().filter(|id| self.node(*id).name.is_some()).map(|id| self.label(id));
+        let given = asked.iter().filter_map(|asked| asked.given.clone());
+        let mut taken: BTreeSet<String> = labels.chain(given).collect();
+        let mut choices: Vec<Choice> = Vec::new();
+        for Asked { place, format, node, given } in asked {
+            let same = |known: &&mut Choice| match &given {
+                Some(name) => known.overridden && known.name == *name,
+                None => {
+                    !known.overridden
+                        && known.node == node
+                        && (node.is_some() || known.places[0] == place)
+                }
+            };
+            if let Some(known) = choices.iter_mut().find(same) {
+                if known.places.iter().all(|known| *known != place) {
+                    known.places.push(place);
+                }
+                continue;
+            }
+            let overridden = given.is_some();
+            let own = node.filter(|id| self.node(*id).name.is_some()).map(|id| self.label(id));
+            let name = given.or(own).unwrap_or_else(|| place.name(&mut taken));
+            choices.push(Choice { name, format, node, overridden, places: vec![place] });
+        }
+        self.choices = choices;
+    }
+}
+
+impl Place {
+    /// The name of a node that has none, by its place.
+    fn name(&self, taken: &mut BTreeSet<String>) -> String {
+        let base = match self {
+            Self::Narrow { scope, number } => {
+                let dot = if scope.is_empty() { "" } else { "." };
+                let number = if *number == 1 { String::new() } else { format!("_{number}") };
+                format!("{scope}{dot}narrow{number}")
+            }
+            Self::Table(name) => name.clone(),
+        };
+        let other = if let Self::Table(_) = self { "table" } else { "here" };
+        let name = (0..)
+            .map(|n| match n {
+                0 => base.clone(),
+                1 => format!("{base}_{other}"),
+                n => format!("{base}_{other}_{n}"),
+            })
+            .find(|name| !taken.contains(name))
+            .expect("bug: there is no end of numbers");
+        taken.insert(name.clone());
+        name
+    }
+}
+
+/// Runs a recipe with other formats for some of its nodes: without any first, to know its nodes by name.
+///
+/// # Errors
+/// Those of the recipe, or if it has no such node.
+pub fn with_formats<N: AsRef<str>>(
+    formats: &[(N, Format)],
+    recipe: impl Fn(&Overrides) -> Result<Netlist>,
+) -> Result<Netlist> {
+    let plain = recipe(&Overrides::default())?;
+    if formats.is_empty() {
+        return Ok(plain);
+    }
+    recipe(&Overrides::new(&plain, formats)?)
+}
