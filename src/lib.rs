@@ -67,6 +67,8 @@ pub mod sweep;
 pub mod table;
 pub mod units;
 
+pub use cli::main;
+
 pub use base::{columns, error, escape, json, output, outside};
 pub use hardware::{cost, cycle, emit, hdl, rtl, timetable, verify, wave};
 pub use measure::{eval, samples};

@@ -85,6 +85,8 @@ enum Kind {
         "node `{node}` overflowed {count} times under overflow mode `error`: widen it or choose another overflow mode"
     )]
     NodeOverflow { node: String, count: u64 },
+    #[error("{what} `{given}`: a name is {}", crate::base::name::RULE)]
+    Name { what: &'static str, given: String },
     #[error("no unit `{given}`{hint}: `fixpath list` names them all")]
     UnknownUnit { given: String, hint: String },
     #[error("unit `{unit}` has no parameter `{given}`{hint}: `fixpath list {unit}` names them all")]
@@ -137,16 +139,28 @@ constructors! {
     operands(node: Operation, problem: String) = Kind::Operands { node, problem };
     misuse(what: String, problem: String, caller: &'static Location<'static>) = Kind::Misuse { what, problem, caller };
     node_overflow(node: String, count: u64) = Kind::NodeOverflow { node, count };
-    parameter_value(name: &str, value: &str, legal: String) = Kind::ParameterValue { name: name.to_owned(), value: escape::short(value), legal };
+    name(what: &'static str, given: &str) = Kind::Name { what, given: escape::short(given) };
     form(given: &str, form: &str) = Kind::Form { given: escape::short(given), form: form.to_owned() };
     file(path: &Path, problem: String) = Kind::File { path: path.to_owned(), problem };
     csv(path: &Path, line: u64, column: Option<&str>, problem: String) = Kind::Csv { path: path.to_owned(), line, column: column.map(str::to_owned), problem };
     line(path: &Path, line: u64, problem: String) = Kind::Csv { path: path.to_owned(), line, column: None, problem };
     io(path: &Path, action: &'static str, source: std::io::Error) = Kind::Io { path: path.to_owned(), action, source };
-    usage(text: String) = Kind::Usage(text);
 }
 
 impl Error {
+    /// Wrong use, in words: what was given, what is legal, what to do.
+    #[must_use]
+    pub fn usage(text: impl Into<String>) -> Self {
+        Self(Box::new(Kind::Usage(text.into())))
+    }
+
+    /// A parameter's value that isn't legal, as `parameter NAME = VALUE: legal is …`.
+    #[must_use]
+    pub fn parameter_value(name: &str, value: &str, legal: impl Into<String>) -> Self {
+        let (name, value) = (name.to_owned(), escape::short(value));
+        Self(Box::new(Kind::ParameterValue { name, value, legal: legal.into() }))
+    }
+
     pub(crate) fn unknown_unit<'a>(given: &str, known: impl Iterator<Item = &'a str>) -> Self {
         Self(Box::new(Kind::UnknownUnit {
             given: escape::short(given),

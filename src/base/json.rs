@@ -81,6 +81,17 @@ pub(crate) fn known_real<S: Serializer>(value: &Option<f64>, to: S) -> Result<S:
     }
 }
 
+/// Writes several that may not be known; for `serialize_with`.
+pub(crate) fn known_reals<S: Serializer>(
+    values: &Option<Vec<f64>>,
+    to: S,
+) -> Result<S::Ok, S::Error> {
+    match values {
+        Some(values) => reals(values, to),
+        None => to.serialize_none(),
+    }
+}
+
 /// Writes several; for `serialize_with`.
 pub(crate) fn reals<S: Serializer>(values: &[f64], to: S) -> Result<S::Ok, S::Error> {
     to.collect_seq(values.iter().map(|value| number(*value)))

@@ -28,7 +28,7 @@ use crate::design::{Design, Unit};
 use crate::hardware::wave::Options;
 use crate::measure::{Basis, Cone, eval};
 use crate::sweep::{Axis, Sweep};
-use crate::units::UNITS;
+use crate::units;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 use options::{BasisArg, ErrorArg, InputArgs, TableArgs, UnitArgs};
@@ -262,11 +262,34 @@ pub fn command() -> clap::Command {
     Cli::command()
 }
 
-/// Runs the command line; the binary's `main`.
+/// Runs the command line, with units of one's own beside those of [`crate::units`]: the whole of a program's `main`.
+///
+/// ```no_run
+/// use fixpath::format::{Overflow, Round};
+/// use fixpath::netlist::{Builder, Quantity};
+/// use fixpath::units::{Design, Golden, Unit};
+/// use std::process::ExitCode;
+///
+/// fn half() -> Unit {
+///     Unit::new("half", "half of a word, rounded").design(|p| {
+///         let mut b = Builder::new("half");
+///         let x = b.input("x", "s8f4".parse()?, Quantity::Number);
+///         let exact = b.shift(x, -1);
+///         let y = b.narrow(exact, "s8f4".parse()?, Round::HalfEven, Overflow::Saturate);
+///         b.output("y", y);
+///         Ok(Design::new(p, b.build()?).golden(|_| Golden::each(|[x]: [f64; 1]| [0.5 * x])))
+///     })
+/// }
+///
+/// fn main() -> ExitCode {
+///     fixpath::main(&[half()])
+/// }
+/// ```
 #[must_use]
-pub fn main() -> ExitCode {
+pub fn main(units: &[Unit]) -> ExitCode {
     let done = match Cli::try_parse() {
         Ok(cli) => signals::watch()
+            .and_then(|()| units::add(units))
             .and_then(|()| start_threads(cli.threads))
             .and_then(|()| run(&cli.command)),
         // --help and --version.
@@ -341,7 +364,7 @@ fn run(command: &Command) -> Result<bool> {
         Command::List { unit, json } => {
             let units = match unit {
                 Some(name) => vec![Unit::find(name)?],
-                None => UNITS.to_vec(),
+                None => units::all().collect(),
             };
             print(&if *json { json::text(&text::list_json(&units)) } else { text::list(&units) })?;
         }
@@ -361,7 +384,7 @@ fn run(command: &Command) -> Result<bool> {
         Command::Sim { unit, cone: Some(label), profile, json, .. } => {
             let design = unit.design()?;
             let cone = Cone::new(&design.netlist, label)?;
-            let bar = progress_bar(cone.samples(), design.values.unit().name);
+            let bar = progress_bar(cone.samples(), &design.values.unit().name);
             let measured = cone.measure(&design, &|done| bar.set_position(done))?;
             bar.finish_and_clear();
             let times = profile.then_some(&measured.report.speed.profile);

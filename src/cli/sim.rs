@@ -19,7 +19,7 @@ pub(super) struct Sim {
 
 impl Sim {
     pub(super) fn run(design: Design, inputs: &Inputs, bases: &[Basis]) -> Result<Self> {
-        let bar = progress_bar(inputs.count(&design)?, design.values.unit().name);
+        let bar = progress_bar(inputs.count(&design)?, &design.values.unit().name);
         let done = |done| bar.set_position(done);
         let mut reports = measure::measure_on(bases, &[&design], inputs, &done)?;
         bar.finish_and_clear();
@@ -49,8 +49,9 @@ pub(super) fn write_cases(sim: &Sim, to: &mut dyn Write, path: &Path) -> Result<
     let row = |case: measure::HardResult, group: &str| {
         let mut row = vec![Field::from(group)];
         row.extend(case.words.iter().map(|word| Field::Word(*word)));
-        for numbers in [&case.fixed, &case.float32, &case.float64] {
-            row.extend(numbers.iter().map(|number| Field::Real(*number)));
+        for numbers in [Some(&case.fixed), case.float32.as_ref(), Some(&case.float64)] {
+            let number = |at: usize| numbers.map(|numbers| numbers[at]).into();
+            row.extend((0..case.fixed.len()).map(number));
         }
         row.extend([case.error.into(), case.float32_error.into(), case.bound.into()]);
         row.push(case.holds().map(|holds| holds.to_string()).into());
@@ -61,7 +62,7 @@ pub(super) fn write_cases(sim: &Sim, to: &mut dyn Write, path: &Path) -> Result<
         .design
         .hard
         .iter()
-        .flat_map(|group| results(group).into_iter().map(move |case| row(case, group.name)));
+        .flat_map(|group| results(group).into_iter().map(move |case| row(case, &group.name)));
     columns::write(to, path, &heading, rows)
 }
 

@@ -49,10 +49,10 @@ pub(super) fn list(units: &[&'static Unit]) -> String {
         let _ = writeln!(text, "  inputs: {}\n  outputs: {}\n", unit.inputs, unit.outputs);
         let row = |param: &Param| {
             vec![
-                param.name.to_owned(),
-                param.default.to_owned(),
+                param.name.clone(),
+                param.default.to_string(),
                 param.kind.legal(),
-                param.help.to_owned(),
+                param.help.clone(),
             ]
         };
         let rows: Vec<Vec<String>> = unit.params.iter().map(row).collect();
@@ -69,15 +69,17 @@ pub(super) fn list(units: &[&'static Unit]) -> String {
 
 pub(super) fn list_json(units: &[&'static Unit]) -> Value {
     let param = |param: &Param| {
-        let default = json_of(param.parse(param.default).expect("bug: a default is legal"));
+        let default = json_of(&param.default);
         let mut entry = json!({
             "name": param.name, "role": param.role.name(), "default": default,
             "legal": param.kind.legal(), "help": param.help,
         });
-        let extra = match param.kind {
+        let extra = match &param.kind {
             Kind::Int { min, max, auto } => json!({"min": min, "max": max, "auto": auto.is_some()}),
             Kind::Real { min, max } => json!({"min": min, "max": max}),
-            Kind::Choice(names) => json!({ "choices": names }),
+            Kind::Choice(names) => {
+                json!({ "choices": names.iter().map(|name| &**name).collect::<Vec<&str>>() })
+            }
         };
         let fields = entry.as_object_mut().expect("bug: an object");
         fields.extend(extra.as_object().expect("bug: an object").clone());
@@ -158,10 +160,10 @@ pub(super) fn sim(sim: &Sim) -> String {
             number(bound.seen(report))
         );
     }
-    if let Some(inputs) = sim.bounds.inputs {
+    if let Some(inputs) = &sim.bounds.inputs {
         let _ = writeln!(text, "bounds hold for {inputs}");
     }
-    if let Some(why) = sim.bounds.why_none {
+    if let Some(why) = &sim.bounds.why_none {
         let _ = writeln!(text, "no bound is stated: {why}");
     }
     let _ = writeln!(text, "{}", speed(report));
@@ -299,15 +301,15 @@ pub(super) fn hard_cases(sim: &Sim) -> String {
         .iter()
         .map(|case| {
             vec![
-                case.name.to_owned(),
+                case.name.clone(),
                 case.cases.to_string(),
                 case.worst.words.iter().map(ToString::to_string).collect::<Vec<_>>().join(","),
                 vector(&case.worst.fixed),
-                vector(&case.worst.float32),
+                case.worst.float32.as_deref().map(vector).unwrap_or_default(),
                 vector(&case.worst.float64),
                 case.worst.quantity.clone(),
                 number(case.worst.error),
-                number(case.float32_worst),
+                case.float32_worst.map(number).unwrap_or_default(),
                 match case.holds {
                     None => "no bound",
                     Some(true) => "ok",
@@ -337,6 +339,9 @@ pub(super) fn hard_cases(sim: &Sim) -> String {
         text,
         "  fixed, f32, f64: ({columns}); errors are absolute, of angles in rad, against f64; of several quantities the one nearest to its bound"
     );
+    if sim.design.golden_f32.is_none() {
+        text.push_str("  f32 is not judged: the unit brings no golden model in it\n");
+    }
     text
 }
 

@@ -1,10 +1,11 @@
 //! Nodes with one meaning, which the golden model has too.
 
+use crate::base::error::{Error, Result};
 use crate::netlist::{Netlist, NodeId};
 use std::f64::consts::TAU;
 
 /// What some nodes are together.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Shape {
     /// A direction in three components; the golden gives x, y, z.
     Cartesian,
@@ -17,25 +18,33 @@ pub enum Shape {
     /// columns of their own after those of all groups.
     Scaled {
         /// The scales.
-        scales: &'static [Scale],
+        scales: Vec<Scale>,
         /// Texels of a texture whose coordinate it moves: the error is also told in them.
         texels: Option<u32>,
     },
 }
 
 /// What an error is told over.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Scale {
     /// Name after the quantity's.
-    pub name: &'static str,
+    pub name: String,
     /// What it is, in words: errors are told over that.
-    pub what: &'static str,
+    pub what: String,
+}
+
+impl Scale {
+    /// A scale.
+    #[must_use]
+    pub fn new(name: impl Into<String>, what: impl Into<String>) -> Self {
+        Self { name: name.into(), what: what.into() }
+    }
 }
 
 impl Shape {
     /// Its scales.
     #[must_use]
-    pub fn scales(self) -> &'static [Scale] {
+    pub fn scales(&self) -> &[Scale] {
         match self {
             Self::Scaled { scales, .. } => scales,
             Self::Cartesian | Self::Polar | Self::Scalar => &[],
@@ -44,7 +53,7 @@ impl Shape {
 
     /// How many nodes it takes.
     #[must_use]
-    pub fn nodes(self) -> usize {
+    pub fn nodes(&self) -> usize {
         match self {
             Self::Cartesian => 3,
             Self::Polar => 2,
@@ -54,13 +63,13 @@ impl Shape {
 
     /// True if it is a direction.
     #[must_use]
-    pub fn is_direction(self) -> bool {
+    pub fn is_direction(&self) -> bool {
         matches!(self, Self::Cartesian | Self::Polar)
     }
 
     /// Names of the golden's columns.
     #[must_use]
-    pub fn columns(self) -> &'static [&'static str] {
+    pub fn columns(&self) -> &'static [&'static str] {
         match self {
             Self::Cartesian | Self::Polar => &["x", "y", "z"],
             Self::Scalar | Self::Scaled { .. } => &[""],
@@ -69,7 +78,7 @@ impl Shape {
 
     /// Values that golden columns mean for the nodes; angles in turns, 0 to 1.
     #[must_use]
-    pub fn of_golden(self, golden: &[f64]) -> Vec<f64> {
+    pub fn of_golden(&self, golden: &[f64]) -> Vec<f64> {
         match (self, golden) {
             (Self::Polar, [x, y, z]) => {
                 let phi = (libm::atan2(*y, *x) / TAU).rem_euclid(1.0) + 0.0; // -0 becomes 0
@@ -86,7 +95,7 @@ impl Shape {
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Group {
     /// Name in front of its quantities; nothing for the only one.
-    pub name: &'static str,
+    pub name: String,
     /// What the nodes are together.
     pub shape: Shape,
     /// The nodes.
@@ -94,44 +103,73 @@ pub struct Group {
 }
 
 impl Group {
+    /// A group.
+    #[must_use]
+    pub fn new(name: impl Into<String>, shape: Shape, nodes: Vec<NodeId>) -> Self {
+        Self { name: name.into(), shape, nodes }
+    }
+
     /// Names of the golden's columns.
     #[must_use]
     pub fn columns(&self) -> Vec<String> {
-        self.shape.columns().iter().map(|column| prefixed(self.name, column)).collect()
+        self.shape.columns().iter().map(|column| prefixed(&self.name, column)).collect()
     }
 
-    /// One number for each output port of a netlist, named as the port.
-    ///
-    /// # Panics
-    /// If a name is no output port.
+    /// Names of the quantities whose errors are measured, in the order of reports.
     #[must_use]
-    pub fn ports(netlist: &Netlist, names: &[&'static str]) -> Vec<Self> {
-        let group = |name: &&'static str| {
-            let output = netlist.outputs().iter().find(|output| output.name == *name);
-            let node = output.expect("bug: a port of this name").node;
-            Self { name, shape: Shape::Scalar, nodes: vec![node] }
+    pub fn quantities(&self) -> Vec<String> {
+        let mut parts: Vec<&str> = Vec::new();
+        if self.shape.is_direction() {
+            parts.extend(["angle", "dot"]);
+        }
+        if let Shape::Scaled { scales, texels } = &self.shape {
+            parts.extend(texels.map(|_| "texels"));
+            parts.extend(scales.iter().map(|scale| scale.name.as_str()));
+        }
+        let parts = parts.into_iter().map(|part| prefixed(&self.name, part));
+        parts.chain(self.columns()).collect()
+    }
+
+    /// One number for each output port of a netlist of these names, named as the port.
+    ///
+    /// # Errors
+    /// If a name is no output port.
+    pub fn ports<N: AsRef<str>>(
+        netlist: &Netlist,
+        names: impl IntoIterator<Item = N>,
+    ) -> Result<Vec<Self>> {
+        let group = |name: N| {
+            let name = name.as_ref();
+            let port = netlist.outputs().iter().find(|output| output.name == name);
+            let port = port.ok_or_else(|| none(netlist, "output", name))?;
+            Ok(Self::new(name, Shape::Scalar, vec![port.node]))
         };
-        names.iter().map(group).collect()
+        names.into_iter().map(group).collect()
+    }
+
+    /// Nodes inside, by their labels.
+    ///
+    /// # Errors
+    /// If there is no node of a label.
+    pub fn inside<N: AsRef<str>>(
+        netlist: &Netlist,
+        name: impl Into<String>,
+        shape: Shape,
+        labels: impl IntoIterator<Item = N>,
+    ) -> Result<Self> {
+        let find = |label: N| {
+            let found = netlist.ids().find(|id| netlist.label(*id) == label.as_ref());
+            found.ok_or_else(|| none(netlist, "node", label.as_ref()))
+        };
+        Ok(Self::new(name, shape, labels.into_iter().map(find).collect::<Result<_>>()?))
     }
 }
 
-impl Group {
-    /// Nodes inside, by their labels.
-    ///
-    /// # Panics
-    /// If there is no node of a label, or not as many as the shape takes: that is wrong code.
-    pub(crate) fn inside(
-        netlist: &Netlist,
-        name: &'static str,
-        shape: Shape,
-        labels: &[&str],
-    ) -> Self {
-        let find = |label: &&str| netlist.ids().find(|id| netlist.label(*id) == **label);
-        let found = labels.iter().map(|label| find(label).expect("bug: a node of this label"));
-        let nodes: Vec<NodeId> = found.collect();
-        assert_eq!(nodes.len(), shape.nodes(), "bug: nodes of `{name}`");
-        Self { name, shape, nodes }
-    }
+fn none(netlist: &Netlist, what: &str, name: &str) -> Error {
+    Error::usage(format!(
+        "a group of `{}` names the {what} `{name}`, and there is none",
+        netlist.name()
+    ))
 }
 
 /// `group_part`, or the one that isn't empty.

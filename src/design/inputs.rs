@@ -1,6 +1,8 @@
 //! Where inputs come from.
 
 use crate::base::cast;
+use crate::netlist::Netlist;
+use crate::number::format::Format;
 use rand_core::{RngCore, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -8,9 +10,56 @@ use rand_pcg::Pcg64Mcg;
 #[derive(Clone, Debug)]
 pub struct HardCase {
     /// What is hard about them.
-    pub name: &'static str,
+    pub name: String,
     /// Input words, one vector per case.
     pub words: Vec<Vec<i64>>,
+}
+
+impl HardCase {
+    /// A group of cases.
+    #[must_use]
+    pub fn new(name: impl Into<String>, words: Vec<Vec<i64>>) -> Self {
+        Self { name: name.into(), words }
+    }
+
+    /// Words at and beside the ends of formats, in every port and turn about.
+    #[must_use]
+    pub fn extremes(netlist: &Netlist) -> Vec<Self> {
+        let formats: Vec<Format> =
+            netlist.inputs().iter().map(|id| netlist.node(*id).format).collect();
+        let each = |word: &dyn Fn(usize, Format) -> i64| -> Vec<i64> {
+            let fit = |(port, format): (usize, &Format)| {
+                word(port, *format).clamp(format.min_raw(), format.max_raw())
+            };
+            formats.iter().enumerate().map(fit).collect()
+        };
+        let alone = |word: &dyn Fn(Format) -> i64| -> Vec<Vec<i64>> {
+            (0..formats.len())
+                .map(|at| each(&|port, f| if port == at { word(f) } else { 0 }))
+                .collect()
+        };
+        vec![
+            Self::new("all words 0", vec![each(&|_, _| 0)]),
+            Self::new("one word, of one LSB", [alone(&|_| 1), alone(&|_| -1)].concat()),
+            Self::new("the most negative words", vec![each(&|_, f| f.min_raw())]),
+            Self::new("the largest words, and both ends turn about", {
+                let turn = |of: usize| {
+                    each(&move |port, f| if port % of == 0 { f.min_raw() } else { f.max_raw() })
+                };
+                vec![each(&|_, f| f.max_raw()), turn(2), turn(3), turn(4), turn(6)]
+            }),
+            Self::new("one word alone at an end", {
+                [alone(&|f: Format| f.min_raw()), alone(&|f: Format| f.max_raw())].concat()
+            }),
+            Self::new("one huge word beside words of one LSB", {
+                let huge =
+                    |at: usize| each(&|port, f| if port % 3 == at { f.max_raw() } else { 1 });
+                let least =
+                    |at: usize| each(&|port, f| if port % 3 == at { f.min_raw() } else { -1 });
+                (0..3).flat_map(|at| [huge(at), least(at)]).collect()
+            }),
+        ]
+    }
 }
 
 /// Where inputs come from.

@@ -1,27 +1,32 @@
 //! What a datapath promises: a unit is a recipe, parameters turn it into a design.
 //!
-//! A [`Unit`] says its parameters ([`Param`]) and builds, from their [`Values`], a [`Design`]: a netlist with its
+//! A [`Unit`] says its parameters ([`Param`]) and makes, from their [`Values`], a [`Design`]: a netlist with its
 //! golden model, the sampler of its inputs, its hard cases and its stated bounds.
 
 mod bound;
+mod golden;
 mod group;
 mod inputs;
 mod param;
 mod unit;
 
 pub use bound::{Bound, BoundFn, Bounds};
+pub use golden::{Draw, Golden, InputPorts};
 pub use group::{Group, Scale, Shape};
 pub use inputs::{HardCase, Sampler, Uniform};
 pub use param::{Kind, PIPELINE, Param, Reflection, Role, Value};
-pub use unit::{Shading, Unit, Values};
+pub use unit::{Recipe, Shading, Unit, Values};
 
+use crate::base::error::{Error, Result};
 use crate::netlist::{Netlist, NodeId};
+use crate::number::format::Format;
 use crate::schedule::Binding;
 use crate::table::Tabulated;
 use group::prefixed;
+use std::fmt::Display;
 use std::sync::Arc;
 
-/// A datapath with what it takes to run and judge it.
+/// A datapath with what it takes to run and judge it: made by [`Design::new`] and setters, checked where a unit is built.
 #[derive(Debug)]
 pub struct Design {
     /// Parameters that made it.
@@ -33,7 +38,7 @@ pub struct Design {
     /// Golden model in `f64`.
     pub golden: Golden<f64>,
     /// The same in `f32`, to be judged as a rival.
-    pub golden_f32: Golden<f32>,
+    pub golden_f32: Option<Golden<f32>>,
     /// Stated error bounds.
     pub bounds: Bounds,
     /// Table schemes in use.
@@ -44,9 +49,227 @@ pub struct Design {
     pub draw: Draw,
     /// A schedule given by hand, for `schedule=printed`.
     pub binding: Option<Binding>,
+    made: Made,
+}
+
+/// How golden models and sampler were made.
+#[derive(Debug)]
+struct Made {
+    has_golden: bool,
+    /// Which parameters were read, by parameter.
+    read: Vec<bool>,
+    /// Whether the sampler depends on the formats of the ports.
+    drawn_by_format: bool,
+    /// The first read of a parameter that isn't there.
+    wrong: Option<Error>,
 }
 
 impl Design {
+    /// The design of a netlist, made from such values. Until they are set, each output port is a number of its own, hard
+    /// cases are the ends of formats, inputs are numbers of all sizes, and no bound is stated. A golden model must be set.
+    #[must_use]
+    pub fn new(values: &Values, netlist: Netlist) -> Self {
+        let values = values.clone();
+        let group = |output: &crate::netlist::Output| {
+            Group::new(output.name.as_str(), Shape::Scalar, vec![output.node])
+        };
+        let made = Made {
+            has_golden: false,
+            read: vec![false; values.all().len()],
+            drawn_by_format: true,
+            wrong: None,
+        };
+        Self {
+            groups: netlist.outputs().iter().map(group).collect(),
+            golden: Golden::new(|_, _| ()),
+            golden_f32: None,
+            bounds: Bounds::unstated("the unit states none"),
+            tabulated: Vec::new(),
+            hard: HardCase::extremes(&netlist),
+            draw: Draw::words(&InputPorts::new(&netlist)),
+            binding: None,
+            netlist: Arc::new(netlist),
+            values,
+            made,
+        }
+    }
+
+    /// Sets what is judged: the output ports in order, then nodes inside.
+    #[must_use]
+    pub fn groups(mut self, groups: Vec<Group>) -> Self {
+        self.groups = groups;
+        self
+    }
+
+    /// Sets the golden model. `make` reads the parameters that it depends on through what it is given, and nothing else
+    /// of the design: points of a sweep that agree in what was read share its values. (One that captures something
+    /// counts as one that reads all.)
+    #[must_use]
+    pub fn golden<M: FnOnce(&Values) -> Golden<f64>>(mut self, make: M) -> Self {
+        self.golden = self.made_by::<M, _>(make);
+        self.made.has_golden = true;
+        self
+    }
+
+    /// Sets the golden model in `f64`, and in `f32` as a rival that hard cases judge.
+    #[must_use]
+    pub fn goldens<M, N>(mut self, make: M, make_f32: N) -> Self
+    where
+        M: FnOnce(&Values) -> Golden<f64>,
+        N: FnOnce(&Values) -> Golden<f32>,
+    {
+        self.golden_f32 = Some(self.made_by::<N, _>(make_f32));
+        self.golden(make)
+    }
+
+    /// Sets the sampler of the inputs; `make` reads parameters as that of [`Design::golden`].
+    #[must_use]
+    pub fn draw<M: FnOnce(&Values, &InputPorts<'_>) -> Draw>(mut self, make: M) -> Self {
+        let netlist = Arc::clone(&self.netlist);
+        let ports = InputPorts::new(&netlist);
+        self.draw = self.made_by::<M, _>(|values| make(values, &ports));
+        self.made.drawn_by_format = ports.were_read();
+        self
+    }
+
+    /// Makes something of the parameters and notes which; `M` is what the unit gave.
+    fn made_by<M, T>(&mut self, make: impl FnOnce(&Values) -> T) -> T {
+        let noting = self.values.noting();
+        let made = make(&noting);
+        let captures = size_of::<M>() > 0;
+        for (all, read) in self.made.read.iter_mut().zip(noting.were_read()) {
+            *all |= captures || read;
+        }
+        self.made.wrong = self.made.wrong.take().or_else(|| noting.wrong());
+        made
+    }
+
+    /// Sets the hard cases.
+    #[must_use]
+    pub fn hard(mut self, hard: Vec<HardCase>) -> Self {
+        self.hard = hard;
+        self
+    }
+
+    /// Sets what it promises of its errors.
+    #[must_use]
+    pub fn bounds(mut self, bounds: Bounds) -> Self {
+        self.bounds = bounds;
+        self
+    }
+
+    /// Sets the table schemes in use, whose own errors are told and which bounds ask for.
+    #[must_use]
+    pub fn tabulated(mut self, tabulated: Vec<Tabulated>) -> Self {
+        self.tabulated = tabulated;
+        self
+    }
+
+    /// Sets a schedule given by hand, for `schedule=printed`.
+    #[must_use]
+    pub fn binding(mut self, binding: Option<Binding>) -> Self {
+        self.binding = binding;
+        self
+    }
+
+    /// Refuses what doesn't fit together.
+    ///
+    /// # Errors
+    /// If there is no golden model or it takes other numbers of inputs or columns, a group isn't as its shape says or the
+    /// first ones aren't the output ports, a hard case isn't one word of its format for each port, or a bound is on a
+    /// quantity that isn't measured.
+    pub fn check(&self) -> Result<()> {
+        let unit = &self.values.unit().name;
+        let netlist = &self.netlist;
+        let refuse = |why: &dyn Display| Err(Error::usage(format!("unit `{unit}`: {why}")));
+        if let Some(wrong) = &self.made.wrong {
+            return refuse(wrong);
+        }
+        for Group { name, shape, nodes } in &self.groups {
+            let (takes, given) = (shape.nodes(), nodes.len());
+            if takes != given {
+                return refuse(&format!("group `{name}` takes {takes} nodes and has {given}"));
+            }
+            if nodes.iter().any(|id| id.index() >= netlist.nodes().len()) {
+                return refuse(&format!("group `{name}` has a node of another netlist"));
+            }
+        }
+        let judged = self.judged();
+        let outputs = netlist.outputs().iter().map(|output| output.node);
+        if !outputs.enumerate().all(|(at, node)| judged.get(at) == Some(&node)) {
+            return refuse(&"its groups don't start with the output ports in order");
+        }
+        if !self.made.has_golden {
+            return refuse(&"it has no golden model: set one with `golden`");
+        }
+        let (ports, columns) = (netlist.inputs().len(), self.golden_columns());
+        let of_f32 = self.golden_f32.as_ref().and_then(Golden::takes);
+        for [takes, gives] in self.golden.takes().into_iter().chain(of_f32) {
+            if takes != ports {
+                return refuse(&format!("its golden takes {takes} inputs, and there are {ports}"));
+            }
+            if gives != columns {
+                return refuse(&format!(
+                    "its golden gives {gives} columns, and groups take {columns}"
+                ));
+            }
+        }
+        let formats: Vec<(&str, Format)> = (0..ports)
+            .map(|at| (netlist.input_name(at), netlist.node(netlist.inputs()[at]).format))
+            .collect();
+        for HardCase { name, words } in &self.hard {
+            for case in words {
+                if case.len() != ports {
+                    let given = case.len();
+                    return refuse(&format!(
+                        "a hard case of `{name}` has {given} words for {ports} ports"
+                    ));
+                }
+                let past =
+                    case.iter().zip(&formats).find(|(word, (_, format))| !format.contains(**word));
+                if let Some((word, (port, format))) = past {
+                    return refuse(&format!(
+                        "a hard case of `{name}` has the word {word} for `{port}`, which has format {format}"
+                    ));
+                }
+            }
+        }
+        let quantities: Vec<String> = self.groups.iter().flat_map(Group::quantities).collect();
+        for bound in self.bounds.stated() {
+            if let Some(none) = bound.quantities.iter().find(|name| !quantities.contains(name)) {
+                return refuse(&format!(
+                    "its bound on `{}` is on `{none}`, which isn't measured: that are {}",
+                    bound.what,
+                    quantities.join(", ")
+                ));
+            }
+        }
+        self.check_lengths()
+    }
+
+    /// Runs sampler and golden once, over few samples.
+    fn check_lengths(&self) -> Result<()> {
+        const SAMPLES: usize = 2;
+        let unit = &self.values.unit().name;
+        let wrong = |what: &str| {
+            Err(Error::usage(format!(
+                "unit `{unit}`: its {what} doesn't fill each column to its length"
+            )))
+        };
+        let mut inputs = vec![Vec::new(); self.netlist.inputs().len()];
+        self.draw.run(Sampler::Sphere, &mut Uniform::new(1), &mut inputs, SAMPLES);
+        if inputs.iter().any(|column| column.len() != SAMPLES) {
+            return wrong("sampler");
+        }
+        let inputs: Vec<&[f64]> = inputs.iter().map(Vec::as_slice).collect();
+        let mut outputs = vec![vec![0.0; SAMPLES]; self.golden_columns()];
+        self.golden.run(&inputs, &mut outputs);
+        if outputs.iter().any(|column| column.len() != SAMPLES) {
+            return wrong("golden model");
+        }
+        Ok(())
+    }
+
     /// The nodes of all groups in order, which start with the output ports.
     #[must_use]
     pub fn judged(&self) -> Vec<NodeId> {
@@ -56,16 +279,16 @@ impl Design {
     /// Number of the golden model's columns: those of all groups, then the scales.
     #[must_use]
     pub fn golden_columns(&self) -> usize {
-        let columns = |shape: Shape| shape.columns().len() + shape.scales().len();
-        self.groups.iter().map(|group| columns(group.shape)).sum()
+        let columns = |shape: &Shape| shape.columns().len() + shape.scales().len();
+        self.groups.iter().map(|group| columns(&group.shape)).sum()
     }
 
     /// What the errors of some quantities are told over, by the quantities' names.
     #[must_use]
-    pub fn scales(&self) -> Vec<(String, &'static str)> {
-        let of = |group: &Group| -> Vec<(String, &'static str)> {
+    pub fn scales(&self) -> Vec<(String, String)> {
+        let of = |group: &Group| -> Vec<(String, String)> {
             let scales = group.shape.scales().iter();
-            scales.map(|scale| (prefixed(group.name, scale.name), scale.what)).collect()
+            scales.map(|scale| (prefixed(&group.name, &scale.name), scale.what.clone())).collect()
         };
         self.groups.iter().flat_map(of).collect()
     }
@@ -83,9 +306,18 @@ impl Design {
         values
     }
 
-    /// The parameters that the golden model depends on.
-    pub(crate) fn golden_key(&self) -> Vec<Value> {
-        self.values.unit().golden_params.iter().map(|name| self.values.get(name)).collect()
+    /// What golden model and sampler depend on: designs of a unit with equal keys have the same.
+    pub(crate) fn golden_key(&self) -> impl PartialEq {
+        let read = self.values.all().iter().zip(&self.made.read).enumerate();
+        let read = read.filter_map(|(at, (value, read))| read.then(|| (at, value.clone())));
+        let ports: Vec<String> =
+            InputPorts::new(&self.netlist).names().map(str::to_owned).collect();
+        (read.collect::<Vec<_>>(), self.golden_columns(), ports)
+    }
+
+    /// Whether what is drawn depends on the formats of the ports, too.
+    pub(crate) fn is_drawn_by_format(&self) -> bool {
+        self.made.drawn_by_format
     }
 
     /// The schedule by hand, if the parameters ask for it.
@@ -94,10 +326,3 @@ impl Design {
         self.binding.as_ref().filter(|_| self.values.choice("schedule") == "printed")
     }
 }
-
-/// A golden model on blocks: input columns in, columns of all groups out, in order, and then the
-/// scales of those that have one.
-pub type Golden<F> = fn(&Values, &[&[F]], &mut [Vec<F>]);
-
-/// Fills one column per input with random values.
-pub type Draw = fn(&Design, Sampler, &mut Uniform, &mut [Vec<f64>], usize);

@@ -1,10 +1,16 @@
 //! Parameters of units: what they are for, which values they take.
 
+use crate::base::cast;
 use crate::base::error::{Error, Result};
+use crate::base::name;
 use crate::base::whole;
+use crate::number::format::{Overflow, Round};
 use crate::number::function::Number;
 use crate::schedule::Kind as Shared;
+use crate::table::Scheme;
 use std::fmt;
+use std::ops::RangeInclusive;
+use std::sync::{Arc, LazyLock};
 
 /// What a parameter is for. Whatever treats some parameters alike goes by this and not by their names.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -91,23 +97,32 @@ pub enum Reflection {
     Exponent,
 }
 
-/// A parameter of a unit.
-#[derive(Clone, Copy, Debug)]
+/// A parameter of a unit: its constructor says what values it takes, the setters all else.
+///
+/// ```
+/// use fixpath::units::{Param, Role, Value};
+///
+/// let size = Param::bits("table_addr_bits", 2..=20).role(Role::TableSize).default(10).help("address bits");
+/// assert_eq!(size.default, Value::Int(10));
+/// let steps = Param::int("steps", 1..=40).auto("as many as bits").help("steps of the CORDIC");
+/// assert_eq!(steps.default, Value::Auto);
+/// ```
+#[derive(Clone, PartialEq, Debug)]
 pub struct Param {
-    /// Name on the command line.
-    pub name: &'static str,
+    /// Name on the command line: lower case, digits and single underscores.
+    pub name: String,
     /// What it is for.
     pub role: Role,
     /// What values it takes.
     pub kind: Kind,
-    /// Its default, as one would write it.
-    pub default: &'static str,
+    /// Its default.
+    pub default: Value,
     /// One line of help.
-    pub help: &'static str,
+    pub help: String,
 }
 
 /// What values a parameter takes.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, PartialEq, Debug)]
 pub enum Kind {
     /// A whole number in a range, or `auto` if there is a text that says what that means.
     Int {
@@ -116,7 +131,7 @@ pub enum Kind {
         /// Greatest legal value.
         max: i64,
         /// Meaning of `auto`, if it is legal.
-        auto: Option<&'static str>,
+        auto: Option<String>,
     },
     /// A number in a range.
     Real {
@@ -126,13 +141,13 @@ pub enum Kind {
         max: f64,
     },
     /// One of some names.
-    Choice(&'static [&'static str]),
+    Choice(Vec<Arc<str>>),
 }
 
 impl Kind {
     /// The legal values in words.
     #[must_use]
-    pub fn legal(self) -> String {
+    pub fn legal(&self) -> String {
         match self {
             Self::Int { min, max, auto: None } => format!("{min} to {max}"),
             Self::Int { min, max, auto: Some(auto) } => format!("{min} to {max}, or auto ({auto})"),
@@ -140,10 +155,30 @@ impl Kind {
             Self::Choice(names) => names.join(", "),
         }
     }
+
+    /// True if a value is legal.
+    fn holds(&self, value: &Value) -> bool {
+        match (self, value) {
+            (Self::Int { min, max, .. }, Value::Int(number)) => (min..=max).contains(&number),
+            (Self::Int { auto, .. }, Value::Auto) => auto.is_some(),
+            (Self::Real { min, max }, Value::Real(number)) => (*min..=*max).contains(&number.get()),
+            (Self::Choice(names), Value::Choice(name)) => names.contains(name),
+            _ => false,
+        }
+    }
+
+    /// The default where none is set: the least value, or the first name.
+    fn first(&self) -> Value {
+        match self {
+            Self::Int { min, .. } => Value::Int(*min),
+            Self::Real { min, .. } => Value::Real((*min).into()),
+            Self::Choice(names) => names.first().cloned().map_or(Value::Auto, Value::Choice),
+        }
+    }
 }
 
 /// Value of a parameter.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash, PartialOrd, Ord)]
+#[derive(Clone, PartialEq, Eq, Debug, Hash, PartialOrd, Ord)]
 pub enum Value {
     /// A whole number.
     Int(i64),
@@ -152,7 +187,7 @@ pub enum Value {
     /// `auto`.
     Auto,
     /// A name.
-    Choice(&'static str),
+    Choice(Arc<str>),
 }
 
 impl fmt::Display for Value {
@@ -166,111 +201,245 @@ impl fmt::Display for Value {
     }
 }
 
+macro_rules! values {
+    ($($from:ty: $value:ident => $to:expr;)*) => {
+        $(impl From<$from> for Value {
+            fn from($value: $from) -> Self { $to }
+        })*
+    };
+}
+
+values! {
+    i32: value => Self::Int(value.into());
+    u32: value => Self::Int(value.into());
+    i64: value => Self::Int(value);
+    f64: value => Self::Real(value.into());
+    bool: value => Self::Choice(FLAG[usize::from(value)].into());
+    &str: value => if value == "auto" { Self::Auto } else { Self::Choice(value.into()) };
+    Scheme: value => Self::Choice(value.name().into());
+    Round: value => Self::Choice(value.name().into());
+    Overflow: value => Self::Choice(value.name().into());
+}
+
+/// Names of a switch that is off or on.
+pub(super) const FLAG: [&str; 2] = ["off", "on"];
+
 impl Param {
+    fn new(name: impl Into<String>, role: Role, kind: Kind) -> Self {
+        Self { name: name.into(), role, default: kind.first(), kind, help: String::new() }
+    }
+
+    /// A count of bits, of [`Role::Width`].
+    #[must_use]
+    pub fn bits(name: impl Into<String>, range: RangeInclusive<u32>) -> Self {
+        let (min, max) = (i64::from(*range.start()), i64::from(*range.end()));
+        Self::new(name, Role::Width, Kind::Int { min, max, auto: None })
+    }
+
+    /// A whole number, of [`Role::Constant`].
+    #[must_use]
+    pub fn int(name: impl Into<String>, range: RangeInclusive<i64>) -> Self {
+        let (min, max) = range.into_inner();
+        Self::new(name, Role::Constant, Kind::Int { min, max, auto: None })
+    }
+
+    /// A number, of [`Role::Constant`].
+    #[must_use]
+    pub fn real(name: impl Into<String>, range: RangeInclusive<f64>) -> Self {
+        let (min, max) = range.into_inner();
+        Self::new(name, Role::Constant, Kind::Real { min, max })
+    }
+
+    /// One of some names, of [`Role::Switch`].
+    #[must_use]
+    pub fn choice<N: Into<Arc<str>>>(
+        name: impl Into<String>,
+        names: impl IntoIterator<Item = N>,
+    ) -> Self {
+        let names = names.into_iter().map(Into::into).collect();
+        Self::new(name, Role::Switch, Kind::Choice(names))
+    }
+
+    /// `off` or `on`, of [`Role::Switch`].
+    #[must_use]
+    pub fn flag(name: impl Into<String>) -> Self {
+        Self::choice(name, FLAG)
+    }
+
+    /// A table scheme.
+    #[must_use]
+    pub fn scheme(name: impl Into<String>) -> Self {
+        Self::choice(name, Scheme::ALL.iter().map(|scheme| scheme.name()))
+            .role(Role::Scheme)
+            .help("how tables approximate: one word per cell, base + slope, or two tables added")
+    }
+
+    /// A rounding.
+    #[must_use]
+    pub fn rounding(name: impl Into<String>) -> Self {
+        Self::choice(name, Round::ALL.iter().map(|round| round.name()))
+            .role(Role::Rounding)
+            .default(Round::HalfUp)
+            .help("rounding wherever bits are dropped")
+    }
+
+    /// What becomes of values past a format.
+    #[must_use]
+    pub fn overflow(name: impl Into<String>) -> Self {
+        Self::choice(name, Overflow::ALL.iter().map(|overflow| overflow.name()))
+            .role(Role::Overflow)
+            .default(Overflow::Saturate)
+            .help("what becomes of values past the format")
+    }
+
+    /// Only these of a choice's names, in this order.
+    #[must_use]
+    pub fn among<V: Into<Value>>(mut self, some: impl IntoIterator<Item = V>) -> Self {
+        if let Kind::Choice(names) = &mut self.kind {
+            let kept = some.into_iter().filter_map(|value| match value.into() {
+                Value::Choice(name) => names.contains(&name).then_some(name),
+                Value::Int(_) | Value::Real(_) | Value::Auto => None,
+            });
+            *names = kept.collect();
+        }
+        self
+    }
+
+    /// A whole number may be `auto` too, with this meaning; that is the default, unless one is set after.
+    #[must_use]
+    pub fn auto(mut self, meaning: impl Into<String>) -> Self {
+        if let Kind::Int { auto, .. } = &mut self.kind {
+            *auto = Some(meaning.into());
+            self.default = Value::Auto;
+        }
+        self
+    }
+
+    /// Sets the default. Without it, it is the least value, the first name or `auto`.
+    #[must_use]
+    pub fn default(mut self, value: impl Into<Value>) -> Self {
+        self.default = match (&self.kind, value.into()) {
+            (Kind::Real { .. }, Value::Int(number)) => Value::Real(cast::f64_of(number).into()),
+            (Kind::Choice(_), Value::Auto) => Value::Choice("auto".into()),
+            (Kind::Int { .. } | Kind::Real { .. } | Kind::Choice(_), value) => value,
+        };
+        self
+    }
+
+    /// Sets the line of help.
+    #[must_use]
+    pub fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = help.into();
+        self
+    }
+
+    /// Sets what it is for.
+    #[must_use]
+    pub fn role(mut self, role: Role) -> Self {
+        self.role = role;
+        self
+    }
+
     /// Reads a value.
     ///
     /// # Errors
     /// If it is not legal; the message names the legal values.
     pub fn parse(&self, text: &str) -> Result<Value> {
-        let value = match self.kind {
+        let value = match &self.kind {
             Kind::Int { auto: Some(_), .. } if text == "auto" => Some(Value::Auto),
-            Kind::Int { min, max, .. } => {
-                whole::signed(text).filter(|n| (min..=max).contains(n)).map(Value::Int)
-            }
-            Kind::Real { min, max } => text
-                .parse()
-                .ok()
-                .filter(|x| (min..=max).contains(x)) // not NaN
-                .map(|x: f64| Value::Real(x.into())),
+            Kind::Int { .. } => whole::signed(text).map(Value::Int),
+            Kind::Real { .. } => text.parse().ok().map(|x: f64| Value::Real(x.into())),
             Kind::Choice(names) => {
-                names.iter().find(|name| **name == text).map(|name| Value::Choice(name))
+                names.iter().find(|name| ***name == *text).cloned().map(Value::Choice)
             }
         };
-        value.ok_or_else(|| Error::parameter_value(self.name, text, self.kind.legal()))
+        let legal = value.filter(|value| self.kind.holds(value)); // not NaN
+        legal.ok_or_else(|| Error::parameter_value(&self.name, text, self.kind.legal()))
+    }
+
+    /// Refuses a parameter that can't be set.
+    pub(super) fn check(&self) -> Result<()> {
+        let name = &self.name;
+        if !name::is_legal(name) {
+            return Err(Error::name("parameter", name));
+        }
+        let problem = match &self.kind {
+            // A range that runs backwards holds nothing.
+            Kind::Int { min, max, .. } if min > max => format!("{min} to {max} is no range"),
+            Kind::Real { min, max } if !(min <= max) => format!("{min} to {max} is no range"),
+            Kind::Choice(names) => {
+                let plain = |name: &Arc<str>| {
+                    !name.is_empty() && name.bytes().all(|b| b.is_ascii_graphic() && b != b',')
+                };
+                let doubled = |at: usize| names[..at].contains(&names[at]);
+                if names.is_empty() {
+                    "it has no names to choose from".to_owned()
+                } else if let Some(at) = (0..names.len()).find(|at| doubled(*at)) {
+                    format!("it has the name `{}` twice", names[at])
+                } else if let Some(odd) = names.iter().find(|name| !plain(name)) {
+                    format!("its name `{odd}` can't be written: no blanks, no commas, ASCII")
+                } else {
+                    String::new()
+                }
+            }
+            Kind::Int { .. } | Kind::Real { .. } => String::new(),
+        };
+        if !problem.is_empty() {
+            return Err(Error::usage(format!("parameter `{name}`: {problem}")));
+        }
+        if !self.kind.holds(&self.default) {
+            let (default, legal) = (&self.default, self.kind.legal());
+            return Err(Error::usage(format!(
+                "parameter `{name}`: its default {default} isn't legal, which is {legal}"
+            )));
+        }
+        Ok(())
     }
 }
 
 /// Parameters of the pipeline, common to all units.
-pub static PIPELINE: &[Param] = &[
-    Param {
-        name: "period_ps",
-        role: Role::Timing,
-        kind: Kind::Int { min: 100, max: 1_000_000, auto: None },
-        default: "5000",
-        help: "target clock period of the pipeline in ps, by the stated delay model",
-    },
-    Param {
-        name: "stages",
-        role: Role::Timing,
-        kind: Kind::Int { min: 0, max: 256, auto: Some("as many as the target period asks for") },
-        default: "auto",
-        help: "latency in cycles, over period_ps; 0 is combinational and asks for rom=distributed",
-    },
-    Param {
-        name: "rom",
-        role: Role::Timing,
-        kind: Kind::Choice(&["block", "distributed"]),
-        default: "block",
-        help: "table reads take a clock (block RAM) or none (distributed logic)",
-    },
-    Param {
-        name: "schedule",
-        role: Role::Schedule,
-        kind: Kind::Choice(&["flat", "shared", "printed"]),
-        default: "flat",
-        help: "flat: a sample a cycle; shared: operations share units by share_*; printed: as bound by hand, where a unit brings that",
-    },
-    Param {
-        name: "interval",
-        role: Role::Sharing,
-        kind: Kind::Int { min: 1, max: 1024, auto: Some("as short as the units allow") },
-        default: "auto",
-        help: "cycles from one sample to the next with schedule=shared",
-    },
-    share(
-        Shared::Dot,
-        "share_dot",
-        "dot products of three: units for each structure, with schedule=shared",
-    ),
-    share(
-        Shared::Multiplier,
-        "share_mul",
-        "multipliers outside of roots, dividers, table schemes and dot products that share_dot shares: units, with schedule=shared",
-    ),
-    share(Shared::Adder, "share_add", "adders outside of the same: units, with schedule=shared"),
-    share(
-        Shared::Table,
-        "share_table",
-        "table schemes: units for each structure, with schedule=shared",
-    ),
-    share(
-        Shared::Root,
-        "share_root",
-        "roots and reciprocal roots: units for each structure, with schedule=shared",
-    ),
-    share(
-        Shared::Divider,
-        "share_divide",
-        "dividers: units for each structure, with schedule=shared",
-    ),
-    Param {
-        name: "share_latency",
-        role: Role::Sharing,
-        kind: Kind::Int { min: 0, max: 64, auto: Some("by the delay model and period_ps") },
-        default: "auto",
-        help: "cycles from issue to output of each shared unit",
-    },
-    Param {
-        name: "share_loads",
-        role: Role::Sharing,
-        kind: Kind::Choice(&["no", "yes"]),
-        default: "no",
-        help: "operands of shared units are registered in the cycle before the issue",
-    },
-];
+pub static PIPELINE: LazyLock<Vec<Param>> = LazyLock::new(|| {
+    vec![
+        Param::int("period_ps", 100..=1_000_000)
+            .role(Role::Timing)
+            .default(5000)
+            .help("target clock period of the pipeline in ps, by the stated delay model"),
+        Param::int("stages", 0..=256)
+            .role(Role::Timing)
+            .auto("as many as the target period asks for")
+            .help("latency in cycles, over period_ps; 0 is combinational and asks for rom=distributed"),
+        Param::choice("rom", ["block", "distributed"])
+            .role(Role::Timing)
+            .help("table reads take a clock (block RAM) or none (distributed logic)"),
+        Param::choice("schedule", ["flat", "shared", "printed"])
+            .role(Role::Schedule)
+            .help("flat: a sample a cycle; shared: operations share units by share_*; printed: as bound by hand, where a unit brings that"),
+        Param::int("interval", 1..=1024)
+            .role(Role::Sharing)
+            .auto("as short as the units allow")
+            .help("cycles from one sample to the next with schedule=shared"),
+        share(Shared::Dot, "share_dot")
+            .help("dot products of three: units for each structure, with schedule=shared"),
+        share(Shared::Multiplier, "share_mul")
+            .help("multipliers outside of roots, dividers, table schemes and dot products that share_dot shares: units, with schedule=shared"),
+        share(Shared::Adder, "share_add")
+            .help("adders outside of the same: units, with schedule=shared"),
+        share(Shared::Table, "share_table")
+            .help("table schemes: units for each structure, with schedule=shared"),
+        share(Shared::Root, "share_root")
+            .help("roots and reciprocal roots: units for each structure, with schedule=shared"),
+        share(Shared::Divider, "share_divide")
+            .help("dividers: units for each structure, with schedule=shared"),
+        Param::int("share_latency", 0..=64)
+            .role(Role::Sharing)
+            .auto("by the delay model and period_ps")
+            .help("cycles from issue to output of each shared unit"),
+        Param::choice("share_loads", ["no", "yes"])
+            .role(Role::Sharing)
+            .help("operands of shared units are registered in the cycle before the issue"),
+    ]
+});
 
-const fn share(kind: Shared, name: &'static str, help: &'static str) -> Param {
-    let auto = Some("hardware for each use");
-    let role = Role::Share(kind);
-    Param { name, role, kind: Kind::Int { min: 1, max: 1024, auto }, default: "auto", help }
+fn share(kind: Shared, name: &str) -> Param {
+    Param::int(name, 1..=1024).role(Role::Share(kind)).auto("hardware for each use")
 }

@@ -1,33 +1,89 @@
 //! A unit, and values of its parameters.
 
 use super::Design;
-use super::param::{Kind, PIPELINE, Param, Reflection, Role, Value};
+use super::param::{FLAG, Kind, PIPELINE, Param, Reflection, Role, Value};
 use crate::base::error::{Error, Result};
-use crate::number::format::Format;
+use crate::base::name;
+use crate::number::format::{Format, Overflow, Round};
+use crate::table::Scheme;
+use std::fmt;
+use std::ops::Deref;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 
-/// A parameterised datapath.
-#[derive(Debug)]
-pub struct Unit {
-    /// Name on the command line.
-    pub name: &'static str,
+/// A parameterised datapath: a recipe that makes a [`Design`] from values of its parameters.
+///
+/// It is a value: made by [`Unit::new`] and setters, shared when it is cloned, and equal to its clones. Every command and
+/// function of this crate takes one's own as it takes those of [`crate::units`].
+///
+/// ```
+/// use fixpath::format::{Format, Overflow, Round};
+/// use fixpath::netlist::{Builder, Quantity};
+/// use fixpath::units::{Design, Golden, Param, Unit};
+///
+/// let square = Unit::new("square", "x times x, rounded")
+///     .param(Param::bits("x_bits", 2..=24).default(16).help("bits of x, from -1 to 1"))
+///     .param(Param::rounding("rounding"))
+///     .design(|p| {
+///         let mut b = Builder::new("square");
+///         let frac_bits = p.int("x_bits").map_or(0, |bits| i32::try_from(bits).unwrap_or(0)) - 1;
+///         let format = Format::signed(p.bits("x_bits"), frac_bits)?;
+///         let x = b.input("x", format, Quantity::Number);
+///         let exact = b.mul(x, x);
+///         let y = b.narrow(exact, format, p.rounding("rounding"), Overflow::Saturate);
+///         b.output("y", y);
+///         Ok(Design::new(p, b.build()?).golden(|_| Golden::each(|[x]: [f64; 1]| [x * x])))
+///     });
+/// let design = square.values(&["x_bits=8"])?.build()?;
+/// assert_eq!(design.netlist.outputs()[0].name, "y");
+/// # Ok::<(), fixpath::error::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Unit(Arc<Recipe>);
+
+/// What a unit says of itself.
+#[derive(Clone)]
+pub struct Recipe {
+    /// Name on the command line: lower case, digits and single underscores.
+    pub name: String,
     /// What it computes, in one line.
-    pub summary: &'static str,
+    pub summary: String,
     /// Where it comes from.
-    pub source: &'static str,
+    pub source: String,
     /// Its own parameters; [`PIPELINE`] follows them.
-    pub params: &'static [Param],
-    /// Those of its own parameters that the golden model, the sampler or the set of ports depends
-    /// on: designs that differ in them share no golden values.
-    pub golden_params: &'static [&'static str],
+    pub params: Vec<Param>,
     /// Names of the input ports with what they measure, for `list`.
-    pub inputs: &'static str,
+    pub inputs: String,
     /// Names of the output ports, for `list`.
-    pub outputs: &'static str,
+    pub outputs: String,
     /// Whether it shades the pixels of a scene.
     pub shades: Shading,
-    /// Builds the datapath.
-    pub build: fn(&Values) -> Result<Design>,
+    design: Option<Arc<DesignFn>>,
 }
+
+type DesignFn = dyn Fn(&Values) -> Result<Design> + Send + Sync;
+
+impl fmt::Debug for Recipe {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.name)
+    }
+}
+
+impl Deref for Unit {
+    type Target = Recipe;
+
+    fn deref(&self) -> &Recipe {
+        &self.0
+    }
+}
+
+impl PartialEq for Unit {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+impl Eq for Unit {}
 
 /// Whether a unit shades the pixels of a scene: its inputs are then those of a [fragment](crate::units::fragment), and it has outputs
 /// `diffuse` and, if it has highlights, `specular`.
@@ -42,35 +98,118 @@ pub enum Shading {
 }
 
 impl Unit {
+    /// A unit of a name, with what it computes in one line.
+    #[must_use]
+    pub fn new(name: impl Into<String>, summary: impl Into<String>) -> Self {
+        Self(Arc::new(Recipe {
+            name: name.into(),
+            summary: summary.into(),
+            source: String::new(),
+            params: Vec::new(),
+            inputs: String::new(),
+            outputs: String::new(),
+            shades: Shading::None,
+            design: None,
+        }))
+    }
+
+    fn with(mut self, set: impl FnOnce(&mut Recipe)) -> Self {
+        set(Arc::make_mut(&mut self.0));
+        self
+    }
+
+    /// Sets where it comes from.
+    #[must_use]
+    pub fn source(self, source: impl Into<String>) -> Self {
+        self.with(|recipe| recipe.source = source.into())
+    }
+
+    /// Adds a parameter.
+    #[must_use]
+    pub fn param(self, param: Param) -> Self {
+        self.params([param])
+    }
+
+    /// Adds parameters.
+    #[must_use]
+    pub fn params(self, params: impl IntoIterator<Item = Param>) -> Self {
+        self.with(|recipe| recipe.params.extend(params))
+    }
+
+    /// Sets what `list` says of the input ports.
+    #[must_use]
+    pub fn inputs(self, inputs: impl Into<String>) -> Self {
+        self.with(|recipe| recipe.inputs = inputs.into())
+    }
+
+    /// Sets what `list` says of the output ports.
+    #[must_use]
+    pub fn outputs(self, outputs: impl Into<String>) -> Self {
+        self.with(|recipe| recipe.outputs = outputs.into())
+    }
+
+    /// Sets whether it shades the pixels of a scene.
+    #[must_use]
+    pub fn shades(self, shades: Shading) -> Self {
+        self.with(|recipe| recipe.shades = shades)
+    }
+
+    /// Sets what makes the datapath.
+    #[must_use]
+    pub fn design(
+        self,
+        design: impl Fn(&Values) -> Result<Design> + Send + Sync + 'static,
+    ) -> Self {
+        self.with(|recipe| recipe.design = Some(Arc::new(design)))
+    }
+
     /// All parameters: its own, then the pipeline's.
-    pub fn all_params(&self) -> impl Iterator<Item = &'static Param> + use<> {
-        self.params.iter().chain(PIPELINE)
+    pub fn all_params(&self) -> impl Iterator<Item = &Param> {
+        self.params.iter().chain(PIPELINE.iter())
     }
 
     /// The parameter of a name.
     #[must_use]
-    pub fn param(&self, name: &str) -> Option<&'static Param> {
+    pub fn find_param(&self, name: &str) -> Option<&Param> {
         self.all_params().find(|param| param.name == name)
     }
 
-    /// The defaults.
+    /// Refuses a unit that can't be used.
     ///
-    /// # Panics
-    /// If a default is not legal: that is wrong code.
+    /// # Errors
+    /// If its name or one of a parameter is no identifier, two parameters share a name, a default isn't legal, or
+    /// nothing makes its datapath.
+    pub fn check(&self) -> Result<()> {
+        if !name::is_legal(&self.name) {
+            return Err(Error::name("unit", &self.name));
+        }
+        let of_unit = |why: &dyn fmt::Display| Error::usage(format!("unit `{}`: {why}", self.name));
+        for (at, param) in self.params.iter().enumerate() {
+            param.check().map_err(|why| of_unit(&why))?;
+            let same = |known: &Param| known.name == param.name;
+            if self.params[..at].iter().any(same) || PIPELINE.iter().any(same) {
+                let whose = if PIPELINE.iter().any(same) { "every unit has one" } else { "two" };
+                return Err(of_unit(&format!("parameter `{}`: {whose} of this name", param.name)));
+            }
+        }
+        if self.design.is_none() {
+            return Err(of_unit(&"nothing makes its datapath: give it a `design`"));
+        }
+        Ok(())
+    }
+
+    /// The defaults.
     #[must_use]
-    pub fn defaults(&'static self) -> Values {
-        let values = self
-            .all_params()
-            .map(|param| param.parse(param.default).expect("bug: a default is legal"))
-            .collect();
-        Values { unit: self, values }
+    pub fn defaults(&self) -> Values {
+        let values = self.all_params().map(|param| param.default.clone()).collect();
+        Values { unit: self.clone(), values, notes: None }
     }
 
     /// The defaults with some `key=value` assignments.
     ///
     /// # Errors
     /// If a name is unknown or given twice, or a value is not legal.
-    pub fn values<S: AsRef<str>>(&'static self, assignments: &[S]) -> Result<Values> {
+    pub fn values<S: AsRef<str>>(&self, assignments: &[S]) -> Result<Values> {
         let mut values = self.defaults();
         let mut given: Vec<&str> = Vec::new();
         for assignment in assignments {
@@ -88,113 +227,226 @@ impl Unit {
 }
 
 /// One value for each parameter of a unit.
-#[derive(Clone, Debug)]
+///
+/// While a unit makes its design they note what is read through them: so what a golden model depends on is known, and
+/// reading a parameter that isn't there makes the design an error. Elsewhere that panics.
+#[derive(Debug)]
 pub struct Values {
-    unit: &'static Unit,
+    unit: Unit,
     values: Vec<Value>,
+    notes: Option<Arc<Notes>>,
+}
+
+/// What was read.
+#[derive(Debug)]
+struct Notes {
+    /// By parameter.
+    read: Vec<AtomicBool>,
+    /// The first read of what isn't there.
+    wrong: Mutex<Option<Error>>,
+}
+
+impl Clone for Values {
+    /// A copy that notes nothing. It may be read at any time, so it counts as a read of all.
+    fn clone(&self) -> Self {
+        self.note_all();
+        Self { unit: self.unit.clone(), values: self.values.clone(), notes: None }
+    }
 }
 
 impl Values {
     /// The unit that they belong to.
     #[must_use]
-    pub fn unit(&self) -> &'static Unit {
-        self.unit
+    pub fn unit(&self) -> &Unit {
+        &self.unit
     }
 
     /// Sets one parameter from text.
     ///
     /// # Errors
     /// If the name is unknown or the value not legal.
-    #[expect(clippy::missing_panics_doc, reason = "the index was found just before")]
     pub fn set(&mut self, name: &str, text: &str) -> Result<()> {
-        let position = self.unit.all_params().position(|param| param.name == name);
-        let index = position.ok_or_else(|| {
-            Error::unknown_parameter(self.unit.name, name, self.unit.all_params().map(|p| p.name))
-        })?;
-        let param = self.unit.all_params().nth(index).expect("bug: found above");
+        let (index, param) = self.find(name)?;
         self.values[index] = param.parse(text)?;
         Ok(())
     }
 
+    fn find(&self, name: &str) -> Result<(usize, &Param)> {
+        let unit = &self.unit;
+        let mut all = unit.all_params().enumerate();
+        all.find(|(_, param)| param.name == name).ok_or_else(|| {
+            let names = unit.all_params().map(|param| param.name.as_str());
+            Error::unknown_parameter(&unit.name, name, names)
+        })
+    }
+
     /// As [`Values::iter`], without what only counts for shared units where none are.
-    pub fn told(&self) -> impl Iterator<Item = (&'static str, Value)> + '_ {
+    pub fn told(&self) -> impl Iterator<Item = (&str, &Value)> {
         let flat = self.choice("schedule") == "flat";
         let silent = move |role: Role| flat && (role == Role::Schedule || role.is_of_sharing());
         self.params()
             .filter(move |(param, _)| !silent(param.role))
-            .map(|(p, value)| (p.name, value))
+            .map(|(param, value)| (param.name.as_str(), value))
     }
 
     /// Pairs of parameter and value, in order.
-    pub fn params(&self) -> impl Iterator<Item = (&'static Param, Value)> + '_ {
-        self.unit.all_params().zip(self.values.iter().copied())
+    pub fn params(&self) -> impl Iterator<Item = (&Param, &Value)> {
+        self.note_all();
+        self.unit.all_params().zip(&self.values)
     }
 
     /// Pairs of name and value in the order of the parameters.
-    pub fn iter(&self) -> impl Iterator<Item = (&'static str, Value)> + '_ {
-        self.params().map(|(param, value)| (param.name, value))
+    pub fn iter(&self) -> impl Iterator<Item = (&str, &Value)> {
+        self.params().map(|(param, value)| (param.name.as_str(), value))
+    }
+
+    /// True if there is a parameter of a name.
+    #[must_use]
+    pub fn has(&self, name: &str) -> bool {
+        self.unit.find_param(name).is_some()
+    }
+
+    /// What a parameter's value says to `of`, and something legal where that is nothing.
+    fn read<'a, T>(
+        &'a self,
+        name: &str,
+        what: &str,
+        of: impl FnOnce(&'a Value) -> Option<T>,
+    ) -> Option<T> {
+        let wrong = match self.find(name) {
+            Ok((index, param)) => {
+                if let Some(notes) = &self.notes {
+                    notes.read[index].store(true, Ordering::Relaxed);
+                }
+                let value = &self.values[index];
+                let read = of(value);
+                if read.is_some() {
+                    return read;
+                }
+                let legal = param.kind.legal();
+                Error::usage(format!(
+                    "unit `{}` reads its parameter `{name}` as {what}, and it is {value} of {legal}",
+                    self.unit.name
+                ))
+            }
+            Err(wrong) => wrong,
+        };
+        let Some(notes) = &self.notes else { panic!("bug: {wrong}") };
+        notes.wrong.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(wrong);
+        None
     }
 
     /// The value of a parameter.
     ///
     /// # Panics
-    /// If there is no such parameter.
+    /// If there is no such parameter; while a design is made, that is an error of it.
     #[must_use]
-    pub fn get(&self, name: &str) -> Value {
-        self.iter().find(|(known, _)| *known == name).expect("bug: unknown parameter").1
+    pub fn get(&self, name: &str) -> &Value {
+        self.read(name, "a value", Some).unwrap_or(&Value::Auto)
     }
 
     /// A whole number; `None` for `auto`.
     ///
     /// # Panics
-    /// If the parameter is none.
+    /// As [`Values::get`], or if the parameter is none.
     #[must_use]
     pub fn int(&self, name: &str) -> Option<i64> {
-        match self.get(name) {
-            Value::Int(number) => Some(number),
-            Value::Auto => None,
-            Value::Real(_) | Value::Choice(_) => panic!("bug: `{name}` is no whole number"),
-        }
+        let of = |value: &Value| match value {
+            Value::Int(number) => Some(Some(*number)),
+            Value::Auto => Some(None),
+            Value::Real(_) | Value::Choice(_) => None,
+        };
+        self.read(name, "a whole number", of).flatten()
     }
 
     /// The value of what it takes of the reflection formula, if it takes that.
     #[must_use]
-    pub fn reflection(&self, part: Reflection) -> Option<Value> {
+    pub fn reflection(&self, part: Reflection) -> Option<&Value> {
         self.params().find(|(param, _)| param.role == Role::Material(part)).map(|(_, value)| value)
     }
 
     /// A number.
     ///
     /// # Panics
-    /// If the parameter is none.
+    /// As [`Values::get`], or if the parameter is none.
     #[must_use]
     pub fn real(&self, name: &str) -> f64 {
-        match self.get(name) {
-            Value::Real(number) => number.get(),
-            Value::Int(_) | Value::Auto | Value::Choice(_) => panic!("bug: `{name}` is no number"),
-        }
+        let of = |value: &Value| match value {
+            Value::Real(number) => Some(number.get()),
+            Value::Int(_) | Value::Auto | Value::Choice(_) => None,
+        };
+        self.read(name, "a number with fractions", of).unwrap_or_default()
     }
 
     /// A count of bits that has no `auto`.
     ///
     /// # Panics
-    /// If the parameter is none.
+    /// As [`Values::get`], or if the parameter is none.
     #[must_use]
     pub fn bits(&self, name: &str) -> u32 {
-        let number = self.int(name).expect("bug: no auto here");
-        u32::try_from(number).expect("bug: counts of bits are small")
+        let of = |value: &Value| match value {
+            Value::Int(number) => u32::try_from(*number).ok(),
+            Value::Real(_) | Value::Auto | Value::Choice(_) => None,
+        };
+        self.read(name, "a count", of).unwrap_or(1)
     }
 
     /// A name.
     ///
     /// # Panics
-    /// If the parameter is none.
+    /// As [`Values::get`], or if the parameter is none.
     #[must_use]
-    pub fn choice(&self, name: &str) -> &'static str {
-        match self.get(name) {
-            Value::Choice(choice) => choice,
-            Value::Int(_) | Value::Real(_) | Value::Auto => panic!("bug: `{name}` is no name"),
+    pub fn choice(&self, name: &str) -> &str {
+        self.read(name, "a name", Self::name_of).unwrap_or_default()
+    }
+
+    fn name_of(value: &Value) -> Option<&str> {
+        match value {
+            Value::Choice(name) => Some(name),
+            Value::Int(_) | Value::Real(_) | Value::Auto => None,
         }
+    }
+
+    /// A switch: true for `on`.
+    ///
+    /// # Panics
+    /// As [`Values::get`], or if the parameter is none.
+    #[must_use]
+    pub fn flag(&self, name: &str) -> bool {
+        let of = |value| FLAG.iter().position(|known| Self::name_of(value) == Some(known));
+        self.read(name, "a switch, off or on", of) == Some(1)
+    }
+
+    /// A table scheme.
+    ///
+    /// # Panics
+    /// As [`Values::get`], or if the parameter is none.
+    #[must_use]
+    pub fn scheme(&self, name: &str) -> Scheme {
+        let of = |value| {
+            Scheme::ALL.iter().copied().find(|known| Self::name_of(value) == Some(known.name()))
+        };
+        self.read(name, "a table scheme", of).unwrap_or(Scheme::Direct)
+    }
+
+    /// A rounding.
+    ///
+    /// # Panics
+    /// As [`Values::get`], or if the parameter is none.
+    #[must_use]
+    pub fn rounding(&self, name: &str) -> Round {
+        let of = |value| Self::name_of(value)?.parse().ok();
+        self.read(name, "a rounding", of).unwrap_or(Round::HalfEven)
+    }
+
+    /// What becomes of values past a format.
+    ///
+    /// # Panics
+    /// As [`Values::get`], or if the parameter is none.
+    #[must_use]
+    pub fn overflow(&self, name: &str) -> Overflow {
+        let of = |value| Self::name_of(value)?.parse().ok();
+        self.read(name, "an overflow mode", of).unwrap_or(Overflow::Saturate)
     }
 
     /// The error for a value that is legal by itself and not together with others.
@@ -203,13 +455,62 @@ impl Values {
         Error::parameter_value(name, &self.get(name).to_string(), legal.to_owned())
     }
 
+    /// The same values, noting what is read of them.
+    pub(crate) fn noting(&self) -> Self {
+        let read = self.values.iter().map(|_| AtomicBool::new(false)).collect();
+        let notes = Some(Arc::new(Notes { read, wrong: Mutex::new(None) }));
+        Self { unit: self.unit.clone(), values: self.values.clone(), notes }
+    }
+
+    /// Which were read, by parameter.
+    pub(super) fn were_read(&self) -> Vec<bool> {
+        let notes = self.notes.iter().flat_map(|notes| &notes.read);
+        notes.map(|read| read.load(Ordering::Relaxed)).collect()
+    }
+
+    /// The first read of a parameter that isn't there.
+    pub(crate) fn wrong(&self) -> Option<Error> {
+        self.notes.as_ref()?.wrong.lock().unwrap_or_else(PoisonError::into_inner).take()
+    }
+
+    fn note_all(&self) {
+        for read in self.notes.iter().flat_map(|notes| &notes.read) {
+            read.store(true, Ordering::Relaxed);
+        }
+    }
+
+    pub(super) fn all(&self) -> &[Value] {
+        &self.values
+    }
+
     /// Builds the datapath.
     ///
     /// # Errors
-    /// If these values don't go together, or a word would be wider than 63 bits.
+    /// If these values don't go together, a word would be wider than 63 bits, or the unit or what it makes is no
+    /// design ([`Unit::check`], [`Design::check`]).
     pub fn build(&self) -> Result<Design> {
-        let build = self.unit.build;
-        build(self).map_err(|error| self.with_remedy(error, &|values| build(values).map(|_| ())))
+        self.design()
+            .map_err(|error| self.with_remedy(error, &|values| values.design().map(|_| ())))
+    }
+
+    /// The same without a remedy for words that are too wide.
+    pub(crate) fn design(&self) -> Result<Design> {
+        self.unit.check()?;
+        let make = self.unit.design.as_ref().expect("bug: it was checked");
+        let noting = self.noting();
+        let made = make(&noting);
+        if let Some(wrong) = noting.wrong() {
+            return Err(wrong);
+        }
+        let design = made?;
+        if design.values.unit != self.unit || design.values.values != self.values {
+            return Err(Error::usage(format!(
+                "unit `{}` makes a design of other values than it is given",
+                self.unit.name
+            )));
+        }
+        design.check()?;
+        Ok(design)
     }
 
     /// An error of a word that is too wide in what `make` makes, with the parameters that make it narrower.
@@ -219,14 +520,15 @@ impl Values {
             Some(_) | None => return error,
         };
         let narrower = |step: i64, (index, param): (usize, &Param)| -> Option<String> {
-            let (Kind::Int { min, max, .. }, Value::Int(number)) = (param.kind, self.values[index])
+            let (Kind::Int { min, max, .. }, Value::Int(number)) =
+                (&param.kind, &self.values[index])
             else {
                 return None;
             };
-            let changed = (number + step).clamp(min, max);
+            let changed = (number + step).clamp(*min, *max);
             let mut other = self.clone();
             other.values[index] = Value::Int(changed);
-            let helps = changed != number
+            let helps = changed != *number
                 && match make(&other) {
                     Ok(()) => true,
                     // Another node is the next one that is too wide: the first one isn't any more.

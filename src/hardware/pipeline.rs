@@ -13,7 +13,7 @@ impl Design {
     /// If the latency or interval asked for is too short, a shared unit would have words over 63
     /// bits, or parameters of one schedule are set for another.
     pub fn rtl(&self) -> Result<Rtl> {
-        let make = |values: &Values| (values.unit().build)(values)?.hardware().map(|_| ());
+        let make = |values: &Values| values.design()?.hardware().map(|_| ());
         self.hardware().map_err(|error| self.values.with_remedy(error, &make))
     }
 
@@ -26,12 +26,12 @@ impl Design {
         let kind = values.choice("schedule");
         // What only a found schedule takes must not be set for another.
         for (param, value) in values.params().filter(|(param, _)| param.role.is_of_sharing()) {
-            if kind != "shared" && value.to_string() != param.default {
+            if kind != "shared" && *value != param.default {
                 let legal = format!(
                     "{} with schedule={kind}; it counts with schedule=shared",
                     param.default
                 );
-                return Err(values.refuse(param.name, &legal));
+                return Err(values.refuse(&param.name, &legal));
             }
         }
         if kind != "flat" && stages.is_some() {
@@ -49,7 +49,7 @@ impl Design {
                 let shares =
                     values.params().filter_map(|(param, value)| match (param.role, value) {
                         (Role::Share(kind), Value::Int(units)) => {
-                            Some(Share { kind, units: count(units), latency, loads })
+                            Some(Share { kind, units: count(*units), latency, loads })
                         }
                         _ => None,
                     });

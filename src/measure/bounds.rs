@@ -5,24 +5,25 @@ use super::inputs::values_of;
 use super::measurand::Measurand;
 use super::report::{Basis, Report};
 use crate::base::cast;
-use crate::base::error::Result;
+use crate::base::error::{Error, Result};
 use crate::base::json;
 use crate::design::{Bound, Bounds, Design, HardCase};
 use crate::sim::batch::Program;
 use crate::table::figures::table_figures;
 use serde::Serialize;
+use std::cell::RefCell;
 
 /// A stated bound, evaluated.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct StatedBound {
     /// What is bounded, in a word.
-    pub quantity: &'static str,
+    pub quantity: String,
     /// The quantities that it holds for, by their names in reports.
-    pub of: &'static [&'static str],
+    pub of: Vec<String>,
     /// The bound, in the unit of those.
     pub bound: f64,
     /// What it is told over, if it isn't absolute.
-    pub over: Option<&'static str>,
+    pub over: Option<String>,
 }
 
 impl StatedBound {
@@ -31,7 +32,7 @@ impl StatedBound {
     #[must_use]
     pub fn subject(&self) -> String {
         let each = if self.quantity.starts_with("each ") { "" } else { "each " };
-        let over = self.over.map_or_else(String::new, |what| format!(" (over {what})"));
+        let over = self.over.as_ref().map_or_else(String::new, |what| format!(" (over {what})"));
         format!("{each}{}{over}", self.quantity)
     }
 
@@ -56,56 +57,63 @@ pub struct BoundCheck {
     /// Each of them.
     pub stated: Vec<StatedBound>,
     /// The inputs that they hold for, if not for all.
-    pub inputs: Option<&'static str>,
+    pub inputs: Option<String>,
     /// Why there is none.
-    pub why_none: Option<&'static str>,
+    pub why_none: Option<String>,
 }
 
 impl BoundCheck {
     /// Evaluates the bounds of a design: needs the exact worst error of each table scheme.
     ///
     /// # Errors
-    /// As [`table_figures`].
-    ///
-    /// # Panics
-    /// If a bound asks for a table that the design doesn't have: that is wrong code.
+    /// As [`table_figures`], or if a bound asks for a table or a parameter that isn't there.
     pub fn new(design: &Design) -> Result<Self> {
         let (bounds, inputs) = match &design.bounds {
             Bounds::Stated(bounds) => (bounds, None),
-            Bounds::Within(inputs, bounds) => (bounds, Some(*inputs)),
+            Bounds::Within(inputs, bounds) => (bounds, Some(inputs.clone())),
             Bounds::Unstated(why) => return Ok(Self::unstated(why)),
         };
-        let mut worst: Vec<(&str, f64)> = Vec::new();
+        let mut worst: Vec<(String, f64)> = Vec::new();
         for tabulated in &design.tabulated {
             let Some(figures) = table_figures(tabulated)? else {
                 return Ok(Self::unstated(
                     "it rests on the exact worst error of each table, and one has too many words to go through",
                 ));
             };
-            worst.extend(figures.iter().map(|figures| (figures.table, figures.worst)));
+            worst.extend(figures.into_iter().map(|figures| (figures.table, figures.worst)));
         }
+        let missing = RefCell::new(None);
         let worst_of = |name: &str| {
             let of = worst.iter().filter(|(table, _)| *table == name).map(|(_, worst)| *worst);
-            let most = of.fold(f64::NEG_INFINITY, f64::max);
-            assert!(most >= 0.0, "bug: no table `{name}`");
-            most
+            of.reduce(f64::max).unwrap_or_else(|| {
+                missing.borrow_mut().get_or_insert_with(|| name.to_owned());
+                0.0
+            })
         };
         let scales = design.scales();
-        let over = |bound: &Bound| {
-            let of = scales.iter().find(|(name, _)| bound.quantities.contains(&name.as_str()));
-            of.map(|(_, what)| *what)
+        let noting = design.values.noting();
+        let evaluated = |bound: &Bound| -> Result<StatedBound> {
+            let (quantity, of) = (bound.what.clone(), bound.quantities.clone());
+            let over = scales.iter().find(|(name, _)| of.contains(name));
+            let over = over.map(|(_, what)| what.clone());
+            let bound = (bound.bound)(&noting, &worst_of);
+            if let Some(wrong) = noting.wrong() {
+                return Err(wrong);
+            }
+            if let Some(table) = missing.take() {
+                let unit = &design.values.unit().name;
+                return Err(Error::usage(format!(
+                    "unit `{unit}`: its bound on `{quantity}` asks for the table `{table}`, which isn't among its `tabulated`"
+                )));
+            }
+            Ok(StatedBound { quantity, of, bound, over })
         };
-        let evaluated = |bound: &Bound| StatedBound {
-            quantity: bound.what,
-            of: bound.quantities,
-            bound: (bound.bound)(&design.values, &worst_of),
-            over: over(bound),
-        };
-        Ok(Self { stated: bounds.iter().map(evaluated).collect(), inputs, why_none: None })
+        let stated = bounds.iter().map(evaluated).collect::<Result<_>>()?;
+        Ok(Self { stated, inputs, why_none: None })
     }
 
-    fn unstated(why: &'static str) -> Self {
-        Self { stated: Vec::new(), inputs: None, why_none: Some(why) }
+    fn unstated(why: &str) -> Self {
+        Self { stated: Vec::new(), inputs: None, why_none: Some(why.to_owned()) }
     }
 
     /// True unless one is broken.
@@ -123,9 +131,9 @@ pub struct HardResult {
     /// Bit-true results, as the golden has them: directions as x, y, z.
     #[serde(serialize_with = "json::reals")]
     pub fixed: Vec<f64>,
-    /// Results of the golden in `f32`.
-    #[serde(serialize_with = "json::reals")]
-    pub float32: Vec<f64>,
+    /// Results of the golden in `f32`, if the unit brings one.
+    #[serde(serialize_with = "json::known_reals")]
+    pub float32: Option<Vec<f64>>,
     /// Results of the golden in `f64`.
     #[serde(serialize_with = "json::reals")]
     pub float64: Vec<f64>,
@@ -136,8 +144,8 @@ pub struct HardResult {
     #[serde(serialize_with = "json::real")]
     pub error: f64,
     /// The largest error of `f32` in the same quantities.
-    #[serde(serialize_with = "json::real")]
-    pub float32_error: f64,
+    #[serde(serialize_with = "json::known_real")]
+    pub float32_error: Option<f64>,
     /// Its bound.
     #[serde(serialize_with = "json::known_real")]
     pub bound: Option<f64>,
@@ -164,15 +172,15 @@ impl HardResult {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct HardVerdict {
     /// What is hard about them.
-    pub name: &'static str,
+    pub name: String,
     /// Number of cases.
     pub cases: usize,
     /// The case with the largest error, by its bound.
     #[serde(flatten)]
     pub worst: HardResult,
     /// The largest error of `f32` over the group.
-    #[serde(serialize_with = "json::real")]
-    pub float32_worst: f64,
+    #[serde(serialize_with = "json::known_real")]
+    pub float32_worst: Option<f64>,
     /// Whether the bounds hold for every case of the group; `None` without a bound.
     pub holds: Option<bool>,
 }
@@ -217,21 +225,20 @@ pub fn hard_results(design: &Design, group: &HardCase, bounds: &BoundCheck) -> V
     let (mut fixed, mut float64) = (Vec::new(), Vec::new());
     as_golden(&design.groups, &mut values, &mut fixed);
     run_golden(design, &inputs, &mut float64);
-    let inputs32: Vec<Vec<f32>> =
-        inputs.iter().map(|column| column.iter().map(|x| cast::f32_of(*x)).collect()).collect();
-    let slices: Vec<&[f32]> = inputs32.iter().map(Vec::as_slice).collect();
-    let mut float32 = vec![vec![0.0f32; group.words.len()]; design.golden_columns()];
-    (design.golden_f32)(&design.values, &slices, &mut float32);
-    let float32: Vec<Vec<f64>> = float32
-        .iter()
-        .map(|column| column.iter().map(|value| f64::from(*value)).collect())
-        .collect();
+    let float32 = design.golden_f32.as_ref().map(|golden| -> Vec<Vec<f64>> {
+        let inputs: Vec<Vec<f32>> =
+            inputs.iter().map(|column| column.iter().map(|x| cast::f32_of(*x)).collect()).collect();
+        let slices: Vec<&[f32]> = inputs.iter().map(Vec::as_slice).collect();
+        let mut columns = vec![vec![0.0f32; group.words.len()]; design.golden_columns()];
+        golden.run(&slices, &mut columns);
+        let wide = |column: &Vec<f32>| column.iter().map(|value| f64::from(*value)).collect();
+        columns.iter().map(wide).collect()
+    });
 
     // Which quantities count, and against what.
     let mut judged: Vec<(Measurand, Option<f64>)> = Vec::new();
     for measurand in Measurand::all(design) {
-        let name = measurand.name.as_str();
-        let bound = bounds.stated.iter().find(|bound| bound.of.contains(&name));
+        let bound = bounds.stated.iter().find(|bound| bound.of.contains(&measurand.name));
         match bound {
             Some(bound) => judged.push((measurand, Some(bound.bound))),
             None if bounds.stated.is_empty() && measurand.counts_unbounded(design) => {
@@ -248,7 +255,7 @@ pub fn hard_results(design: &Design, group: &HardCase, bounds: &BoundCheck) -> V
         };
         judged.iter().map(of).collect()
     };
-    let (fixed_errors, float32_errors) = (errors(&fixed), errors(&float32));
+    let (fixed_errors, float32_errors) = (errors(&fixed), float32.as_deref().map(errors));
     let result = |i: usize| {
         // Without the golden's scales.
         let at = |columns: &[Vec<f64>]| {
@@ -257,11 +264,13 @@ pub fn hard_results(design: &Design, group: &HardCase, bounds: &BoundCheck) -> V
         let case = |q: usize| HardResult {
             words: group.words[i].clone(),
             fixed: at(&fixed),
-            float32: at(&float32),
+            float32: float32.as_deref().map(at),
             float64: at(&float64),
             quantity: judged[q].0.name.clone(),
             error: fixed_errors[q][i].abs(),
-            float32_error: float32_errors.iter().map(|e| e[i].abs()).fold(0.0, f64::max),
+            float32_error: float32_errors
+                .as_ref()
+                .map(|errors| errors.iter().map(|e| e[i].abs()).fold(0.0, f64::max)),
             bound: judged[q].1,
         };
         let worst = (0..judged.len()).map(case).max_by(|a, b| a.rank().total_cmp(&b.rank()));
@@ -275,11 +284,11 @@ pub fn hard_results(design: &Design, group: &HardCase, bounds: &BoundCheck) -> V
 pub fn hard_verdicts(design: &Design, bounds: &BoundCheck) -> Vec<HardVerdict> {
     let verdict = |group: &HardCase| {
         let results = hard_results(design, group, bounds);
-        let float32_worst = results.iter().map(|case| case.float32_error).fold(0.0, f64::max);
+        let float32_worst = results.iter().filter_map(|case| case.float32_error).reduce(f64::max);
         let cases = results.len();
         let worst = results.into_iter().max_by(|a, b| a.rank().total_cmp(&b.rank()))?;
         let holds = worst.holds();
-        Some(HardVerdict { name: group.name, cases, worst, float32_worst, holds })
+        Some(HardVerdict { name: group.name.clone(), cases, worst, float32_worst, holds })
     };
     design.hard.iter().filter_map(verdict).collect()
 }
@@ -290,7 +299,10 @@ mod tests {
 
     #[test]
     fn each_is_said_once() {
-        let of = |quantity| StatedBound { quantity, of: &[], over: None, bound: 0.0 }.subject();
+        let of = |quantity| {
+            StatedBound { quantity: str::to_owned(quantity), of: vec![], over: None, bound: 0.0 }
+                .subject()
+        };
         assert_eq!(of("part"), "each part");
         assert_eq!(of("each part"), "each part");
         assert_eq!(of("eachother"), "each eachother");

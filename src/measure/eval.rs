@@ -66,7 +66,7 @@ pub fn eval(
         values_of(netlist, &outputs, &out_words, &mut out_values);
         let columns: Vec<&[f64]> = quantised.iter().map(Vec::as_slice).collect();
         golden.iter_mut().for_each(|column| column.resize(count, 0.0));
-        (design.golden)(&design.values, &columns, &mut golden);
+        design.golden.run(&columns, &mut golden);
         let mut clipped = block.clipped.iter().peekable();
         for row in 0..count {
             let mut fields = Vec::with_capacity(header.len());

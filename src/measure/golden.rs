@@ -44,5 +44,5 @@ pub(crate) fn run_golden(design: &Design, inputs: &[Vec<f64>], to: &mut Vec<Vec<
         column.resize(len, 0.0);
     }
     let columns: Vec<&[f64]> = inputs.iter().map(Vec::as_slice).collect();
-    (design.golden)(&design.values, &columns, to);
+    design.golden.run(&columns, to);
 }

@@ -57,27 +57,20 @@ impl Inputs {
 
     /// True if two designs get the same values before quantisation, and the same golden of them.
     pub(crate) fn same_values(&self, a: &Design, b: &Design) -> bool {
-        let names = |design: &Design| -> Vec<String> {
-            let netlist = &design.netlist;
-            (0..netlist.inputs().len()).map(|port| netlist.input_name(port).to_owned()).collect()
-        };
-        !self.are_words() && names(a) == names(b) && a.golden_key() == b.golden_key()
+        // Of the formats a sampler may know or not.
+        let drawn = !a.is_drawn_by_format() || ports(a) == ports(b);
+        !self.are_words() && a.golden_key() == b.golden_key() && drawn
     }
 
     /// True if two designs get the same input words, and the same golden of them.
     pub(crate) fn same(&self, a: &Design, b: &Design) -> bool {
-        let formats = |design: &Design| -> Vec<_> {
-            let netlist = &design.netlist;
-            let of = |id: &NodeId| (netlist.node(*id).format, netlist.node(*id).quantity);
-            netlist.inputs().iter().map(of).collect()
-        };
         if a.golden_key() != b.golden_key() {
             return false;
         }
         let hard = |design: &Design| -> Vec<Vec<i64>> {
             design.hard.iter().flat_map(|case| case.words.clone()).collect()
         };
-        formats(a) == formats(b) && (self.sampler != Sampler::Hard || hard(a) == hard(b))
+        ports(a) == ports(b) && (self.sampler != Sampler::Hard || hard(a) == hard(b))
     }
 
     /// Ports whose words are the same in each block of a chunk: of every combination, those that are counted
@@ -107,7 +100,7 @@ impl Inputs {
                 // One stream per chunk: any chunk can be drawn on its own.
                 let chunk = (start / CHUNK).wrapping_mul(0x9e37_79b9_7f4a_7c15);
                 let mut uniform = Uniform::new(self.seed ^ chunk);
-                (design.draw)(design, self.sampler, &mut uniform, columns, count);
+                design.draw.run(self.sampler, &mut uniform, columns, count);
             }
             Sampler::Hard => {
                 let skip = usize::try_from(start).expect("bug: the list is short");
@@ -133,6 +126,13 @@ impl Inputs {
             }
         }
     }
+}
+
+/// What the input ports of a design hold.
+fn ports(design: &Design) -> Vec<(Format, Quantity)> {
+    let netlist = &design.netlist;
+    let of = |id: &NodeId| (netlist.node(*id).format, netlist.node(*id).quantity);
+    netlist.inputs().iter().map(of).collect()
 }
 
 /// Writes input columns as words of the ports: to nearest, angles modulo a turn, numbers saturated;

@@ -2,7 +2,7 @@
 
 use super::stream::{Angles, Differences, Lengths};
 use crate::base::simd::vectorised;
-use crate::design::{Design, Scale, Shape};
+use crate::design::{Design, Shape};
 
 /// How an error comes from golden columns.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -53,27 +53,28 @@ impl Measurand {
         let mut column = 0;
         let mut scale: usize = design.groups.iter().map(|group| group.shape.columns().len()).sum();
         for group in &design.groups {
-            let named = |part: &str| match group.name {
-                "" => part.to_owned(),
-                name => format!("{name}_{part}"),
+            let mut names = group.quantities().into_iter();
+            let mut add = |kind, column, ulp| {
+                let name = names.next().expect("bug: each quantity has a name");
+                all.push(Self { name, kind, column, ulp });
             };
             if group.shape.is_direction() {
-                for (part, kind) in [("angle", Kind::Angle), ("dot", Kind::Dot)] {
-                    all.push(Self { name: named(part), kind, column, ulp: None });
-                }
+                add(Kind::Angle, column, None);
+                add(Kind::Dot, column, None);
             }
-            if let Shape::Scaled { scales, texels } = group.shape {
-                let own = |part: &str, kind| Self { name: named(part), kind, column, ulp: None };
-                all.extend(texels.map(|texels| own("texels", Kind::Texels(texels))));
-                for Scale { name, .. } in scales {
-                    all.push(own(name, Kind::Relative(scale)));
+            if let Shape::Scaled { scales, texels } = &group.shape {
+                if let Some(texels) = texels {
+                    add(Kind::Texels(*texels), column, None);
+                }
+                for _ in scales {
+                    add(Kind::Relative(scale), column, None);
                     scale += 1;
                 }
             }
-            for (i, name) in group.columns().into_iter().enumerate() {
+            for i in 0..group.shape.columns().len() {
                 let ulp = |i: usize| design.netlist.node(group.nodes[i]).format.ulp();
                 let ulp = (group.shape != Shape::Polar).then(|| ulp(i));
-                all.push(Self { name, kind: Kind::Number, column: column + i, ulp });
+                add(Kind::Number, column + i, ulp);
             }
             column += group.shape.columns().len();
         }

@@ -73,7 +73,7 @@ pub struct Figures {
     /// `rad`, `texel`, `rel` over a scale of the golden ([`Design::scales`](crate::design::Design::scales)), or `1` for absolute errors.
     pub unit: &'static str,
     /// What it is told over, in words, where it isn't absolute.
-    pub over: Option<&'static str>,
+    pub over: Option<String>,
     /// Against what.
     pub basis: Basis,
     /// Largest absolute value.

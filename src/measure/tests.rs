@@ -7,7 +7,7 @@ use crate::units::UNITS;
 #[test]
 fn figures_are_the_same_with_every_set_of_processor_features() {
     let inputs = Inputs { sampler: Sampler::Lit, samples: 2000, seed: 7 };
-    for unit in UNITS {
+    for unit in UNITS.iter() {
         let design = unit.defaults().build().unwrap();
         // As text, in which each float has a text of its own and a NaN is like another.
         let figures = |features: &Features| {

@@ -15,7 +15,7 @@ use num_traits::{Float, FloatConst};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 /// A float that golden models are written in.
-pub trait Real: Float + FloatConst + Default {
+pub trait Real: Float + FloatConst + Default + Send + Sync + 'static {
     /// Sines and cosines of angles in turns below 2^40.
     ///
     /// # Panics

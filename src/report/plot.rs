@@ -58,7 +58,7 @@ fn varied(record: &Record) -> impl Iterator<Item = &Axis> + Clone {
 
 /// What the parameter of an axis is for.
 fn role(record: &Record, axis: &Axis) -> Option<Role> {
-    Some(Unit::find(&record.header.unit).ok()?.param(&axis.key)?.role)
+    Some(Unit::find(&record.header.unit).ok()?.find_param(&axis.key)?.role)
 }
 
 /// The axis whose values are told apart by colour: a unit has one such parameter at most.

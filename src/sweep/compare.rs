@@ -555,7 +555,7 @@ pub fn compare(
     for set in set {
         let name = name_of(set).ok_or_else(|| Error::form(set, "key=value"))?;
         let known =
-            |a: &Architecture| Unit::find(a.unit).is_ok_and(|unit| unit.param(name).is_some());
+            |a: &Architecture| Unit::find(a.unit).is_ok_and(|unit| unit.find_param(name).is_some());
         if !ARCHITECTURES.iter().any(known) {
             let text = format!("no architecture has a parameter `{name}`");
             return Err(Error::usage(text));
@@ -565,7 +565,7 @@ pub fn compare(
         let unit = Unit::find(architecture.unit)?;
         let mut assignments: Vec<String> =
             architecture.params.iter().map(|&param| param.to_owned()).collect();
-        let has = |set: &&String| name_of(set).is_some_and(|name| unit.param(name).is_some());
+        let has = |set: &&String| name_of(set).is_some_and(|name| unit.find_param(name).is_some());
         assignments.extend(set.iter().filter(has).cloned());
         let design = unit.values(&assignments)?.build()?;
         progress(architecture.name, 0);
@@ -620,7 +620,7 @@ impl Comparison {
             let values = unit.values(&row.parameters)?;
             for (param, value) in values.params() {
                 let Role::Material(part) = param.role else { continue };
-                let is_set = |set: &String| name_of(set) == Some(param.name);
+                let is_set = |set: &String| name_of(set) == Some(&param.name);
                 if row.parameters.iter().any(is_set) {
                     set_material(&mut scene, part, value);
                 }

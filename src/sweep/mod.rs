@@ -44,7 +44,8 @@ const GROUP_ROM_BITS: u64 = 1 << 28;
 /// A parameter and the values that it takes in a sweep.
 #[derive(Clone, Debug)]
 pub struct Axis {
-    param: &'static Param,
+    unit: Unit,
+    param: Param,
     values: Vec<Value>,
 }
 
@@ -55,13 +56,14 @@ impl Axis {
     /// # Errors
     /// If the unit has no such parameter, a value is not legal or comes twice, there is none, or
     /// a range runs backwards or has a step of 0.
-    pub fn parse(text: &str, unit: &'static Unit) -> Result<Self> {
+    pub fn parse(text: &str, unit: &Unit) -> Result<Self> {
         let (key, list) = text
             .split_once('=')
             .ok_or_else(|| Error::form(text, "key=v,v,… or key=a..b or key=a..b:step"))?;
         let key = key.trim();
-        let param = unit.param(key).ok_or_else(|| {
-            Error::unknown_parameter(unit.name, key, unit.all_params().map(|param| param.name))
+        let param = unit.find_param(key).ok_or_else(|| {
+            let names = unit.all_params().map(|param| param.name.as_str());
+            Error::unknown_parameter(&unit.name, key, names)
         })?;
         let mut values = Vec::new();
         for item in list.split(',').map(str::trim) {
@@ -84,14 +86,14 @@ impl Axis {
             Some(pair) => {
                 Err(Error::usage(format!("axis `{text}` has the value {} twice", pair[0])))
             }
-            None => Ok(Self { param, values }),
+            None => Ok(Self { unit: unit.clone(), param: param.clone(), values }),
         }
     }
 
     /// Name of the parameter.
     #[must_use]
-    pub fn key(&self) -> &'static str {
-        self.param.name
+    pub fn key(&self) -> &str {
+        &self.param.name
     }
 
     /// Its values in the order given.
@@ -178,7 +180,7 @@ pub struct View {
 /// What measures a unit over a scene, where a sweep can't.
 fn instead_of_a_scene(unit: &Unit) -> String {
     let named = |names: [&str; 2]| format!("fixpath render SCENE --pipelines {}", names.join(","));
-    match unit.name {
+    match unit.name.as_str() {
         "emboss" => format!(
             "`{} --ladder` climbs its widths, tables and fractions over a scene",
             named(EMBOSS_PIPELINES)
@@ -188,7 +190,7 @@ fn instead_of_a_scene(unit: &Unit) -> String {
             named(TANGENT_PIPELINES)
         ),
         _ => {
-            let names: Vec<&str> = pipeline_units().map(|unit| unit.name).collect();
+            let names: Vec<&str> = pipeline_units().map(|unit| unit.name.as_str()).collect();
             format!("leave --scene out, or take one of {}", names.join(", "))
         }
     }
@@ -202,7 +204,7 @@ enum Source {
         view: Box<View>,
         id: SceneId,
         /// Parameters of the material that don't come from the scene.
-        given: Vec<(&'static str, Reflection)>,
+        given: Vec<(String, Reflection)>,
     },
 }
 
@@ -218,10 +220,7 @@ impl Sweep {
     /// A sweep of `axes` about `base`; the last axis runs fastest.
     ///
     /// # Errors
-    /// If a parameter has two axes, the grid is too large, or no sample is asked for.
-    ///
-    /// # Panics
-    /// If an axis belongs to another unit.
+    /// If a parameter has two axes or one is of another unit, the grid is too large, or no sample is asked for.
     pub fn new(base: Values, axes: Vec<Axis>, inputs: Inputs) -> Result<Self> {
         if inputs.samples == 0 && matches!(inputs.sampler, Sampler::Lit | Sampler::Sphere) {
             return Err(Error::usage("a sweep takes at least 1 sample".to_owned()));
@@ -234,10 +233,7 @@ impl Sweep {
     /// those of the material that are neither among them nor swept come from the scene.
     ///
     /// # Errors
-    /// If a parameter has two axes, the grid is too large, or the unit doesn't shade.
-    ///
-    /// # Panics
-    /// If an axis belongs to another unit.
+    /// If a parameter has two axes or one is of another unit, the grid is too large, or the unit doesn't shade.
     pub fn over_scene(base: Values, set: &[&str], axes: Vec<Axis>, view: View) -> Result<Self> {
         Self::check(&base, &axes)?;
         let unit = base.unit();
@@ -250,9 +246,9 @@ impl Sweep {
         }
         let is_given =
             |name: &str| set.contains(&name) || axes.iter().any(|axis| axis.key() == name);
-        let reflection = |param: &'static Param| {
+        let reflection = |param: &Param| {
             let Role::Material(part) = param.role else { return None };
-            is_given(param.name).then_some((param.name, part))
+            is_given(&param.name).then(|| (param.name.clone(), part))
         };
         let given = unit.params.iter().filter_map(reflection).collect();
         let id = SceneId::new(&view.name, &view.scene);
@@ -263,10 +259,11 @@ impl Sweep {
     fn check(base: &Values, axes: &[Axis]) -> Result<()> {
         let mut points = 1usize;
         for (index, axis) in axes.iter().enumerate() {
-            assert!(
-                base.unit().all_params().any(|param| std::ptr::eq(param, axis.param)),
-                "bug: an axis of another unit"
-            );
+            if axis.unit != *base.unit() {
+                let (key, own, other) = (axis.key(), &base.unit().name, &axis.unit.name);
+                let text = format!("axis `{key}` is of unit `{other}` and not of `{own}`");
+                return Err(Error::usage(text));
+            }
             if axes[..index].iter().any(|before| before.key() == axis.key()) {
                 return Err(Error::usage(format!(
                     "parameter `{}` has two axes: put all its values in one, as {}=v,v,…",
@@ -295,7 +292,7 @@ impl Sweep {
         let mut values = self.base.clone();
         let mut rest = index;
         for axis in self.axes.iter().rev() {
-            let value = axis.values[rest % axis.values.len()];
+            let value = &axis.values[rest % axis.values.len()];
             rest /= axis.values.len();
             values.set(axis.key(), &value.to_string()).expect("bug: axes hold legal values");
         }
@@ -306,7 +303,7 @@ impl Sweep {
     fn parameters(&self, values: &Values) -> record::Parameters {
         let mut parameters = record::parameters_of(values);
         if let Source::Scene { given, .. } = &self.source {
-            for param in values.unit().params {
+            for param in &values.unit().params {
                 let is_given = given.iter().any(|(name, _)| *name == param.name);
                 if matches!(param.role, Role::Material(_)) && !is_given {
                     parameters.insert(param.name.to_owned(), "scene".into());
@@ -331,7 +328,7 @@ impl Sweep {
         base.retain(|name, _| self.axes.iter().all(|axis| axis.key() != name));
         let axes = self.axes.iter().map(|axis| record::Axis {
             key: axis.key().to_owned(),
-            values: axis.values.iter().copied().map(record::json_of).collect(),
+            values: axis.values.iter().map(record::json_of).collect(),
         });
         Header {
             format_version: record::FORMAT_VERSION,
@@ -408,7 +405,7 @@ impl Sweep {
         match &self.source {
             Source::Drawn(_) => Vec::new(),
             Source::Scene { given, .. } => {
-                given.iter().map(|(name, part)| (*part, point.get(name))).collect()
+                given.iter().map(|(name, part)| (*part, point.get(name).clone())).collect()
             }
         }
     }
@@ -576,7 +573,7 @@ impl Run<'_> {
     fn set_material(&mut self, index: usize) {
         if let Some(scene) = &mut self.scene {
             for (part, value) in self.sweep.material(&self.sweep.point(index)) {
-                set_material(scene, part, value);
+                set_material(scene, part, &value);
             }
         }
     }
@@ -694,7 +691,7 @@ fn key(parameters: &record::Parameters) -> String {
 /// only measured in another order.
 fn widths(values: &Values) -> Vec<Value> {
     let widths = values.params().filter(|(param, _)| param.role == Role::Width);
-    widths.map(|(_, value)| value).collect()
+    widths.map(|(_, value)| value.clone()).collect()
 }
 
 #[cfg(test)]

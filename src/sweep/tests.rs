@@ -1,17 +1,16 @@
 use super::*;
-use crate::design::{Bounds, Group, Shape};
+use crate::design::{Draw, Golden, Group, Shape};
 use crate::measure::Basis;
 use crate::netlist::{Builder, Quantity};
 use crate::number::format::{Format, Overflow, Round};
-use crate::units::rotation::ROTATION;
+use crate::units::built_in;
 use serde_json::json;
 use std::path::PathBuf;
-use std::sync::Arc;
 
 const FEW: Inputs = Inputs { sampler: Sampler::Lit, samples: 500, seed: 1 };
 
 fn axis(text: &str) -> Axis {
-    Axis::parse(text, &ROTATION).unwrap()
+    Axis::parse(text, built_in("rotation")).unwrap()
 }
 
 fn values(text: &str) -> Vec<String> {
@@ -19,12 +18,12 @@ fn values(text: &str) -> Vec<String> {
 }
 
 fn refused(text: &str) -> String {
-    Axis::parse(text, &ROTATION).unwrap_err().to_string()
+    Axis::parse(text, built_in("rotation")).unwrap_err().to_string()
 }
 
 fn sweep(assignments: &[&str], axes: &[&str], inputs: Inputs) -> Sweep {
     let axes = axes.iter().map(|text| axis(text)).collect();
-    Sweep::new(ROTATION.values(assignments).unwrap(), axes, inputs).unwrap()
+    Sweep::new(built_in("rotation").values(assignments).unwrap(), axes, inputs).unwrap()
 }
 
 fn run(sweep: &Sweep, folder: &Path) -> Result<Record> {
@@ -112,7 +111,7 @@ fn axis_errors() {
 fn grid_errors() {
     let new = |axes: &[&str], inputs| {
         let axes = axes.iter().map(|text| axis(text)).collect();
-        Sweep::new(ROTATION.defaults(), axes, inputs).unwrap_err().to_string()
+        Sweep::new(built_in("rotation").defaults(), axes, inputs).unwrap_err().to_string()
     };
     assert_eq!(
         new(&["frac_bits=8", "frac_bits=9"], FEW),
@@ -283,22 +282,8 @@ fn points_that_cannot_be_built_are_recorded() {
 }
 
 /// A unit whose outputs are its input, in as many bits as asked for and no more.
-static TIGHT: Unit = Unit {
-    name: "tight",
-    summary: "",
-    source: "",
-    params: &[Param {
-        name: "bits",
-        role: Role::Width,
-        kind: Kind::Int { min: 1, max: 8, auto: None },
-        default: "8",
-        help: "",
-    }],
-    golden_params: &[],
-    inputs: "",
-    outputs: "",
-    shades: Shading::None,
-    build: |values| {
+fn tight() -> Unit {
+    Unit::new("tight", "").param(Param::bits("bits", 1..=8).default(8)).design(|values| {
         let mut b = Builder::new("tight");
         let input = b.input("a", Format::unsigned(8, 8)?, Quantity::Turns);
         let format = Format::unsigned(values.bits("bits"), 8)?;
@@ -307,35 +292,25 @@ static TIGHT: Unit = Unit {
             b.output(name, word);
         }
         let netlist = b.build()?;
-        Ok(Design {
-            values: values.clone(),
-            groups: vec![Group {
-                name: "",
-                shape: Shape::Cartesian,
-                nodes: netlist.outputs().iter().map(|output| output.node).collect(),
-            }],
-            netlist: Arc::new(netlist),
-            golden: |_, inputs, outputs| {
-                outputs.iter_mut().for_each(|to| to.copy_from_slice(inputs[0]))
-            },
-            golden_f32: |_, _, _| (),
-            bounds: Bounds::Unstated(""),
-            tabulated: Vec::new(),
-            hard: Vec::new(),
+        let words = netlist.outputs().iter().map(|output| output.node).collect();
+        Ok(Design::new(values, netlist)
+            .groups(vec![Group::new("", Shape::Cartesian, words)])
+            .golden(|_| Golden::each(|[a]: [f64; 1]| [a; 3]))
             // Not near 0, where a vector has no direction.
-            binding: None,
-            draw: |_, _, next, columns, count| {
-                columns[0] = (0..count).map(|_| 0.1 + 0.8 * next.draw()).collect()
-            },
-        })
-    },
-};
+            .draw(|_, _| {
+                Draw::new(|_, next, columns, count| {
+                    columns[0] = (0..count).map(|_| 0.1 + 0.8 * next.draw()).collect()
+                })
+            }))
+    })
+}
 
 #[test]
 fn points_that_fail_a_check_are_recorded() {
     let folder = tempfile::tempdir().unwrap();
-    let axis = Axis::parse("bits=7,8,6", &TIGHT).unwrap();
-    let sweep = Sweep::new(TIGHT.defaults(), vec![axis], FEW).unwrap();
+    let unit = tight();
+    let axis = Axis::parse("bits=7,8,6", &unit).unwrap();
+    let sweep = Sweep::new(unit.defaults(), vec![axis], FEW).unwrap();
     let record = run(&sweep, folder.path()).unwrap();
     for (point, bits) in record.points.iter().zip([7, 8, 6]) {
         assert_eq!(point.text("bits"), bits.to_string());

@@ -15,7 +15,7 @@ use serde::Serialize;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TableFigures {
     /// Table and function.
-    pub table: &'static str,
+    pub table: String,
     /// Function.
     pub function: &'static str,
     /// Largest absolute error against the function saturated to the output format.
@@ -117,7 +117,7 @@ fn part_figures(
     let (output, argument) = (tabulated.output, tabulated.argument);
     let (lo, hi) = (output.value(output.min_raw()), output.value(output.max_raw()));
     let mut figures = TableFigures {
-        table: tabulated.name,
+        table: tabulated.name.clone(),
         function: function.name(),
         worst: -1.0,
         worst_ulp: 0.0,

@@ -89,7 +89,7 @@ pub struct Spec<'a> {
 #[derive(Clone, Debug)]
 pub struct Tabulated {
     /// Name of the table and of its scope.
-    pub name: &'static str,
+    pub name: String,
     /// Its functions.
     pub functions: Vec<Function>,
     /// Scheme.
@@ -113,7 +113,7 @@ impl Tabulated {
     #[must_use]
     pub fn spec(&self) -> Spec<'_> {
         Spec {
-            name: self.name,
+            name: &self.name,
             functions: &self.functions,
             scheme: self.scheme,
             addr_bits: self.addr_bits,

@@ -6,67 +6,55 @@
 //! 0: then BN and T are 0, which displaces nothing, and `degenerate` is 1.
 
 use super::cross::cross;
-use super::dot::{extremes, vector_ports};
-use super::normalise::{NORM_BITS, direction_error, unit_vector};
-use super::parts::plan::{self, rounding_ulp};
-use super::rsqrt::{ROOT_ADDR_BITS, ROOT_FRAC_BITS, ROOT_SCHEME, Root, length_error};
+use super::dot::vector_ports;
+use super::normalise::{direction_error, norm_bits, unit_vector};
+use super::parts::plan::rounding_ulp;
+use super::rsqrt::{Root, length_error, root_addr_bits, root_frac_bits, root_scheme};
 use super::vertex;
 use crate::base::cast;
 use crate::base::error::Result;
-use crate::design::{
-    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Role, Shading, Shape, Unit,
-    Values,
-};
-use crate::netlist::{Builder, Netlist, NodeId, Quantity};
+use crate::design::{Bound, Bounds, Design, Golden, Group, HardCase, Param, Shape, Unit, Values};
+use crate::netlist::{Builder, NodeId, Quantity};
 use crate::number::format::{Format, Overflow, Round};
 use crate::number::trig::Real;
-use std::sync::Arc;
 
 /// The unit.
-pub static BASIS: Unit = Unit {
-    name: "basis",
-    summary: "binormal and tangent from normal and tangent: N x CT, normalised, x N",
-    source: "seed 002 (GL_NV_texgen_emboss), section 2.10.4",
-    params: &[
-        COMPONENT_BITS,
-        Param { default: "0", ..GUARD_BITS },
-        NORM_BITS,
-        DOT_FRAC_BITS,
-        ROOT_SCHEME,
-        ROOT_ADDR_BITS,
-        ROOT_FRAC_BITS,
-        plan::ROUNDING,
-    ],
-    golden_params: &[],
-    inputs: "normal_x … normal_z: N in eye space; ct_x … ct_z: CT there, of any length; all from -2 to 2",
-    outputs: "t_x … t_z: T; bn_x … bn_z: BN; degenerate: 1 where N is parallel to CT, and T and BN are 0",
-    shades: Shading::None,
-    build,
-};
+#[must_use]
+pub fn unit() -> Unit {
+    Unit::new("basis", "binormal and tangent from normal and tangent: N x CT, normalised, x N")
+        .source("seed 002 (GL_NV_texgen_emboss), section 2.10.4")
+        .params([
+            component_bits(),
+            guard_bits().default(0),
+            norm_bits(),
+            dot_frac_bits(),
+            root_scheme(),
+            root_addr_bits(),
+            root_frac_bits(),
+            Param::rounding("rounding"),
+        ])
+        .inputs("normal_x … normal_z: N in eye space; ct_x … ct_z: CT there, of any length; all from -2 to 2")
+        .outputs("t_x … t_z: T; bn_x … bn_z: BN; degenerate: 1 where N is parallel to CT, and T and BN are 0")
+        .design(design)
+}
 
-pub(super) const COMPONENT_BITS: Param = Param {
-    name: "component_bits",
-    role: Role::Width,
-    kind: Kind::Int { min: 2, max: 24, auto: None },
-    default: "16",
-    help: "bits of the components of vectors, signed, from -2 to 2",
-};
+pub(super) fn component_bits() -> Param {
+    Param::bits("component_bits", 2..=24)
+        .default(16)
+        .help("bits of the components of vectors, signed, from -2 to 2")
+}
 
-pub(super) const GUARD_BITS: Param = Param {
-    name: "guard_bits",
-    role: Role::Width,
-    kind: Kind::Int { min: 0, max: 8, auto: None },
-    default: "4",
-    help: "extra fraction bits of the vectors that come of them",
-};
+pub(super) fn guard_bits() -> Param {
+    Param::bits("guard_bits", 0..=8)
+        .default(4)
+        .help("extra fraction bits of the vectors that come of them")
+}
 
-pub(super) const DOT_FRAC_BITS: Param = Param {
-    name: "dot_frac_bits",
-    role: Role::Width,
-    kind: Kind::Int { min: 2, max: 24, auto: None },
-    default: "20",
-    help: "fraction bits of dot products, where the exact ones have more",
-};
+pub(super) fn dot_frac_bits() -> Param {
+    Param::bits("dot_frac_bits", 2..=24)
+        .default(20)
+        .help("fraction bits of dot products, where the exact ones have more")
+}
 
 /// Format of the components of vectors.
 pub(super) fn component(values: &Values) -> Result<Format> {
@@ -130,12 +118,12 @@ pub(super) fn longest() -> f64 {
     2.0 * 3f64.sqrt()
 }
 
-fn build(values: &Values) -> Result<Design> {
+fn design(values: &Values) -> Result<Design> {
     let mut b = Builder::new("basis");
     let format = component(values)?;
     let n = vector_ports(&mut b, "normal", format, Quantity::Number);
     let ct = vector_ports(&mut b, "ct", format, Quantity::Number);
-    let mut root = Root::new(values)?;
+    let mut root = Root::new(values);
     let (t, bn, zero) = frame(&mut b, &mut root, [n, ct], true)?;
     // |T| = |N|
     let frac_bits = vector_frac_bits(values);
@@ -149,38 +137,27 @@ fn build(values: &Values) -> Result<Design> {
     b.output("degenerate", zero.expect("bug: BN is normalised"));
     let tabulated = root.tabulated;
     let netlist = b.build()?;
-    let vector = |name, from: usize| Group {
-        name,
-        shape: Shape::Cartesian,
-        nodes: netlist.outputs()[from..from + 3].iter().map(|output| output.node).collect(),
+    let vector = |name, from: usize| {
+        let words = netlist.outputs()[from..from + 3].iter().map(|output| output.node);
+        Group::new(name, Shape::Cartesian, words.collect())
     };
     let mut groups = vec![vector("t", 0), vector("bn", 3)];
-    groups.extend(Group::ports(&netlist, &["degenerate"]));
-    let bound = |what, quantities, bound: BoundFn| Bound { what, quantities, bound };
-    Ok(Design {
-        values: values.clone(),
-        groups,
-        hard: hard_cases(&netlist),
-        netlist: Arc::new(netlist),
-        golden: golden::<f64>,
-        golden_f32: golden::<f32>,
-        bounds: Bounds::Stated(vec![
-            bound("binormal", &["bn_x", "bn_y", "bn_z", "bn_dot"], unit_error),
-            bound("tangent", &["t_x", "t_y", "t_z", "t_dot"], |v, w| {
+    groups.extend(Group::ports(&netlist, ["degenerate"])?);
+    let mut hard = vertex::hard_cases(&netlist);
+    hard.extend(HardCase::extremes(&netlist));
+    Ok(Design::new(values, netlist)
+        .groups(groups)
+        .goldens(golden::<f64>, golden::<f32>)
+        .draw(vertex::draw)
+        .hard(hard)
+        .bounds(Bounds::Stated(vec![
+            Bound::new("binormal", ["bn_x", "bn_y", "bn_z", "bn_dot"], unit_error),
+            Bound::new("tangent", ["t_x", "t_y", "t_z", "t_dot"], |v, w| {
                 longest() * unit_error(v, w) + vector_rounding(v)
             }),
-            bound("flag", &["degenerate"], |_, _| 0.0),
-        ]),
-        tabulated,
-        draw: vertex::draw,
-        binding: None,
-    })
-}
-
-fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
-    let mut hard = vertex::hard_cases(netlist);
-    hard.extend(extremes(netlist));
-    hard
+            Bound::new("flag", ["degenerate"], |_, _| 0.0),
+        ]))
+        .tabulated(tabulated))
 }
 
 /// T, BN and whether B is 0, of the golden.
@@ -204,13 +181,9 @@ pub(super) fn golden_unit<F: Real>(v: [F; 3]) -> [F; 3] {
     if length > F::zero() { v.map(|x| x / length) } else { v }
 }
 
-fn golden<F: Real>(_: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
-    for i in 0..inputs[0].len() {
-        let at = |from: usize| [0, 1, 2].map(|axis| inputs[from + axis][i]);
-        let (t, bn, zero) = golden_frame(at(0), at(3), true);
-        for (to, x) in outputs.iter_mut().zip(t.into_iter().chain(bn)) {
-            to[i] = x;
-        }
-        outputs[6][i] = if zero { F::one() } else { F::zero() };
-    }
+fn golden<F: Real>(_: &Values) -> Golden<F> {
+    Golden::each(|[nx, ny, nz, cx, cy, cz]: [F; 6]| {
+        let ([tx, ty, tz], [bx, by, bz], zero) = golden_frame([nx, ny, nz], [cx, cy, cz], true);
+        [tx, ty, tz, bx, by, bz, if zero { F::one() } else { F::zero() }]
+    })
 }

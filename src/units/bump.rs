@@ -21,83 +21,66 @@ use super::rotation::{self, Form, rotate};
 use crate::base::cast;
 use crate::base::error::Result;
 use crate::design::{
-    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Role, Shading, Shape, Unit,
-    Values,
+    Bound, Bounds, Design, Golden, Group, HardCase, Param, Role, Shading, Shape, Unit, Values,
 };
 use crate::netlist::{Builder, NodeId, Quantity};
 use crate::number::format::{Format, Overflow};
 use crate::number::trig::Real;
-use std::sync::Arc;
 
 /// The unit.
-pub static BUMP: Unit = Unit {
-    name: "bump",
-    summary: "light of a bump-mapped pixel from light, halfway vector, normal and bump vector",
-    source: "seed 001 (Lee et al.), Fig. 8; the turn psi and the exact pipelines are this project's",
-    params: PARAMS,
-    golden_params: &["pipeline", "highlight", "ambient", "diffuse", "specular", "exponent"],
-    inputs: "phi_l, theta_l, phi_h, theta_h, phi_n, theta_n, psi: angles in the world; phi_p, theta_p or p_x, p_y, p_z (exact-cartesian): the bump vector in the texture frame",
-    outputs: "intensity, diffuse (with the ambient light), specular: 0 to 1",
-    shades: Shading::Pipeline,
-    build,
-};
-
-static PARAMS: &[Param] = &[
-    Param {
-        name: "pipeline",
-        role: Role::Pipeline,
-        kind: Kind::Choice(&["printed", "corrected", "exact-polar", "exact-cartesian"]),
-        default: "exact-polar",
-        help: "the seed letter for letter, mended, or the exact rotation with polar or Cartesian dot products",
-    },
-    Param {
-        name: "conversion",
-        role: Role::Switch,
-        kind: Kind::Choice(&["table", "cordic"]),
-        default: "table",
-        help: "how exact-polar goes from components to angles",
-    },
-    plan::ANGLE_BITS,
-    plan::TABLE_ADDR_BITS,
-    plan::SCHEME,
-    plan::QUARTER_WAVE,
-    plan::FRAC_BITS,
-    plan::GUARD_BITS,
-    plan::ROUNDING,
-    plan::SINCOS_ADDR_BITS,
-    plan::ASIN_ADDR_BITS,
-    plan::RECIP_ADDR_BITS,
-    plan::ATAN_ADDR_BITS,
-    plan::PROP_ADDR_BITS,
-    illumination::COS_ADDR_BITS,
-    plan::RECIP_INT_BITS,
-    plan::ATAN_INT_BITS,
-    plan::QUADRANTS,
-    plan::CORDIC_ITERATIONS,
-    illumination::HIGHLIGHT,
-    illumination::DIFFUSE_ADDR_BITS,
-    illumination::SPECULAR_ADDR_BITS,
-    illumination::LIGHT_SCHEME,
-    illumination::LIGHT_BITS,
-    illumination::AMBIENT,
-    illumination::DIFFUSE,
-    illumination::SPECULAR,
-    illumination::EXPONENT,
-];
+#[must_use]
+pub fn unit() -> Unit {
+    Unit::new("bump", "light of a bump-mapped pixel from light, halfway vector, normal and bump vector")
+        .source("seed 001 (Lee et al.), Fig. 8; the turn psi and the exact pipelines are this project's")
+        .params([
+            Param::choice("pipeline", ["printed", "corrected", "exact-polar", "exact-cartesian"]).role(Role::Pipeline).default("exact-polar").help("the seed letter for letter, mended, or the exact rotation with polar or Cartesian dot products"),
+            Param::choice("conversion", ["table", "cordic"]).help("how exact-polar goes from components to angles"),
+            plan::angle_bits(),
+            plan::table_addr_bits(),
+            Param::scheme("scheme"),
+            plan::quarter_wave(),
+            plan::frac_bits(),
+            plan::guard_bits(),
+            Param::rounding("rounding"),
+            plan::sincos_addr_bits(),
+            plan::asin_addr_bits(),
+            plan::recip_addr_bits(),
+            plan::atan_addr_bits(),
+            plan::prop_addr_bits(),
+            illumination::cos_addr_bits(),
+            plan::recip_int_bits(),
+            plan::atan_int_bits(),
+            plan::quadrants(),
+            plan::cordic_iterations(),
+            illumination::highlight(),
+            illumination::diffuse_addr_bits(),
+            illumination::specular_addr_bits(),
+            illumination::light_scheme(),
+            illumination::light_bits(),
+            illumination::ambient(),
+            illumination::diffuse(),
+            illumination::specular(),
+            illumination::exponent(),
+        ])
+        .inputs("phi_l, theta_l, phi_h, theta_h, phi_n, theta_n, psi: angles in the world; phi_p, theta_p or p_x, p_y, p_z (exact-cartesian): the bump vector in the texture frame")
+        .outputs("intensity, diffuse (with the ambient light), specular: 0 to 1")
+        .shades(Shading::Pipeline)
+        .design(design)
+}
 
 /// Scopes of the rotations.
 const SCOPES: [&str; 2] = ["light", "half"];
 
-fn build(values: &Values) -> Result<Design> {
+fn design(values: &Values) -> Result<Design> {
     let pipeline = values.choice("pipeline");
-    let highlight = values.choice("highlight") == "on";
+    let highlight = values.flag("highlight");
     let cartesian = pipeline == "exact-cartesian";
     let (variant, brackets) = match pipeline {
         "printed" => ("printed", "printed"),
         "corrected" => ("corrected", "corrected"),
         _ => ("exact", "corrected"),
     };
-    let mut plan = Plan::new(values)?;
+    let mut plan = Plan::new(values);
     let component = number(1, plan.frac_bits)?;
     let form = match (cartesian, values.choice("conversion")) {
         (true, _) => Form::Cartesian { format: component, overflow: Overflow::Saturate },
@@ -149,8 +132,8 @@ fn build(values: &Values) -> Result<Design> {
     lit.output(&mut b);
     let tabulated = plan.tabulated;
     let netlist = b.build()?;
-    let mut groups = Group::ports(&netlist, light_ports(values));
-    groups.extend(illumination::dot_groups(&netlist, highlight));
+    let mut groups = Group::ports(&netlist, light_ports(values))?;
+    groups.extend(illumination::dot_groups(&netlist, highlight)?);
     let (shape, parts): (_, &[&str]) = if cartesian {
         (Shape::Cartesian, &["x", "y", "z"])
     } else {
@@ -158,28 +141,22 @@ fn build(values: &Values) -> Result<Design> {
     };
     let names = if highlight { &["lt", "ht"][..] } else { &["lt"] };
     for (name, scope) in names.iter().copied().zip(SCOPES) {
-        let labels: Vec<String> = parts.iter().map(|part| format!("{scope}.{part}")).collect();
-        let labels: Vec<&str> = labels.iter().map(String::as_str).collect();
-        groups.push(Group::inside(&netlist, name, shape, &labels));
+        let labels = parts.iter().map(|part| format!("{scope}.{part}"));
+        groups.push(Group::inside(&netlist, name, shape.clone(), labels)?);
     }
     let bounds = match pipeline {
         "exact-polar" | "exact-cartesian" => stated(values),
-        _ => Bounds::Unstated(
+        _ => Bounds::unstated(
             "asin, 1/sin and 1/cos have infinite slopes, which no word length bounds; each table's own error is stated",
         ),
     };
-    Ok(Design {
-        hard: hard_cases(values, cartesian),
-        values: values.clone(),
-        groups,
-        netlist: Arc::new(netlist),
-        golden: golden::<f64>,
-        golden_f32: golden::<f32>,
-        bounds,
-        tabulated,
-        draw: fragment::draw,
-        binding: None,
-    })
+    Ok(Design::new(values, netlist)
+        .groups(groups)
+        .goldens(golden::<f64>, golden::<f32>)
+        .draw(fragment::draw)
+        .hard(hard_cases(values, cartesian))
+        .bounds(bounds)
+        .tabulated(tabulated))
 }
 
 /// The bump vector turned by psi about z.
@@ -210,27 +187,23 @@ fn turned(
 /// Bounds of the exact pipelines.
 fn stated(values: &Values) -> Bounds {
     let polar = values.choice("pipeline") == "exact-polar";
-    let vector = if polar {
-        Bound { what: "angle", quantities: &["lt_angle", "ht_angle"], bound: angle_bound }
-    } else {
-        Bound {
-            what: "component",
-            quantities: &["lt_x", "lt_y", "lt_z", "ht_x", "ht_y", "ht_z"],
-            bound: rotation::component_bound,
-        }
+    // With a highlight those of H', too.
+    let of = |all: &'static [&'static str]| {
+        if values.flag("highlight") { all } else { &all[..all.len() / 2] }
     };
-    let light = |what, quantities, bound: BoundFn| Bound { what, quantities, bound };
-    let mut bounds = vec![
-        light("dot", &DOTS, dot_bound),
-        light("diffuse", &["diffuse"], |v, w| diffuse_bound(v, w, dot_bound(v, w))),
-        light("specular", &["specular"], |v, w| specular_bound(v, w, dot_bound(v, w))),
-        light("intensity", &["intensity"], |v, w| intensity_bound(v, w, dot_bound(v, w))),
+    let vector = if polar {
+        Bound::new("angle", of(&["lt_angle", "ht_angle"]), angle_bound)
+    } else {
+        let components = of(&["lt_x", "lt_y", "lt_z", "ht_x", "ht_y", "ht_z"]);
+        Bound::new("component", components, rotation::component_bound)
+    };
+    let bounds = vec![
+        Bound::new("dot", DOTS, dot_bound),
+        Bound::new("diffuse", ["diffuse"], |v, w| diffuse_bound(v, w, dot_bound(v, w))),
+        Bound::new("specular", ["specular"], |v, w| specular_bound(v, w, dot_bound(v, w))),
+        Bound::new("intensity", ["intensity"], |v, w| intensity_bound(v, w, dot_bound(v, w))),
         vector,
     ];
-    if values.choice("highlight") == "off" {
-        let last = bounds.last_mut().expect("bug: it was put there");
-        last.quantities = if polar { &["lt_angle"] } else { &["lt_x", "lt_y", "lt_z"] };
-    }
     Bounds::Stated(illumination::restricted(values, bounds))
 }
 
@@ -257,51 +230,56 @@ fn dot_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
 }
 
 /// The golden model: matrices of the rotations, dot products of components, the reflection formula.
-fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
-    let highlight = values.choice("highlight") == "on";
+fn golden<F: Real>(values: &Values) -> Golden<F> {
+    let highlight = values.flag("highlight");
     let vectors = if highlight { 2 } else { 1 };
-    let (angles, rest) = inputs.split_at(2 * vectors);
-    let (phi_n, theta_n, psi, p) = (rest[0], rest[1], rest[2], &rest[3..]);
-    let len = psi.len();
-    let p: [Vec<F>; 3] = match p {
-        [x, y, z] => [x.to_vec(), y.to_vec(), z.to_vec()],
-        [phi, theta] => components(phi, theta),
-        _ => panic!("bug: N' has two angles or three components"),
-    };
-    let sin_cos = |angle: &[F]| {
-        let (mut sin, mut cos) = (vec![F::default(); len], vec![F::default(); len]);
-        F::sin_cos_turns(angle, &mut sin, &mut cos);
-        (sin, cos)
-    };
-    let ((sin_phi, cos_phi), (sin_theta, cos_theta), (sin_psi, cos_psi)) =
-        (sin_cos(phi_n), sin_cos(theta_n), sin_cos(psi));
-    let [px, py, pz] = p;
-    let turned: (Vec<F>, Vec<F>) = (0..len)
-        .map(|i| (px[i] * cos_psi[i] - py[i] * sin_psi[i], px[i] * sin_psi[i] + py[i] * cos_psi[i]))
-        .unzip();
-    let mut dots = Vec::new();
-    let lights = if highlight { 3 } else { 2 };
-    for (v, pair) in angles.chunks(2).enumerate() {
-        let [mut x, mut y, mut z] = components(pair[0], pair[1]);
-        for i in 0..len {
-            let along = x[i] * cos_phi[i] + y[i] * sin_phi[i];
-            let across = y[i] * cos_phi[i] - x[i] * sin_phi[i];
-            x[i] = along * cos_theta[i] - z[i] * sin_theta[i];
-            y[i] = across;
-            z[i] = along * sin_theta[i] + z[i] * cos_theta[i];
+    let light = golden_light(values);
+    Golden::new(move |inputs: &[&[F]], outputs: &mut [Vec<F>]| {
+        let (angles, rest) = inputs.split_at(2 * vectors);
+        let (phi_n, theta_n, psi, p) = (rest[0], rest[1], rest[2], &rest[3..]);
+        let len = psi.len();
+        let p: [Vec<F>; 3] = match p {
+            [x, y, z] => [x.to_vec(), y.to_vec(), z.to_vec()],
+            [phi, theta] => components(phi, theta),
+            _ => panic!("bug: N' has two angles or three components"),
+        };
+        let sin_cos = |angle: &[F]| {
+            let (mut sin, mut cos) = (vec![F::default(); len], vec![F::default(); len]);
+            F::sin_cos_turns(angle, &mut sin, &mut cos);
+            (sin, cos)
+        };
+        let ((sin_phi, cos_phi), (sin_theta, cos_theta), (sin_psi, cos_psi)) =
+            (sin_cos(phi_n), sin_cos(theta_n), sin_cos(psi));
+        let [px, py, pz] = p;
+        let turned: (Vec<F>, Vec<F>) = (0..len)
+            .map(|i| {
+                (px[i] * cos_psi[i] - py[i] * sin_psi[i], px[i] * sin_psi[i] + py[i] * cos_psi[i])
+            })
+            .unzip();
+        let mut dots = Vec::new();
+        let lights = if highlight { 3 } else { 2 };
+        for (v, pair) in angles.chunks(2).enumerate() {
+            let [mut x, mut y, mut z] = components(pair[0], pair[1]);
+            for i in 0..len {
+                let along = x[i] * cos_phi[i] + y[i] * sin_phi[i];
+                let across = y[i] * cos_phi[i] - x[i] * sin_phi[i];
+                x[i] = along * cos_theta[i] - z[i] * sin_theta[i];
+                y[i] = across;
+                z[i] = along * sin_theta[i] + z[i] * cos_theta[i];
+            }
+            dots.push(golden_dot([&x, &y, &z], [&turned.0, &turned.1, &pz]));
+            let columns = &mut outputs[lights + vectors + 3 * v..][..3];
+            for (column, axis) in columns.iter_mut().zip([x, y, z]) {
+                column.copy_from_slice(&axis);
+            }
         }
-        dots.push(golden_dot([&x, &y, &z], [&turned.0, &turned.1, &pz]));
-        let columns = &mut outputs[lights + vectors + 3 * v..][..3];
-        for (column, axis) in columns.iter_mut().zip([x, y, z]) {
-            column.copy_from_slice(&axis);
-        }
-    }
-    golden_light(values, &dots, outputs);
+        light(&dots, outputs);
+    })
 }
 
 /// The named hard cases.
 fn hard_cases(values: &Values, cartesian: bool) -> Vec<HardCase> {
-    let highlight = values.choice("highlight") == "on";
+    let highlight = values.flag("highlight");
     let turn = 1i64 << values.bits("angle_bits");
     let (half, quarter, eighth) = (turn / 2, turn / 4, turn / 8);
     let azimuths = [0, 1, eighth, quarter, half, turn - 1];
@@ -320,8 +298,7 @@ fn hard_cases(values: &Values, cartesian: bool) -> Vec<HardCase> {
         words.extend(direction_words(values, cartesian, p));
         words
     };
-    let cases =
-        |name, list: Vec<Case>| HardCase { name, words: list.into_iter().map(words).collect() };
+    let cases = |name, list: Vec<Case>| HardCase::new(name, list.into_iter().map(words).collect());
     let (mut poles, mut seam, mut facing, mut opposite, mut grazing, mut mirror) =
         (Vec::new(), Vec::new(), Vec::new(), Vec::new(), Vec::new(), Vec::new());
     for phi in azimuths {

@@ -11,75 +11,39 @@
 //! `p + x (q - p)`, rounded to `guard_bits` each. An interpolation lies between its ends, so an error of an
 //! earlier one is passed on at most.
 
-use super::parts::plan::{self, rounding_ulp};
-use super::sampler::{FILTER, FRACTION_BITS, clamped};
+use super::parts::plan::rounding_ulp;
+use super::sampler::{clamped, filter, fraction_bits};
 use crate::base::cast;
 use crate::base::error::Result;
 use crate::design::{
-    Bound, Bounds, Design, Group, HardCase, Kind, Param, Role, Sampler, Shading, Uniform, Unit,
-    Values,
+    Bound, Bounds, Design, Draw, Golden, HardCase, InputPorts, Param, Role, Unit, Values,
 };
 use crate::netlist::{Builder, NodeId, Quantity};
-use crate::number::format::{Format, Overflow, Round};
+use crate::number::format::{Format, Overflow};
 use crate::number::trig::Real;
-use std::sync::Arc;
 
 /// The unit.
-pub static COMBINE: Unit = Unit {
-    name: "combine",
-    summary: "diffuse light plus the differences of height samples: the emboss of one to eight lights",
-    source: "seed 000 (US 6,980,218), the texture combination of the emboss; seed 003 has the same text",
-    params: PARAMS,
-    golden_params: &["filter", "lights", "difference", "channel_bits", "gain_log2"],
-    inputs: "h and d0 … d7: texels of the undisplaced sample and of each light's displaced one (nearest); or h_00, h_10, h_01, h_11 (column 0 or 1, then row), h_a, h_b (fractions), and likewise d0_00 … d7_b (bilinear); r, g, b: diffuse light",
-    outputs: "out_r, out_g, out_b: codes like those of the texels, clamped",
-    shades: Shading::None,
-    build,
-};
+#[must_use]
+pub fn unit() -> Unit {
+    Unit::new("combine", "diffuse light plus the differences of height samples: the emboss of one to eight lights")
+        .source("seed 000 (US 6,980,218), the texture combination of the emboss; seed 003 has the same text")
+        .params([
+            filter(),
+            Param::int("lights", 1..=MAX_LIGHTS).role(Role::Count).help("displaced samples, one for each light"),
+            Param::choice("difference", ["undisplaced-displaced", "displaced-undisplaced"]).help("which sample is taken from which: the first for displacements toward the light, the other for those away from it"),
+            Param::bits("channel_bits", 1..=16).default(8).help("bits of texels and of the channels of light, in and out"),
+            fraction_bits(),
+            Param::bits("guard_bits", 0..=16).default(4).help("fraction bits that an interpolated height keeps (bilinear)"),
+            Param::int("gain_log2", -8..=8).default(0).help("differences count 2^gain_log2 times"),
+            Param::rounding("rounding"),
+        ])
+        .inputs("h and d0 … d7: texels of the undisplaced sample and of each light's displaced one (nearest); or h_00, h_10, h_01, h_11 (column 0 or 1, then row), h_a, h_b (fractions), and likewise d0_00 … d7_b (bilinear); r, g, b: diffuse light")
+        .outputs("out_r, out_g, out_b: codes like those of the texels, clamped")
+        .design(design)
+}
 
 /// Most lights: as many as an API of the seed counts, 0 to 7.
 const MAX_LIGHTS: i64 = 8;
-
-static PARAMS: &[Param] = &[
-    FILTER,
-    Param {
-        name: "lights",
-        role: Role::Count,
-        kind: Kind::Int { min: 1, max: MAX_LIGHTS, auto: None },
-        default: "1",
-        help: "displaced samples, one for each light",
-    },
-    Param {
-        name: "difference",
-        role: Role::Switch,
-        kind: Kind::Choice(&["undisplaced-displaced", "displaced-undisplaced"]),
-        default: "undisplaced-displaced",
-        help: "which sample is taken from which: the first for displacements toward the light, the other for those away from it",
-    },
-    Param {
-        name: "channel_bits",
-        role: Role::Width,
-        kind: Kind::Int { min: 1, max: 16, auto: None },
-        default: "8",
-        help: "bits of texels and of the channels of light, in and out",
-    },
-    FRACTION_BITS,
-    Param {
-        name: "guard_bits",
-        role: Role::Width,
-        kind: Kind::Int { min: 0, max: 16, auto: None },
-        default: "4",
-        help: "fraction bits that an interpolated height keeps (bilinear)",
-    },
-    Param {
-        name: "gain_log2",
-        role: Role::Constant,
-        kind: Kind::Int { min: -8, max: 8, auto: None },
-        default: "0",
-        help: "differences count 2^gain_log2 times",
-    },
-    plan::ROUNDING,
-];
 
 /// Texels of a bilinear sample by column and row, and its fractions, as ports end.
 const CORNERS: [&str; 4] = ["00", "10", "01", "11"];
@@ -98,10 +62,10 @@ fn samples(values: &Values) -> Vec<String> {
     std::iter::once("h".to_owned()).chain((0..lights).map(|light| format!("d{light}"))).collect()
 }
 
-fn build(values: &Values) -> Result<Design> {
+fn design(values: &Values) -> Result<Design> {
     let bilinear = values.choice("filter") == "bilinear";
     let code = Format::integer(values.bits("channel_bits"))?;
-    let round: Round = values.choice("rounding").parse()?;
+    let round = values.rounding("rounding");
     let mut b = Builder::new("combine");
     let fraction = Format::turns(values.bits("fraction_bits"))?;
     let port = |b: &mut Builder, name: &str, format| b.input(name, format, Quantity::Number);
@@ -156,23 +120,11 @@ fn build(values: &Values) -> Result<Design> {
         b.name(node, name);
         b.output(name, node);
     }
-    let netlist = b.build()?;
-    Ok(Design {
-        hard: hard_cases(values),
-        values: values.clone(),
-        groups: Group::ports(&netlist, &OUTPUTS),
-        netlist: Arc::new(netlist),
-        golden: golden::<f64>,
-        golden_f32: golden::<f32>,
-        bounds: Bounds::Stated(vec![Bound {
-            what: "channel",
-            quantities: &OUTPUTS,
-            bound: channel_bound,
-        }]),
-        tabulated: Vec::new(),
-        draw,
-        binding: None,
-    })
+    Ok(Design::new(values, b.build()?)
+        .goldens(golden::<f64>, golden::<f32>)
+        .draw(draw)
+        .hard(hard_cases(values))
+        .bounds(Bounds::Stated(vec![Bound::new("channel", OUTPUTS, channel_bound)])))
 }
 
 /// `p + x (q - p)`, rounded to the guard bits where it has more.
@@ -183,7 +135,7 @@ fn lerp(b: &mut Builder, values: &Values, [p, q]: [NodeId; 2], x: NodeId) -> Res
     // Between p and q, so not negative and below 2^channel_bits, also when rounded up.
     let frac = values.bits("guard_bits").min(b.format(exact).frac_bits().unsigned_abs());
     let between = Format::unsigned(values.bits("channel_bits") + frac, cast::signed_count(frac))?;
-    Ok(b.narrow(exact, between, values.choice("rounding").parse()?, Overflow::Wrap))
+    Ok(b.narrow(exact, between, values.rounding("rounding"), Overflow::Wrap))
 }
 
 /// Up to two roundings of each sample and the last one, in codes.
@@ -208,53 +160,54 @@ fn channel_bound(values: &Values, _: &dyn Fn(&str) -> f64) -> f64 {
 }
 
 /// The golden model: bilinear interpolation, differences, and a clamp, without any rounding.
-fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
+fn golden<F: Real>(values: &Values) -> Golden<F> {
     let per_sample = if values.choice("filter") == "bilinear" { 6 } else { 1 };
-    let (samples, diffuse) = inputs.split_at(inputs.len() - 3);
     let reversed = is_reversed(values);
     let gain_log2 = values.int("gain_log2").expect("bug: no auto here");
     let gain = F::from(2).expect("bug: floats hold it").powi(i32::try_from(gain_log2).unwrap_or(0));
     let most = F::from((1u32 << values.bits("channel_bits")) - 1).expect("bug: floats hold it");
-    for i in 0..diffuse[0].len() {
-        let height = |columns: &[&[F]]| {
-            if let [p, q, r, s, x, y] = columns {
-                let one = F::one();
-                p[i] * (one - x[i]) * (one - y[i])
-                    + q[i] * x[i] * (one - y[i])
-                    + r[i] * (one - x[i]) * y[i]
-                    + s[i] * x[i] * y[i]
-            } else {
-                columns[0][i]
+    Golden::new(move |inputs, outputs| {
+        let (samples, diffuse) = inputs.split_at(inputs.len() - 3);
+        for i in 0..diffuse[0].len() {
+            let height = |columns: &[&[F]]| {
+                if let [p, q, r, s, x, y] = columns {
+                    let one = F::one();
+                    p[i] * (one - x[i]) * (one - y[i])
+                        + q[i] * x[i] * (one - y[i])
+                        + r[i] * (one - x[i]) * y[i]
+                        + s[i] * x[i] * y[i]
+                } else {
+                    columns[0][i]
+                }
+            };
+            let heights: Vec<F> = samples.chunks(per_sample).map(height).collect();
+            let relief = heights[1..].iter().fold(F::zero(), |sum, d| sum + (heights[0] - *d));
+            let relief = if reversed { -relief } else { relief };
+            for (output, channel) in outputs.iter_mut().zip(diffuse) {
+                output[i] = (channel[i] + gain * relief).max(F::zero()).min(most);
             }
-        };
-        let heights: Vec<F> = samples.chunks(per_sample).map(height).collect();
-        let relief = heights[1..].iter().fold(F::zero(), |sum, d| sum + (heights[0] - *d));
-        let relief = if reversed { -relief } else { relief };
-        for (output, channel) in outputs.iter_mut().zip(diffuse) {
-            output[i] = (channel[i] + gain * relief).max(F::zero()).min(most);
         }
-    }
+    })
 }
 
 /// Codes and fractions uniform.
-fn draw(
-    design: &Design,
-    _: Sampler,
-    uniform: &mut Uniform,
-    columns: &mut [Vec<f64>],
-    count: usize,
-) {
-    let netlist = &design.netlist;
-    columns.iter_mut().for_each(Vec::clear);
-    for _ in 0..count {
-        for (column, id) in columns.iter_mut().zip(netlist.inputs()) {
-            let format = netlist.node(*id).format;
-            let fraction = format.frac_bits() > 0;
-            // Fractions are reals, codes are codes.
-            let codes = cast::f64_of_count(format.words());
-            column.push(if fraction { uniform.draw() } else { (uniform.draw() * codes).floor() });
+fn draw(_: &Values, ports: &InputPorts<'_>) -> Draw {
+    let formats: Vec<Format> = (0..ports.len()).map(|at| ports.format(at)).collect();
+    Draw::new(move |_, uniform, columns, count| {
+        columns.iter_mut().for_each(Vec::clear);
+        for _ in 0..count {
+            for (column, format) in columns.iter_mut().zip(&formats) {
+                let fraction = format.frac_bits() > 0;
+                // Fractions are reals, codes are codes.
+                let codes = cast::f64_of_count(format.words());
+                column.push(if fraction {
+                    uniform.draw()
+                } else {
+                    (uniform.draw() * codes).floor()
+                });
+            }
         }
-    }
+    })
 }
 
 /// The named hard cases.
@@ -275,8 +228,7 @@ fn hard_cases(values: &Values) -> Vec<HardCase> {
         words.extend(diffuse);
         words
     };
-    let cases =
-        |name, list: Vec<Case>| HardCase { name, words: list.into_iter().map(words).collect() };
+    let cases = |name, list: Vec<Case>| HardCase::new(name, list.into_iter().map(words).collect());
     let channels = [0, small, most / 2, most - small, most];
     let ends = [0, half, last];
     let (mut flat, mut clamps, mut ties, mut cliffs) = (vec![], vec![], vec![], vec![]);

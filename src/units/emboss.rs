@@ -24,243 +24,71 @@
 //! `degenerate`.
 
 use super::basis::{
-    COMPONENT_BITS, DOT_FRAC_BITS, GUARD_BITS, component, frame, golden_frame, golden_unit,
+    component, component_bits, dot_frac_bits, frame, golden_frame, golden_unit, guard_bits,
     longest, rounded, unit_error, vector_frac_bits, vector_rounding,
 };
-use super::dot::{dot, ended_at, ends, extremes, vector_ports};
-use super::normalise::{Block, NORM_BITS, block, direction_error, narrowed, unit_vector};
-use super::parts::plan::{self, number, rounding_ulp};
-use super::rsqrt::{ROOT_ADDR_BITS, ROOT_FRAC_BITS, ROOT_SCHEME, Root, length_error};
+use super::dot::{dot, ended_at, ending_overflow, ends, vector_ports};
+use super::normalise::{Block, block, direction_error, narrowed, norm_bits, unit_vector};
+use super::parts::plan::{number, rounding_ulp};
+use super::rsqrt::{Root, length_error, root_addr_bits, root_frac_bits, root_scheme};
 use super::vertex::{draw, hard_cases};
 use crate::base::cast;
 use crate::base::error::Result;
 use crate::design::{
-    Bound, BoundFn, Bounds, Design, Group, Kind, Param, Role, Scale, Shading, Shape, Unit, Values,
+    Bound, Bounds, Design, Golden, Group, HardCase, Param, Role, Scale, Shape, Unit, Values,
 };
 use crate::netlist::{Builder, NodeId, Quantity};
 use crate::number::format::{Format, Overflow, Round, quantize};
 use crate::number::trig::Real;
 use crate::schedule::{Binding, BoundOperation, BoundUnit, Kind as Shared};
-use std::sync::Arc;
 
 /// The unit.
-pub static EMBOSS: Unit = Unit {
-    name: "emboss",
-    summary: "texture coordinates displaced by the direction of a light, for embossing",
-    source: "seeds 000 and 003 (US 6,980,218; US 7,307,640), seed 002 (GL_NV_texgen_emboss)",
-    params: PARAMS,
-    golden_params: &[
-        "setting",
-        "frame",
-        "normalise_basis",
-        "s_vector",
-        "l_sign",
-        "t_sign",
-        "scale_q",
-        "constants",
-        "ks",
-        "kt",
-        "texture_int_bits",
-        "texture_frac_bits",
-        "overflow",
-        "texture_size",
-    ],
-    inputs: "light_x … light_z, vertex_x … vertex_z: light and vertex in eye space; s0, t0: texture coordinates; \
+#[must_use]
+pub fn unit() -> Unit {
+    Unit::new("emboss", "texture coordinates displaced by the direction of a light, for embossing")
+        .source("seeds 000 and 003 (US 6,980,218; US 7,307,640), seed 002 (GL_NV_texgen_emboss)")
+        .params([
+            Param::choice("setting", ["gx", "nv"]).role(Role::Pipeline).help("what every switch that is auto stands at"),
+            Param::choice("frame", ["auto", "matrix", "normal", "given"]).help("T and B by the matrix (gx), from N and CT (nv), or as they are"),
+            Param::choice("normalise_basis", ["auto", "off", "on"]).help("T and B (of N x CT: B) over their lengths (gx: off; nv: on)"),
+            Param::choice("s_vector", ["auto", "tangent", "binormal"]).help("the vector that displaces s (gx: tangent; nv: binormal); the other one displaces t"),
+            Param::choice("l_sign", ["light-vertex", "vertex-light"]).help("L = light - vertex, or as the patents print it (from the light to the vertex), from which the default departs; turns what looks raised"),
+            Param::choice("t_sign", ["auto", "plus", "minus"]).help("sign of the displacement of t (gx: plus; nv: minus)"),
+            Param::choice("scale_q", ["auto", "off", "on"]).help("displacements times q (gx: off; nv: on)"),
+            Param::choice("constants", ["auto", "off", "parameters", "ports"]).help("displacements times Ks and Kt (gx: off; nv: parameters)"),
+            Param::real("ks", -MAX_CONSTANT..=MAX_CONSTANT).default(1).help("Ks, any number that its format holds (constants=parameters)"),
+            Param::real("kt", -MAX_CONSTANT..=MAX_CONSTANT).default(1).help("Kt, any number that its format holds (constants=parameters)"),
+            Param::flag("input20").help("light and matrix come as floats of 20 bits: 12 significant bits, toward zero"),
+            component_bits(),
+            Param::bits("matrix_bits", 2..=24).default(16).help("bits of the matrix, signed (frame=matrix)"),
+            Param::bits("matrix_int_bits", 0..=6).default(2).help("it is from -2^matrix_int_bits to 2^matrix_int_bits (frame=matrix)"),
+            Param::bits("position_bits", 2..=30).default(28).help("bits of positions, signed"),
+            Param::bits("position_frac_bits", 0..=28).default(15).help("fraction bits of positions"),
+            guard_bits(),
+            norm_bits(),
+            dot_frac_bits(),
+            root_scheme(),
+            root_addr_bits(),
+            root_frac_bits(),
+            Param::bits("constant_int_bits", 0..=MAX_CONSTANT_INT_BITS).auto("as many as ks and kt ask for, each of them, 1 at least").help("Ks and Kt are from -2^constant_int_bits to 2^constant_int_bits"),
+            Param::bits("constant_frac_bits", 2..=24).auto("20, and fewer with more than 6 whole bits, 26 of both").help("fraction bits of Ks and Kt, and of their products with q"),
+            Param::bits("texture_int_bits", 0..=8).default(6).help("texture coordinates are from -2^texture_int_bits to 2^texture_int_bits"),
+            Param::bits("texture_frac_bits", 2..=24).default(18).help("fraction bits of texture coordinates and displacements"),
+            ending_overflow().help("overflow of s1 and t1; with the first two the golden ends where they do"),
+            Param::rounding("rounding"),
+            Param::int("texture_size", 1..=65_536).role(Role::MapSize).default(256).help("texels along the texture: only for errors in texels"),
+            Param::int("light", 0..=31).role(Role::Label).help("the light that port `light` is the place of: only told"),
+            Param::int("source", 0..=31).role(Role::Label).help("the coordinate (gx) or texture unit (nv) that s0 and t0 are of: only told"),
+            Param::int("destination", 0..=31).role(Role::Label).default(1).help("the coordinate (gx) or texture unit (nv) that s1 and t1 are of: only told"),
+        ])
+        .inputs("light_x … light_z, vertex_x … vertex_z: light and vertex in eye space; s0, t0: texture coordinates; \
              with frame=matrix m0_x … m2_z: rows of the model-view matrix, tangent_x … binormal_z: T and B of the model; \
              with frame=normal normal_x … ct_z: N and CT in eye space; with frame=given tangent_x … binormal_z there; \
-             with scale_q=on q0, r0; with constants=ports ks, kt",
-    outputs: "ds, dt: displacements; s1, t1: displaced coordinates; degenerate: 1 where L (or a vector that is normalised) \
-              is 0, which displaces nothing; with scale_q=on q1, r1, passed",
-    shades: Shading::None,
-    build,
-};
-
-static PARAMS: &[Param] = &[
-    Param {
-        name: "setting",
-        role: Role::Pipeline,
-        kind: Kind::Choice(&["gx", "nv"]),
-        default: "gx",
-        help: "what every switch that is auto stands at",
-    },
-    Param {
-        name: "frame",
-        role: Role::Switch,
-        kind: Kind::Choice(&["auto", "matrix", "normal", "given"]),
-        default: "auto",
-        help: "T and B by the matrix (gx), from N and CT (nv), or as they are",
-    },
-    Param {
-        name: "normalise_basis",
-        role: Role::Switch,
-        kind: Kind::Choice(&["auto", "off", "on"]),
-        default: "auto",
-        help: "T and B (of N x CT: B) over their lengths (gx: off; nv: on)",
-    },
-    Param {
-        name: "s_vector",
-        role: Role::Switch,
-        kind: Kind::Choice(&["auto", "tangent", "binormal"]),
-        default: "auto",
-        help: "the vector that displaces s (gx: tangent; nv: binormal); the other one displaces t",
-    },
-    Param {
-        name: "l_sign",
-        role: Role::Switch,
-        kind: Kind::Choice(&["light-vertex", "vertex-light"]),
-        default: "light-vertex",
-        help: "L = light - vertex, or as the patents print it (from the light to the vertex), from which the default departs; turns what looks raised",
-    },
-    Param {
-        name: "t_sign",
-        role: Role::Switch,
-        kind: Kind::Choice(&["auto", "plus", "minus"]),
-        default: "auto",
-        help: "sign of the displacement of t (gx: plus; nv: minus)",
-    },
-    Param {
-        name: "scale_q",
-        role: Role::Switch,
-        kind: Kind::Choice(&["auto", "off", "on"]),
-        default: "auto",
-        help: "displacements times q (gx: off; nv: on)",
-    },
-    Param {
-        name: "constants",
-        role: Role::Switch,
-        kind: Kind::Choice(&["auto", "off", "parameters", "ports"]),
-        default: "auto",
-        help: "displacements times Ks and Kt (gx: off; nv: parameters)",
-    },
-    Param {
-        name: "ks",
-        role: Role::Constant,
-        kind: Kind::Real { min: -MAX_CONSTANT, max: MAX_CONSTANT },
-        default: "1",
-        help: "Ks, any number that its format holds (constants=parameters)",
-    },
-    Param {
-        name: "kt",
-        role: Role::Constant,
-        kind: Kind::Real { min: -MAX_CONSTANT, max: MAX_CONSTANT },
-        default: "1",
-        help: "Kt, any number that its format holds (constants=parameters)",
-    },
-    Param {
-        name: "input20",
-        role: Role::Switch,
-        kind: Kind::Choice(&["off", "on"]),
-        default: "off",
-        help: "light and matrix come as floats of 20 bits: 12 significant bits, toward zero",
-    },
-    COMPONENT_BITS,
-    Param {
-        name: "matrix_bits",
-        role: Role::Width,
-        kind: Kind::Int { min: 2, max: 24, auto: None },
-        default: "16",
-        help: "bits of the matrix, signed (frame=matrix)",
-    },
-    Param {
-        name: "matrix_int_bits",
-        role: Role::Width,
-        kind: Kind::Int { min: 0, max: 6, auto: None },
-        default: "2",
-        help: "it is from -2^matrix_int_bits to 2^matrix_int_bits (frame=matrix)",
-    },
-    Param {
-        name: "position_bits",
-        role: Role::Width,
-        kind: Kind::Int { min: 2, max: 30, auto: None },
-        default: "28",
-        help: "bits of positions, signed",
-    },
-    Param {
-        name: "position_frac_bits",
-        role: Role::Width,
-        kind: Kind::Int { min: 0, max: 28, auto: None },
-        default: "15",
-        help: "fraction bits of positions",
-    },
-    GUARD_BITS,
-    NORM_BITS,
-    DOT_FRAC_BITS,
-    ROOT_SCHEME,
-    ROOT_ADDR_BITS,
-    ROOT_FRAC_BITS,
-    Param {
-        name: "constant_int_bits",
-        role: Role::Width,
-        kind: Kind::Int {
-            min: 0,
-            max: MAX_CONSTANT_INT_BITS as i64,
-            auto: Some("as many as ks and kt ask for, each of them, 1 at least"),
-        },
-        default: "auto",
-        help: "Ks and Kt are from -2^constant_int_bits to 2^constant_int_bits",
-    },
-    Param {
-        name: "constant_frac_bits",
-        role: Role::Width,
-        kind: Kind::Int {
-            min: 2,
-            max: 24,
-            auto: Some("20, and fewer with more than 6 whole bits, 26 of both"),
-        },
-        default: "auto",
-        help: "fraction bits of Ks and Kt, and of their products with q",
-    },
-    Param {
-        name: "texture_int_bits",
-        role: Role::Width,
-        kind: Kind::Int { min: 0, max: 8, auto: None },
-        default: "6",
-        help: "texture coordinates are from -2^texture_int_bits to 2^texture_int_bits",
-    },
-    Param {
-        name: "texture_frac_bits",
-        role: Role::Width,
-        kind: Kind::Int { min: 2, max: 24, auto: None },
-        default: "18",
-        help: "fraction bits of texture coordinates and displacements",
-    },
-    Param {
-        name: "overflow",
-        role: Role::Overflow,
-        kind: Kind::Choice(&["saturate", "symmetric", "wrap", "error"]),
-        default: "saturate",
-        help: "overflow of s1 and t1; with the first two the golden ends where they do",
-    },
-    plan::ROUNDING,
-    Param {
-        name: "texture_size",
-        role: Role::MapSize,
-        kind: Kind::Int { min: 1, max: 65_536, auto: None },
-        default: "256",
-        help: "texels along the texture: only for errors in texels",
-    },
-    Param {
-        name: "light",
-        role: Role::Label,
-        kind: Kind::Int { min: 0, max: 31, auto: None },
-        default: "0",
-        help: "the light that port `light` is the place of: only told",
-    },
-    Param {
-        name: "source",
-        role: Role::Label,
-        kind: Kind::Int { min: 0, max: 31, auto: None },
-        default: "0",
-        help: "the coordinate (gx) or texture unit (nv) that s0 and t0 are of: only told",
-    },
-    Param {
-        name: "destination",
-        role: Role::Label,
-        kind: Kind::Int { min: 0, max: 31, auto: None },
-        default: "1",
-        help: "the coordinate (gx) or texture unit (nv) that s1 and t1 are of: only told",
-    },
-];
+             with scale_q=on q0, r0; with constants=ports ks, kt")
+        .outputs("ds, dt: displacements; s1, t1: displaced coordinates; degenerate: 1 where L (or a vector that is normalised) \
+              is 0, which displaces nothing; with scale_q=on q1, r1, passed")
+        .design(design)
+}
 
 /// Most whole bits of Ks and Kt.
 const MAX_CONSTANT_INT_BITS: u32 = 17;
@@ -365,8 +193,7 @@ struct Ports(Vec<(&'static str, Vec<NodeId>)>);
 
 impl Ports {
     fn new(b: &mut Builder, values: &Values, switches: Switches) -> Result<Self> {
-        let short =
-            if values.choice("input20") == "on" { Quantity::Float20 } else { Quantity::Number };
+        let short = if values.flag("input20") { Quantity::Float20 } else { Quantity::Number };
         let component = component(values)?;
         let position = super::dot::signed(values, "position_bits", "position_frac_bits")?;
         let (matrix_bits, matrix_int) =
@@ -448,11 +275,11 @@ fn constant(values: &Values, switches: Switches, name: &str) -> Result<Format> {
     Ok(format)
 }
 
-fn build(values: &Values) -> Result<Design> {
+fn design(values: &Values) -> Result<Design> {
     let switches = Switches::new(values);
     let mut b = Builder::new("emboss");
     let ports = Ports::new(&mut b, values, switches)?;
-    let mut root = Root::new(values)?;
+    let mut root = Root::new(values);
     let round = root.round;
     let (t, binormal, flags) = basis(&mut b, &mut root, &ports, switches)?;
 
@@ -480,7 +307,7 @@ fn build(values: &Values) -> Result<Design> {
     } else {
         ((t_dot_l, t), (b_dot_l, binormal))
     };
-    let overflow: Overflow = values.choice("overflow").parse()?;
+    let overflow = values.overflow("overflow");
     let mut sums = Vec::new();
     for (axis, (dot, vector), minus) in [('s', of_s, false), ('t', of_t, switches.minus_t)] {
         let vector_int = b.format(vector[0]).int_bits();
@@ -514,24 +341,22 @@ fn build(values: &Values) -> Result<Design> {
     if switches.q {
         names.extend(["q1", "r1"]);
     }
-    let mut groups = Group::ports(&netlist, &names);
+    let mut groups = Group::ports(&netlist, &names)?;
     for group in &mut groups[..2] {
-        group.shape = Shape::Scaled { scales: SCALES, texels: Some(values.bits("texture_size")) };
+        let what = "the vector's length times its factor, each 1/4 where it is less";
+        let scales = vec![Scale::new("relative", what)];
+        group.shape = Shape::Scaled { scales, texels: Some(values.bits("texture_size")) };
     }
     let mut hard = hard_cases(&netlist);
-    hard.extend(extremes(&netlist));
-    Ok(Design {
-        values: values.clone(),
-        groups,
-        hard,
-        netlist: Arc::new(netlist),
-        golden: golden::<f64>,
-        golden_f32: golden::<f32>,
-        bounds: bounds(values, switches),
-        tabulated,
-        draw,
-        binding: switches.is_printed().then(|| figure_8(switches)),
-    })
+    hard.extend(HardCase::extremes(&netlist));
+    Ok(Design::new(values, netlist)
+        .groups(groups)
+        .goldens(golden::<f64>, golden::<f32>)
+        .draw(draw)
+        .hard(hard)
+        .bounds(bounds(values, switches))
+        .tabulated(tabulated)
+        .binding(switches.is_printed().then(|| figure_8(switches))))
 }
 
 /// T and B in eye space, with a flag for each that is normalised: of a vector 0.
@@ -653,7 +478,7 @@ fn displacement(
     factors: Factors,
 ) -> Result<NodeId> {
     let Factors { axis, dot, reciprocal, vector_int, minus } = factors;
-    let round: Round = values.choice("rounding").parse()?;
+    let round = values.rounding("rounding");
     let frac_bits = cast::signed_count(values.bits("texture_frac_bits"));
     let mut exact = b.mul(dot, reciprocal);
     b.name(exact, &format!("d{axis}_product"));
@@ -703,7 +528,7 @@ fn factor(
     Ok(match (constant, q) {
         (Some(constant), Some(q)) => {
             let product = b.mul(constant, q);
-            let round: Round = values.choice("rounding").parse()?;
+            let round = values.rounding("rounding");
             let product = rounded(b, product, format.frac_bits(), round);
             b.name(product, &format!("{name}_q"))
         }
@@ -714,29 +539,24 @@ fn factor(
 
 /// Bounds on displacements: see [`Errors`].
 fn bounds(values: &Values, switches: Switches) -> Bounds {
-    let bound = |what, quantities, bound: BoundFn| Bound { what, quantities, bound };
     let mut bounds = vec![
-        bound("relative displacement", &["ds_relative", "dt_relative"], |v, w| {
+        Bound::new("relative displacement", ["ds_relative", "dt_relative"], |v, w| {
             Errors::both(v, w, Errors::relative)
         }),
-        bound("displacement", &["ds", "dt"], |v, w| Errors::both(v, w, Errors::absolute)),
-        bound("displacement in texels", &["ds_texels", "dt_texels"], |v, w| {
+        Bound::new("displacement", ["ds", "dt"], |v, w| Errors::both(v, w, Errors::absolute)),
+        Bound::new("displacement in texels", ["ds_texels", "dt_texels"], |v, w| {
             f64::from(v.bits("texture_size")) * Errors::both(v, w, Errors::absolute)
         }),
     ];
-    if ends(values.choice("overflow")) {
-        bounds
-            .push(bound("coordinate", &["s1", "t1"], |v, w| Errors::both(v, w, Errors::absolute)));
+    if ends(values.overflow("overflow")) {
+        bounds.push(Bound::new("coordinate", ["s1", "t1"], |v, w| {
+            Errors::both(v, w, Errors::absolute)
+        }));
     }
     let exact: &[&str] = if switches.q { &["degenerate", "q1", "r1"] } else { &["degenerate"] };
-    bounds.push(bound("flag and what is passed", exact, |_, _| 0.0));
+    bounds.push(Bound::new("flag and what is passed", exact, |_, _| 0.0));
     Bounds::Stated(bounds)
 }
-
-const SCALES: &[Scale] = &[Scale {
-    name: "relative",
-    what: "the vector's length times its factor, each 1/4 where it is less",
-}];
 
 /// The least vector, and the least factor, that a relative error is told of; below, it is told of
 /// this.
@@ -853,7 +673,7 @@ fn texture_limit(values: &Values) -> f64 {
 }
 
 /// The golden model. Scales are |v| and |k|, each no less than ¼, in product.
-fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
+fn golden<F: Real>(values: &Values) -> Golden<F> {
     let switches = Switches::new(values);
     let mut first = Vec::new();
     let mut at = 0;
@@ -861,79 +681,81 @@ fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
         first.push((name, at));
         at += if is_vector(name) { 3 } else { 1 };
     }
-    let port = |name: &str| first.iter().find(|(known, _)| *known == name).map(|(_, at)| *at);
-    let number = |name: &str, i: usize| inputs[port(name).expect("bug: a port")][i];
-    let vector = |name: &str, i: usize| {
-        let at = port(name).expect("bug: a port");
-        [inputs[at][i], inputs[at + 1][i], inputs[at + 2][i]]
-    };
-    let dot = |u: [F; 3], v: [F; 3]| u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
     let real = |x: f64| F::from(x).expect("bug: a float");
     let least = real(LEAST);
     let [ks, kt] = ["ks", "kt"].map(|name| real(values.real(name)));
     let int_bits = cast::signed_count(values.bits("texture_int_bits"));
     let frac_bits = cast::signed_count(values.bits("texture_frac_bits"));
-    let overflow = values.choice("overflow");
-    let mut row = vec![F::zero(); outputs.len()];
-    let scales = row.len() - 2;
-    for i in 0..inputs[0].len() {
-        let is_zero = |v: [F; 3]| v.iter().all(|x| *x == F::zero());
-        let mut degenerate = false;
-        let (t, b) = match switches.frame {
-            Frame::Normal => {
-                let (n, ct) = (vector("normal", i), vector("ct", i));
-                let (t, bn, zero) = golden_frame(n, ct, switches.normalise);
-                degenerate |= switches.normalise && zero;
-                (t, bn)
-            }
-            Frame::Matrix | Frame::Given => {
-                let [t, b] = ["tangent", "binormal"].map(|name| {
-                    let mut v = vector(name, i);
-                    if switches.frame == Frame::Matrix {
-                        v = ["m0", "m1", "m2"].map(|row| dot(vector(row, i), v));
-                    }
-                    if switches.normalise {
-                        degenerate |= is_zero(v);
-                        v = golden_unit(v);
-                    }
-                    v
-                });
-                (t, b)
-            }
+    let overflow = values.overflow("overflow");
+    Golden::new(move |inputs: &[&[F]], outputs: &mut [Vec<F>]| {
+        let port = |name: &str| first.iter().find(|(known, _)| *known == name).map(|(_, at)| *at);
+        let number = |name: &str, i: usize| inputs[port(name).expect("bug: a port")][i];
+        let vector = |name: &str, i: usize| {
+            let at = port(name).expect("bug: a port");
+            [inputs[at][i], inputs[at + 1][i], inputs[at + 2][i]]
         };
-        let (light, vertex) = (vector("light", i), vector("vertex", i));
-        let mut l = [0, 1, 2].map(|axis| light[axis] - vertex[axis]);
-        degenerate |= is_zero(l);
-        if switches.vertex_light {
-            l = l.map(|x| -x);
+        let dot = |u: [F; 3], v: [F; 3]| u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+        let mut row = vec![F::zero(); outputs.len()];
+        let scales = row.len() - 2;
+        for i in 0..inputs[0].len() {
+            let is_zero = |v: [F; 3]| v.iter().all(|x| *x == F::zero());
+            let mut degenerate = false;
+            let (t, b) = match switches.frame {
+                Frame::Normal => {
+                    let (n, ct) = (vector("normal", i), vector("ct", i));
+                    let (t, bn, zero) = golden_frame(n, ct, switches.normalise);
+                    degenerate |= switches.normalise && zero;
+                    (t, bn)
+                }
+                Frame::Matrix | Frame::Given => {
+                    let [t, b] = ["tangent", "binormal"].map(|name| {
+                        let mut v = vector(name, i);
+                        if switches.frame == Frame::Matrix {
+                            v = ["m0", "m1", "m2"].map(|row| dot(vector(row, i), v));
+                        }
+                        if switches.normalise {
+                            degenerate |= is_zero(v);
+                            v = golden_unit(v);
+                        }
+                        v
+                    });
+                    (t, b)
+                }
+            };
+            let (light, vertex) = (vector("light", i), vector("vertex", i));
+            let mut l = [0, 1, 2].map(|axis| light[axis] - vertex[axis]);
+            degenerate |= is_zero(l);
+            if switches.vertex_light {
+                l = l.map(|x| -x);
+            }
+            let l = golden_unit(l);
+            let (of_s, of_t) = if switches.s_is_binormal { (b, t) } else { (t, b) };
+            let q = if switches.q { number("q0", i) } else { F::one() };
+            let [ks, kt] = match switches.constants {
+                Constants::Off => [F::one(); 2],
+                Constants::Parameters => [ks, kt],
+                Constants::Ports => [number("ks", i), number("kt", i)],
+            };
+            let sign = if switches.minus_t { -F::one() } else { F::one() };
+            for (at, (v, k, name)) in
+                [(of_s, ks * q, "s0"), (of_t, sign * kt * q, "t0")].into_iter().enumerate()
+            {
+                let displacement = k * dot(v, l);
+                row[at] = displacement;
+                let sum = number(name, i) + displacement;
+                row[at + 2] = ended_at(overflow, int_bits, frac_bits, sum);
+                let size = dot(v, v).sqrt().max(least);
+                let factor = if switches.has_factor() { k.abs().max(least) } else { F::one() };
+                row[scales + at] = size * factor;
+            }
+            row[4] = if degenerate { F::one() } else { F::zero() };
+            if switches.q {
+                row[5] = q;
+                row[6] = number("r0", i);
+            }
+            for (column, x) in outputs.iter_mut().zip(&row) {
+                column[i] = *x;
+            }
         }
-        let l = golden_unit(l);
-        let (of_s, of_t) = if switches.s_is_binormal { (b, t) } else { (t, b) };
-        let q = if switches.q { number("q0", i) } else { F::one() };
-        let [ks, kt] = match switches.constants {
-            Constants::Off => [F::one(); 2],
-            Constants::Parameters => [ks, kt],
-            Constants::Ports => [number("ks", i), number("kt", i)],
-        };
-        let sign = if switches.minus_t { -F::one() } else { F::one() };
-        for (at, (v, k, name)) in
-            [(of_s, ks * q, "s0"), (of_t, sign * kt * q, "t0")].into_iter().enumerate()
-        {
-            let displacement = k * dot(v, l);
-            row[at] = displacement;
-            let sum = number(name, i) + displacement;
-            row[at + 2] = ended_at(overflow, int_bits, frac_bits, sum);
-            let size = dot(v, v).sqrt().max(least);
-            let factor = if switches.has_factor() { k.abs().max(least) } else { F::one() };
-            row[scales + at] = size * factor;
-        }
-        row[4] = if degenerate { F::one() } else { F::zero() };
-        if switches.q {
-            row[5] = q;
-            row[6] = number("r0", i);
-        }
-        for (column, x) in outputs.iter_mut().zip(&row) {
-            column[i] = *x;
-        }
-    }
+    })
 }

@@ -11,51 +11,38 @@ use super::parts::plan::{Plan, rounding_ulp};
 use super::parts::{fragment, setup};
 use crate::base::cast;
 use crate::base::error::Result;
-use crate::design::{Bound, BoundFn, Bounds, Design, Group, Param, Shading, Shape, Unit, Values};
+use crate::design::{Bound, Bounds, Design, Golden, Group, Shading, Shape, Unit, Values};
 use crate::netlist::op::Meaning;
 use crate::netlist::{Builder, NodeId};
 use crate::number::format::{Format, Overflow, Round, quantize};
 use crate::number::function::Function;
 use crate::number::trig::Real;
-use std::sync::Arc;
 
 /// The unit.
-pub static ERNST: Unit = Unit {
-    name: "ernst",
-    summary: "light of a bump-mapped pixel by matrix, normalisation and Cartesian dot products",
-    source: "Ernst et al. 1998, as seed 001 (Lee et al.) counts it in Table 1 and section 4.3",
-    params: PARAMS,
-    golden_params: &["highlight", "ambient", "diffuse", "specular", "exponent"],
-    inputs: "l_x … p_z: components of L, H, N, T, B in the world and of N' in the texture frame, from ½ to 2 long after the transform",
-    outputs: "intensity, diffuse (with the ambient light), specular: 0 to 1",
-    shades: Shading::Pipeline,
-    build,
-};
+#[must_use]
+pub fn unit() -> Unit {
+    Unit::new("ernst", "light of a bump-mapped pixel by matrix, normalisation and Cartesian dot products")
+        .source("Ernst et al. 1998, as seed 001 (Lee et al.) counts it in Table 1 and section 4.3")
+        .params(setup::params())
+        .params([
+            illumination::highlight(),
+            illumination::specular_addr_bits(),
+            illumination::light_scheme(),
+            illumination::light_bits(),
+            illumination::ambient(),
+            illumination::diffuse(),
+            illumination::specular(),
+            illumination::exponent(),
+        ])
+        .inputs("l_x … p_z: components of L, H, N, T, B in the world and of N' in the texture frame, from ½ to 2 long after the transform")
+        .outputs("intensity, diffuse (with the ambient light), specular: 0 to 1")
+        .shades(Shading::Pipeline)
+        .design(design)
+}
 
-static PARAMS: &[Param] = &[
-    setup::PARAMS[0],
-    setup::PARAMS[1],
-    setup::PARAMS[2],
-    setup::PARAMS[3],
-    setup::PARAMS[4],
-    setup::PARAMS[5],
-    setup::PARAMS[6],
-    setup::PARAMS[7],
-    setup::PARAMS[8],
-    setup::PARAMS[9],
-    illumination::HIGHLIGHT,
-    illumination::SPECULAR_ADDR_BITS,
-    illumination::LIGHT_SCHEME,
-    illumination::LIGHT_BITS,
-    illumination::AMBIENT,
-    illumination::DIFFUSE,
-    illumination::SPECULAR,
-    illumination::EXPONENT,
-];
-
-fn build(values: &Values) -> Result<Design> {
-    let highlight = values.choice("highlight") == "on";
-    let mut plan = Plan::new(values)?;
+fn design(values: &Values) -> Result<Design> {
+    let highlight = values.flag("highlight");
+    let mut plan = Plan::new(values);
     let mut b = Builder::new("ernst");
     let units = setup::set_up(&mut b, &mut plan, highlight)?;
     let (p, lights) = units.split_last().expect("bug: N' is there");
@@ -70,36 +57,31 @@ fn build(values: &Values) -> Result<Design> {
     lit(&mut b, &mut plan, &dots)?.output(&mut b);
     let tabulated = plan.tabulated;
     let netlist = b.build()?;
-    let mut groups = Group::ports(&netlist, light_ports(values));
-    groups.extend(dot_groups(&netlist, highlight));
+    let mut groups = Group::ports(&netlist, light_ports(values))?;
+    groups.extend(dot_groups(&netlist, highlight)?);
     for (name, scope) in ["lt", "ht"].into_iter().zip(["light", "half"]).take(lights.len()) {
-        let labels = setup::labels(scope);
-        let labels = [&labels[0][..], &labels[1], &labels[2]];
-        groups.push(Group::inside(&netlist, name, Shape::Cartesian, &labels));
+        groups.push(Group::inside(&netlist, name, Shape::Cartesian, setup::labels(scope))?);
     }
-    let bound = |what, quantities, bound: BoundFn| Bound { what, quantities, bound };
     let components: &[&str] = &["lt_x", "lt_y", "lt_z", "ht_x", "ht_y", "ht_z"];
     let bounds = vec![
-        bound("dot", &DOTS, dot_bound),
-        bound("diffuse", &["diffuse"], |v, w| diffuse_bound(v, &product(v, w), dot_bound(v, w))),
-        bound("specular", &["specular"], |v, w| specular_bound(v, w, dot_bound(v, w))),
-        bound("intensity", &["intensity"], |v, w| {
+        Bound::new("dot", DOTS, dot_bound),
+        Bound::new("diffuse", ["diffuse"], |v, w| {
+            diffuse_bound(v, &product(v, w), dot_bound(v, w))
+        }),
+        Bound::new("specular", ["specular"], |v, w| specular_bound(v, w, dot_bound(v, w))),
+        Bound::new("intensity", ["intensity"], |v, w| {
             intensity_bound(v, &product(v, w), dot_bound(v, w))
         }),
         setup::bound(if highlight { components } else { &components[..3] }),
     ];
-    Ok(Design {
-        values: values.clone(),
-        groups,
-        hard: fragment::hard_cases(&netlist),
-        netlist: Arc::new(netlist),
-        golden: golden::<f64>,
-        golden_f32: golden::<f32>,
-        bounds: Bounds::Within(setup::INPUTS, illumination::restricted(values, bounds)),
-        tabulated,
-        draw: fragment::draw,
-        binding: None,
-    })
+    let hard = fragment::hard_cases(&netlist);
+    Ok(Design::new(values, netlist)
+        .groups(groups)
+        .goldens(golden::<f64>, golden::<f32>)
+        .draw(fragment::draw)
+        .hard(hard)
+        .bounds(Bounds::Within(setup::INPUTS.to_owned(), illumination::restricted(values, bounds)))
+        .tabulated(tabulated))
 }
 
 /// The light of dot products: a multiplier for the diffuse light, a table for the specular one.
@@ -168,14 +150,16 @@ fn product<'a>(values: &'a Values, worst: &'a dyn Fn(&str) -> f64) -> impl Fn(&s
 }
 
 /// The golden model: unit vectors in the texture frame, their dot products, the reflection formula.
-fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
-    let units = setup::golden(inputs);
-    let (p, lights) = units.split_last().expect("bug: N' is there");
-    let dots: Vec<Vec<F>> =
-        lights.iter().map(|v| golden_dot([&v[0], &v[1], &v[2]], [&p[0], &p[1], &p[2]])).collect();
-    golden_light(values, &dots, outputs);
-    let first = outputs.len() - 3 * lights.len();
-    for (column, axis) in outputs[first..].iter_mut().zip(lights.iter().flatten()) {
-        column.clone_from(axis);
-    }
+fn golden<F: Real>(values: &Values) -> Golden<F> {
+    let light = golden_light(values);
+    Golden::new(move |inputs, outputs| {
+        let units = setup::golden(inputs);
+        let (p, lights) = units.split_last().expect("bug: N' is there");
+        let dots = lights.iter().map(|v| golden_dot([&v[0], &v[1], &v[2]], [&p[0], &p[1], &p[2]]));
+        light(&dots.collect::<Vec<_>>(), outputs);
+        let first = outputs.len() - 3 * lights.len();
+        for (column, axis) in outputs[first..].iter_mut().zip(lights.iter().flatten()) {
+            column.clone_from(axis);
+        }
+    })
 }

@@ -12,11 +12,11 @@
 //! table. Where it is negative there is ambient light alone.
 
 use super::parts::fragment;
-use super::parts::plan::{self, Plan, angle, number, rounding_ulp, scheme_of};
+use super::parts::plan::{self, Plan, angle, number, rounding_ulp};
 use crate::base::cast;
 use crate::base::error::Result;
 use crate::design::{
-    Bound, Bounds, Design, Group, HardCase, Kind, Param, Reflection, Role, Shading, Shape, Unit,
+    Bound, Bounds, Design, Golden, Group, HardCase, Param, Reflection, Role, Shading, Shape, Unit,
     Values,
 };
 use crate::netlist::op::Meaning;
@@ -24,130 +24,104 @@ use crate::netlist::{Builder, Netlist, NodeId, Quantity};
 use crate::number::format::{Format, Overflow, Round, quantize};
 use crate::number::function::Function;
 use crate::number::trig::{Real, acos_turns};
-use crate::table;
-use crate::table::Tabulated;
-use std::sync::Arc;
+use crate::table::{self, Tabulated};
 
 /// The unit.
-pub static ILLUMINATION: Unit = Unit {
-    name: "illumination",
-    summary: "light of a pixel from light, halfway and perturbed normal vector in the texture frame",
-    source: "seed 001 (Lee et al.), sections 3.2 and 4.2, Fig. 8; variant kim: its eqs (3) and (4)",
-    params: PARAMS,
-    golden_params: &["variant", "highlight", "ambient", "diffuse", "specular", "exponent"],
-    inputs: "phi_lt, theta_lt, phi_ht, theta_ht, phi_p, theta_p: angles; or lt_x, lt_y, lt_z and so on (variant=cartesian)",
-    outputs: "intensity, diffuse (with the ambient light), specular: 0 to 1",
-    shades: Shading::Part,
-    build,
-};
+#[must_use]
+pub fn unit() -> Unit {
+    Unit::new("illumination", "light of a pixel from light, halfway and perturbed normal vector in the texture frame")
+        .source("seed 001 (Lee et al.), sections 3.2 and 4.2, Fig. 8; variant kim: its eqs (3) and (4)")
+        .params([
+            Param::choice("variant", ["printed", "corrected", "kim", "cartesian"]).role(Role::Variant).default("corrected").help("(24) and (25) letter for letter, mended, Kim's (3) and (4), or the dot product of components"),
+            plan::angle_bits(),
+            plan::table_addr_bits(),
+            Param::scheme("scheme"),
+            plan::quarter_wave(),
+            plan::frac_bits(),
+            plan::guard_bits(),
+            Param::rounding("rounding"),
+            plan::sincos_addr_bits(),
+            cos_addr_bits(),
+            highlight(),
+            diffuse_addr_bits(),
+            specular_addr_bits(),
+            light_scheme(),
+            light_bits(),
+            ambient(),
+            diffuse(),
+            specular(),
+            exponent(),
+        ])
+        .inputs("phi_lt, theta_lt, phi_ht, theta_ht, phi_p, theta_p: angles; or lt_x, lt_y, lt_z and so on (variant=cartesian)")
+        .outputs("intensity, diffuse (with the ambient light), specular: 0 to 1")
+        .shades(Shading::Part)
+        .design(design)
+}
 
-static PARAMS: &[Param] = &[
-    Param {
-        name: "variant",
-        role: Role::Variant,
-        kind: Kind::Choice(&["printed", "corrected", "kim", "cartesian"]),
-        default: "corrected",
-        help: "(24) and (25) letter for letter, mended, Kim's (3) and (4), or the dot product of components",
-    },
-    plan::ANGLE_BITS,
-    plan::TABLE_ADDR_BITS,
-    plan::SCHEME,
-    plan::QUARTER_WAVE,
-    plan::FRAC_BITS,
-    plan::GUARD_BITS,
-    plan::ROUNDING,
-    plan::SINCOS_ADDR_BITS,
-    COS_ADDR_BITS,
-    HIGHLIGHT,
-    DIFFUSE_ADDR_BITS,
-    SPECULAR_ADDR_BITS,
-    LIGHT_SCHEME,
-    LIGHT_BITS,
-    AMBIENT,
-    DIFFUSE,
-    SPECULAR,
-    EXPONENT,
-];
+pub(super) fn cos_addr_bits() -> Param {
+    Param::bits("cos_addr_bits", 2..=20)
+        .role(Role::TableSize)
+        .auto("table_addr_bits")
+        .help("address bits of the cos table of the dot products")
+}
 
-pub(super) const COS_ADDR_BITS: Param = Param {
-    name: "cos_addr_bits",
-    role: Role::TableSize,
-    kind: Kind::Int { min: 2, max: 20, auto: Some("table_addr_bits") },
-    default: "auto",
-    help: "address bits of the cos table of the dot products",
-};
+pub(super) fn highlight() -> Param {
+    Param::choice("highlight", ["on", "off"])
+        .help("off leaves out the halfway vector and all that comes of it")
+}
 
-pub(super) const HIGHLIGHT: Param = Param {
-    name: "highlight",
-    role: Role::Switch,
-    kind: Kind::Choice(&["on", "off"]),
-    default: "on",
-    help: "off leaves out the halfway vector and all that comes of it",
-};
+pub(super) fn diffuse_addr_bits() -> Param {
+    Param::bits("diffuse_addr_bits", 2..=20)
+        .role(Role::TableSize)
+        .default(10)
+        .help("address bits of the diffuse light table")
+}
 
-pub(super) const DIFFUSE_ADDR_BITS: Param = Param {
-    name: "diffuse_addr_bits",
-    role: Role::TableSize,
-    kind: Kind::Int { min: 2, max: 20, auto: None },
-    default: "10",
-    help: "address bits of the diffuse light table",
-};
+pub(super) fn specular_addr_bits() -> Param {
+    Param::bits("specular_addr_bits", 2..=20)
+        .role(Role::TableSize)
+        .default(10)
+        .help("address bits of the specular light table")
+}
 
-pub(super) const SPECULAR_ADDR_BITS: Param = Param {
-    name: "specular_addr_bits",
-    role: Role::TableSize,
-    kind: Kind::Int { min: 2, max: 20, auto: None },
-    default: "10",
-    help: "address bits of the specular light table",
-};
+pub(super) fn light_scheme() -> Param {
+    Param::scheme("light_scheme")
+        .help("how the light tables approximate; sharp highlights ask for linear")
+}
 
-pub(super) const LIGHT_SCHEME: Param = Param {
-    name: "light_scheme",
-    role: Role::Scheme,
-    kind: Kind::Choice(&["direct", "linear", "bipartite"]),
-    default: "direct",
-    help: "how the light tables approximate; sharp highlights ask for linear",
-};
+pub(super) fn light_bits() -> Param {
+    Param::bits("light_bits", 2..=24)
+        .default(16)
+        .help("bits of the light tables' words and of the light; all of them fraction bits")
+}
 
-pub(super) const LIGHT_BITS: Param = Param {
-    name: "light_bits",
-    role: Role::Width,
-    kind: Kind::Int { min: 2, max: 24, auto: None },
-    default: "16",
-    help: "bits of the light tables' words and of the light; all of them fraction bits",
-};
+pub(super) fn ambient() -> Param {
+    Param::real("ambient", 0.0..=1.0)
+        .role(Role::Material(Reflection::Ambient))
+        .default(0.1)
+        .help("ambient light, Ia ka")
+}
 
-pub(super) const AMBIENT: Param = Param {
-    name: "ambient",
-    role: Role::Material(Reflection::Ambient),
-    kind: Kind::Real { min: 0.0, max: 1.0 },
-    default: "0.1",
-    help: "ambient light, Ia ka",
-};
+pub(super) fn diffuse() -> Param {
+    Param::real("diffuse", 0.0..=1.0)
+        .role(Role::Material(Reflection::Diffuse))
+        .default(0.6)
+        .help("light by the diffuse reflection of a surface that faces it, Ii kd")
+}
 
-pub(super) const DIFFUSE: Param = Param {
-    name: "diffuse",
-    role: Role::Material(Reflection::Diffuse),
-    kind: Kind::Real { min: 0.0, max: 1.0 },
-    default: "0.6",
-    help: "light by the diffuse reflection of a surface that faces it, Ii kd",
-};
+pub(super) fn specular() -> Param {
+    Param::real("specular", 0.0..=1.0)
+        .role(Role::Material(Reflection::Specular))
+        .default(0.3)
+        .help("light in the middle of the highlight, Ii ks")
+}
 
-pub(super) const SPECULAR: Param = Param {
-    name: "specular",
-    role: Role::Material(Reflection::Specular),
-    kind: Kind::Real { min: 0.0, max: 1.0 },
-    default: "0.3",
-    help: "light in the middle of the highlight, Ii ks",
-};
-
-pub(super) const EXPONENT: Param = Param {
-    name: "exponent",
-    role: Role::Material(Reflection::Exponent),
-    kind: Kind::Int { min: 0, max: 255, auto: None },
-    default: "32",
-    help: "exponent n of the specular reflection",
-};
+pub(super) fn exponent() -> Param {
+    Param::int("exponent", 0..=255)
+        .role(Role::Material(Reflection::Exponent))
+        .default(32)
+        .help("exponent n of the specular reflection")
+}
 
 /// N'·A of polar forms; a word of `frac_bits` fraction bits between -2 and 2.
 pub(super) fn polar_dot(
@@ -241,10 +215,8 @@ impl Light {
 
 /// Names of the output ports that [`Light::output`] makes.
 pub(super) fn light_ports(values: &Values) -> &'static [&'static str] {
-    match values.choice("highlight") {
-        "on" => &["intensity", "diffuse", "specular"],
-        _ => &["intensity", "diffuse"],
-    }
+    let all = &["intensity", "diffuse", "specular"];
+    if values.flag("highlight") { all } else { &all[..2] }
 }
 
 /// Light tables of dot products.
@@ -282,7 +254,7 @@ pub(super) fn light(
 pub(super) fn table(
     b: &mut Builder,
     plan: &mut Plan<'_>,
-    name: &'static str,
+    name: &str,
     size: &str,
     function: Function,
     dot: NodeId,
@@ -311,9 +283,9 @@ pub(super) fn table(
     let fraction = b.slice(index, 0, plan.frac_bits);
     let fraction = b.shift(fraction, -frac);
     let tabulated = Tabulated {
-        name,
+        name: name.to_owned(),
         functions: vec![function],
-        scheme: scheme_of(plan.values.choice("light_scheme")),
+        scheme: plan.values.scheme("light_scheme"),
         addr_bits: plan.values.bits(size),
         quarter_wave: false,
         origin: 0.0,
@@ -338,10 +310,10 @@ pub(super) fn table(
     Ok(b.name(light, name))
 }
 
-fn build(values: &Values) -> Result<Design> {
+fn design(values: &Values) -> Result<Design> {
     let variant = values.choice("variant");
-    let highlight = values.choice("highlight") == "on";
-    let mut plan = Plan::new(values)?;
+    let highlight = values.flag("highlight");
+    let mut plan = Plan::new(values);
     let mut b = Builder::new("illumination");
     let vectors: &[&str] = if highlight { &["lt", "ht", "p"] } else { &["lt", "p"] };
     let dots = if variant == "cartesian" {
@@ -376,67 +348,47 @@ fn build(values: &Values) -> Result<Design> {
     light(&mut b, &mut plan, dots[0], dots.get(1).copied())?.output(&mut b);
     let tabulated = plan.tabulated;
     let netlist = b.build()?;
-    let mut groups = Group::ports(&netlist, light_ports(values));
-    groups.extend(dot_groups(&netlist, highlight));
+    let mut groups = Group::ports(&netlist, light_ports(values))?;
+    groups.extend(dot_groups(&netlist, highlight)?);
     let bounds = match variant {
-        "printed" => Bounds::Unstated("the equations as printed give no dot product"),
+        "printed" => Bounds::unstated("the equations as printed give no dot product"),
         _ => light_bounds(values),
     };
-    Ok(Design {
-        hard: hard_cases(values, variant == "cartesian"),
-        values: values.clone(),
-        groups,
-        netlist: Arc::new(netlist),
-        golden: golden::<f64>,
-        golden_f32: golden::<f32>,
-        bounds,
-        tabulated,
-        draw: fragment::draw,
-        binding: None,
-    })
+    Ok(Design::new(values, netlist)
+        .groups(groups)
+        .goldens(golden::<f64>, golden::<f32>)
+        .draw(fragment::draw)
+        .hard(hard_cases(values, variant == "cartesian"))
+        .bounds(bounds)
+        .tabulated(tabulated))
 }
 
 /// Scopes and names of the dot products.
 pub(super) const DOTS: [&str; 2] = ["dot_l", "dot_h"];
 
 /// The dot products as judged groups.
-pub(super) fn dot_groups(netlist: &Netlist, highlight: bool) -> Vec<Group> {
+pub(super) fn dot_groups(netlist: &Netlist, highlight: bool) -> Result<Vec<Group>> {
     let names = if highlight { &DOTS[..] } else { &DOTS[..1] };
-    names.iter().map(|name| Group::inside(netlist, name, Shape::Scalar, &[name])).collect()
+    names.iter().map(|name| Group::inside(netlist, *name, Shape::Scalar, [name])).collect()
 }
-
-const DOT_BOUND: Bound = Bound { what: "dot", quantities: &DOTS, bound: dot_bound };
 
 /// Bounds of the dot products and of the light that they give.
 fn light_bounds(values: &Values) -> Bounds {
-    let light: &[Bound] = &[
-        Bound {
-            what: "diffuse",
-            quantities: &["diffuse"],
-            bound: |v, w| diffuse_bound(v, w, dot_bound(v, w)),
-        },
-        Bound {
-            what: "specular",
-            quantities: &["specular"],
-            bound: |v, w| specular_bound(v, w, dot_bound(v, w)),
-        },
-        Bound {
-            what: "intensity",
-            quantities: &["intensity"],
-            bound: |v, w| intensity_bound(v, w, dot_bound(v, w)),
-        },
+    let bounds = vec![
+        Bound::new("dot", DOTS, dot_bound),
+        Bound::new("diffuse", ["diffuse"], |v, w| diffuse_bound(v, w, dot_bound(v, w))),
+        Bound::new("specular", ["specular"], |v, w| specular_bound(v, w, dot_bound(v, w))),
+        Bound::new("intensity", ["intensity"], |v, w| intensity_bound(v, w, dot_bound(v, w))),
     ];
-    let mut bounds = vec![DOT_BOUND];
-    bounds.extend_from_slice(light);
     Bounds::Stated(restricted(values, bounds))
 }
 
 /// Bounds of what there is without the highlight.
 pub(super) fn restricted(values: &Values, mut bounds: Vec<Bound>) -> Vec<Bound> {
-    if values.choice("highlight") == "off" {
+    if !values.flag("highlight") {
         for bound in &mut bounds {
             if bound.quantities == DOTS {
-                bound.quantities = &["dot_l"];
+                bound.quantities.truncate(1);
             }
         }
         bounds.retain(|bound| bound.what != "specular");
@@ -493,10 +445,7 @@ pub(super) fn specular_bound(values: &Values, worst: &dyn Fn(&str) -> f64, dot: 
 
 /// Of their sum, which saturates one place below 1.
 pub(super) fn intensity_bound(values: &Values, worst: &dyn Fn(&str) -> f64, dot: f64) -> f64 {
-    let specular = match values.choice("highlight") {
-        "on" => specular_bound(values, worst, dot),
-        _ => 0.0,
-    };
+    let specular = if values.flag("highlight") { specular_bound(values, worst, dot) } else { 0.0 };
     diffuse_bound(values, worst, dot) + specular + ulp(values.bits("light_bits"))
 }
 
@@ -512,29 +461,33 @@ pub(super) fn components<F: Real>(phi: &[F], theta: &[F]) -> [Vec<F>; 3] {
     [cos_phi, sin_phi, cos_theta]
 }
 
-/// The golden light of dot products: intensity, diffuse, specular (if there is a highlight), and
+/// What gives the golden light of dot products: intensity, diffuse, specular (if there is a highlight), and
 /// then the dot products themselves, into the first columns.
-pub(super) fn golden_light<F: Real>(values: &Values, dots: &[Vec<F>], outputs: &mut [Vec<F>]) {
+pub(super) fn golden_light<F: Real>(
+    values: &Values,
+) -> impl Fn(&[Vec<F>], &mut [Vec<F>]) + Send + Sync + use<F> {
     let number = |name: &str| F::from(values.real(name)).expect("bug: floats hold numbers");
     let (ambient, diffuse, specular) = (number("ambient"), number("diffuse"), number("specular"));
     let exponent = i32::try_from(values.bits("exponent")).expect("bug: at most 255");
     let (zero, one) = (F::zero(), F::one());
-    let highlight = dots.len() > 1;
-    for i in 0..dots[0].len() {
-        let diffuse = (ambient + diffuse * dots[0][i].max(zero).min(one)).min(one);
-        let mut intensity = diffuse;
-        outputs[1][i] = diffuse;
-        if highlight {
-            let dot = dots[1][i].min(one);
-            let light = if dot > zero { specular * dot.powi(exponent) } else { zero };
-            outputs[2][i] = light;
-            intensity = intensity + light;
+    move |dots, outputs| {
+        let highlight = dots.len() > 1;
+        for i in 0..dots[0].len() {
+            let diffuse = (ambient + diffuse * dots[0][i].max(zero).min(one)).min(one);
+            let mut intensity = diffuse;
+            outputs[1][i] = diffuse;
+            if highlight {
+                let dot = dots[1][i].min(one);
+                let light = if dot > zero { specular * dot.powi(exponent) } else { zero };
+                outputs[2][i] = light;
+                intensity = intensity + light;
+            }
+            outputs[0][i] = intensity.min(one);
         }
-        outputs[0][i] = intensity.min(one);
-    }
-    let ports = if highlight { 3 } else { 2 };
-    for (column, dot) in outputs[ports..].iter_mut().zip(dots) {
-        column.copy_from_slice(dot);
+        let ports = if highlight { 3 } else { 2 };
+        for (column, dot) in outputs[ports..].iter_mut().zip(dots) {
+            column.copy_from_slice(dot);
+        }
     }
 }
 
@@ -544,22 +497,30 @@ pub(super) fn golden_dot<F: Real>(u: [&[F]; 3], v: [&[F]; 3]) -> Vec<F> {
 }
 
 /// The golden model: spherical coordinates, dot products of components, the reflection formula.
-fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
-    let dots: Vec<Vec<F>> = if values.choice("variant") == "cartesian" {
-        let vectors: Vec<[&[F]; 3]> = inputs.chunks(3).map(|v| [v[0], v[1], v[2]]).collect();
-        let (p, others) = vectors.split_last().expect("bug: N' is there");
-        others.iter().map(|v| golden_dot(*v, *p)).collect()
-    } else {
-        let vectors: Vec<[Vec<F>; 3]> = inputs.chunks(2).map(|v| components(v[0], v[1])).collect();
-        let (p, others) = vectors.split_last().expect("bug: N' is there");
-        others.iter().map(|v| golden_dot([&v[0], &v[1], &v[2]], [&p[0], &p[1], &p[2]])).collect()
-    };
-    golden_light(values, &dots, outputs);
+fn golden<F: Real>(values: &Values) -> Golden<F> {
+    let cartesian = values.choice("variant") == "cartesian";
+    let light = golden_light(values);
+    Golden::new(move |inputs, outputs| {
+        let dots: Vec<Vec<F>> = if cartesian {
+            let vectors: Vec<[&[F]; 3]> = inputs.chunks(3).map(|v| [v[0], v[1], v[2]]).collect();
+            let (p, others) = vectors.split_last().expect("bug: N' is there");
+            others.iter().map(|v| golden_dot(*v, *p)).collect()
+        } else {
+            let vectors: Vec<[Vec<F>; 3]> =
+                inputs.chunks(2).map(|v| components(v[0], v[1])).collect();
+            let (p, others) = vectors.split_last().expect("bug: N' is there");
+            others
+                .iter()
+                .map(|v| golden_dot([&v[0], &v[1], &v[2]], [&p[0], &p[1], &p[2]]))
+                .collect()
+        };
+        light(&dots, outputs);
+    })
 }
 
 /// Hard cases of the illumination unit.
 fn hard_cases(values: &Values, cartesian: bool) -> Vec<HardCase> {
-    let highlight = values.choice("highlight") == "on";
+    let highlight = values.flag("highlight");
     let bits = values.bits("angle_bits");
     let turn = 1i64 << bits;
     let (half, quarter, eighth) = (turn / 2, turn / 4, turn / 8);
@@ -596,8 +557,7 @@ fn hard_cases(values: &Values, cartesian: bool) -> Vec<HardCase> {
             if highlight { vec![case[0], case[1], case[2]] } else { vec![case[0], case[2]] };
         vectors.into_iter().flat_map(|v| direction_words(values, cartesian, v)).collect()
     };
-    let cases =
-        |name, list: Vec<Case>| HardCase { name, words: list.into_iter().map(words).collect() };
+    let cases = |name, list: Vec<Case>| HardCase::new(name, list.into_iter().map(words).collect());
     let mut all = vec![
         cases("dot product at 1 and above: A parallel to N', and one word off", facing),
         cases("dot product at -1: A opposite to N', and one word off", away),
@@ -615,10 +575,8 @@ fn hard_cases(values: &Values, cartesian: bool) -> Vec<HardCase> {
             words.extend(pair[1]);
             words
         });
-        all.push(HardCase {
-            name: "least and greatest words through all products",
-            words: words.collect(),
-        });
+        let name = "least and greatest words through all products";
+        all.push(HardCase::new(name, words.collect()));
     }
     all
 }

@@ -15,60 +15,48 @@ use super::parts::plan::{self, Plan, angle, number, rounding_ulp};
 use super::rotation::{converted_bound, to_polar};
 use crate::base::cast;
 use crate::base::error::Result;
-use crate::design::{
-    Bound, BoundFn, Bounds, Design, Group, Kind, Param, Role, Shading, Shape, Unit, Values,
-};
+use crate::design::{Bound, Bounds, Design, Golden, Group, Param, Shading, Shape, Unit, Values};
 use crate::netlist::{Builder, NodeId, Quantity};
 use crate::number::format::{Format, Overflow};
 use crate::number::trig::Real;
-use std::sync::Arc;
 
 /// The unit.
-pub static KIM: Unit = Unit {
-    name: "kim",
-    summary: "light of a bump-mapped pixel by a matrix of sines and cosines and polar dot products",
-    source: "Kim et al. 2001: eqs (3), (4) of seed 001 (Lee et al.); the set-up is a reconstruction",
-    params: PARAMS,
-    golden_params: &["highlight", "ambient", "diffuse", "specular", "exponent"],
-    inputs: "phi_l, theta_l, phi_h, theta_h, phi_n, theta_n, psi: angles in the world; phi_p, theta_p: the bump vector in the texture frame",
-    outputs: "intensity, diffuse (with the ambient light), specular: 0 to 1",
-    shades: Shading::Pipeline,
-    build,
-};
+#[must_use]
+pub fn unit() -> Unit {
+    Unit::new("kim", "light of a bump-mapped pixel by a matrix of sines and cosines and polar dot products")
+        .source("Kim et al. 2001: eqs (3), (4) of seed 001 (Lee et al.); the set-up is a reconstruction")
+        .params([
+            Param::choice("conversion", ["table", "cordic"]).help("how components become angles"),
+            plan::angle_bits(),
+            plan::table_addr_bits(),
+            Param::scheme("scheme"),
+            plan::quarter_wave(),
+            plan::frac_bits(),
+            plan::guard_bits(),
+            Param::rounding("rounding"),
+            plan::sincos_addr_bits(),
+            plan::recip_addr_bits(),
+            plan::atan_addr_bits(),
+            plan::cordic_iterations(),
+            illumination::highlight(),
+            illumination::diffuse_addr_bits(),
+            illumination::specular_addr_bits(),
+            illumination::light_scheme(),
+            illumination::light_bits(),
+            illumination::ambient(),
+            illumination::diffuse(),
+            illumination::specular(),
+            illumination::exponent(),
+        ])
+        .inputs("phi_l, theta_l, phi_h, theta_h, phi_n, theta_n, psi: angles in the world; phi_p, theta_p: the bump vector in the texture frame")
+        .outputs("intensity, diffuse (with the ambient light), specular: 0 to 1")
+        .shades(Shading::Pipeline)
+        .design(design)
+}
 
-static PARAMS: &[Param] = &[
-    Param {
-        name: "conversion",
-        role: Role::Switch,
-        kind: Kind::Choice(&["table", "cordic"]),
-        default: "table",
-        help: "how components become angles",
-    },
-    plan::ANGLE_BITS,
-    plan::TABLE_ADDR_BITS,
-    plan::SCHEME,
-    plan::QUARTER_WAVE,
-    plan::FRAC_BITS,
-    plan::GUARD_BITS,
-    plan::ROUNDING,
-    plan::SINCOS_ADDR_BITS,
-    plan::RECIP_ADDR_BITS,
-    plan::ATAN_ADDR_BITS,
-    plan::CORDIC_ITERATIONS,
-    illumination::HIGHLIGHT,
-    illumination::DIFFUSE_ADDR_BITS,
-    illumination::SPECULAR_ADDR_BITS,
-    illumination::LIGHT_SCHEME,
-    illumination::LIGHT_BITS,
-    illumination::AMBIENT,
-    illumination::DIFFUSE,
-    illumination::SPECULAR,
-    illumination::EXPONENT,
-];
-
-fn build(values: &Values) -> Result<Design> {
-    let highlight = values.choice("highlight") == "on";
-    let mut plan = Plan::new(values)?;
+fn design(values: &Values) -> Result<Design> {
+    let highlight = values.flag("highlight");
+    let mut plan = Plan::new(values);
     let mut b = Builder::new("kim");
     let turn = Format::turns(plan.angle_bits)?;
     let pair = |b: &mut Builder, v: &str| {
@@ -94,33 +82,28 @@ fn build(values: &Values) -> Result<Design> {
     light(&mut b, &mut plan, dots[0], dots.get(1).copied())?.output(&mut b);
     let tabulated = plan.tabulated;
     let netlist = b.build()?;
-    let mut groups = Group::ports(&netlist, light_ports(values));
-    groups.extend(dot_groups(&netlist, highlight));
+    let mut groups = Group::ports(&netlist, light_ports(values))?;
+    groups.extend(dot_groups(&netlist, highlight)?);
     let labels = [["setup.light.phi", "setup.light.theta"], ["setup.half.phi", "setup.half.theta"]];
     for (name, labels) in ["lt", "ht"].into_iter().zip(labels).take(lights.len()) {
-        groups.push(Group::inside(&netlist, name, Shape::Polar, &labels));
+        groups.push(Group::inside(&netlist, name, Shape::Polar, labels)?);
     }
-    let bound = |what, quantities, bound: BoundFn| Bound { what, quantities, bound };
     let angles: &[&str] = if highlight { &["lt_angle", "ht_angle"] } else { &["lt_angle"] };
     let bounds = vec![
-        bound("dot", &DOTS, dot_bound),
-        bound("diffuse", &["diffuse"], |v, w| diffuse_bound(v, w, dot_bound(v, w))),
-        bound("specular", &["specular"], |v, w| specular_bound(v, w, dot_bound(v, w))),
-        bound("intensity", &["intensity"], |v, w| intensity_bound(v, w, dot_bound(v, w))),
-        bound("angle", angles, angle_bound),
+        Bound::new("dot", DOTS, dot_bound),
+        Bound::new("diffuse", ["diffuse"], |v, w| diffuse_bound(v, w, dot_bound(v, w))),
+        Bound::new("specular", ["specular"], |v, w| specular_bound(v, w, dot_bound(v, w))),
+        Bound::new("intensity", ["intensity"], |v, w| intensity_bound(v, w, dot_bound(v, w))),
+        Bound::new("angle", angles, angle_bound),
     ];
-    Ok(Design {
-        values: values.clone(),
-        groups,
-        hard: fragment::hard_cases(&netlist),
-        netlist: Arc::new(netlist),
-        golden: golden::<f64>,
-        golden_f32: golden::<f32>,
-        bounds: Bounds::Stated(illumination::restricted(values, bounds)),
-        tabulated,
-        draw: fragment::draw,
-        binding: None,
-    })
+    let hard = fragment::hard_cases(&netlist);
+    Ok(Design::new(values, netlist)
+        .groups(groups)
+        .goldens(golden::<f64>, golden::<f32>)
+        .draw(fragment::draw)
+        .hard(hard)
+        .bounds(Bounds::Stated(illumination::restricted(values, bounds)))
+        .tabulated(tabulated))
 }
 
 /// L', H' in the frame of N, and N' turned into it, all as angles.
@@ -198,34 +181,37 @@ fn dot_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
 }
 
 /// The golden model: components of all vectors, projected onto the axes of the frame of N.
-fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
-    let (lights, rest) = inputs.split_at(inputs.len() - 5);
-    let [phi_n, theta_n, psi, phi_p, theta_p] = *rest else { panic!("bug: N, psi, N'") };
-    let turned: Vec<F> = phi_p.iter().zip(psi).map(|(phi, psi)| *phi + *psi).collect();
-    let p = components(&turned, theta_p);
-    let len = psi.len();
-    let n = components(phi_n, theta_n);
-    let (mut sin_phi, mut cos_phi) = (vec![F::default(); len], vec![F::default(); len]);
-    let (mut sin_theta, mut cos_theta) = (sin_phi.clone(), sin_phi.clone());
-    F::sin_cos_turns(phi_n, &mut sin_phi, &mut cos_phi);
-    F::sin_cos_turns(theta_n, &mut sin_theta, &mut cos_theta);
-    let t: [Vec<F>; 3] = [
-        (0..len).map(|i| cos_theta[i] * cos_phi[i]).collect(),
-        (0..len).map(|i| cos_theta[i] * sin_phi[i]).collect(),
-        sin_theta.iter().map(|sin| -*sin).collect(),
-    ];
-    let binormal: [Vec<F>; 3] =
-        [sin_phi.iter().map(|sin| -*sin).collect(), cos_phi, vec![F::zero(); len]];
-    let mut dots = Vec::new();
-    let first = outputs.len() - 3 * lights.len() / 2;
-    for (v, pair) in lights.chunks(2).enumerate() {
-        let light = components(pair[0], pair[1]);
-        let light = [&light[0][..], &light[1], &light[2]];
-        let rotated = [&t, &binormal, &n].map(|row| golden_dot([&row[0], &row[1], &row[2]], light));
-        dots.push(golden_dot([&rotated[0], &rotated[1], &rotated[2]], [&p[0], &p[1], &p[2]]));
-        for (column, axis) in outputs[first + 3 * v..].iter_mut().zip(rotated) {
-            *column = axis;
+fn golden<F: Real>(values: &Values) -> Golden<F> {
+    let light = golden_light(values);
+    Golden::new(move |inputs: &[&[F]], outputs: &mut [Vec<F>]| {
+        let (lights, rest) = inputs.split_at(inputs.len() - 5);
+        let [phi_n, theta_n, psi, phi_p, theta_p] = *rest else { panic!("bug: N, psi, N'") };
+        let turned: Vec<F> = phi_p.iter().zip(psi).map(|(phi, psi)| *phi + *psi).collect();
+        let p = components(&turned, theta_p);
+        let len = psi.len();
+        let n = components(phi_n, theta_n);
+        let (mut sin_phi, mut cos_phi) = (vec![F::default(); len], vec![F::default(); len]);
+        let (mut sin_theta, mut cos_theta) = (sin_phi.clone(), sin_phi.clone());
+        F::sin_cos_turns(phi_n, &mut sin_phi, &mut cos_phi);
+        F::sin_cos_turns(theta_n, &mut sin_theta, &mut cos_theta);
+        let t: [Vec<F>; 3] = [
+            (0..len).map(|i| cos_theta[i] * cos_phi[i]).collect(),
+            (0..len).map(|i| cos_theta[i] * sin_phi[i]).collect(),
+            sin_theta.iter().map(|sin| -*sin).collect(),
+        ];
+        let binormal: [Vec<F>; 3] =
+            [sin_phi.iter().map(|sin| -*sin).collect(), cos_phi, vec![F::zero(); len]];
+        let mut dots = Vec::new();
+        let first = outputs.len() - 3 * lights.len() / 2;
+        for (v, pair) in lights.chunks(2).enumerate() {
+            let a = components(pair[0], pair[1]);
+            let a = [&a[0][..], &a[1], &a[2]];
+            let rotated = [&t, &binormal, &n].map(|row| golden_dot([&row[0], &row[1], &row[2]], a));
+            dots.push(golden_dot([&rotated[0], &rotated[1], &rotated[2]], [&p[0], &p[1], &p[2]]));
+            for (column, axis) in outputs[first + 3 * v..].iter_mut().zip(rotated) {
+                *column = axis;
+            }
         }
-    }
-    golden_light(values, &dots, outputs);
+        light(&dots, outputs);
+    })
 }

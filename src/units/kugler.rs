@@ -18,7 +18,7 @@ use super::parts::polar::opposite;
 use super::rotation::to_polar;
 use crate::base::cast;
 use crate::base::error::Result;
-use crate::design::{Bounds, Design, Group, Kind, Param, Role, Shading, Shape, Unit, Values};
+use crate::design::{Bounds, Design, Golden, Group, Param, Role, Shading, Shape, Unit, Values};
 use crate::netlist::op::{Meaning, tilted};
 use crate::netlist::{Builder, Column, NodeId, Quantity, Table, TableId};
 use crate::number::format::{Format, Overflow, Round, quantize, word_mask};
@@ -27,68 +27,41 @@ use crate::number::trig::Real;
 use std::sync::Arc;
 
 /// The unit.
-pub static KUGLER: Unit = Unit {
-    name: "kugler",
-    summary: "light of a bump-mapped pixel by rotations and light maps, without dot products",
-    source: "Kugler 1998 (IMEM), as seed 001 (Lee et al.) describes it; largely a reconstruction",
-    params: PARAMS,
-    golden_params: &["highlight", "ambient", "diffuse", "specular", "exponent"],
-    inputs: "n_x, n_y, n_z; psi, phi_p, theta_p (the bump vector in the texture frame), phi_l, theta_l, phi_h, theta_h: angles, theta up to half a turn",
-    outputs: "intensity, diffuse (with the ambient light), specular: 0 to 1",
-    shades: Shading::Pipeline,
-    build,
-};
+#[must_use]
+pub fn unit() -> Unit {
+    Unit::new("kugler", "light of a bump-mapped pixel by rotations and light maps, without dot products")
+        .source("Kugler 1998 (IMEM), as seed 001 (Lee et al.) describes it; largely a reconstruction")
+        .params([
+            Param::choice("conversion", ["table", "cordic"]).help("how the normal becomes angles"),
+            Param::bits("tilt_addr_bits", 6..=20).role(Role::TableSize).default(14).help("address bits of the map that turns a direction about y, shared by its three angles"),
+            Param::bits("map_angle_bits", 2..=16).default(8).help("bits of each angle in that map; a polar angle's word counts half of an azimuth's"),
+            Param::bits("map_addr_bits", 4..=20).role(Role::TableSize).default(12).help("address bits of each light map, shared by its two angles; the paper's have 20"),
+            plan::angle_bits(),
+            plan::table_addr_bits(),
+            Param::scheme("scheme"),
+            plan::quarter_wave(),
+            plan::frac_bits(),
+            plan::guard_bits(),
+            Param::rounding("rounding"),
+            plan::recip_addr_bits(),
+            plan::atan_addr_bits(),
+            plan::cordic_iterations(),
+            illumination::highlight(),
+            illumination::light_bits(),
+            illumination::ambient(),
+            illumination::diffuse(),
+            illumination::specular(),
+            illumination::exponent(),
+        ])
+        .inputs("n_x, n_y, n_z; psi, phi_p, theta_p (the bump vector in the texture frame), phi_l, theta_l, phi_h, theta_h: angles, theta up to half a turn")
+        .outputs("intensity, diffuse (with the ambient light), specular: 0 to 1")
+        .shades(Shading::Pipeline)
+        .design(design)
+}
 
-static PARAMS: &[Param] = &[
-    Param {
-        name: "conversion",
-        role: Role::Switch,
-        kind: Kind::Choice(&["table", "cordic"]),
-        default: "table",
-        help: "how the normal becomes angles",
-    },
-    Param {
-        name: "tilt_addr_bits",
-        role: Role::TableSize,
-        kind: Kind::Int { min: 6, max: 20, auto: None },
-        default: "14",
-        help: "address bits of the map that turns a direction about y, shared by its three angles",
-    },
-    Param {
-        name: "map_angle_bits",
-        role: Role::Width,
-        kind: Kind::Int { min: 2, max: 16, auto: None },
-        default: "8",
-        help: "bits of each angle in that map; a polar angle's word counts half of an azimuth's",
-    },
-    Param {
-        name: "map_addr_bits",
-        role: Role::TableSize,
-        kind: Kind::Int { min: 4, max: 20, auto: None },
-        default: "12",
-        help: "address bits of each light map, shared by its two angles; the paper's have 20",
-    },
-    plan::ANGLE_BITS,
-    plan::TABLE_ADDR_BITS,
-    plan::SCHEME,
-    plan::QUARTER_WAVE,
-    plan::FRAC_BITS,
-    plan::GUARD_BITS,
-    plan::ROUNDING,
-    plan::RECIP_ADDR_BITS,
-    plan::ATAN_ADDR_BITS,
-    plan::CORDIC_ITERATIONS,
-    illumination::HIGHLIGHT,
-    illumination::LIGHT_BITS,
-    illumination::AMBIENT,
-    illumination::DIFFUSE,
-    illumination::SPECULAR,
-    illumination::EXPONENT,
-];
-
-fn build(values: &Values) -> Result<Design> {
-    let highlight = values.choice("highlight") == "on";
-    let mut plan = Plan::new(values)?;
+fn design(values: &Values) -> Result<Design> {
+    let highlight = values.flag("highlight");
+    let mut plan = Plan::new(values);
     let mut b = Builder::new("kugler");
     let turn = Format::turns(plan.angle_bits)?;
     let component = number(1, plan.frac_bits)?;
@@ -147,30 +120,26 @@ fn build(values: &Values) -> Result<Design> {
     }
     let tabulated = plan.tabulated;
     let netlist = b.build()?;
-    let mut groups = Group::ports(&netlist, illumination::light_ports(values));
+    let mut groups = Group::ports(&netlist, illumination::light_ports(values))?;
     let inside = |name, scope: &str| {
         let labels = ["phi", "theta"].map(|a| format!("{scope}.{a}"));
-        Group::inside(&netlist, name, Shape::Polar, &[&labels[0], &labels[1]])
+        Group::inside(&netlist, name, Shape::Polar, labels)
     };
-    groups.push(inside("pw", "setup"));
-    groups.push(inside("pl", "light"));
+    groups.push(inside("pw", "setup")?);
+    groups.push(inside("pl", "light")?);
     if highlight {
-        groups.push(inside("ph", "half"));
+        groups.push(inside("ph", "half")?);
     }
-    Ok(Design {
-        values: values.clone(),
-        groups,
-        hard: fragment::hard_cases(&netlist),
-        netlist: Arc::new(netlist),
-        golden: golden::<f64>,
-        golden_f32: golden::<f32>,
-        bounds: Bounds::Unstated(
+    let hard = fragment::hard_cases(&netlist);
+    Ok(Design::new(values, netlist)
+        .groups(groups)
+        .goldens(golden::<f64>, golden::<f32>)
+        .draw(fragment::draw)
+        .hard(hard)
+        .bounds(Bounds::unstated(
             "near a pole, a cell of a map has azimuths of the whole turn in it: no cell size bounds the light",
-        ),
-        tabulated,
-        draw: fragment::draw,
-        binding: None,
-    })
+        ))
+        .tabulated(tabulated))
 }
 
 /// Address bits of a map's azimuth, polar angle, and angle of the turn.
@@ -300,48 +269,51 @@ fn light_map(
 
 /// The golden model: N' in the world by the axes of N's own frame, dot products with L and H; and
 /// the direction of N' in the frames of N, L and H.
-fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
-    let [nx, ny, nz, psi, phi_p, theta_p] = inputs[..6] else { panic!("bug: N, psi, N'") };
-    let lights = &inputs[6..];
-    let len = psi.len();
-    let (zero, one) = (F::zero(), F::one());
-    let turned: Vec<F> = phi_p.iter().zip(psi).map(|(phi, psi)| *phi + *psi).collect();
-    let [px, py, pz] = components(&turned, theta_p);
-    // Sines and cosines of the polar form of N; at a pole its azimuth is 0, and so is that of 0.
-    let mut world = [vec![zero; len], vec![zero; len], vec![zero; len]];
-    for i in 0..len {
-        let across = (nx[i] * nx[i] + ny[i] * ny[i]).sqrt();
-        let length = (across * across + nz[i] * nz[i]).sqrt();
-        let (cos_phi, sin_phi) =
-            if across > zero { (nx[i] / across, ny[i] / across) } else { (one, zero) };
-        let (cos_theta, sin_theta) =
-            if length > zero { (nz[i] / length, across / length) } else { (one, zero) };
-        let along = px[i] * cos_theta + pz[i] * sin_theta;
-        world[0][i] = along * cos_phi - py[i] * sin_phi;
-        world[1][i] = along * sin_phi + py[i] * cos_phi;
-        world[2][i] = pz[i] * cos_theta - px[i] * sin_theta;
-    }
-    let mut dots = Vec::new();
-    let mut directions = vec![world.clone()];
-    for pair in lights.chunks(2) {
-        let a = components(pair[0], pair[1]);
-        dots.push(golden_dot([&a[0], &a[1], &a[2]], [&world[0], &world[1], &world[2]]));
-        let (mut sin_phi, mut cos_phi) = (vec![zero; len], vec![zero; len]);
-        let (mut sin_theta, mut cos_theta) = (vec![zero; len], vec![zero; len]);
-        F::sin_cos_turns(pair[0], &mut sin_phi, &mut cos_phi);
-        F::sin_cos_turns(pair[1], &mut sin_theta, &mut cos_theta);
-        let mut seen = world.clone();
+fn golden<F: Real>(values: &Values) -> Golden<F> {
+    let light = golden_light(values);
+    Golden::new(move |inputs: &[&[F]], outputs: &mut [Vec<F>]| {
+        let [nx, ny, nz, psi, phi_p, theta_p] = inputs[..6] else { panic!("bug: N, psi, N'") };
+        let lights = &inputs[6..];
+        let len = psi.len();
+        let (zero, one) = (F::zero(), F::one());
+        let turned: Vec<F> = phi_p.iter().zip(psi).map(|(phi, psi)| *phi + *psi).collect();
+        let [px, py, pz] = components(&turned, theta_p);
+        // Sines and cosines of the polar form of N; at a pole its azimuth is 0, and so is that of 0.
+        let mut world = [vec![zero; len], vec![zero; len], vec![zero; len]];
         for i in 0..len {
-            let along = world[0][i] * cos_phi[i] + world[1][i] * sin_phi[i];
-            seen[0][i] = along * cos_theta[i] - world[2][i] * sin_theta[i];
-            seen[1][i] = world[1][i] * cos_phi[i] - world[0][i] * sin_phi[i];
-            seen[2][i] = along * sin_theta[i] + world[2][i] * cos_theta[i];
+            let across = (nx[i] * nx[i] + ny[i] * ny[i]).sqrt();
+            let length = (across * across + nz[i] * nz[i]).sqrt();
+            let (cos_phi, sin_phi) =
+                if across > zero { (nx[i] / across, ny[i] / across) } else { (one, zero) };
+            let (cos_theta, sin_theta) =
+                if length > zero { (nz[i] / length, across / length) } else { (one, zero) };
+            let along = px[i] * cos_theta + pz[i] * sin_theta;
+            world[0][i] = along * cos_phi - py[i] * sin_phi;
+            world[1][i] = along * sin_phi + py[i] * cos_phi;
+            world[2][i] = pz[i] * cos_theta - px[i] * sin_theta;
         }
-        directions.push(seen);
-    }
-    golden_light(values, &dots, outputs); // the dot products land where directions follow
-    let first = outputs.len() - 3 * directions.len();
-    for (column, axis) in outputs[first..].iter_mut().zip(directions.into_iter().flatten()) {
-        *column = axis;
-    }
+        let mut dots = Vec::new();
+        let mut directions = vec![world.clone()];
+        for pair in lights.chunks(2) {
+            let a = components(pair[0], pair[1]);
+            dots.push(golden_dot([&a[0], &a[1], &a[2]], [&world[0], &world[1], &world[2]]));
+            let (mut sin_phi, mut cos_phi) = (vec![zero; len], vec![zero; len]);
+            let (mut sin_theta, mut cos_theta) = (vec![zero; len], vec![zero; len]);
+            F::sin_cos_turns(pair[0], &mut sin_phi, &mut cos_phi);
+            F::sin_cos_turns(pair[1], &mut sin_theta, &mut cos_theta);
+            let mut seen = world.clone();
+            for i in 0..len {
+                let along = world[0][i] * cos_phi[i] + world[1][i] * sin_phi[i];
+                seen[0][i] = along * cos_theta[i] - world[2][i] * sin_theta[i];
+                seen[1][i] = world[1][i] * cos_phi[i] - world[0][i] * sin_phi[i];
+                seen[2][i] = along * sin_theta[i] + world[2][i] * cos_theta[i];
+            }
+            directions.push(seen);
+        }
+        light(&dots, outputs); // the dot products land where directions follow
+        let first = outputs.len() - 3 * directions.len();
+        for (column, axis) in outputs[first..].iter_mut().zip(directions.into_iter().flatten()) {
+            *column = axis;
+        }
+    })
 }

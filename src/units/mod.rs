@@ -28,45 +28,76 @@ pub mod tangent;
 mod vertex;
 
 pub use crate::design::{
-    Bound, BoundFn, Bounds, Design, Draw, Golden, Group, HardCase, Kind, PIPELINE, Param,
-    Reflection, Role, Sampler, Scale, Shading, Shape, Uniform, Unit, Value, Values,
+    Bound, BoundFn, Bounds, Design, Draw, Golden, Group, HardCase, InputPorts, Kind, PIPELINE,
+    Param, Recipe, Reflection, Role, Sampler, Scale, Shading, Shape, Uniform, Unit, Value, Values,
 };
 pub use crate::number::function::Number;
 pub use crate::table::Tabulated;
 pub use parts::fragment;
 
 use crate::base::error::{Error, Result};
+use std::sync::{LazyLock, OnceLock};
 
-/// Every unit.
-pub static UNITS: &[&Unit] = &[
-    &rotation::ROTATION,
-    &illumination::ILLUMINATION,
-    &bump::BUMP,
-    &peercy::PEERCY,
-    &ernst::ERNST,
-    &kim::KIM,
-    &kugler::KUGLER,
-    &dot::DOT,
-    &normalise::NORMALISE,
-    &rsqrt::RSQRT,
-    &cross::CROSS,
-    &basis::BASIS,
-    &emboss::EMBOSS,
-    &sampler::SAMPLER,
-    &combine::COMBINE,
-    &tangent::TANGENT,
-];
+/// The units of this crate.
+pub static UNITS: LazyLock<Vec<Unit>> = LazyLock::new(|| {
+    vec![
+        rotation::unit(),
+        illumination::unit(),
+        bump::unit(),
+        peercy::unit(),
+        ernst::unit(),
+        kim::unit(),
+        kugler::unit(),
+        dot::unit(),
+        normalise::unit(),
+        rsqrt::unit(),
+        cross::unit(),
+        basis::unit(),
+        emboss::unit(),
+        sampler::unit(),
+        combine::unit(),
+        tangent::unit(),
+    ]
+});
+
+/// Units of other crates, which [`crate::main`] was given.
+static OTHERS: OnceLock<Vec<Unit>> = OnceLock::new();
+
+/// Every unit that commands know.
+pub fn all() -> impl Iterator<Item = &'static Unit> + Clone {
+    UNITS.iter().chain(OTHERS.get().into_iter().flatten())
+}
+
+/// The unit of this name, of those of this crate.
+pub(crate) fn built_in(name: &str) -> &'static Unit {
+    UNITS.iter().find(|unit| unit.name == name).expect("bug: a unit of this crate")
+}
+
+/// Makes units known to commands beside [`UNITS`]: once, before any is asked for.
+pub(crate) fn add(units: &[Unit]) -> Result<()> {
+    for (at, unit) in units.iter().enumerate() {
+        unit.check()?;
+        let same = |known: &Unit| known.name == unit.name;
+        let whose = match (UNITS.iter().any(same), units[..at].iter().any(same)) {
+            (true, _) => "this name is taken by a unit of fixpath",
+            (false, true) => "two units have this name",
+            (false, false) => continue,
+        };
+        let text = format!("unit `{}`: {whose}; give it another", unit.name);
+        return Err(Error::usage(text));
+    }
+    let known = || Error::usage("the units of the command line are set once".to_owned());
+    OTHERS.set(units.to_vec()).map_err(|_| known())
+}
 
 impl Unit {
-    /// The unit of this name.
+    /// The unit of this name, of those that commands know.
     ///
     /// # Errors
     /// If there is none; the message names the nearest.
     pub fn find(name: &str) -> Result<&'static Self> {
-        UNITS
-            .iter()
+        all()
             .find(|unit| unit.name == name)
-            .copied()
-            .ok_or_else(|| Error::unknown_unit(name, UNITS.iter().map(|unit| unit.name)))
+            .ok_or_else(|| Error::unknown_unit(name, all().map(|unit| unit.name.as_str())))
     }
 }

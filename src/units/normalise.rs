@@ -4,50 +4,39 @@
 //! What comes of it doesn't depend on the vector's size, so positions may span a large range: the
 //! direction keeps as many bits next to a light as far away.
 
-use super::dot::{dot, draw_words, extremes, signed, vector_ports};
+use super::dot::{dot, signed, vector_ports};
 use super::parts::divide;
-use super::parts::plan::{self, rounding_ulp};
+use super::parts::plan::rounding_ulp;
 use super::rsqrt::Root;
 use crate::base::cast;
 use crate::base::error::Result;
-use crate::design::{
-    Bound, BoundFn, Bounds, Design, Group, Kind, Param, Role, Shading, Unit, Values,
-};
+use crate::design::{Bound, Bounds, Design, Golden, Param, Unit, Values};
 use crate::netlist::op::Meaning;
 use crate::netlist::{Builder, NodeId, Quantity};
 use crate::number::format::{Format, Overflow, Round};
 use crate::number::trig::Real;
-use std::sync::Arc;
 
 /// The unit.
-pub static NORMALISE: Unit = Unit {
-    name: "normalise",
-    summary: "block normalisation: three words shifted by the leading zeros of the largest",
-    source: "the light vector of seed 000 (US 6,980,218) in fixed point: a displacement doesn't depend on its length",
-    params: &[
-        Param {
-            kind: Kind::Int { min: 2, max: 32, auto: None },
-            help: "bits of the components, signed",
-            ..super::dot::V_BITS
-        },
-        Param { default: "8", ..super::dot::V_FRAC_BITS },
-        NORM_BITS,
-        plan::ROUNDING,
-    ],
-    golden_params: &["v_bits", "v_frac_bits"],
-    inputs: "v_x, v_y, v_z: the vector",
-    outputs: "x, y, z: v over the power of two that its largest component is just below (or the most negative word is); places: by how many the words were shifted up; degenerate: 1 for the zero vector, whose words and places are 0",
-    shades: Shading::None,
-    build,
-};
+#[must_use]
+pub fn unit() -> Unit {
+    Unit::new("normalise", "block normalisation: three words shifted by the leading zeros of the largest")
+        .source("the light vector of seed 000 (US 6,980,218) in fixed point: a displacement doesn't depend on its length")
+        .params([
+            Param::bits("v_bits", 2..=32).default(16).help("bits of the components, signed"),
+            super::dot::v_frac_bits().default(8),
+            norm_bits(),
+            Param::rounding("rounding"),
+        ])
+        .inputs("v_x, v_y, v_z: the vector")
+        .outputs("x, y, z: v over the power of two that its largest component is just below (or the most negative word is); places: by how many the words were shifted up; degenerate: 1 for the zero vector, whose words and places are 0")
+        .design(design)
+}
 
-pub(super) const NORM_BITS: Param = Param {
-    name: "norm_bits",
-    role: Role::Width,
-    kind: Kind::Int { min: 2, max: 24, auto: None },
-    default: "18",
-    help: "bits of block-normalised words, from -1 to 1; the largest is ½ or more in magnitude",
-};
+pub(super) fn norm_bits() -> Param {
+    Param::bits("norm_bits", 2..=24)
+        .default(18)
+        .help("bits of block-normalised words, from -1 to 1; the largest is ½ or more in magnitude")
+}
 
 /// A vector over a power of two.
 pub(super) struct Block {
@@ -153,12 +142,12 @@ pub(super) fn unit_vector(
     Ok((unit, zero))
 }
 
-fn build(values: &Values) -> Result<Design> {
+fn design(values: &Values) -> Result<Design> {
     let mut b = Builder::new("normalise");
     let format = signed(values, "v_bits", "v_frac_bits")?;
     let v = vector_ports(&mut b, "v", format, Quantity::Number);
     let Block { words, places, zero } = block(&mut b, "block", v);
-    let round: Round = values.choice("rounding").parse()?;
+    let round = values.rounding("rounding");
     let words = narrowed(&mut b, "norm", words, values.bits("norm_bits"), round);
     for (word, name) in words.into_iter().zip(["x", "y", "z"]) {
         b.output(name, word);
@@ -167,23 +156,12 @@ fn build(values: &Values) -> Result<Design> {
     let places = b.mux(zero, none, places);
     b.output("places", places);
     b.output("degenerate", zero);
-    let netlist = b.build()?;
-    let bound = |what, quantities, bound: BoundFn| Bound { what, quantities, bound };
-    Ok(Design {
-        values: values.clone(),
-        groups: Group::ports(&netlist, &["x", "y", "z", "places", "degenerate"]),
-        hard: extremes(&netlist),
-        netlist: Arc::new(netlist),
-        golden: golden::<f64>,
-        golden_f32: golden::<f32>,
-        bounds: Bounds::Stated(vec![
-            bound("component", &["x", "y", "z"], component_bound),
-            bound("count and flag", &["places", "degenerate"], |_, _| 0.0),
+    Ok(Design::new(values, b.build()?).goldens(golden::<f64>, golden::<f32>).bounds(
+        Bounds::Stated(vec![
+            Bound::new("component", ["x", "y", "z"], component_bound),
+            Bound::new("count and flag", ["places", "degenerate"], |_, _| 0.0),
         ]),
-        tabulated: Vec::new(),
-        draw: draw_words,
-        binding: None,
-    })
+    ))
 }
 
 /// One rounding; where 1 is rounded to and has no code, an ulp.
@@ -191,12 +169,11 @@ fn component_bound(values: &Values, _: &dyn Fn(&str) -> f64) -> f64 {
     rounding_ulp(values).max(1.0) * 2f64.powi(1 - cast::signed_count(values.bits("norm_bits")))
 }
 
-fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
+fn golden<F: Real>(values: &Values) -> Golden<F> {
     let two = F::one() + F::one();
     let bits = cast::signed_count(values.bits("v_bits"));
     let frac_bits = cast::signed_count(values.bits("v_frac_bits"));
-    for i in 0..inputs[0].len() {
-        let v = [inputs[0][i], inputs[1][i], inputs[2][i]];
+    Golden::each(move |v: [F; 3]| {
         let largest = v.iter().fold(F::zero(), |most, x| most.max(x.abs()));
         let zero = largest == F::zero();
         // 2^(exponent - 1) <= largest < 2^exponent
@@ -206,11 +183,8 @@ fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
         } else {
             i32::from(shift) + cast::signed_count(u64::BITS - mantissa.leading_zeros())
         };
-        for (to, x) in outputs.iter_mut().zip(v) {
-            to[i] = x / two.powi(exponent);
-        }
-        let places = bits - frac_bits - exponent;
-        outputs[3][i] = F::from(places).expect("bug: a small number");
-        outputs[4][i] = if zero { F::one() } else { F::zero() };
-    }
+        let [x, y, z] = v.map(|x| x / two.powi(exponent));
+        let places = F::from(bits - frac_bits - exponent).expect("bug: a small number");
+        [x, y, z, places, if zero { F::one() } else { F::zero() }]
+    })
 }

@@ -13,7 +13,7 @@ use crate::base::cast;
 use crate::base::error::Result;
 use crate::base::simd::{Body, vectorised};
 use crate::design::{
-    Bound, Bounds, Design, Group, HardCase, Kind, Param, Role, Sampler, Shading, Shape, Uniform,
+    Bound, Bounds, Design, Draw, Golden, Group, HardCase, InputPorts, Param, Role, Sampler, Shape,
     Unit, Value, Values,
 };
 use crate::netlist::op::Meaning;
@@ -21,64 +21,42 @@ use crate::netlist::{Builder, NodeId, Quantity};
 use crate::number::format::{Format, Overflow};
 use crate::number::function::Function;
 use crate::number::trig::{Real, acos_turns, asin_turns, atan_turns, sin_cos_turns};
+use crate::table::Scheme;
 use std::f64::consts::TAU;
-use std::sync::Arc;
 
 /// The unit.
-pub static ROTATION: Unit = Unit {
-    name: "rotation",
-    summary: "turns a direction in polar form into the frame of a surface normal",
-    source: "seed 001 (Lee et al.), section 3.1 and Fig. 7",
-    params: PARAMS,
-    golden_params: &[],
-    inputs: "phi_a, theta_a, phi_n, theta_n: angles, modulo a turn (theta past half a turn goes on over the pole)",
-    outputs: "x, y, z (output=cartesian) or phi, theta: angles (the others)",
-    shades: Shading::None,
-    build,
-};
+#[must_use]
+pub fn unit() -> Unit {
+    Unit::new("rotation", "turns a direction in polar form into the frame of a surface normal")
+        .source("seed 001 (Lee et al.), section 3.1 and Fig. 7")
+        .params([
+            Param::choice("variant", ["printed", "corrected", "exact"]).role(Role::Variant).default("exact").help("the seed letter for letter, the seed with its identities mended, or the exact rotation"),
+            Param::choice("output", ["auto", "cartesian", "polar-cordic", "polar-table"]).help("form of the result; auto is cartesian for exact, and the seed's own polar form for the others"),
+            plan::angle_bits(),
+            plan::table_addr_bits(),
+            Param::scheme("scheme"),
+            plan::quarter_wave(),
+            plan::frac_bits(),
+            Param::bits("int_bits", 0..=1).default(1).help("integer bits of the components; 1 gives 1.0 a code, 0 saves a bit and 1.0 overflows"),
+            plan::guard_bits(),
+            Param::rounding("rounding"),
+            plan::overflow(),
+            plan::sincos_addr_bits(),
+            plan::asin_addr_bits(),
+            plan::recip_addr_bits(),
+            plan::atan_addr_bits(),
+            plan::prop_addr_bits(),
+            plan::recip_int_bits(),
+            plan::atan_int_bits(),
+            plan::quadrants(),
+            plan::cordic_iterations(),
+        ])
+        .inputs("phi_a, theta_a, phi_n, theta_n: angles, modulo a turn (theta past half a turn goes on over the pole)")
+        .outputs("x, y, z (output=cartesian) or phi, theta: angles (the others)")
+        .design(design)
+}
 
-static PARAMS: &[Param] = &[
-    Param {
-        name: "variant",
-        role: Role::Variant,
-        kind: Kind::Choice(&["printed", "corrected", "exact"]),
-        default: "exact",
-        help: "the seed letter for letter, the seed with its identities mended, or the exact rotation",
-    },
-    Param {
-        name: "output",
-        role: Role::Switch,
-        kind: Kind::Choice(&["auto", "cartesian", "polar-cordic", "polar-table"]),
-        default: "auto",
-        help: "form of the result; auto is cartesian for exact, and the seed's own polar form for the others",
-    },
-    plan::ANGLE_BITS,
-    plan::TABLE_ADDR_BITS,
-    plan::SCHEME,
-    plan::QUARTER_WAVE,
-    plan::FRAC_BITS,
-    Param {
-        name: "int_bits",
-        role: Role::Width,
-        kind: Kind::Int { min: 0, max: 1, auto: None },
-        default: "1",
-        help: "integer bits of the components; 1 gives 1.0 a code, 0 saves a bit and 1.0 overflows",
-    },
-    plan::GUARD_BITS,
-    plan::ROUNDING,
-    plan::OVERFLOW,
-    plan::SINCOS_ADDR_BITS,
-    plan::ASIN_ADDR_BITS,
-    plan::RECIP_ADDR_BITS,
-    plan::ATAN_ADDR_BITS,
-    plan::PROP_ADDR_BITS,
-    plan::RECIP_INT_BITS,
-    plan::ATAN_INT_BITS,
-    plan::QUADRANTS,
-    plan::CORDIC_ITERATIONS,
-];
-
-fn build(values: &Values) -> Result<Design> {
+fn design(values: &Values) -> Result<Design> {
     let variant = values.choice("variant");
     let output = match (variant, values.choice("output")) {
         ("exact", "auto") => "cartesian",
@@ -90,12 +68,12 @@ fn build(values: &Values) -> Result<Design> {
             );
         }
     };
-    let mut plan = Plan::new(values)?;
+    let mut plan = Plan::new(values);
     let mut b = Builder::new("rotation");
     let turn = Format::turns(plan.angle_bits)?;
     let inputs =
         ["phi_a", "theta_a", "phi_n", "theta_n"].map(|name| b.input(name, turn, Quantity::Turns));
-    let overflow: Overflow = values.choice("overflow").parse()?;
+    let overflow = values.overflow("overflow");
     let form = match output {
         "cartesian" => {
             let format = number(values.bits("int_bits"), plan.frac_bits)?;
@@ -114,38 +92,25 @@ fn build(values: &Values) -> Result<Design> {
         values.bits("int_bits") == 0 && matches!(overflow, Overflow::Wrap | Overflow::Error);
     let bounds = match (variant, output) {
         ("exact", "cartesian") if wraps => {
-            Bounds::Unstated("with int_bits=0 and without saturation, components near 1 wrap to -1")
+            Bounds::unstated("with int_bits=0 and without saturation, components near 1 wrap to -1")
         }
-        ("exact", "cartesian") => Bounds::Stated(vec![Bound {
-            what: "component",
-            quantities: &["x", "y", "z"],
-            bound: component_bound,
-        }]),
-        ("exact", _) => Bounds::Stated(vec![Bound {
-            what: "angle",
-            quantities: &["angle"],
-            bound: angle_bound,
-        }]),
-        _ => Bounds::Unstated(
+        ("exact", "cartesian") => {
+            Bounds::Stated(vec![Bound::new("component", ["x", "y", "z"], component_bound)])
+        }
+        ("exact", _) => Bounds::Stated(vec![Bound::new("angle", ["angle"], angle_bound)]),
+        _ => Bounds::unstated(
             "asin, 1/sin and 1/cos have infinite slopes, which no word length bounds; each table's own error is stated",
         ),
     };
-    Ok(Design {
-        hard: hard_cases(values),
-        values: values.clone(),
-        groups: vec![Group {
-            name: "",
-            shape: if output == "cartesian" { Shape::Cartesian } else { Shape::Polar },
-            nodes: netlist.outputs().iter().map(|output| output.node).collect(),
-        }],
-        netlist: Arc::new(netlist),
-        golden: golden::<f64>,
-        golden_f32: golden::<f32>,
-        bounds,
-        tabulated,
-        draw,
-        binding: None,
-    })
+    let shape = if output == "cartesian" { Shape::Cartesian } else { Shape::Polar };
+    let words = netlist.outputs().iter().map(|output| output.node).collect();
+    Ok(Design::new(values, netlist)
+        .groups(vec![Group::new("", shape, words)])
+        .goldens(golden::<f64>, golden::<f32>)
+        .draw(draw)
+        .hard(hard_cases(values))
+        .bounds(bounds)
+        .tabulated(tabulated))
 }
 
 /// Form of a rotated direction.
@@ -326,10 +291,10 @@ fn atan_int_bits(values: &Values) -> u32 {
     let count = |bits: i64| u32::try_from(bits).expect("bug: counts of bits are small");
     let own = values.int("atan_addr_bits");
     let addr_bits = own.map_or_else(|| values.bits("table_addr_bits"), count);
-    let balanced = match values.choice("scheme") {
-        "linear" => 2 * addr_bits / 3,
-        "bipartite" => addr_bits / 2,
-        _ => (addr_bits - 1) / 2,
+    let balanced = match values.scheme("scheme") {
+        Scheme::Linear => 2 * addr_bits / 3,
+        Scheme::Bipartite => addr_bits / 2,
+        Scheme::Direct => (addr_bits - 1) / 2,
     };
     values.int("atan_int_bits").map_or(balanced.max(1), count)
 }
@@ -488,7 +453,7 @@ fn angle_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
 
 /// True unless the components have no integer bit; only the rotation unit alone lets one choose.
 fn has_int_bit(values: &Values) -> bool {
-    values.iter().all(|(name, value)| name != "int_bits" || value != Value::Int(0))
+    !values.has("int_bits") || *values.get("int_bits") != Value::Int(0)
 }
 
 /// Angle between vectors in rad of variant `exact` in a polar form: the components' error, then
@@ -549,50 +514,48 @@ pub(super) fn converted_bound(
 /// The golden model: the rotation in plain floating point, angles in turns.
 ///
 /// Written from the mathematics; knows no netlist. Exact up to float rounding, singular nowhere.
-fn golden<F: Real>(_: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
+fn golden<F: Real>(_: &Values) -> Golden<F> {
     const BLOCK: usize = 256;
-    let [phi_a, theta_a, phi_n, theta_n] = inputs else { panic!("bug: four inputs") };
-    let [xs, ys, zs] = outputs else { panic!("bug: three outputs") };
-    let zero = [F::default(); BLOCK];
-    let (mut delta, mut sin_delta, mut cos_delta) = (zero, zero, zero);
-    let (mut sin_a, mut cos_a, mut sin_n, mut cos_n) = (zero, zero, zero, zero);
-    for start in (0..phi_a.len()).step_by(BLOCK) {
-        let len = BLOCK.min(phi_a.len() - start);
-        let block = start..start + len;
-        for (delta, (a, n)) in
-            delta.iter_mut().zip(phi_a[block.clone()].iter().zip(&phi_n[block.clone()]))
-        {
-            *delta = *a - *n;
+    Golden::new(|inputs: &[&[F]], outputs: &mut [Vec<F>]| {
+        let [phi_a, theta_a, phi_n, theta_n] = inputs else { panic!("bug: four inputs") };
+        let [xs, ys, zs] = outputs else { panic!("bug: three outputs") };
+        let zero = [F::default(); BLOCK];
+        let (mut delta, mut sin_delta, mut cos_delta) = (zero, zero, zero);
+        let (mut sin_a, mut cos_a, mut sin_n, mut cos_n) = (zero, zero, zero, zero);
+        for start in (0..phi_a.len()).step_by(BLOCK) {
+            let len = BLOCK.min(phi_a.len() - start);
+            let block = start..start + len;
+            for (delta, (a, n)) in
+                delta.iter_mut().zip(phi_a[block.clone()].iter().zip(&phi_n[block.clone()]))
+            {
+                *delta = *a - *n;
+            }
+            F::sin_cos_turns(&delta[..len], &mut sin_delta[..len], &mut cos_delta[..len]);
+            F::sin_cos_turns(&theta_a[block.clone()], &mut sin_a[..len], &mut cos_a[..len]);
+            F::sin_cos_turns(&theta_n[block], &mut sin_n[..len], &mut cos_n[..len]);
+            for i in 0..len {
+                let (x, y, z) = (sin_a[i] * cos_delta[i], sin_a[i] * sin_delta[i], cos_a[i]);
+                xs[start + i] = x * cos_n[i] - z * sin_n[i];
+                ys[start + i] = y;
+                zs[start + i] = x * sin_n[i] + z * cos_n[i];
+            }
         }
-        F::sin_cos_turns(&delta[..len], &mut sin_delta[..len], &mut cos_delta[..len]);
-        F::sin_cos_turns(&theta_a[block.clone()], &mut sin_a[..len], &mut cos_a[..len]);
-        F::sin_cos_turns(&theta_n[block], &mut sin_n[..len], &mut cos_n[..len]);
-        for i in 0..len {
-            let (x, y, z) = (sin_a[i] * cos_delta[i], sin_a[i] * sin_delta[i], cos_a[i]);
-            xs[start + i] = x * cos_n[i] - z * sin_n[i];
-            ys[start + i] = y;
-            zs[start + i] = x * sin_n[i] + z * cos_n[i];
-        }
-    }
+    })
 }
 
 /// Directions A and N uniform on the sphere; on the lit side, A is mirrored where N·A < 0.
-fn draw(
-    _: &Design,
-    sampler: Sampler,
-    uniform: &mut Uniform,
-    columns: &mut [Vec<f64>],
-    count: usize,
-) {
-    for column in columns.iter_mut() {
-        column.resize(count, 0.0);
-    }
-    for i in 0..count {
+fn draw(_: &Values, _: &InputPorts<'_>) -> Draw {
+    Draw::new(|sampler, uniform, columns, count| {
         for column in columns.iter_mut() {
-            column[i] = uniform.draw();
+            column.resize(count, 0.0);
         }
-    }
-    vectorised(Directions { columns, lit: sampler == Sampler::Lit });
+        for i in 0..count {
+            for column in columns.iter_mut() {
+                column[i] = uniform.draw();
+            }
+        }
+        vectorised(Directions { columns, lit: sampler == Sampler::Lit });
+    })
 }
 
 /// From numbers in 0 to 1 to the azimuths and polar angles of directions.
@@ -625,9 +588,9 @@ fn hard_cases(values: &Values) -> Vec<HardCase> {
     let turn = 1i64 << bits;
     let (half, quarter, eighth) = (turn / 2, turn / 4, turn / 8);
     let word = |w: i64| w.rem_euclid(turn);
-    let cases = |name, words: Vec<[i64; 4]>| HardCase {
-        name,
-        words: words.into_iter().map(|case| case.map(word).to_vec()).collect(),
+    let cases = |name, words: Vec<[i64; 4]>| {
+        let words = words.into_iter().map(|case| case.map(word).to_vec());
+        HardCase::new(name, words.collect())
     };
     let near = |centre: i64| [centre - 1, centre, centre + 1];
     let azimuths = [0, 1, eighth, quarter, half - 1, half, half + quarter, turn - 1];

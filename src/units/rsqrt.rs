@@ -1,12 +1,11 @@
 //! The reciprocal square root as a unit, and the one that units of vectors share.
 
-use super::parts::plan::{self, rounding_ulp};
+use super::parts::plan::rounding_ulp;
 use super::parts::root::{self, newton_error, reciprocal_root};
 use crate::base::cast;
 use crate::base::error::Result;
 use crate::design::{
-    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Role, Scale, Shading, Shape,
-    Unit, Values,
+    Bound, Bounds, Design, Golden, Group, HardCase, Param, Role, Scale, Shape, Unit, Values,
 };
 use crate::netlist::{Builder, NodeId, Quantity};
 use crate::number::format::{Format, Overflow, Round};
@@ -14,70 +13,50 @@ use crate::number::function::Function;
 use crate::number::trig::Real;
 use crate::table::Scheme;
 use crate::table::Tabulated;
-use std::sync::Arc;
 
 /// The unit.
-pub static RSQRT: Unit = Unit {
-    name: "rsqrt",
-    summary: "1/sqrt(a) by a table, a table with interpolation, or a table and a Newton step",
-    source: "the inverse square root unit of seed 000 (US 6,980,218, FIG. 8)",
-    params: &[
-        Param {
-            name: "input_bits",
-            role: Role::Width,
-            kind: Kind::Int { min: 2, max: 32, auto: None },
-            default: "20",
-            help: "bits of a, unsigned",
-        },
-        Param {
-            name: "input_frac_bits",
-            role: Role::Width,
-            kind: Kind::Int { min: 0, max: 32, auto: None },
-            default: "18",
-            help: "fraction bits of a",
-        },
-        Param {
-            name: "root_int_bits",
-            role: Role::Width,
-            kind: Kind::Int { min: 1, max: 17, auto: None },
-            default: "9",
-            help: "the result saturates at 2^root_int_bits, and so does the golden",
-        },
-        ROOT_SCHEME,
-        ROOT_ADDR_BITS,
-        ROOT_FRAC_BITS,
-        plan::ROUNDING,
-    ],
-    golden_params: &["input_bits", "input_frac_bits", "root_int_bits", "root_frac_bits"],
-    inputs: "a: a number from 0",
-    outputs: "r: 1/sqrt(a), or 0 for 0; degenerate: 1 for 0",
-    shades: Shading::None,
-    build,
-};
+#[must_use]
+pub fn unit() -> Unit {
+    Unit::new(
+        "rsqrt",
+        "1/sqrt(a) by a table, a table with interpolation, or a table and a Newton step",
+    )
+    .source("the inverse square root unit of seed 000 (US 6,980,218, FIG. 8)")
+    .params([
+        Param::bits("input_bits", 2..=32).default(20).help("bits of a, unsigned"),
+        Param::bits("input_frac_bits", 0..=32).default(18).help("fraction bits of a"),
+        Param::bits("root_int_bits", 1..=17)
+            .default(9)
+            .help("the result saturates at 2^root_int_bits, and so does the golden"),
+        root_scheme(),
+        root_addr_bits(),
+        root_frac_bits(),
+        Param::rounding("rounding"),
+    ])
+    .inputs("a: a number from 0")
+    .outputs("r: 1/sqrt(a), or 0 for 0; degenerate: 1 for 0")
+    .design(design)
+}
 
-pub(super) const ROOT_SCHEME: Param = Param {
-    name: "root_scheme",
-    role: Role::Scheme,
-    kind: Kind::Choice(&["linear", "direct", "newton"]),
-    default: "linear",
-    help: "reciprocal root: table with interpolation, table alone, or table and a Newton step",
-};
+pub(super) fn root_scheme() -> Param {
+    Param::choice("root_scheme", [Scheme::Linear.name(), Scheme::Direct.name(), NEWTON])
+        .role(Role::Scheme)
+        .help("reciprocal root: table with interpolation, table alone, or table and a Newton step")
+}
 
-pub(super) const ROOT_ADDR_BITS: Param = Param {
-    name: "root_addr_bits",
-    role: Role::TableSize,
-    kind: Kind::Int { min: 2, max: 16, auto: None },
-    default: "9",
-    help: "address bits of its table",
-};
+/// Table and a Newton step.
+const NEWTON: &str = "newton";
 
-pub(super) const ROOT_FRAC_BITS: Param = Param {
-    name: "root_frac_bits",
-    role: Role::Width,
-    kind: Kind::Int { min: 2, max: 22, auto: None },
-    default: "18",
-    help: "fraction bits of the reciprocal root",
-};
+pub(super) fn root_addr_bits() -> Param {
+    Param::bits("root_addr_bits", 2..=16)
+        .role(Role::TableSize)
+        .default(9)
+        .help("address bits of its table")
+}
+
+pub(super) fn root_frac_bits() -> Param {
+    Param::bits("root_frac_bits", 2..=22).default(18).help("fraction bits of the reciprocal root")
+}
 
 /// Guard bits of a Newton step, and of the operand's mantissa.
 const GUARD_BITS: u32 = 2;
@@ -93,14 +72,13 @@ pub(super) struct Root<'a> {
 }
 
 impl<'a> Root<'a> {
-    pub(super) fn new(values: &'a Values) -> Result<Self> {
-        let has_words = values.iter().any(|(name, _)| name == "norm_bits");
-        Ok(Self {
+    pub(super) fn new(values: &'a Values) -> Self {
+        Self {
             values,
-            round: values.choice("rounding").parse()?,
-            norm_bits: if has_words { values.bits("norm_bits") } else { 0 },
+            round: values.rounding("rounding"),
+            norm_bits: if values.has("norm_bits") { values.bits("norm_bits") } else { 0 },
             tabulated: Vec::new(),
-        })
+        }
     }
 
     /// 1/sqrt of an unsigned word, below 2^int_bits; more saturates, 1/sqrt(0) among it.
@@ -115,15 +93,15 @@ impl<'a> Root<'a> {
         let output = Format::unsigned(int_bits + frac_bits, cast::signed_count(frac_bits))?;
         let scheme = self.values.choice("root_scheme");
         let addr_bits = self.values.bits("root_addr_bits");
-        let newton = (scheme == "newton").then_some(frac_bits + GUARD_BITS);
+        let newton = (scheme == NEWTON).then_some(frac_bits + GUARD_BITS);
         // A Newton step doubles the good bits: no more of them in the table than that.
         let most = frac_bits + GUARD_BITS;
         let table_bits = if newton.is_some() { most.min(addr_bits + 3) } else { most };
         let kept_bits = kept_bits(self.values);
         let tabulated = Tabulated {
-            name: "recip_root",
+            name: "recip_root".to_owned(),
             functions: vec![Function::RecipSqrt],
-            scheme: if scheme == "linear" { Scheme::Linear } else { Scheme::Direct },
+            scheme: if scheme == Scheme::Linear.name() { Scheme::Linear } else { Scheme::Direct },
             addr_bits,
             quarter_wave: false,
             origin: 0.25,
@@ -165,7 +143,7 @@ fn kept_bits(values: &Values) -> u32 {
 pub(super) fn root_error(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
     let dropped = 4.0 * 2f64.powi(-cast::signed_count(kept_bits(values)));
     let table = match values.choice("root_scheme") {
-        "newton" => {
+        NEWTON => {
             let frac_bits = values.bits("root_frac_bits") + GUARD_BITS;
             newton_error(worst("recip_root"), frac_bits, rounding_ulp(values))
         }
@@ -184,12 +162,12 @@ pub(super) fn length_error(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 
         + 3f64.sqrt() * ulp("root_frac_bits")
 }
 
-fn build(values: &Values) -> Result<Design> {
+fn design(values: &Values) -> Result<Design> {
     let mut b = Builder::new("rsqrt");
     let frac_bits = cast::signed_count(values.bits("input_frac_bits"));
     let a = Format::unsigned(values.bits("input_bits"), frac_bits)?;
     let a = b.input("a", a, Quantity::Number);
-    let mut root = Root::new(values)?;
+    let mut root = Root::new(values);
     let r = root.emit(&mut b, "reciprocal_root", a, values.bits("root_int_bits"))?;
     let zero = b.constant(0, Format::FLAG);
     let degenerate = b.equal(a, zero);
@@ -198,32 +176,27 @@ fn build(values: &Values) -> Result<Design> {
     b.output("degenerate", degenerate);
     let tabulated = root.tabulated;
     let netlist = b.build()?;
-    let mut groups = Group::ports(&netlist, &["r", "degenerate"]);
-    groups[0].shape = Shape::Scaled { scales: SCALES, texels: None };
-    let bound = |what, quantities, bound: BoundFn| Bound { what, quantities, bound };
-    Ok(Design {
-        values: values.clone(),
-        groups,
-        hard: hard_cases(netlist.node(netlist.inputs()[0]).format),
-        netlist: Arc::new(netlist),
-        golden: golden::<f64>,
-        golden_f32: golden::<f32>,
-        bounds: Bounds::Stated(vec![
-            bound("relative", &["r_relative"], |v, w| root_error(v, w) + last(v) / least(v)),
-            bound("scaled", &["r_scaled"], |v, w| root_error(v, w) + last(v)),
-            bound("absolute", &["r"], |v, w| root_error(v, w) * largest(v) + last(v)),
-            bound("flag", &["degenerate"], |_, _| 0.0),
-        ]),
-        tabulated,
-        draw: super::dot::draw_words,
-        binding: None,
-    })
+    let mut groups = Group::ports(&netlist, ["r", "degenerate"])?;
+    groups[0].shape = Shape::Scaled {
+        scales: vec![
+            Scale::new("relative", "the result"),
+            Scale::new("scaled", "the result, or 1 where it is less"),
+        ],
+        texels: None,
+    };
+    let hard = hard_cases(netlist.node(netlist.inputs()[0]).format);
+    Ok(Design::new(values, netlist)
+        .groups(groups)
+        .goldens(golden::<f64>, golden::<f32>)
+        .hard(hard)
+        .bounds(Bounds::Stated(vec![
+            Bound::new("relative", ["r_relative"], |v, w| root_error(v, w) + last(v) / least(v)),
+            Bound::new("scaled", ["r_scaled"], |v, w| root_error(v, w) + last(v)),
+            Bound::new("absolute", ["r"], |v, w| root_error(v, w) * largest(v) + last(v)),
+            Bound::new("flag", ["degenerate"], |_, _| 0.0),
+        ]))
+        .tabulated(tabulated))
 }
-
-const SCALES: &[Scale] = &[
-    Scale { name: "relative", what: "the result" },
-    Scale { name: "scaled", what: "the result, or 1 where it is less" },
-];
 
 /// The last rounding.
 fn last(values: &Values) -> f64 {
@@ -244,19 +217,16 @@ fn least(values: &Values) -> f64 {
 }
 
 /// The golden and its scales. The error of a result of 0 is 0 over anything.
-fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
+fn golden<F: Real>(values: &Values) -> Golden<F> {
     let two = F::one() + F::one();
     let int_bits = cast::signed_count(values.bits("root_int_bits"));
     let frac_bits = cast::signed_count(values.bits("root_frac_bits"));
     let most = two.powi(int_bits) - two.powi(-frac_bits);
-    for (i, a) in inputs[0].iter().enumerate() {
-        let zero = *a == F::zero();
+    Golden::each(move |[a]: [F; 1]| {
+        let zero = a == F::zero();
         let r = if zero { F::zero() } else { (F::one() / a.sqrt()).min(most) };
-        outputs[0][i] = r;
-        outputs[1][i] = if zero { F::one() } else { F::zero() };
-        outputs[2][i] = r;
-        outputs[3][i] = r.max(F::one());
-    }
+        [r, if zero { F::one() } else { F::zero() }, r, r.max(F::one())]
+    })
 }
 
 fn hard_cases(format: Format) -> Vec<HardCase> {
@@ -265,11 +235,8 @@ fn hard_cases(format: Format) -> Vec<HardCase> {
     };
     let powers = (0..format.bits()).flat_map(|k| [(1 << k) - 1, 1i64 << k, (1 << k) + 1]);
     vec![
-        HardCase { name: "zero", words: rows(vec![0]) },
-        HardCase { name: "powers of two, and one beside", words: rows(powers.collect()) },
-        HardCase {
-            name: "the largest words",
-            words: rows(vec![format.max_raw() - 1, format.max_raw()]),
-        },
+        HardCase::new("zero", rows(vec![0])),
+        HardCase::new("powers of two, and one beside", rows(powers.collect())),
+        HardCase::new("the largest words", rows(vec![format.max_raw() - 1, format.max_raw()])),
     ]
 }

@@ -14,93 +14,44 @@
 use crate::base::cast;
 use crate::base::error::Result;
 use crate::design::{
-    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Role, Sampler, Shading, Uniform,
-    Unit, Values,
+    Bound, Bounds, Design, Draw, Golden, HardCase, InputPorts, Param, Role, Unit, Values,
 };
 use crate::netlist::op::Meaning;
 use crate::netlist::{Builder, NodeId, Quantity};
 use crate::number::format::{Format, Overflow, Round};
 use crate::number::trig::Real;
-use std::sync::Arc;
 
 /// The unit.
-pub static SAMPLER: Unit = Unit {
-    name: "sampler",
-    summary: "texels and fractions of texture coordinates, nearest or bilinear, wrapped or clamped",
-    source: "seed 000 (US 6,980,218), texture look-ups of the emboss; texel centres as in OpenGL",
-    params: PARAMS,
-    golden_params: &["filter", "address_s", "address_t", "int_bits", "log2_width", "log2_height"],
-    inputs: "s, t: texture coordinates, 0 to 1 over the map",
-    outputs: "i, j: column and row (nearest); or i0, i1, a and j0, j1, b: columns and rows around, and how far the sample is from the first to the second, 0 to 1 (bilinear)",
-    shades: Shading::None,
-    build,
-};
+#[must_use]
+pub fn unit() -> Unit {
+    Unit::new("sampler", "texels and fractions of texture coordinates, nearest or bilinear, wrapped or clamped")
+        .source("seed 000 (US 6,980,218), texture look-ups of the emboss; texel centres as in OpenGL")
+        .params([
+            filter(),
+            Param::choice("address_s", ["wrap", "clamp"]).help("beyond the map along s: it repeats, or its border goes on"),
+            Param::choice("address_t", ["wrap", "clamp"]).help("beyond the map along t, likewise"),
+            Param::bits("int_bits", 0..=16).default(4).help("integer bits of the coordinates, beside the sign"),
+            Param::bits("frac_bits", 1..=30).default(20).help("fraction bits of the coordinates"),
+            Param::int("log2_width", 1..=13).role(Role::MapSize).default(9).help("the map has 2^log2_width columns"),
+            Param::int("log2_height", 1..=13).role(Role::MapSize).default(9).help("the map has 2^log2_height rows"),
+            fraction_bits(),
+        ])
+        .inputs("s, t: texture coordinates, 0 to 1 over the map")
+        .outputs("i, j: column and row (nearest); or i0, i1, a and j0, j1, b: columns and rows around, and how far the sample is from the first to the second, 0 to 1 (bilinear)")
+        .design(design)
+}
 
-pub(super) const FILTER: Param = Param {
-    name: "filter",
-    role: Role::Switch,
-    kind: Kind::Choice(&["nearest", "bilinear"]),
-    default: "bilinear",
-    help: "one texel of each sample, or four and their weights",
-};
+pub(super) fn filter() -> Param {
+    Param::choice("filter", ["nearest", "bilinear"])
+        .default("bilinear")
+        .help("one texel of each sample, or four and their weights")
+}
 
-pub(super) const FRACTION_BITS: Param = Param {
-    name: "fraction_bits",
-    role: Role::Width,
-    kind: Kind::Int { min: 1, max: 16, auto: None },
-    default: "8",
-    help: "bits of the fractions between texels (bilinear)",
-};
-
-const ADDRESS: Kind = Kind::Choice(&["wrap", "clamp"]);
-const LOG2_SIDE: Kind = Kind::Int { min: 1, max: 13, auto: None };
-
-static PARAMS: &[Param] = &[
-    FILTER,
-    Param {
-        name: "address_s",
-        role: Role::Switch,
-        kind: ADDRESS,
-        default: "wrap",
-        help: "beyond the map along s: it repeats, or its border goes on",
-    },
-    Param {
-        name: "address_t",
-        role: Role::Switch,
-        kind: ADDRESS,
-        default: "wrap",
-        help: "beyond the map along t, likewise",
-    },
-    Param {
-        name: "int_bits",
-        role: Role::Width,
-        kind: Kind::Int { min: 0, max: 16, auto: None },
-        default: "4",
-        help: "integer bits of the coordinates, beside the sign",
-    },
-    Param {
-        name: "frac_bits",
-        role: Role::Width,
-        kind: Kind::Int { min: 1, max: 30, auto: None },
-        default: "20",
-        help: "fraction bits of the coordinates",
-    },
-    Param {
-        name: "log2_width",
-        role: Role::MapSize,
-        kind: LOG2_SIDE,
-        default: "9",
-        help: "the map has 2^log2_width columns",
-    },
-    Param {
-        name: "log2_height",
-        role: Role::MapSize,
-        kind: LOG2_SIDE,
-        default: "9",
-        help: "the map has 2^log2_height rows",
-    },
-    FRACTION_BITS,
-];
+pub(super) fn fraction_bits() -> Param {
+    Param::bits("fraction_bits", 1..=16)
+        .default(8)
+        .help("bits of the fractions between texels (bilinear)")
+}
 
 /// Coordinate, parameters of its axis, and names of the position and of what comes out.
 const AXES: [(&str, &str, &str, &str, [&str; 4]); 2] = [
@@ -108,7 +59,7 @@ const AXES: [(&str, &str, &str, &str, [&str; 4]); 2] = [
     ("t", "address_t", "log2_height", "v", ["j", "j0", "j1", "b"]),
 ];
 
-fn build(values: &Values) -> Result<Design> {
+fn design(values: &Values) -> Result<Design> {
     let bilinear = values.choice("filter") == "bilinear";
     let fraction_bits = values.bits("fraction_bits");
     let frac_bits = values.bits("frac_bits");
@@ -162,29 +113,19 @@ fn build(values: &Values) -> Result<Design> {
         b.name(*node, name);
         b.output(name, *node);
     }
-    let names: Vec<&'static str> = outputs.iter().map(|(name, _)| *name).collect();
-    let netlist = b.build()?;
-    let bound = |what, quantities, bound: BoundFn| Bound { what, quantities, bound };
     let bounds = if bilinear {
         vec![
-            bound("texel", &["i0", "i1", "j0", "j1"], |_, _| 0.0),
-            bound("fraction", &["a", "b"], fraction_bound),
+            Bound::new("texel", ["i0", "i1", "j0", "j1"], |_, _| 0.0),
+            Bound::new("fraction", ["a", "b"], fraction_bound),
         ]
     } else {
-        vec![bound("texel", &["i", "j"], |_, _| 0.0)]
+        vec![Bound::new("texel", ["i", "j"], |_, _| 0.0)]
     };
-    Ok(Design {
-        hard: hard_cases(values, coordinate),
-        values: values.clone(),
-        groups: Group::ports(&netlist, &names),
-        netlist: Arc::new(netlist),
-        golden: golden::<f64>,
-        golden_f32: golden::<f32>,
-        bounds: Bounds::Stated(bounds),
-        tabulated: Vec::new(),
-        draw,
-        binding: None,
-    })
+    Ok(Design::new(values, b.build()?)
+        .goldens(golden::<f64>, golden::<f32>)
+        .draw(draw)
+        .hard(hard_cases(values, coordinate))
+        .bounds(Bounds::Stated(bounds)))
 }
 
 /// A word kept within 0 to `last`, by a comparator and two multiplexers.
@@ -208,45 +149,49 @@ fn fraction_bound(values: &Values, _: &dyn Fn(&str) -> f64) -> f64 {
 }
 
 /// The golden model: floors and remainders of the exact position.
-fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
+fn golden<F: Real>(values: &Values) -> Golden<F> {
     let bilinear = values.choice("filter") == "bilinear";
-    let per_axis = outputs.len() / 2;
-    for ((coordinates, columns), (_, address, log2, ..)) in
-        inputs.iter().zip(outputs.chunks_mut(per_axis)).zip(AXES)
-    {
+    let axes = AXES.map(|(_, address, log2, ..)| {
         let side = F::from(1u32 << values.bits(log2)).expect("bug: floats hold it");
-        let texel = |index: F| match values.choice(address) {
-            "clamp" => index.max(F::zero()).min(side - F::one()),
-            _ => index - side * (index / side).floor(),
-        };
-        for (i, s) in coordinates.iter().enumerate() {
-            if !bilinear {
-                columns[0][i] = texel((*s * side).floor());
-                continue;
+        (values.choice(address) == "clamp", side)
+    });
+    Golden::new(move |inputs: &[&[F]], outputs: &mut [Vec<F>]| {
+        let per_axis = outputs.len() / 2;
+        for ((coordinates, columns), (clamp, side)) in
+            inputs.iter().zip(outputs.chunks_mut(per_axis)).zip(axes)
+        {
+            let texel = |index: F| {
+                if clamp {
+                    index.max(F::zero()).min(side - F::one())
+                } else {
+                    index - side * (index / side).floor()
+                }
+            };
+            for (i, s) in coordinates.iter().enumerate() {
+                if !bilinear {
+                    columns[0][i] = texel((*s * side).floor());
+                    continue;
+                }
+                let position = *s * side - F::from(0.5).expect("bug: floats hold it");
+                columns[0][i] = texel(position.floor());
+                columns[1][i] = texel(position.floor() + F::one());
+                columns[2][i] = position - position.floor();
             }
-            let position = *s * side - F::from(0.5).expect("bug: floats hold it");
-            columns[0][i] = texel(position.floor());
-            columns[1][i] = texel(position.floor() + F::one());
-            columns[2][i] = position - position.floor();
         }
-    }
+    })
 }
 
 /// Coordinates uniform over their range.
-fn draw(
-    design: &Design,
-    _: Sampler,
-    uniform: &mut Uniform,
-    columns: &mut [Vec<f64>],
-    count: usize,
-) {
-    let reach = 2f64.powi(cast::signed_count(design.values.bits("int_bits")));
-    columns.iter_mut().for_each(Vec::clear);
-    for _ in 0..count {
-        for column in &mut *columns {
-            column.push(reach * (2.0 * uniform.draw() - 1.0));
+fn draw(values: &Values, _: &InputPorts<'_>) -> Draw {
+    let reach = 2f64.powi(cast::signed_count(values.bits("int_bits")));
+    Draw::new(move |_, uniform, columns, count| {
+        columns.iter_mut().for_each(Vec::clear);
+        for _ in 0..count {
+            for column in &mut *columns {
+                column.push(reach * (2.0 * uniform.draw() - 1.0));
+            }
         }
-    }
+    })
 }
 
 /// The named hard cases.
@@ -255,13 +200,10 @@ fn hard_cases(values: &Values, coordinate: Format) -> Vec<HardCase> {
     let one = 1i64 << values.bits("frac_bits");
     let near = |word: i64| [word - 2, word - 1, word, word + 1, word + 2];
     // Words on both axes, one of them elsewhere too.
-    let cases = |name, words: Vec<i64>| HardCase {
-        name,
-        words: words
-            .into_iter()
-            .filter(|word| (min..=max).contains(word))
-            .flat_map(|word| [vec![word, word], vec![word, 0], vec![max / 3, word]])
-            .collect(),
+    let cases = |name, words: Vec<i64>| {
+        let words = words.into_iter().filter(|word| (min..=max).contains(word));
+        let both = words.flat_map(|word| [vec![word, word], vec![word, 0], vec![max / 3, word]]);
+        HardCase::new(name, both.collect())
     };
     let texels = |halves: i64| -> Vec<i64> {
         let sides = ["log2_width", "log2_height"].map(|log2| values.bits(log2));

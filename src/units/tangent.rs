@@ -48,143 +48,63 @@
 //! block-normalised from exact words and N x T is taken of the exact T.
 
 use super::basis::{
-    COMPONENT_BITS, DOT_FRAC_BITS, GUARD_BITS, component, golden_unit, longest, rounded,
+    component, component_bits, dot_frac_bits, golden_unit, guard_bits, longest, rounded,
     unit_error, vector_frac_bits, vector_rounding,
 };
 use super::cross::cross;
-use super::dot::{dot, extremes, vector_ports};
-use super::normalise::{Block, NORM_BITS, block, direction_error, narrowed, unit_vector};
-use super::parts::plan::{self, number, rounding_ulp};
-use super::rsqrt::{ROOT_ADDR_BITS, ROOT_FRAC_BITS, ROOT_SCHEME, Root, length_error};
+use super::dot::{dot, vector_ports};
+use super::normalise::{Block, block, direction_error, narrowed, norm_bits, unit_vector};
+use super::parts::plan::{number, rounding_ulp};
+use super::rsqrt::{Root, length_error, root_addr_bits, root_frac_bits, root_scheme};
 use crate::base::cast;
 use crate::base::error::Result;
 use crate::design::{
-    Bound, BoundFn, Bounds, Design, Group, HardCase, Kind, Param, Role, Sampler, Shading, Shape,
+    Bound, Bounds, Design, Draw, Golden, Group, HardCase, InputPorts, Param, Role, Sampler, Shape,
     Uniform, Unit, Values,
 };
 use crate::netlist::{Builder, Netlist, NodeId, Quantity};
 use crate::number::format::{Format, Overflow, Round, quantize};
 use crate::number::trig::{Real, sin_cos_turns};
 use glam::{DVec2, DVec3};
-use std::sync::Arc;
 
 /// The unit.
-pub static TANGENT: Unit = Unit {
-    name: "tangent",
-    summary: "tangent-space set-up of a triangle's vertex: map, view vector and lights in texture space",
-    source: "seed 004 (US 7,843,463), with its mirroring rule and facets as printed and mended",
-    params: PARAMS,
-    golden_params: &[
-        "frame",
-        "mirror",
-        "basis",
-        "lights",
-        "position_int_bits",
-        "uv_int_bits",
-        "vector_bits",
-        "vector_int_bits",
-    ],
-    inputs: "p0_x … p2_z: positions of the triangle's vertices in object space, counterclockwise as seen from outside, where N points: \
+#[must_use]
+pub fn unit() -> Unit {
+    Unit::new("tangent", "tangent-space set-up of a triangle's vertex: map, view vector and lights in texture space")
+        .source("seed 004 (US 7,843,463), with its mirroring rule and facets as printed and mended")
+        .params([
+            Param::choice("frame", ["smooth", "faceted"]).role(Role::Pipeline).help("a map per vertex with its normal, or one for the triangle with a second tangent"),
+            Param::choice("mirror", ["handed", "printed", "off"]).help("mirrored textures: B (of a facet N) turned, T turned as the seed has it, or nothing; \
+               errors are against the golden of the same rule"),
+            Param::choice("basis", ["orthonormal", "printed"]).help("T, B, N made orthonormal, or T and N x T (of a facet dP/dv) as they are; \
+               errors are against the golden of the same rule"),
+            Param::int("lights", 1..=MOST_LIGHTS.into()).role(Role::Count).help("number of lights"),
+            Param::bits("position_int_bits", 0..=MOST_INT_BITS).default(4).help("positions are from -2^position_int_bits to 2^position_int_bits"),
+            Param::bits("position_frac_bits", 0..=23).default(11).help("fraction bits of positions; with sign and whole bits 2 to 24"),
+            Param::bits("uv_int_bits", 0..=MOST_INT_BITS).default(2).help("texture coordinates are from -2^uv_int_bits to 2^uv_int_bits"),
+            Param::bits("uv_frac_bits", 0..=23).default(13).help("fraction bits of texture coordinates; with sign and whole bits 2 to 24"),
+            component_bits(),
+            guard_bits().default(2),
+            Param::bits("vector_int_bits", 0..=20).default(1).help("view vector and lights are from -2^vector_int_bits to 2^vector_int_bits"),
+            Param::bits("vector_bits", 2..=24).default(16).help("bits of their components, signed"),
+            Param::bits("out_frac_bits", 0..=30).default(14).help("fraction bits of view vector and lights in texture space"),
+            norm_bits(),
+            dot_frac_bits(),
+            root_scheme(),
+            root_addr_bits().default(8),
+            root_frac_bits(),
+            Param::rounding("rounding"),
+        ])
+        .inputs("p0_x … p2_z: positions of the triangle's vertices in object space, counterclockwise as seen from outside, where N points: \
              N·(e1 x e2) > 0, else B is against dP/dv and bumps along v are dents; \
              uv0_u … uv2_v: their texture coordinates; with frame=smooth normal_x … normal_z: unit normal of the vertex, from -2 to 2; \
              view_x … view_z, light0_x … : vectors from the vertex to the eye and each of `lights` lights in object space, of any length. \
-             The sampler lit draws triangles with no angle below 30° and N at most 45° off theirs; sphere draws any",
-    outputs: "t_x … t_z, b_x … b_z, n_x … n_z: rows of the map; ts_view_x … , ts_light0_x … : view vector and lights in texture space, \
+             The sampler lit draws triangles with no angle below 30° and N at most 45° off theirs; sphere draws any")
+        .outputs("t_x … t_z, b_x … b_z, n_x … n_z: rows of the map; ts_view_x … , ts_light0_x … : view vector and lights in texture space, \
               along T, B and N, as long as they come; mirrored: 1 where the texture's determinant is negative (with degenerate 1, too, \
-              where it turns nothing); degenerate: 1 where a fixed frame is taken; why: zero_uv, zero_area and, with frame=smooth, parallel",
-    shades: Shading::None,
-    build,
-};
-
-static PARAMS: &[Param] = &[
-    Param {
-        name: "frame",
-        role: Role::Pipeline,
-        kind: Kind::Choice(&["smooth", "faceted"]),
-        default: "smooth",
-        help: "a map per vertex with its normal, or one for the triangle with a second tangent",
-    },
-    Param {
-        name: "mirror",
-        role: Role::Switch,
-        kind: Kind::Choice(&["handed", "printed", "off"]),
-        default: "handed",
-        help: "mirrored textures: B (of a facet N) turned, T turned as the seed has it, or nothing; \
-               errors are against the golden of the same rule",
-    },
-    Param {
-        name: "basis",
-        role: Role::Switch,
-        kind: Kind::Choice(&["orthonormal", "printed"]),
-        default: "orthonormal",
-        help: "T, B, N made orthonormal, or T and N x T (of a facet dP/dv) as they are; \
-               errors are against the golden of the same rule",
-    },
-    Param {
-        name: "lights",
-        role: Role::Count,
-        kind: Kind::Int { min: 1, max: 8, auto: None },
-        default: "1",
-        help: "number of lights",
-    },
-    Param {
-        name: "position_int_bits",
-        role: Role::Width,
-        kind: Kind::Int { min: 0, max: MOST_INT_BITS, auto: None },
-        default: "4",
-        help: "positions are from -2^position_int_bits to 2^position_int_bits",
-    },
-    Param {
-        name: "position_frac_bits",
-        role: Role::Width,
-        kind: Kind::Int { min: 0, max: 23, auto: None },
-        default: "11",
-        help: "fraction bits of positions; with sign and whole bits 2 to 24",
-    },
-    Param {
-        name: "uv_int_bits",
-        role: Role::Width,
-        kind: Kind::Int { min: 0, max: MOST_INT_BITS, auto: None },
-        default: "2",
-        help: "texture coordinates are from -2^uv_int_bits to 2^uv_int_bits",
-    },
-    Param {
-        name: "uv_frac_bits",
-        role: Role::Width,
-        kind: Kind::Int { min: 0, max: 23, auto: None },
-        default: "13",
-        help: "fraction bits of texture coordinates; with sign and whole bits 2 to 24",
-    },
-    COMPONENT_BITS,
-    Param { default: "2", ..GUARD_BITS },
-    Param {
-        name: "vector_int_bits",
-        role: Role::Width,
-        kind: Kind::Int { min: 0, max: 20, auto: None },
-        default: "1",
-        help: "view vector and lights are from -2^vector_int_bits to 2^vector_int_bits",
-    },
-    Param {
-        name: "vector_bits",
-        role: Role::Width,
-        kind: Kind::Int { min: 2, max: 24, auto: None },
-        default: "16",
-        help: "bits of their components, signed",
-    },
-    Param {
-        name: "out_frac_bits",
-        role: Role::Width,
-        kind: Kind::Int { min: 0, max: 30, auto: None },
-        default: "14",
-        help: "fraction bits of view vector and lights in texture space",
-    },
-    NORM_BITS,
-    DOT_FRAC_BITS,
-    ROOT_SCHEME,
-    Param { default: "8", ..ROOT_ADDR_BITS },
-    ROOT_FRAC_BITS,
-    plan::ROUNDING,
-];
+              where it turns nothing); degenerate: 1 where a fixed frame is taken; why: zero_uv, zero_area and, with frame=smooth, parallel")
+        .design(design)
+}
 
 /// What mirrored textures turn.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -233,20 +153,21 @@ impl Switches {
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Names of lights: ports, groups and quantities.
-const LIGHTS: [(&str, &str, &[&str]); 8] = [
-    ("light0", "ts_light0", &["ts_light0_x", "ts_light0_y", "ts_light0_z", "ts_light0_dot"]),
-    ("light1", "ts_light1", &["ts_light1_x", "ts_light1_y", "ts_light1_z", "ts_light1_dot"]),
-    ("light2", "ts_light2", &["ts_light2_x", "ts_light2_y", "ts_light2_z", "ts_light2_dot"]),
-    ("light3", "ts_light3", &["ts_light3_x", "ts_light3_y", "ts_light3_z", "ts_light3_dot"]),
-    ("light4", "ts_light4", &["ts_light4_x", "ts_light4_y", "ts_light4_z", "ts_light4_dot"]),
-    ("light5", "ts_light5", &["ts_light5_x", "ts_light5_y", "ts_light5_z", "ts_light5_dot"]),
-    ("light6", "ts_light6", &["ts_light6_x", "ts_light6_y", "ts_light6_z", "ts_light6_dot"]),
-    ("light7", "ts_light7", &["ts_light7_x", "ts_light7_y", "ts_light7_z", "ts_light7_dot"]),
-];
+/// The most lights.
+const MOST_LIGHTS: u8 = 8;
+
+/// Names of the vectors that are mapped: the view vector, then each light.
+fn mapped(lights: usize) -> impl Iterator<Item = String> {
+    std::iter::once("view".to_owned()).chain((0..lights).map(|light| format!("light{light}")))
+}
+
+/// Names of the quantities of a vector whose error is bounded.
+fn quantities(name: &str) -> [String; 4] {
+    ["x", "y", "z", "dot"].map(|part| format!("{name}_{part}"))
+}
 
 /// The most whole bits of a coordinate.
-const MOST_INT_BITS: i64 = 22;
+const MOST_INT_BITS: u32 = 22;
 
 /// A signed format of positions or texture coordinates: no more bits than make the golden's
 /// differences and products of two exact in an `f64`.
@@ -254,7 +175,7 @@ fn coordinate(values: &Values, int_bits: &str, frac_bits: &str) -> Result<Format
     let (whole, fraction) = (values.bits(int_bits), values.bits(frac_bits));
     if !(1..=23).contains(&(whole + fraction)) {
         let (least, most) =
-            (1u32.saturating_sub(fraction), i64::from(23 - fraction).min(MOST_INT_BITS));
+            (1u32.saturating_sub(fraction), 23u32.saturating_sub(fraction).min(MOST_INT_BITS));
         let legal =
             format!("{least} to {most} with {frac_bits}={fraction}: words have 2 to 24 bits");
         return Err(values.refuse(int_bits, &legal));
@@ -268,7 +189,7 @@ const EXACT_BITS: u32 = 58;
 /// The most bits that a component and its guard bits have together where N x T of a facet is exact.
 const FACET_BITS: u32 = 31;
 
-fn build(values: &Values) -> Result<Design> {
+fn design(values: &Values) -> Result<Design> {
     let switches = Switches::new(values);
     let position = coordinate(values, "position_int_bits", "position_frac_bits")?;
     let uv = coordinate(values, "uv_int_bits", "uv_frac_bits")?;
@@ -307,12 +228,11 @@ fn build(values: &Values) -> Result<Design> {
     let frac_bits =
         cast::signed_count(vector_bits - 1) - cast::signed_count(values.bits("vector_int_bits"));
     let format = Format::signed(vector_bits, frac_bits)?;
-    let vectors: Vec<[NodeId; 3]> = std::iter::once("view")
-        .chain(LIGHTS[..switches.lights].iter().map(|(port, ..)| *port))
-        .map(|name| vector_ports(&mut b, name, format, Quantity::Number))
+    let vectors: Vec<(String, [NodeId; 3])> = mapped(switches.lights)
+        .map(|name| (format!("ts_{name}"), vector_ports(&mut b, &name, format, Quantity::Number)))
         .collect();
 
-    let mut root = Root::new(values)?;
+    let mut root = Root::new(values);
     let edges = b.scope("primitive", |b| edges(b, p, uv));
     let map = match normal {
         Some(n) => {
@@ -327,15 +247,13 @@ fn build(values: &Values) -> Result<Design> {
     };
     let mut names = Vec::new();
     for (row, name) in map.rows.iter().zip(["t", "b", "n"]) {
-        names.push(name);
+        names.push(name.to_owned());
         for (word, axis) in row.iter().zip(AXES) {
             b.output(&format!("{name}_{axis}"), *word);
         }
     }
     let format = mapped_format(values, switches)?;
-    let groups = std::iter::once("ts_view").chain(LIGHTS.iter().map(|(_, group, _)| *group));
-    for (v, name) in vectors.into_iter().zip(groups) {
-        names.push(name);
+    for (name, v) in vectors {
         let words = b.scope("vertex", |b| {
             [0, 1, 2].map(|i| {
                 let exact = dot(b, &format!("{name}_{}", ["t", "b", "n"][i]), map.rows[i], v);
@@ -346,6 +264,7 @@ fn build(values: &Values) -> Result<Design> {
         for (word, axis) in words.into_iter().zip(AXES) {
             b.output(&format!("{name}_{axis}"), word);
         }
+        names.push(name);
     }
     let mut flags = vec![
         ("mirrored", edges.mirrored),
@@ -362,28 +281,21 @@ fn build(values: &Values) -> Result<Design> {
     let mut groups: Vec<Group> = names
         .into_iter()
         .enumerate()
-        .map(|(at, name)| Group {
-            name,
-            shape: Shape::Cartesian,
-            nodes: netlist.outputs()[3 * at..3 * at + 3].iter().map(|output| output.node).collect(),
+        .map(|(at, name)| {
+            let words = netlist.outputs()[3 * at..3 * at + 3].iter().map(|output| output.node);
+            Group::new(name, Shape::Cartesian, words.collect())
         })
         .collect();
-    let flags: Vec<&'static str> = flags.into_iter().map(|(name, _)| name).collect();
-    groups.extend(Group::ports(&netlist, &flags));
+    groups.extend(Group::ports(&netlist, flags.iter().map(|(name, _)| *name))?);
     let mut hard = hard_cases(&netlist);
-    hard.extend(extremes(&netlist));
-    Ok(Design {
-        values: values.clone(),
-        groups,
-        hard,
-        netlist: Arc::new(netlist),
-        golden: golden::<f64>,
-        golden_f32: golden::<f32>,
-        bounds: bounds(switches),
-        tabulated,
-        draw,
-        binding: None,
-    })
+    hard.extend(HardCase::extremes(&netlist));
+    Ok(Design::new(values, netlist)
+        .groups(groups)
+        .goldens(golden::<f64>, golden::<f32>)
+        .draw(draw)
+        .hard(hard)
+        .bounds(bounds(switches))
+        .tabulated(tabulated))
 }
 
 /// What a triangle gives, exact.
@@ -642,22 +554,21 @@ fn mapped_format(values: &Values, switches: Switches) -> Result<Format> {
 
 /// Bounds on the rows and on what they map.
 fn bounds(switches: Switches) -> Bounds {
-    let bound = |what, quantities, bound: BoundFn| Bound { what, quantities, bound };
-    let mapped: BoundFn = |v, w| mapped_error(v, w);
     let mut bounds = vec![
-        bound("tangent", &["t_x", "t_y", "t_z", "t_dot"], |v, w| row_errors(v, w)[0]),
-        bound("binormal", &["b_x", "b_y", "b_z", "b_dot"], |v, w| row_errors(v, w)[1]),
-        bound("normal", &["n_x", "n_y", "n_z", "n_dot"], |v, w| row_errors(v, w)[2]),
-        bound("view", &["ts_view_x", "ts_view_y", "ts_view_z", "ts_view_dot"], mapped),
+        Bound::new("tangent", quantities("t"), |v, w| row_errors(v, w)[0]),
+        Bound::new("binormal", quantities("b"), |v, w| row_errors(v, w)[1]),
+        Bound::new("normal", quantities("n"), |v, w| row_errors(v, w)[2]),
     ];
-    let lights = LIGHTS[..switches.lights].iter();
-    bounds.extend(lights.map(|(name, _, quantities)| bound(name, quantities, mapped)));
+    bounds.extend(mapped(switches.lights).map(|name| {
+        let quantities = quantities(&format!("ts_{name}"));
+        Bound::new(name, quantities, mapped_error)
+    }));
     let flags: &[&str] = if switches.faceted {
         &["mirrored", "degenerate", "zero_uv", "zero_area"]
     } else {
         &["mirrored", "degenerate", "zero_uv", "zero_area", "parallel"]
     };
-    bounds.push(bound("flags", flags, |_, _| 0.0));
+    bounds.push(Bound::new("flags", flags, |_, _| 0.0));
     Bounds::Stated(bounds)
 }
 
@@ -710,92 +621,96 @@ fn golden_cross<F: Real>(u: [F; 3], v: [F; 3]) -> [F; 3] {
 
 /// The golden model. In an `f64` differences of coordinates, and of two products of such, are exact for
 /// words of up to 24 bits; N x T is good to two roundings.
-fn golden<F: Real>(values: &Values, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
+fn golden<F: Real>(values: &Values) -> Golden<F> {
     let switches = Switches::new(values);
-    let (zero, one) = (F::zero(), F::one());
-    let flag = |holds: bool| if holds { one } else { zero };
-    let is_zero = |v: [F; 3]| v.iter().all(|x| *x == zero);
-    let times = |sign: F, v: [F; 3]| v.map(|x| sign * x);
-    let first_vector = if switches.faceted { 15 } else { 18 };
-    for i in 0..inputs[0].len() {
-        let vector = |at: usize| [0, 1, 2].map(|axis| inputs[at + axis][i]);
-        let minus = |to: [F; 3], from: [F; 3]| [0, 1, 2].map(|axis| to[axis] - from[axis]);
-        let (e1, e2) = (minus(vector(3), vector(0)), minus(vector(6), vector(0)));
-        let [du1, dv1] = [0, 1].map(|axis| inputs[11 + axis][i] - inputs[9 + axis][i]);
-        let [du2, dv2] = [0, 1].map(|axis| inputs[13 + axis][i] - inputs[9 + axis][i]);
-        let det = difference([du1, dv2], [du2, dv1]);
-        // dP/du and dP/dv times det.
-        let mut by_u = [0, 1, 2].map(|axis| difference([dv2, e1[axis]], [dv1, e2[axis]]));
-        let mut by_v = [0, 1, 2].map(|axis| difference([du1, e2[axis]], [du2, e1[axis]]));
-        let mut area = golden_cross(e1, e2);
-        let (mirrored, zero_uv, zero_area) = (det < zero, det == zero, is_zero(area));
-        let mut degenerate = zero_uv || zero_area;
-        let mut parallel = false;
-        let sign = |degenerate: bool| if mirrored && !degenerate { -one } else { one };
-        let rows = if switches.faceted {
-            if zero_area {
-                by_u = [one, zero, zero];
-                by_v = [zero, one, zero];
-                area = [zero, zero, one];
-            } else if zero_uv {
-                (by_u, by_v) = (e1, e2);
-            }
-            let sign = sign(degenerate);
-            let (outward, dp_du) = (golden_unit(area), times(sign, golden_unit(by_u)));
-            // dP/dv, or what of it is at right angles to dP/du: outward x dP/du is on its side where
-            // dP/du, dP/dv and outward are right-handed.
-            let dp_dv = if switches.orthonormal {
-                times(sign, golden_cross(outward, dp_du))
+    Golden::new(move |inputs: &[&[F]], outputs: &mut [Vec<F>]| {
+        let (zero, one) = (F::zero(), F::one());
+        let flag = |holds: bool| if holds { one } else { zero };
+        let is_zero = |v: [F; 3]| v.iter().all(|x| *x == zero);
+        let times = |sign: F, v: [F; 3]| v.map(|x| sign * x);
+        let first_vector = if switches.faceted { 15 } else { 18 };
+        for i in 0..inputs[0].len() {
+            let vector = |at: usize| [0, 1, 2].map(|axis| inputs[at + axis][i]);
+            let minus = |to: [F; 3], from: [F; 3]| [0, 1, 2].map(|axis| to[axis] - from[axis]);
+            let (e1, e2) = (minus(vector(3), vector(0)), minus(vector(6), vector(0)));
+            let [du1, dv1] = [0, 1].map(|axis| inputs[11 + axis][i] - inputs[9 + axis][i]);
+            let [du2, dv2] = [0, 1].map(|axis| inputs[13 + axis][i] - inputs[9 + axis][i]);
+            let det = difference([du1, dv2], [du2, dv1]);
+            // dP/du and dP/dv times det.
+            let mut by_u = [0, 1, 2].map(|axis| difference([dv2, e1[axis]], [dv1, e2[axis]]));
+            let mut by_v = [0, 1, 2].map(|axis| difference([du1, e2[axis]], [du2, e1[axis]]));
+            let mut area = golden_cross(e1, e2);
+            let (mirrored, zero_uv, zero_area) = (det < zero, det == zero, is_zero(area));
+            let mut degenerate = zero_uv || zero_area;
+            let mut parallel = false;
+            let sign = |degenerate: bool| if mirrored && !degenerate { -one } else { one };
+            let rows = if switches.faceted {
+                if zero_area {
+                    by_u = [one, zero, zero];
+                    by_v = [zero, one, zero];
+                    area = [zero, zero, one];
+                } else if zero_uv {
+                    (by_u, by_v) = (e1, e2);
+                }
+                let sign = sign(degenerate);
+                let (outward, dp_du) = (golden_unit(area), times(sign, golden_unit(by_u)));
+                // dP/dv, or what of it is at right angles to dP/du: outward x dP/du is on its side where
+                // dP/du, dP/dv and outward are right-handed.
+                let dp_dv = if switches.orthonormal {
+                    times(sign, golden_cross(outward, dp_du))
+                } else {
+                    times(sign, golden_unit(by_v))
+                };
+                // dP/du x dP/dv is e1 x e2 over det.
+                let product = times(sign, outward);
+                match switches.mirror {
+                    Mirror::Handed => [dp_du, dp_dv, times(sign, product)],
+                    Mirror::Printed => [times(sign, dp_du), dp_dv, times(sign, product)],
+                    Mirror::Off => [dp_du, dp_dv, product],
+                }
             } else {
-                times(sign, golden_unit(by_v))
+                let n = vector(15);
+                let mut product = golden_cross(n, by_u);
+                parallel = is_zero(product);
+                degenerate |= parallel;
+                if degenerate {
+                    let along_x = n[0].abs() > n[1].abs();
+                    by_u = if along_x { [zero, one, zero] } else { [one, zero, zero] };
+                    product = golden_cross(n, by_u);
+                }
+                let sign = sign(degenerate);
+                let (dp_du, n_cross) = if switches.orthonormal {
+                    let unit = golden_unit(product);
+                    (golden_cross(unit, n), unit)
+                } else {
+                    let length = by_u.iter().fold(zero, |sum, x| sum + *x * *x).sqrt();
+                    (golden_unit(by_u), product.map(|x| x / length))
+                };
+                let (dp_du, n_cross) = (times(sign, dp_du), times(sign, n_cross)); // N x dP/du
+                match switches.mirror {
+                    Mirror::Handed => [dp_du, times(sign, n_cross), n],
+                    Mirror::Printed => [times(sign, dp_du), times(sign, n_cross), n],
+                    Mirror::Off => [dp_du, n_cross, n],
+                }
             };
-            // dP/du x dP/dv is e1 x e2 over det.
-            let product = times(sign, outward);
-            match switches.mirror {
-                Mirror::Handed => [dp_du, dp_dv, times(sign, product)],
-                Mirror::Printed => [times(sign, dp_du), dp_dv, times(sign, product)],
-                Mirror::Off => [dp_du, dp_dv, product],
-            }
-        } else {
-            let n = vector(15);
-            let mut product = golden_cross(n, by_u);
-            parallel = is_zero(product);
-            degenerate |= parallel;
-            if degenerate {
-                let along_x = n[0].abs() > n[1].abs();
-                by_u = if along_x { [zero, one, zero] } else { [one, zero, zero] };
-                product = golden_cross(n, by_u);
-            }
-            let sign = sign(degenerate);
-            let (dp_du, n_cross) = if switches.orthonormal {
-                let unit = golden_unit(product);
-                (golden_cross(unit, n), unit)
-            } else {
-                let length = by_u.iter().fold(zero, |sum, x| sum + *x * *x).sqrt();
-                (golden_unit(by_u), product.map(|x| x / length))
+            let mut at = 0;
+            let mut put = |x: F| {
+                outputs[at][i] = x;
+                at += 1;
             };
-            let (dp_du, n_cross) = (times(sign, dp_du), times(sign, n_cross)); // N x dP/du
-            match switches.mirror {
-                Mirror::Handed => [dp_du, times(sign, n_cross), n],
-                Mirror::Printed => [times(sign, dp_du), times(sign, n_cross), n],
-                Mirror::Off => [dp_du, n_cross, n],
+            rows.iter().flatten().for_each(|x| put(*x));
+            for k in 0..=switches.lights {
+                let v = vector(first_vector + 3 * k);
+                rows.iter().for_each(|row| put(row[0] * v[0] + row[1] * v[1] + row[2] * v[2]));
             }
-        };
-        let mut at = 0;
-        let mut put = |x: F| {
-            outputs[at][i] = x;
-            at += 1;
-        };
-        rows.iter().flatten().for_each(|x| put(*x));
-        for k in 0..=switches.lights {
-            let v = vector(first_vector + 3 * k);
-            rows.iter().for_each(|row| put(row[0] * v[0] + row[1] * v[1] + row[2] * v[2]));
+            [mirrored, degenerate, zero_uv, zero_area]
+                .into_iter()
+                .for_each(|holds| put(flag(holds)));
+            if !switches.faceted {
+                put(flag(parallel));
+            }
         }
-        [mirrored, degenerate, zero_uv, zero_area].into_iter().for_each(|holds| put(flag(holds)));
-        if !switches.faceted {
-            put(flag(parallel));
-        }
-    }
+    })
 }
 
 /// A triangle and what goes with its vertex, as real numbers.
@@ -845,9 +760,8 @@ impl Triangle {
     /// they fit; half of the textures are mirrored. With `lit` no angle is below 30°, in space and in the
     /// texture, the normal is no more than 45° off the face's, and view and lights are on its side, ⅛ to 1 of
     /// the longest along an axis; else corners and normal are anywhere, and so are view and lights, of any word.
-    fn random(values: &Values, lit: bool, uniform: &mut Uniform) -> Self {
-        let range = |name: &str| libm::exp2(values.bits(name).into());
-        let limits = ["position_int_bits", "uv_int_bits", "vector_int_bits"].map(range);
+    /// `limits` are those of positions, texture coordinates and vectors.
+    fn random(limits: [f64; 3], lit: bool, uniform: &mut Uniform) -> Self {
         let mut sphere = || {
             let (z, turns) = (1.0 - 2.0 * uniform.draw(), uniform.draw());
             let (sin, cos) = sin_cos_turns(turns);
@@ -903,23 +817,20 @@ impl Triangle {
     }
 }
 
-fn draw(
-    design: &Design,
-    sampler: Sampler,
-    uniform: &mut Uniform,
-    columns: &mut [Vec<f64>],
-    count: usize,
-) {
-    columns.iter_mut().for_each(Vec::clear);
-    let places: Vec<usize> =
-        (0..columns.len()).map(|at| Triangle::place(design.netlist.input_name(at))).collect();
-    for _ in 0..count {
-        let lit = sampler == Sampler::Lit;
-        let numbers = Triangle::random(&design.values, lit, uniform).numbers();
-        for (column, place) in columns.iter_mut().zip(&places) {
-            column.push(numbers[*place]);
+fn draw(values: &Values, ports: &InputPorts<'_>) -> Draw {
+    let range = |name: &str| libm::exp2(values.bits(name).into());
+    let limits = ["position_int_bits", "uv_int_bits", "vector_int_bits"].map(range);
+    let places: Vec<usize> = ports.names().map(Triangle::place).collect();
+    Draw::new(move |sampler, uniform, columns, count| {
+        columns.iter_mut().for_each(Vec::clear);
+        for _ in 0..count {
+            let lit = sampler == Sampler::Lit;
+            let numbers = Triangle::random(limits, lit, uniform).numbers();
+            for (column, place) in columns.iter_mut().zip(&places) {
+                column.push(numbers[*place]);
+            }
         }
-    }
+    })
 }
 
 fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
@@ -941,8 +852,7 @@ fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
     let (position, uv) = (format("p0_x"), format("uv0_u"));
     let (lsb, uv_lsb) = (position.ulp(), uv.ulp());
     let (span, uv_span) = (-position.value(position.min_raw()), -uv.value(uv.min_raw()));
-    let cases =
-        |name, list: Vec<Triangle>| HardCase { name, words: list.iter().map(words).collect() };
+    let cases = |name, list: Vec<Triangle>| HardCase::new(name, list.iter().map(words).collect());
     let two = |u: f64, v: f64| DVec2::new(u, v);
     let corners = |e1: DVec3, e2: DVec3| {
         let p0 = DVec3::new(-0.25, 0.125, 0.0625) * span;

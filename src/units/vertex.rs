@@ -1,6 +1,6 @@
 //! Vertices of a surface: what random and hard cases give the ports of embossing units.
 
-use crate::design::{Design, HardCase, Sampler, Uniform};
+use crate::design::{Draw, HardCase, InputPorts, Uniform, Values};
 use crate::netlist::{Netlist, NodeId};
 use crate::number::format::{Overflow, Round, quantize};
 use crate::number::trig::{rotation, sin_cos_turns};
@@ -95,22 +95,17 @@ impl Vertex {
 }
 
 /// Fills ports with random vertices.
-pub(super) fn draw(
-    design: &Design,
-    _: Sampler,
-    uniform: &mut Uniform,
-    columns: &mut [Vec<f64>],
-    count: usize,
-) {
-    columns.iter_mut().for_each(Vec::clear);
-    let places: Vec<usize> =
-        (0..columns.len()).map(|at| Vertex::place(design.netlist.input_name(at))).collect();
-    for _ in 0..count {
-        let numbers = Vertex::random(uniform).numbers();
-        for (column, place) in columns.iter_mut().zip(&places) {
-            column.push(numbers[*place]);
+pub(super) fn draw(_: &Values, ports: &InputPorts<'_>) -> Draw {
+    let places: Vec<usize> = ports.names().map(Vertex::place).collect();
+    Draw::new(move |_, uniform, columns, count| {
+        columns.iter_mut().for_each(Vec::clear);
+        for _ in 0..count {
+            let numbers = Vertex::random(uniform).numbers();
+            for (column, place) in columns.iter_mut().zip(&places) {
+                column.push(numbers[*place]);
+            }
         }
-    }
+    })
 }
 
 /// The named hard cases of a unit with the ports of vertices.
@@ -125,8 +120,7 @@ pub(super) fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
         };
         netlist.inputs().iter().enumerate().map(word).collect()
     };
-    let cases =
-        |name, list: Vec<Vertex>| HardCase { name, words: list.iter().map(words).collect() };
+    let cases = |name, list: Vec<Vertex>| HardCase::new(name, list.iter().map(words).collect());
     let ulp = |name: &str| {
         let port = (0..netlist.inputs().len()).find(|port| netlist.input_name(*port) == name);
         port.map(|port| netlist.node(netlist.inputs()[port]).format.ulp())

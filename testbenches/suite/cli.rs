@@ -148,7 +148,7 @@ fn eval_writes_words_values_and_golden() {
 
 #[test]
 fn eval_is_the_reference_on_every_hard_case() {
-    use fixpath::units::rotation::ROTATION;
+    use fixpath::units::rotation;
     let folder = tempfile::tempdir().unwrap();
     for assignments in [
         &["scheme=linear"][..],
@@ -157,7 +157,7 @@ fn eval_is_the_reference_on_every_hard_case() {
         &["output=polar-cordic"],
         &["output=polar-table", "scheme=bipartite"],
     ] {
-        let design = ROTATION.values(assignments).unwrap().build().unwrap();
+        let design = rotation::unit().values(assignments).unwrap().build().unwrap();
         let rows: Vec<&Vec<i64>> = design.hard.iter().flat_map(|case| &case.words).collect();
         let mut csv = "phi_a,theta_a,phi_n,theta_n\n".to_owned();
         for row in &rows {

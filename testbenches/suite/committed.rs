@@ -74,7 +74,7 @@ fn files(name: &str, unit: &str, assignments: &[&str]) -> Vec<(PathBuf, String)>
 
 #[test]
 fn every_unit_is_committed_at_its_defaults() {
-    for unit in UNITS {
+    for unit in UNITS.iter() {
         let there = |(_, name, set): &(_, &str, &[&str])| *name == unit.name && set.is_empty();
         assert!(COMMITTED.iter().any(there), "{} is not in COMMITTED", unit.name);
     }

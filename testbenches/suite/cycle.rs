@@ -6,7 +6,7 @@ use fixpath::format::{Format, Overflow, Round};
 use fixpath::netlist::{Builder, Netlist, Quantity};
 use fixpath::rtl::Rtl;
 use fixpath::schedule::{Depth, Rom, Schedule};
-use fixpath::units::rotation::ROTATION;
+use fixpath::units::rotation;
 use std::sync::Arc;
 
 /// Words for input ports: a hash of sample and port, and the ends of the format now and then.
@@ -82,7 +82,7 @@ fn rotation_at_several_depths() {
                     format!("rom={rom}"),
                     format!("stages={stages}"),
                 ];
-                let design = ROTATION.values(&assignments).unwrap().build().unwrap();
+                let design = rotation::unit().values(&assignments).unwrap().build().unwrap();
                 let schedule = design.rtl().unwrap().schedule().clone();
                 check(&design.netlist, schedule, &assignments.join(" "));
             }
@@ -92,7 +92,7 @@ fn rotation_at_several_depths() {
 
 #[test]
 fn the_model_period_meets_the_target_where_no_operation_is_slower() {
-    let design = ROTATION.values(&["scheme=linear"]).unwrap().build().unwrap();
+    let design = rotation::unit().values(&["scheme=linear"]).unwrap().build().unwrap();
     let mut latency = 0;
     for period_ps in [12_000, 8_000, 6_000, 5_000] {
         let depth = Depth::Period(period_ps);
@@ -108,7 +108,7 @@ fn stages_taken_over_by_hand_have_the_same_period() {
     for variant in ["printed", "corrected", "exact"] {
         for rom in [Rom::Block, Rom::Distributed] {
             let variant = format!("variant={variant}");
-            let netlist = ROTATION
+            let netlist = rotation::unit()
                 .values(&[variant, "scheme=linear".into()])
                 .unwrap()
                 .build()
@@ -176,13 +176,14 @@ fn reset_drops_data_in_flight() {
 
 #[test]
 fn a_combinational_unit_with_clocked_tables_is_refused() {
-    let design = ROTATION.values(&["stages=0"]).unwrap().build().unwrap();
+    let design = rotation::unit().values(&["stages=0"]).unwrap().build().unwrap();
     let error = design.rtl().unwrap_err().to_string();
     assert_eq!(
         error,
         "parameter `stages` = `0`: legal is 1 or more with rom=block, or rom=distributed"
     );
-    let design = ROTATION.values(&["variant=corrected", "stages=2"]).unwrap().build().unwrap();
+    let design =
+        rotation::unit().values(&["variant=corrected", "stages=2"]).unwrap().build().unwrap();
     let error = design.rtl().unwrap_err().to_string();
     assert!(error.starts_with("parameter `stages` = `2`: legal is "), "{error}");
 }

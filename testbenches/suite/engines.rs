@@ -675,7 +675,7 @@ fn sines_beside_cosines() {
         check(&netlist, order, 2 * BLOCK + 100).unwrap();
         check_repeats(&netlist, order);
     }
-    for unit in UNITS {
+    for unit in UNITS.iter() {
         let design = unit.values::<&str>(&[]).unwrap().build().unwrap();
         check(&design.netlist, 1, 400).unwrap_or_else(|text| panic!("{}: {text}", unit.name));
     }

@@ -13,7 +13,7 @@ use fixpath::netlist::{Builder, Column, Netlist, Quantity, Table};
 use fixpath::op::Op;
 use fixpath::rtl::{Rtl, Signal};
 use fixpath::schedule::{Depth, Kind, Plan, Rom, Schedule, Share};
-use fixpath::units::rotation::ROTATION;
+use fixpath::units::rotation;
 use fixpath::wave::{self, Wave};
 use rayon::prelude::*;
 use std::fs;
@@ -300,7 +300,7 @@ fn no_tool_warns_of_rotation() {
         let mut assignments = assignments.to_vec();
         // Small tables: the placement matters here and not the size.
         assignments.push("scheme=linear");
-        let design = ROTATION.values(&assignments).unwrap().build().unwrap();
+        let design = rotation::unit().values(&assignments).unwrap().build().unwrap();
         let rtl = Arc::new(design.rtl().unwrap());
         for tables in [place(number as u64), place(number as u64 + 1)] {
             let folder = tempfile::tempdir().unwrap();
@@ -366,7 +366,7 @@ const PERIOD: u64 = 10;
 fn the_hardware_moves_as_our_wave_shows_it() {
     ROTATIONS.into_par_iter().for_each(|assignments| {
         let what = assignments.join(" ");
-        let design = ROTATION.values(assignments).unwrap().build().unwrap();
+        let design = rotation::unit().values(assignments).unwrap().build().unwrap();
         let rows: Vec<Vec<i64>> = {
             let columns = random_words(&design.netlist, 11, 60);
             (0..60).map(|i| columns.iter().map(|column| column[i]).collect()).collect()
@@ -783,7 +783,7 @@ fn every_operation_in_icarus() {
 #[ignore = "needs yosys: testbenches/run installs it"]
 fn the_proof_can_fail() {
     let assignments = ["angle_bits=4", "table_addr_bits=4", "frac_bits=4"];
-    let design = ROTATION.values(&assignments).unwrap().build().unwrap();
+    let design = rotation::unit().values(&assignments).unwrap().build().unwrap();
     let inline = |name| Options { name, tables: Some(Tables::Inline), ..Options::default() };
     let module = Module::new(&Arc::new(design.rtl().unwrap()), &inline(None)).unwrap();
     assert!(module.latency > 1, "there are registers to lose");

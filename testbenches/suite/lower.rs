@@ -13,7 +13,7 @@ use fixpath::hdl::{
 use fixpath::netlist::{Builder, Column, Netlist, NodeId, Quantity, Table};
 use fixpath::rtl::{Rtl, Signal};
 use fixpath::schedule::{Depth, Rom, Schedule};
-use fixpath::units::rotation::ROTATION;
+use fixpath::units::rotation;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::Arc;
 
@@ -409,7 +409,7 @@ const ROTATIONS: [&[&str]; 6] = [
 #[test]
 fn rotation_with_stalls_and_a_reset() {
     for (seed, assignments) in ROTATIONS.iter().enumerate() {
-        let design = ROTATION.values(assignments).unwrap().build().unwrap();
+        let design = rotation::unit().values(assignments).unwrap().build().unwrap();
         let rtl = Arc::new(design.rtl().unwrap());
         stream(&rtl, &module(&rtl), seed as u64);
     }
@@ -1264,7 +1264,7 @@ fn promises_of_every_module() {
         check_ports(&rtl, &module);
     }
     for assignments in ROTATIONS {
-        let design = ROTATION.values(assignments).unwrap().build().unwrap();
+        let design = rotation::unit().values(assignments).unwrap().build().unwrap();
         let rtl = Arc::new(design.rtl().unwrap());
         let module = module(&rtl);
         check_promises(&rtl, &module);

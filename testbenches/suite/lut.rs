@@ -65,7 +65,7 @@ fn tabulated(function: Function, scheme: Scheme, addr_bits: u32, quarter_wave: b
         Function::Light { .. } => ("u10f10", "u13f13", 0.0),
     };
     Tabulated {
-        name: "table",
+        name: "table".to_owned(),
         functions: vec![function],
         scheme,
         addr_bits,

@@ -299,15 +299,15 @@ fn every_csv_has_a_type_for_each_column() {
     let text = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
     let scene = written(folder.path(), "a, \"b\".toml", SMALL);
     let scene = scene.to_str().unwrap();
-    for unit in UNITS {
+    for unit in UNITS.iter() {
         // Exact ones have whole errors and infinite ratios of signal to noise.
-        done(&["sim", unit.name, "--hard", "--cases", &path("c.csv"), "--basis", "total"]);
+        done(&["sim", &unit.name, "--hard", "--cases", &path("c.csv"), "--basis", "total"]);
         check_csv(&text("c.csv"), &format!("hard cases of {}", unit.name));
-        let args = ["sweep", unit.name, "--axis", "latency_cycles=auto", "--samples", "20"];
+        let args = ["sweep", &unit.name, "--axis", "latency_cycles=auto", "--samples", "20"];
         let args = if unit.all_params().any(|param| param.name == "latency_cycles") {
             args
         } else {
-            ["sweep", unit.name, "--axis", "period_ps=2000,4000", "--samples", "20"]
+            ["sweep", &unit.name, "--axis", "period_ps=2000,4000", "--samples", "20"]
         };
         done(&[&args[..], &["--out", &path("s"), "--fresh"]].concat());
         check_csv(&text("s/sweep.csv"), &format!("sweep of {}", unit.name));

@@ -75,7 +75,7 @@ impl Limits {
         // frame by three of them.
         let components = || 3f64.sqrt() * half_of("frac_bits");
         let half = || TAU * half_of("angle_bits");
-        let inputs = match design.values.unit().name {
+        let inputs = match design.values.unit().name.as_str() {
             // The frame's three rows turn the light, of which the unit takes the direction.
             "ernst" => {
                 let light = components();

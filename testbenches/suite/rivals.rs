@@ -125,7 +125,7 @@ fn goldens_are_those_of_vectors_and_matrices() {
             let columns: Vec<[f64; 1]> = values.iter().map(|value| [*value]).collect();
             let slices: Vec<&[f64]> = columns.iter().map(|column| &column[..]).collect();
             let mut golden = vec![vec![0.0]; design.golden_columns()];
-            (design.golden)(&design.values, &slices, &mut golden);
+            design.golden.run(&slices, &mut golden);
             let should = should(&Ports { design: &design, values }, name);
             assert_eq!(golden.len(), should.len());
             for (is, should) in golden.iter().zip(should) {
@@ -371,7 +371,10 @@ mod commands {
 fn bounds_of_the_set_up_name_the_vectors_that_they_hold_for() {
     let design = design("peercy", &[]);
     let check = BoundCheck::new(&design).unwrap();
-    assert_eq!(check.inputs, Some("L and H in the texture frame, and N', from 1/2 to 2 long"));
+    assert_eq!(
+        check.inputs.as_deref(),
+        Some("L and H in the texture frame, and N', from 1/2 to 2 long")
+    );
     // L' along x from the frame's own axes, by its length in units of 2^-16.
     let one = 1i64 << 16;
     let off = |length: i64| {

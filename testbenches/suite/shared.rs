@@ -18,7 +18,7 @@ pub(crate) type Vector = [NodeId; 3];
 /// The emboss unit with the light vector as the seed prints it.
 fn emboss(assignments: &[&str]) -> Design {
     let assignments = [&["l_sign=vertex-light"], assignments].concat();
-    fixpath::units::emboss::EMBOSS.values(&assignments).unwrap().build().unwrap()
+    fixpath::units::emboss::unit().values(&assignments).unwrap().build().unwrap()
 }
 
 /// The datapath of seed 000, figure 8.
@@ -366,7 +366,7 @@ fn waves_show_the_table() {
 #[test]
 fn formulas_have_their_constants() {
     let set = ["schedule=shared", "share_add=40"];
-    let design = fixpath::units::sampler::SAMPLER.values(&set).unwrap().build().unwrap();
+    let design = fixpath::units::sampler::unit().values(&set).unwrap().build().unwrap();
     let rtl = design.rtl().unwrap();
     let table = Timetable::new(&rtl, None);
     let mut constants = 0;
@@ -489,7 +489,7 @@ fn bindings_that_are_wrong_say_how() {
 #[test]
 fn parameters_that_do_not_count_are_refused() {
     let error = |set: &[&str]| {
-        let design = fixpath::units::rotation::ROTATION.values(set).unwrap().build().unwrap();
+        let design = fixpath::units::rotation::unit().values(set).unwrap().build().unwrap();
         design.rtl().unwrap_err().to_string()
     };
     assert_eq!(
@@ -510,7 +510,7 @@ fn parameters_that_do_not_count_are_refused() {
 /// Units at their committed settings, shared as far as they can be.
 #[test]
 fn every_unit_shared() {
-    for unit in fixpath::units::UNITS {
+    for unit in fixpath::units::UNITS.iter() {
         for rom in ["block", "distributed"] {
             let set = ["schedule=shared", "share_add=2", "share_mul=1", "share_table=1"];
             let mut set: Vec<String> = set.iter().map(|s| (*s).to_owned()).collect();

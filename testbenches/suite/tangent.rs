@@ -122,7 +122,7 @@ fn golden(design: &Design, words: &[i64]) -> Vec<f64> {
     let columns: Vec<[f64; 1]> = netlist.inputs().iter().zip(words).map(column).collect();
     let slices: Vec<&[f64]> = columns.iter().map(|column| &column[..]).collect();
     let mut golden = vec![vec![0.0]; design.golden_columns()];
-    (design.golden)(&design.values, &slices, &mut golden);
+    design.golden.run(&slices, &mut golden);
     golden.iter().map(|column| column[0]).collect()
 }
 

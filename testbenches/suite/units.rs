@@ -3,9 +3,7 @@
 use fixpath::format::{Format, Overflow, Round};
 use fixpath::netlist::{Builder, Quantity};
 use fixpath::units::fragment::Port;
-use fixpath::units::{
-    Bounds, Design, Group, Kind, Param, Reflection, Role, Shading, Shape, UNITS, Unit, Values,
-};
+use fixpath::units::{Design, Golden, Kind, Param, Reflection, Role, Shading, UNITS, Unit, Values};
 use fixpath::verify::Proof;
 use rand_core::{RngCore, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -13,8 +11,8 @@ use rand_pcg::Pcg64Mcg;
 /// A legal value of a parameter; tables stay small, so that builds take no time.
 fn legal(param: &Param, random: &mut Pcg64Mcg) -> String {
     let mut below = |n: u64| random.next_u64() % n;
-    match param.kind {
-        Kind::Int { min, max, .. } => {
+    match &param.kind {
+        &Kind::Int { min, max, .. } => {
             let is_table = param.role == Role::TableSize;
             let max = if is_table { max.min(min.max(7)) } else { max };
             // Wide words are refused, so every other value is the greatest.
@@ -23,7 +21,7 @@ fn legal(param: &Param, random: &mut Pcg64Mcg) -> String {
         }
         Kind::Real { min, max } => (0.5 * (min + max)).to_string(),
         Kind::Choice(names) => {
-            names[usize::try_from(below(names.len() as u64)).unwrap()].to_owned()
+            names[usize::try_from(below(names.len() as u64)).unwrap()].to_string()
         }
     }
 }
@@ -35,7 +33,7 @@ fn named(message: &str, verb: &str) -> Vec<String> {
 }
 
 /// Follows the remedies of a refusal until the unit builds, or is refused for another reason.
-fn cure(unit: &'static Unit, mut values: Values) {
+fn cure(unit: &Unit, mut values: Values) {
     let mut tries = 0;
     while let Err(error) = values.build() {
         let message = error.to_string();
@@ -60,11 +58,11 @@ fn cure(unit: &'static Unit, mut values: Values) {
 #[test]
 fn words_that_are_too_wide_name_parameters_whose_change_cures_them() {
     let mut random = Pcg64Mcg::seed_from_u64(1);
-    for unit in UNITS {
+    for unit in UNITS.iter() {
         for _ in 0..12 {
             let mut values = unit.defaults();
-            for param in unit.params {
-                values.set(param.name, &legal(param, &mut random)).unwrap();
+            for param in &unit.params {
+                values.set(&param.name, &legal(param, &mut random)).unwrap();
             }
             cure(unit, values);
         }
@@ -95,7 +93,7 @@ fn the_first_word_that_is_too_wide_is_told() {
 
 #[test]
 fn every_parameter_has_a_role_that_fits_its_kind_and_its_name() {
-    for unit in UNITS {
+    for unit in UNITS.iter() {
         for param in unit.all_params() {
             let context = format!("{}: {} is {:?}", unit.name, param.name, param.role);
             let fits = match param.role {
@@ -118,7 +116,7 @@ fn every_parameter_has_a_role_that_fits_its_kind_and_its_name() {
             };
             assert!(fits, "{context}: {:?}", param.kind);
             // Names are for people, who go by these ends.
-            let by_name = match param.name {
+            let by_name = match param.name.as_str() {
                 name if name.ends_with("_addr_bits") => Some(Role::TableSize),
                 name if name.ends_with("_bits") => Some(Role::Width),
                 name if name.ends_with("_iterations") => Some(Role::Iterations),
@@ -139,7 +137,7 @@ fn every_parameter_has_a_role_that_fits_its_kind_and_its_name() {
             assert_eq!(count(Role::Material(part)), usize::from(lit), "{}: {part:?}", unit.name);
         }
         for (kind, name) in fixpath::schedule::Kind::ALL {
-            let share = unit.param(&format!("share_{name}")).unwrap();
+            let share = unit.find_param(&format!("share_{name}")).unwrap();
             assert_eq!((share.role, count(share.role)), (Role::Share(*kind), 1));
         }
     }
@@ -147,7 +145,7 @@ fn every_parameter_has_a_role_that_fits_its_kind_and_its_name() {
 
 #[test]
 fn the_units_that_shade_take_fragments_and_give_light() {
-    for unit in UNITS {
+    for unit in UNITS.iter() {
         let netlist = unit.defaults().build().unwrap().netlist;
         let mut inputs = (0..netlist.inputs().len()).map(|at| netlist.input_name(at));
         let takes = inputs.clone().all(|name| Port::of(name).is_some());
@@ -162,56 +160,25 @@ fn the_units_that_shade_take_fragments_and_give_light() {
 }
 
 /// A unit whose parameters aren't named as those of others are.
-static ODD: Unit = Unit {
-    name: "odd",
-    summary: "",
-    source: "",
-    params: &[
-        Param {
-            name: "breadth",
-            role: Role::Width,
-            kind: Kind::Int { min: 2, max: 12, auto: None },
-            default: "12",
-            help: "",
-        },
-        Param {
-            name: "only_told_bits",
-            role: Role::Label,
-            kind: Kind::Int { min: 0, max: 99, auto: None },
-            default: "99",
-            help: "",
-        },
-    ],
-    golden_params: &[],
-    inputs: "",
-    outputs: "",
-    shades: Shading::None,
-    build: |values| {
-        assert_eq!(values.int("only_told_bits"), Some(99), "told alone, it is no width");
-        let mut b = Builder::new("odd");
-        let input = b.input("a", Format::unsigned(values.bits("breadth"), 0)?, Quantity::Number);
-        let sum = b.add(input, input);
-        let word = b.narrow(sum, b.format(input), Round::Floor, Overflow::Saturate);
-        b.output("x", word);
-        let netlist = b.build()?;
-        Ok(Design {
-            values: values.clone(),
-            groups: vec![Group { name: "x", shape: Shape::Scalar, nodes: vec![word] }],
-            netlist: netlist.into(),
-            golden: |_, _, _| (),
-            golden_f32: |_, _, _| (),
-            bounds: Bounds::Unstated(""),
-            tabulated: Vec::new(),
-            hard: Vec::new(),
-            draw: |_, _, _, _, _| (),
-            binding: None,
+fn odd() -> Unit {
+    Unit::new("odd", "")
+        .param(Param::bits("breadth", 2..=12).default(12))
+        .param(Param::int("only_told_bits", 0..=99).role(Role::Label).default(99))
+        .design(|values| {
+            assert_eq!(values.int("only_told_bits"), Some(99), "told alone, it is no width");
+            let mut b = Builder::new("odd");
+            let format = Format::unsigned(values.bits("breadth"), 0)?;
+            let input = b.input("a", format, Quantity::Number);
+            let sum = b.add(input, input);
+            let word = b.narrow(sum, b.format(input), Round::Floor, Overflow::Saturate);
+            b.output("x", word);
+            Ok(Design::new(values, b.build()?).golden(|_| Golden::each(|[a]: [f64; 1]| [2.0 * a])))
         })
-    },
-};
+}
 
 #[test]
 fn a_proof_shrinks_widths_whatever_they_are_called() {
-    let proofs = Proof::all(&ODD.defaults().build().unwrap()).unwrap();
+    let proofs = Proof::all(&odd().defaults().build().unwrap()).unwrap();
     for (proof, port) in proofs.iter().zip(["[3:0] a", "[2:0] a"]) {
         let text = &proof.files[0].text;
         assert!(text.contains(port), "{text}");

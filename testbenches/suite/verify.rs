@@ -177,17 +177,17 @@ fn random_assignments(
     random: &mut Random,
 ) -> Vec<String> {
     let assignment = |param: &fixpath::units::Param| {
-        let value = match param.kind {
-            Kind::Choice(names) => names[random.below(names.len())].to_owned(),
+        let value = match &param.kind {
+            Kind::Choice(names) => names[random.below(names.len())].to_string(),
             Kind::Real { min, max } => {
                 let share = f64::from(u32::try_from(random.below(1025)).unwrap()) / 1024.0;
                 (min + (max - min) * share).to_string()
             }
             Kind::Int { auto: Some(_), .. } if random.below(2) == 0 => "auto".to_owned(),
-            Kind::Int { min, max, .. } => {
+            &Kind::Int { min, max, .. } => {
                 // Large tables take long in slow simulators and show nothing new; a period of
                 // a microsecond is as good as none.
-                let max = match param.name {
+                let max = match param.name.as_str() {
                     name if name.ends_with("addr_bits") => max.min(11),
                     "period_ps" => 10_000,
                     "stages" => 20,
@@ -277,7 +277,7 @@ fn random_settings() -> Vec<(Vec<String>, Design)> {
 /// Every `name=choice` of a unit.
 fn choices_of(unit: &'static Unit) -> BTreeSet<String> {
     let of = |param: &fixpath::units::Param| -> Vec<String> {
-        match param.kind {
+        match &param.kind {
             Kind::Choice(names) => {
                 names.iter().map(|name| format!("{}={name}", param.name)).collect()
             }
@@ -299,7 +299,7 @@ fn random_settings_have_every_choice() {
     let settings = random_settings();
     assert!(settings.len() < 12 + 6 * UNITS.len(), "{} settings take too long", settings.len());
     let drawn: BTreeSet<&String> = settings.iter().flat_map(|(set, _)| set).collect();
-    for unit in UNITS {
+    for unit in UNITS.iter() {
         for choice in choices_of(unit) {
             assert!(drawn.contains(&choice), "{}: {choice} was never drawn", unit.name);
         }

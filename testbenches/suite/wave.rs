@@ -2,7 +2,7 @@
 
 use crate::common;
 use fixpath::measure::{Basis, Inputs, measure, sample_words};
-use fixpath::units::rotation::ROTATION;
+use fixpath::units::rotation;
 use fixpath::units::{Design, Sampler, Shape, UNITS, Unit};
 use fixpath::wave::{Options, Wave};
 use std::collections::{BTreeMap, BTreeSet};
@@ -11,7 +11,7 @@ use std::path::Path;
 use std::process::Command;
 
 fn design(assignments: &[&str]) -> Design {
-    ROTATION.values(assignments).unwrap().build().unwrap()
+    rotation::unit().values(assignments).unwrap().build().unwrap()
 }
 
 fn samples(design: &Design) -> Vec<Vec<i64>> {
@@ -176,7 +176,7 @@ fn the_golden_stands_beside_output_ports() {
 fn angle_errors_are_those_that_sim_measures() {
     let shared = ["schedule=shared", "share_mul=2", "share_add=3"];
     let more = [("rotation", &["output=polar-table"][..]), ("illumination", &shared)];
-    let all = UNITS.iter().map(|unit| (unit.name, &[][..]));
+    let all = UNITS.iter().map(|unit| (unit.name.as_str(), &[][..]));
     let mut directions = 0;
     for (unit, assignments) in all.chain(more) {
         let design = common::design(unit, assignments);
@@ -221,7 +221,7 @@ fn an_angle_error_is_in_the_cycle_of_its_result() {
             .collect();
         let columns: Vec<&[f64]> = values.iter().map(std::slice::from_ref).collect();
         let mut golden = vec![vec![0.0]; design.golden_columns()];
-        (design.golden)(&design.values, &columns, &mut golden);
+        design.golden.run(&columns, &mut golden);
         let (reference, _) = netlist.eval(words).unwrap();
         let outputs = netlist.outputs().iter();
         let is: Vec<f64> =
@@ -377,7 +377,7 @@ fn twins_are_those_of_their_sample_in_long_waves() {
             let reals = netlist.eval_reals(&values);
             let columns: Vec<&[f64]> = values.iter().map(std::slice::from_ref).collect();
             let mut golden = vec![vec![0.0]; design.golden_columns()];
-            (design.golden)(&design.values, &columns, &mut golden);
+            design.golden.run(&columns, &mut golden);
             let golden: Vec<f64> = golden.iter().map(|column| column[0]).collect();
             let golden = design.of_golden(&golden);
             for (name, node, stage) in wave.signals() {

@@ -203,7 +203,7 @@ fn error_figures(design: &Design) -> Result<Vec<String>> {
             .flat_map(|witness| witness.words.iter().enumerate())
             .map(|(port, word)| format!("{}={word}", design.netlist.input_name(port)))
             .collect();
-        let over = f.over.map(|what| format!(" over {what},")).unwrap_or_default();
+        let over = f.over.as_ref().map(|what| format!(" over {what},")).unwrap_or_default();
         lines.push(format!(
             "  {}: mean {:.2e}{unit}, largest seen {:.2e}{unit}{ulp}{over} at {}",
             f.quantity,
@@ -214,7 +214,7 @@ fn error_figures(design: &Design) -> Result<Vec<String>> {
     }
     let bounds = BoundCheck::new(design)?;
     lines.extend(bounds.why_none.map(|why| format!("no bound is stated: {why}")));
-    lines.extend(bounds.stated.iter().map(|bound| match bound.quantity {
+    lines.extend(bounds.stated.iter().map(|bound| match bound.quantity.as_str() {
         "angle" => format!("stated bound on the angle: {:.2e} rad", bound.bound),
         _ => format!("stated bound on {}: {:.2e}", bound.subject(), bound.bound),
     }));

@@ -252,9 +252,9 @@ fn yosys(job: &Job<'_>) -> Ended {
 /// The design with every width capped, and what that makes of its parameters.
 fn small(design: &Design, bits: i64) -> Option<(Design, String)> {
     let mut values = design.values.clone();
-    let unit = values.unit();
+    let unit = values.unit().clone();
     let mut names = Vec::new();
-    for param in unit.params {
+    for param in &unit.params {
         let Kind::Int { min, max, .. } = param.kind else { continue };
         let cap = if matches!(param.role, Role::Width | Role::TableSize) {
             bits
@@ -264,14 +264,14 @@ fn small(design: &Design, bits: i64) -> Option<(Design, String)> {
             continue;
         };
         let cap = cap.clamp(min, max);
-        let large = match values.get(param.name) {
-            Value::Int(given) => given > cap,
+        let large = match values.get(&param.name) {
+            Value::Int(given) => *given > cap,
             // What `auto` stands for may be large: a count of steps is set.
             Value::Auto => param.role == Role::Iterations,
             Value::Real(_) | Value::Choice(_) => false,
         };
         if large {
-            values.set(param.name, &cap.to_string()).ok()?;
+            values.set(&param.name, &cap.to_string()).ok()?;
             names.push(format!("{}={cap}", param.name));
         }
     }

@@ -276,7 +276,7 @@ impl<'a> Twins<'a> {
                 continue;
             }
             let mut golden = vec![vec![0.0; block.len()]; self.design.golden_columns()];
-            (self.design.golden)(&self.design.values, &inputs, &mut golden);
+            self.design.golden.run(&inputs, &mut golden);
             if let Some(angles) = &mut self.angles {
                 angles.append(self.design, block, &golden);
             }

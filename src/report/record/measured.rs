@@ -78,7 +78,7 @@ impl From<measure::Figures> for Figures {
         Self {
             quantity: figures.quantity,
             unit: figures.unit.to_owned(),
-            over: figures.over.map(str::to_owned),
+            over: figures.over,
             basis: figures.basis,
             max: Real(figures.max),
             max_ulp: figures.max_ulp.map(Real),

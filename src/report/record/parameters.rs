@@ -9,9 +9,9 @@ pub type Parameters = Map<String, serde_json::Value>;
 
 /// A parameter's value for JSON.
 #[must_use]
-pub fn json_of(value: Value) -> serde_json::Value {
+pub fn json_of(value: &Value) -> serde_json::Value {
     match value {
-        Value::Int(number) => number.into(),
+        Value::Int(number) => (*number).into(),
         Value::Real(number) => number.get().into(),
         Value::Auto | Value::Choice(_) => value.to_string().into(),
     }

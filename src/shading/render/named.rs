@@ -19,7 +19,7 @@ pub(super) struct Stage {
 
 impl Stage {
     /// A unit with those assignments of the pipeline that it knows, and the scene's.
-    pub(super) fn new(unit: &'static Unit, pipeline: &Pipeline, scene: &[String]) -> Result<Self> {
+    pub(super) fn new(unit: &Unit, pipeline: &Pipeline, scene: &[String]) -> Result<Self> {
         let own = pipeline.assignments.iter().filter(|set| knows(unit, set));
         let all: Vec<&String> = own.chain(scene).collect();
         let design = unit.values(&all)?.build()?;

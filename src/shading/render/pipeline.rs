@@ -3,10 +3,7 @@
 use crate::base::error::{Error, Result, nearest};
 use crate::design::{Design, Kind, Param, Reflection, Role, Shading, Unit, Value, Values};
 use crate::shading::scene::{Light, Material, Scene};
-use crate::units::UNITS;
-use crate::units::combine::COMBINE;
-use crate::units::sampler::SAMPLER;
-use crate::units::tangent::TANGENT;
+use crate::units::{self, built_in};
 
 /// A unit with parameters, as a way to shade pixels.
 #[derive(Clone, Debug)]
@@ -14,7 +11,7 @@ pub struct Pipeline {
     /// Name in reports and of its files.
     pub name: String,
     /// The unit.
-    pub unit: &'static Unit,
+    pub unit: Unit,
     /// Parameters that differ from the defaults, as `key=value`. Those of the material come from the
     /// scene.
     pub assignments: Vec<String>,
@@ -37,7 +34,7 @@ pub enum Frames {
 pub const EMBOSS_PIPELINES: [&str; 2] = ["emboss-gx", "emboss-nv"];
 
 /// Units behind the emboss unit.
-static EMBOSS_BEHIND: [&Unit; 2] = [&SAMPLER, &COMBINE];
+const EMBOSS_BEHIND: [&str; 2] = ["sampler", "combine"];
 
 /// Parameters of the units that the pipeline's name and the scene give.
 const EMBOSS_FROM_SCENE: &[&str] = &[
@@ -70,7 +67,7 @@ const EMBOSS_FROM_SCENE: &[&str] = &[
 pub const TANGENT_PIPELINES: [&str; 2] = ["tangent-smooth", "tangent-faceted"];
 
 /// Units before a pipeline whose frames are set up.
-static TANGENT_BEFORE: [&Unit; 1] = [&TANGENT];
+const TANGENT_BEFORE: [&str; 1] = ["tangent"];
 
 /// Parameters of the unit that the pipeline's name and the scene give.
 const TANGENT_FROM_SCENE: &[&str] = &["frame", "lights"];
@@ -80,14 +77,14 @@ const TANGENT_FROM_SCENE: &[&str] = &["frame", "lights"];
 ///
 /// # Panics
 /// If the value is none of its kind: that is wrong code.
-pub fn set_material(scene: &mut Scene, part: Reflection, value: Value) {
+pub fn set_material(scene: &mut Scene, part: Reflection, value: &Value) {
     for material in &mut scene.materials {
         match (part, value) {
             (Reflection::Ambient, Value::Real(number)) => material.ambient = number.get(),
             (Reflection::Diffuse, Value::Real(number)) => material.diffuse = number.get(),
             (Reflection::Specular, Value::Real(number)) => material.specular = number.get(),
             (Reflection::Exponent, Value::Int(number)) => {
-                material.exponent = u32::try_from(number).expect("bug: a legal exponent");
+                material.exponent = u32::try_from(*number).expect("bug: a legal exponent");
             }
             _ => panic!("bug: {part:?} is not {value}"),
         }
@@ -96,27 +93,27 @@ pub fn set_material(scene: &mut Scene, part: Reflection, value: Value) {
 
 /// The units that are pipelines.
 pub(crate) fn pipeline_units() -> impl Iterator<Item = &'static Unit> {
-    UNITS.iter().copied().filter(|unit| unit.shades == Shading::Pipeline)
+    units::all().filter(|unit| unit.shades == Shading::Pipeline)
 }
 
 /// Names of the pipelines that a unit is.
-fn pipelines_of(unit: &Unit) -> Vec<&'static str> {
+fn pipelines_of(unit: &Unit) -> Vec<&str> {
     let choices = unit.params.iter().find(|param| param.role == Role::Pipeline);
-    match choices.map(|param| param.kind) {
-        Some(Kind::Choice(names)) => names.to_vec(),
-        Some(Kind::Int { .. } | Kind::Real { .. }) | None => vec![unit.name],
+    match choices.map(|param| &param.kind) {
+        Some(Kind::Choice(names)) => names.iter().map(|name| &**name).collect(),
+        Some(Kind::Int { .. } | Kind::Real { .. }) | None => vec![&unit.name],
     }
 }
 
 /// True if a parameter of a unit comes from a scene's material and lights.
 fn is_of_material(unit: &Unit, key: &str) -> bool {
-    unit.param(key).is_some_and(|param| matches!(param.role, Role::Material(_)))
+    unit.find_param(key).is_some_and(|param| matches!(param.role, Role::Material(_)))
 }
 
 /// True if an assignment is to a parameter of a unit.
-pub(super) fn knows(unit: &'static Unit, set: &str) -> bool {
+pub(super) fn knows(unit: &Unit, set: &str) -> bool {
     let key = set.split_once('=').map_or("", |(key, _)| key);
-    unit.param(key).is_some()
+    unit.find_param(key).is_some()
 }
 
 impl Pipeline {
@@ -155,8 +152,8 @@ impl Pipeline {
         Ok(Self::with(name, unit, assignments.into_iter().collect()))
     }
 
-    fn with(name: &str, unit: &'static Unit, assignments: Vec<String>) -> Self {
-        Self { name: name.to_owned(), unit, assignments, frames: Frames::Float }
+    fn with(name: &str, unit: &Unit, assignments: Vec<String>) -> Self {
+        Self { name: name.to_owned(), unit: unit.clone(), assignments, frames: Frames::Float }
     }
 
     /// True if it embosses: its golden is another one than that of the others.
@@ -184,23 +181,24 @@ impl Pipeline {
 
     /// True if an assignment says which of the unit's pipelines this is.
     fn names_it(&self, set: &str) -> bool {
-        let param = set.split_once('=').and_then(|(key, _)| self.unit.param(key));
+        let param = set.split_once('=').and_then(|(key, _)| self.unit.find_param(key));
         param.is_some_and(|param| param.role == Role::Pipeline)
     }
 
     /// Parameters of all its units.
-    pub fn params(&self) -> impl Iterator<Item = &'static Param> + use<> {
-        let behind: &[&'static Unit] = match self.frames {
+    pub fn params(&self) -> impl Iterator<Item = &Param> {
+        let beside: &[&str] = match self.frames {
             _ if self.is_emboss() => &EMBOSS_BEHIND,
             Frames::Float => &[],
             Frames::Setup => &TANGENT_BEFORE,
         };
-        self.unit.all_params().chain(behind.iter().flat_map(|unit| unit.all_params()))
+        let beside = beside.iter().flat_map(|name| built_in(name).all_params());
+        self.unit.all_params().chain(beside)
     }
 
     /// A unit with parameters, under a name of its own; what the scene gives is left out of them.
     #[must_use]
-    pub fn of_unit(name: &str, unit: &'static Unit, assignments: &[String]) -> Self {
+    pub fn of_unit(name: &str, unit: &Unit, assignments: &[String]) -> Self {
         let from_scene =
             |set: &&String| set.split_once('=').is_some_and(|(key, _)| is_of_material(unit, key));
         let assignments = assignments.iter().filter(|set| !from_scene(set)).cloned().collect();
@@ -212,7 +210,7 @@ impl Pipeline {
     pub fn of_values(values: &Values) -> Self {
         let given = values.params().filter(|(p, _)| !matches!(p.role, Role::Material(_)));
         let assignments = given.map(|(param, value)| format!("{}={value}", param.name)).collect();
-        Self::with(values.unit().name, values.unit(), assignments)
+        Self::with(&values.unit().name, values.unit(), assignments)
     }
 
     /// Sets parameters for all pipelines that have them.
@@ -223,7 +221,7 @@ impl Pipeline {
         for assignment in assignments {
             let (key, _) =
                 assignment.split_once('=').ok_or_else(|| Error::form(assignment, "key=value"))?;
-            if pipelines.iter().any(|pipeline| is_of_material(pipeline.unit, key)) {
+            if pipelines.iter().any(|pipeline| is_of_material(&pipeline.unit, key)) {
                 let text =
                     format!("parameter `{key}` comes from the scene's [material] and lights");
                 return Err(Error::usage(text));
@@ -260,7 +258,7 @@ impl Pipeline {
                 return Err(Error::usage(format!(
                     "no parameter `{key}` in any of the pipelines {}{}: `fixpath list` names them all",
                     names.join(", "),
-                    nearest(key, all.map(|param| param.name))
+                    nearest(key, all.map(|param| param.name.as_str()))
                 )));
             }
         }
@@ -276,7 +274,7 @@ impl Pipeline {
         let mut assignments = match self.frames {
             Frames::Float => self.assignments.clone(),
             Frames::Setup => {
-                let known = |set: &&String| knows(self.unit, set);
+                let known = |set: &&String| knows(&self.unit, set);
                 self.assignments.iter().filter(known).cloned().collect()
             }
         };
@@ -286,7 +284,7 @@ impl Pipeline {
             let text = "highlight=off leaves out specular light that the scene has: set specular = 0 in its [material]";
             return Err(Error::usage(text.to_owned()));
         }
-        for param in self.unit.params {
+        for param in &self.unit.params {
             let Role::Material(part) = param.role else { continue };
             let value = match part {
                 Reflection::Ambient => ambient,

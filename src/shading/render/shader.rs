@@ -95,7 +95,8 @@ impl Shader {
             for (number, light) in scene.lights.iter().enumerate() {
                 let ambient = if number == 0 { scene.ambient * material.ambient } else { 0.0 };
                 let design = pipeline.design(ambient, light, material)?;
-                let key: Vec<Value> = design.values.iter().map(|(_, value)| value).collect();
+                let key: Vec<Value> =
+                    design.values.iter().map(|(_, value)| value.clone()).collect();
                 let index = match known.get(&key) {
                     Some(index) if shared => *index,
                     Some(_) | None => {

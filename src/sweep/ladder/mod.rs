@@ -198,7 +198,7 @@ impl Ladder {
         let mut scene = scene.clone();
         let mut all = Vec::new();
         for exponent in &self.exponents {
-            set_material(&mut scene, Reflection::Exponent, Value::Int((*exponent).into()));
+            set_material(&mut scene, Reflection::Exponent, &Value::Int((*exponent).into()));
             let before = all.len();
             let points = self.points(&scene, &pipelines, &|done| progress(before + done))?;
             all.extend(settings.iter().zip(points).map(|((scheme, addr_bits, _), point)| {

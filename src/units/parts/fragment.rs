@@ -12,7 +12,7 @@
 //! Angles are in turns; at a pole phi is 0, and psi suits that.
 
 use crate::base::simd::{Body, vectorised};
-use crate::design::{Design, HardCase, Sampler, Uniform};
+use crate::design::{Draw, HardCase, InputPorts, Sampler, Uniform, Values};
 use crate::netlist::{Netlist, NodeId, Quantity};
 use crate::number::format::{Overflow, Round, quantize};
 use crate::number::trig;
@@ -210,22 +210,16 @@ impl Fragment {
 ///
 /// # Panics
 /// If a port's name means nothing here: that is wrong code.
-pub(crate) fn draw(
-    design: &Design,
-    sampler: Sampler,
-    uniform: &mut Uniform,
-    columns: &mut [Vec<f64>],
-    count: usize,
-) {
-    let port = |at| Port::of(design.netlist.input_name(at));
-    let ports: Vec<Port> = (0..columns.len())
-        .map(|at| port(at).expect("bug: ports of shading units are those of fragments"))
-        .collect();
-    let lit = sampler == Sampler::Lit;
-    let fragments: Vec<Fragment> = (0..count).map(|_| Fragment::random(lit, uniform)).collect();
-    for (port, column) in ports.iter().zip(columns) {
-        port.column(&fragments, column);
-    }
+pub(crate) fn draw(_: &Values, ports: &InputPorts<'_>) -> Draw {
+    let port = |name| Port::of(name).expect("bug: ports of shading units are those of fragments");
+    let ports: Vec<Port> = ports.names().map(port).collect();
+    Draw::new(move |sampler, uniform, columns, count| {
+        let lit = sampler == Sampler::Lit;
+        let fragments: Vec<Fragment> = (0..count).map(|_| Fragment::random(lit, uniform)).collect();
+        for (port, column) in ports.iter().zip(columns) {
+            port.column(&fragments, column);
+        }
+    })
 }
 
 /// The named hard cases of a unit with the ports of fragments.
@@ -247,8 +241,7 @@ pub(crate) fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
         };
         netlist.inputs().iter().enumerate().map(word).collect()
     };
-    let cases =
-        |name, list: Vec<Fragment>| HardCase { name, words: list.iter().map(words).collect() };
+    let cases = |name, list: Vec<Fragment>| HardCase::new(name, list.iter().map(words).collect());
     let unit = |x: f64, y: f64, z: f64| DVec3::new(x, y, z).normalize();
     let tiny = 2f64.powi(-10);
     let poles = [DVec3::Z, DVec3::NEG_Z, unit(tiny, 0.0, 1.0), unit(tiny, -tiny, -1.0)];

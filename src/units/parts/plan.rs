@@ -3,154 +3,99 @@
 
 use crate::base::cast;
 use crate::base::error::Result;
-use crate::design::{Kind, Param, Role, Values};
+use crate::design::{Param, Role, Values};
 use crate::netlist::{Builder, NodeId};
 use crate::number::format::{Format, Overflow, Round};
 use crate::number::function::Function;
-use crate::table::Tabulated;
-use crate::table::{self, Scheme};
+use crate::table::{self, Scheme, Tabulated};
 
-const TABLE_BITS: Kind = Kind::Int { min: 2, max: 20, auto: Some("table_addr_bits") };
+pub(crate) fn angle_bits() -> Param {
+    Param::bits("angle_bits", 2..=24)
+        .default(16)
+        .help("bits of every angle port; a word counts 2^-angle_bits turns")
+}
 
-pub(crate) const ANGLE_BITS: Param = Param {
-    name: "angle_bits",
-    role: Role::Width,
-    kind: Kind::Int { min: 2, max: 24, auto: None },
-    default: "16",
-    help: "bits of every angle port; a word counts 2^-angle_bits turns",
-};
+pub(crate) fn table_addr_bits() -> Param {
+    Param::bits("table_addr_bits", 2..=20)
+        .role(Role::TableSize)
+        .default(10)
+        .help("address bits of every table that has none of its own")
+}
 
-pub(crate) const TABLE_ADDR_BITS: Param = Param {
-    name: "table_addr_bits",
-    role: Role::TableSize,
-    kind: Kind::Int { min: 2, max: 20, auto: None },
-    default: "10",
-    help: "address bits of every table that has none of its own",
-};
+pub(crate) fn quarter_wave() -> Param {
+    Param::flag("quarter_wave")
+        .help("store a quarter turn of sin, cos and their reciprocals and fold")
+}
 
-pub(crate) const SCHEME: Param = Param {
-    name: "scheme",
-    role: Role::Scheme,
-    kind: Kind::Choice(&["direct", "linear", "bipartite"]),
-    default: "direct",
-    help: "how tables approximate: one word per cell, base + slope, or two tables added",
-};
+pub(crate) fn frac_bits() -> Param {
+    Param::bits("frac_bits", 2..=32).default(16).help("fraction bits of the components x, y, z")
+}
 
-pub(crate) const QUARTER_WAVE: Param = Param {
-    name: "quarter_wave",
-    role: Role::Switch,
-    kind: Kind::Choice(&["off", "on"]),
-    default: "off",
-    help: "store a quarter turn of sin, cos and their reciprocals and fold",
-};
+pub(crate) fn guard_bits() -> Param {
+    Param::bits("guard_bits", 0..=8).default(2).help("extra fraction bits inside")
+}
 
-pub(crate) const FRAC_BITS: Param = Param {
-    name: "frac_bits",
-    role: Role::Width,
-    kind: Kind::Int { min: 2, max: 32, auto: None },
-    default: "16",
-    help: "fraction bits of the components x, y, z",
-};
+pub(crate) fn overflow() -> Param {
+    Param::overflow("overflow")
+        .help("overflow of the components x, y, z (cartesian); everything inside saturates")
+}
 
-pub(crate) const GUARD_BITS: Param = Param {
-    name: "guard_bits",
-    role: Role::Width,
-    kind: Kind::Int { min: 0, max: 8, auto: None },
-    default: "2",
-    help: "extra fraction bits inside",
-};
+pub(crate) fn sincos_addr_bits() -> Param {
+    Param::bits("sincos_addr_bits", 2..=20)
+        .role(Role::TableSize)
+        .auto("table_addr_bits")
+        .help("address bits of the sin & cos table")
+}
 
-pub(crate) const ROUNDING: Param = Param {
-    name: "rounding",
-    role: Role::Rounding,
-    kind: Kind::Choice(&["floor", "toward-zero", "half-up", "half-away", "half-even"]),
-    default: "half-up",
-    help: "rounding wherever bits are dropped",
-};
+pub(crate) fn asin_addr_bits() -> Param {
+    Param::bits("asin_addr_bits", 2..=20)
+        .role(Role::TableSize)
+        .auto("table_addr_bits")
+        .help("address bits of the asin table (printed, corrected)")
+}
 
-pub(crate) const OVERFLOW: Param = Param {
-    name: "overflow",
-    role: Role::Overflow,
-    kind: Kind::Choice(&["wrap", "saturate", "symmetric", "error"]),
-    default: "saturate",
-    help: "overflow of the components x, y, z (cartesian); everything inside saturates",
-};
+pub(crate) fn recip_addr_bits() -> Param {
+    Param::bits("recip_addr_bits", 2..=20)
+        .role(Role::TableSize)
+        .auto("table_addr_bits")
+        .help("address bits of the reciprocal tables")
+}
 
-pub(crate) const SINCOS_ADDR_BITS: Param = Param {
-    name: "sincos_addr_bits",
-    role: Role::TableSize,
-    kind: TABLE_BITS,
-    default: "auto",
-    help: "address bits of the sin & cos table",
-};
+pub(crate) fn atan_addr_bits() -> Param {
+    Param::bits("atan_addr_bits", 2..=20)
+        .role(Role::TableSize)
+        .auto("table_addr_bits")
+        .help("address bits of the atan table")
+}
 
-pub(crate) const ASIN_ADDR_BITS: Param = Param {
-    name: "asin_addr_bits",
-    role: Role::TableSize,
-    kind: TABLE_BITS,
-    default: "auto",
-    help: "address bits of the asin table (printed, corrected)",
-};
+pub(crate) fn prop_addr_bits() -> Param {
+    Param::bits("prop_addr_bits", 2..=20)
+        .role(Role::TableSize)
+        .auto("table_addr_bits")
+        .help("address bits of T_prop (printed, corrected)")
+}
 
-pub(crate) const RECIP_ADDR_BITS: Param = Param {
-    name: "recip_addr_bits",
-    role: Role::TableSize,
-    kind: TABLE_BITS,
-    default: "auto",
-    help: "address bits of the reciprocal tables",
-};
+pub(crate) fn recip_int_bits() -> Param {
+    Param::bits("recip_int_bits", 1..=16)
+        .default(8)
+        .help("1/(2 sin Z) and 1/(2 cos Z) saturate at 2^recip_int_bits (printed, corrected)")
+}
 
-pub(crate) const ATAN_ADDR_BITS: Param = Param {
-    name: "atan_addr_bits",
-    role: Role::TableSize,
-    kind: TABLE_BITS,
-    default: "auto",
-    help: "address bits of the atan table",
-};
+pub(crate) fn atan_int_bits() -> Param {
+    Param::bits("atan_int_bits", 1..=14).auto("what balances its cells against its end, for its size and scheme").help("the index of the atan table, tan phi', saturates at 2^atan_int_bits (printed, corrected)")
+}
 
-pub(crate) const PROP_ADDR_BITS: Param = Param {
-    name: "prop_addr_bits",
-    role: Role::TableSize,
-    kind: TABLE_BITS,
-    default: "auto",
-    help: "address bits of T_prop (printed, corrected)",
-};
+pub(crate) fn quadrants() -> Param {
+    Param::choice("quadrants", ["full", "half"])
+        .help("phi' over the full circle, or plain atan as eq (9) is printed (printed, corrected)")
+}
 
-pub(crate) const RECIP_INT_BITS: Param = Param {
-    name: "recip_int_bits",
-    role: Role::Width,
-    kind: Kind::Int { min: 1, max: 16, auto: None },
-    default: "8",
-    help: "1/(2 sin Z) and 1/(2 cos Z) saturate at 2^recip_int_bits (printed, corrected)",
-};
-
-pub(crate) const ATAN_INT_BITS: Param = Param {
-    name: "atan_int_bits",
-    role: Role::Width,
-    kind: Kind::Int {
-        min: 1,
-        max: 14,
-        auto: Some("what balances its cells against its end, for its size and scheme"),
-    },
-    default: "auto",
-    help: "the index of the atan table, tan phi', saturates at 2^atan_int_bits (printed, corrected)",
-};
-
-pub(crate) const QUADRANTS: Param = Param {
-    name: "quadrants",
-    role: Role::Switch,
-    kind: Kind::Choice(&["full", "half"]),
-    default: "full",
-    help: "phi' over the full circle, or plain atan as eq (9) is printed (printed, corrected)",
-};
-
-pub(crate) const CORDIC_ITERATIONS: Param = Param {
-    name: "cordic_iterations",
-    role: Role::Iterations,
-    kind: Kind::Int { min: 1, max: 40, auto: Some("frac_bits + guard_bits") },
-    default: "auto",
-    help: "steps of each CORDIC (polar-cordic)",
-};
+pub(crate) fn cordic_iterations() -> Param {
+    Param::int("cordic_iterations", 1..=40)
+        .role(Role::Iterations)
+        .auto("frac_bits + guard_bits")
+        .help("steps of each CORDIC (polar-cordic)")
+}
 
 /// Parameters in the form that the netlist is written in.
 pub(crate) struct Plan<'a> {
@@ -175,28 +120,28 @@ pub(crate) fn number(int_bits: u32, frac_bits: u32) -> Result<Format> {
 impl<'a> Plan<'a> {
     /// The plan of parameters that have all of this file's but the tables' sizes; a unit without
     /// angles has none of theirs.
-    pub(crate) fn new(values: &'a Values) -> Result<Self> {
-        let angles = values.iter().any(|(name, _)| name == "angle_bits");
+    pub(crate) fn new(values: &'a Values) -> Self {
+        let angles = values.has("angle_bits");
         let angle_bits = if angles { values.bits("angle_bits") } else { 0 };
         let guard_bits = values.bits("guard_bits");
-        Ok(Self {
+        Self {
             values,
             angle_bits,
             work_bits: values.bits("frac_bits") + guard_bits,
             work_angle_bits: angle_bits + guard_bits,
             frac_bits: values.bits("frac_bits"),
-            scheme: scheme_of(values.choice("scheme")),
-            quarter_wave: angles && values.choice("quarter_wave") == "on",
-            round: values.choice("rounding").parse()?,
+            scheme: values.scheme("scheme"),
+            quarter_wave: angles && values.flag("quarter_wave"),
+            round: values.rounding("rounding"),
             tabulated: Vec::new(),
-        })
+        }
     }
 
     /// Tabulates functions of `argument`; the table's size comes from `<size>_addr_bits`.
     pub(crate) fn table(
         &mut self,
         b: &mut Builder,
-        name: &'static str,
+        name: &str,
         size: &str,
         functions: &[Function],
         argument: NodeId,
@@ -208,7 +153,7 @@ impl<'a> Plan<'a> {
 
     pub(crate) fn tabulate(
         &mut self,
-        name: &'static str,
+        name: &str,
         size: &str,
         functions: &[Function],
         origin: f64,
@@ -220,7 +165,7 @@ impl<'a> Plan<'a> {
             None => self.values.bits("table_addr_bits"),
         };
         let tabulated = Tabulated {
-            name,
+            name: name.to_owned(),
             functions: functions.to_vec(),
             scheme: self.scheme,
             addr_bits,
@@ -261,12 +206,6 @@ impl<'a> Plan<'a> {
     }
 }
 
-/// The scheme of a legal name.
-pub(crate) fn scheme_of(name: &str) -> Scheme {
-    let scheme = Scheme::ALL.iter().find(|scheme| scheme.name() == name);
-    *scheme.expect("bug: every choice is a scheme")
-}
-
 /// Sum or difference of angles, modulo a turn.
 pub(crate) fn angle(b: &mut Builder, name: &str, exact: NodeId, format: Format) -> NodeId {
     let word = b.modulo(exact, format);
@@ -276,8 +215,8 @@ pub(crate) fn angle(b: &mut Builder, name: &str, exact: NodeId, format: Format) 
 
 /// Largest error of one rounding in ulp.
 pub(crate) fn rounding_ulp(values: &Values) -> f64 {
-    match values.choice("rounding") {
-        "floor" | "toward-zero" => 1.0,
-        _ => 0.5,
+    match values.rounding("rounding") {
+        Round::Floor | Round::TowardZero => 1.0,
+        Round::HalfUp | Round::HalfAway | Round::HalfEven => 0.5,
     }
 }

@@ -9,43 +9,34 @@ use super::plan::{self, Plan, number, rounding_ulp};
 use super::root::{self, reciprocal_root};
 use crate::base::cast;
 use crate::base::error::Result;
-use crate::design::{Bound, BoundFn, Kind, Param, Role, Values};
+use crate::design::{Bound, Param, Role, Values};
 use crate::netlist::{Builder, NodeId, Quantity};
 use crate::number::format::{Format, Overflow, Round};
 use crate::number::function::Function;
 use crate::number::trig::Real;
 
-pub(crate) const NORMALISE: Param = Param {
-    name: "normalise",
-    role: Role::Switch,
-    kind: Kind::Choice(&["divide", "reciprocal-root"]),
-    default: "divide",
-    help: "a square root and three dividers, or a reciprocal square root and three multipliers",
-};
+fn normalise() -> Param {
+    Param::choice("normalise", ["divide", "reciprocal-root"])
+        .help("a square root and three dividers, or a reciprocal square root and three multipliers")
+}
 
-pub(crate) const DIVIDER: Param = Param {
-    name: "divider",
-    role: Role::Switch,
-    kind: Kind::Choice(&["restoring", "non-restoring", "table"]),
-    default: "non-restoring",
-    help: "digit recurrences, or a normalised reciprocal table and a product (normalise=divide)",
-};
+fn divider() -> Param {
+    Param::choice("divider", ["restoring", "non-restoring", "table"]).default("non-restoring").help(
+        "digit recurrences, or a normalised reciprocal table and a product (normalise=divide)",
+    )
+}
 
-pub(crate) const ROOT: Param = Param {
-    name: "root",
-    role: Role::Switch,
-    kind: Kind::Choice(&["digits", "table"]),
-    default: "digits",
-    help: "a digit recurrence or a normalised table (normalise=divide)",
-};
+fn root_method() -> Param {
+    Param::choice("root", ["digits", "table"])
+        .help("a digit recurrence or a normalised table (normalise=divide)")
+}
 
-pub(crate) const ROOT_ADDR_BITS: Param = Param {
-    name: "root_addr_bits",
-    role: Role::TableSize,
-    kind: Kind::Int { min: 2, max: 20, auto: Some("table_addr_bits") },
-    default: "auto",
-    help: "address bits of the table of roots or reciprocal roots",
-};
+fn root_addr_bits() -> Param {
+    Param::bits("root_addr_bits", 2..=20)
+        .role(Role::TableSize)
+        .auto("table_addr_bits")
+        .help("address bits of the table of roots or reciprocal roots")
+}
 
 /// Integer bits of a transformed component: three products of words below 2 in magnitude.
 const INT_BITS: u32 = 4;
@@ -117,7 +108,7 @@ fn normalised(b: &mut Builder, plan: &mut Plan<'_>, v: [NodeId; 3]) -> Result<[N
     let output = number(1, plan.frac_bits)?;
     let axes = ["x", "y", "z"];
     let kept_bits = kept_bits(work_bits);
-    let mut roots = |name: &'static str, function| -> Result<_> {
+    let mut roots = |name: &str, function| -> Result<_> {
         let argument = root::argument(unsigned, kept_bits)?;
         let format = Format::unsigned(work_bits + 2, work_frac)?; // up to 2
         Ok(plan.tabulate(name, "root_addr_bits", &[function], 0.25, format, argument))
@@ -175,8 +166,8 @@ fn kept_bits(work_bits: u32) -> u32 {
 pub(crate) const INPUTS: &str = "L and H in the texture frame, and N', from 1/2 to 2 long";
 
 /// The bound on each component of the unit vectors.
-pub(crate) fn bound(quantities: &'static [&'static str]) -> Bound {
-    Bound { what: "component", quantities, bound: component_bound as BoundFn }
+pub(crate) fn bound(quantities: &[&str]) -> Bound {
+    Bound::new("component", quantities, component_bound)
 }
 
 /// Each component of L', H' and N', for [`INPUTS`].
@@ -241,15 +232,17 @@ pub(crate) fn golden<F: Real>(inputs: &[&[F]]) -> Vec<[Vec<F>; 3]> {
 }
 
 /// Parameters of the set-up.
-pub(crate) const PARAMS: [Param; 10] = [
-    NORMALISE,
-    DIVIDER,
-    ROOT,
-    plan::FRAC_BITS,
-    plan::GUARD_BITS,
-    plan::ROUNDING,
-    plan::TABLE_ADDR_BITS,
-    plan::SCHEME,
-    plan::RECIP_ADDR_BITS,
-    ROOT_ADDR_BITS,
-];
+pub(crate) fn params() -> [Param; 10] {
+    [
+        normalise(),
+        divider(),
+        root_method(),
+        plan::frac_bits(),
+        plan::guard_bits(),
+        Param::rounding("rounding"),
+        plan::table_addr_bits(),
+        Param::scheme("scheme"),
+        plan::recip_addr_bits(),
+        root_addr_bits(),
+    ]
+}

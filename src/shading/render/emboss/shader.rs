@@ -11,8 +11,7 @@ use crate::shading::render::named::Stage;
 use crate::shading::render::pipeline::Pipeline;
 use crate::shading::scene::{Filter, Seen};
 use crate::sim::batch::Runner;
-use crate::units::combine::COMBINE;
-use crate::units::sampler::SAMPLER;
+use crate::units::built_in;
 use glam::DVec2;
 use std::collections::BTreeMap;
 
@@ -39,14 +38,14 @@ impl<'a> Shader<'a> {
         if way == Way::Away {
             of_emboss.push(set("constants", &"ports"));
         }
-        let emboss = Stage::new(pipeline.unit, pipeline, &of_emboss)?;
+        let emboss = Stage::new(&pipeline.unit, pipeline, &of_emboss)?;
         let of_combine = [
             set("filter", &settings.filter.name()),
             set("lights", &scene.lights.len()),
             set("gain_log2", &settings.gain_log2),
             set("difference", &way.difference()),
         ];
-        let combine = Stage::new(&COMBINE, pipeline, &of_combine)?;
+        let combine = Stage::new(built_in("combine"), pipeline, &of_combine)?;
         let mut vertices = BlockShot::of([&emboss.program].into_iter());
         let (coordinates, step_texels) = displaced(front, &emboss, &mut vertices)?;
         // Integer bits for the farthest coordinate, in maps.
@@ -66,7 +65,7 @@ impl<'a> Shader<'a> {
             set("log2_width", &front.size[0].trailing_zeros()),
             set("log2_height", &front.size[1].trailing_zeros()),
         ];
-        let sampler = Stage::new(&SAMPLER, pipeline, &of_sampler)?;
+        let sampler = Stage::new(built_in("sampler"), pipeline, &of_sampler)?;
         let pairs = coordinates.displaced.iter().zip(&front.golden(way).displaced);
         let displacement_max_texels =
             pairs.map(|(is, should)| apart(is, should).max_element()).fold(0.0, f64::max);

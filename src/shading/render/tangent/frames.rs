@@ -9,8 +9,8 @@ use crate::shading::render::block::{BlockShot, overflows};
 use crate::shading::render::named::Stage;
 use crate::shading::render::pipeline::{Pipeline, knows};
 use crate::shading::scene::{CURVED, Fragments, Scene, SharedVertex};
+use crate::units::built_in;
 use crate::units::fragment::Fragment;
-use crate::units::tangent::TANGENT;
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -25,7 +25,7 @@ pub(in crate::shading::render) struct FaceFrames {
 impl FaceFrames {
     /// What of a pipeline's parameters they depend on.
     pub(in crate::shading::render) fn parameters(pipeline: &Pipeline) -> Vec<&String> {
-        pipeline.assignments.iter().filter(|set| knows(&TANGENT, set)).collect()
+        pipeline.assignments.iter().filter(|set| knows(built_in("tangent"), set)).collect()
     }
 
     pub(in crate::shading::render) fn new(scene: &Scene, pipeline: &Pipeline) -> Result<Self> {

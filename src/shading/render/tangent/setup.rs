@@ -11,7 +11,7 @@ use crate::shading::render::named::Stage;
 use crate::shading::render::pipeline::Pipeline;
 use crate::shading::scene::SharedVertex;
 use crate::shading::specialise::{Known as KnownWords, Rate, specialise};
-use crate::units::tangent::TANGENT;
+use crate::units::built_in;
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
@@ -120,7 +120,7 @@ impl Setup {
         lights: usize,
         corners: impl Iterator<Item = (u32, SharedVertex)>,
     ) -> Result<Self> {
-        let stage = Stage::new(&TANGENT, pipeline, &[format!("lights={lights}")])?;
+        let stage = Stage::new(built_in("tangent"), pipeline, &[format!("lights={lights}")])?;
         // Least and greatest position and uv.
         let mut bounds: Vec<Option<[[DVec3; 2]; 2]>> = Vec::new();
         for (object, SharedVertex { position, uv, .. }) in corners {
