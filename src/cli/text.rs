@@ -42,11 +42,27 @@ fn rate(per_second: f64) -> String {
     format!("{:.1} M/s", per_second / 1e6)
 }
 
-pub(super) fn list(units: &[&'static Unit]) -> String {
+/// What a unit says of its ports, or else the names of those that it has by default.
+fn ports_of(unit: &Unit) -> (String, String) {
+    if !unit.inputs.is_empty() || !unit.outputs.is_empty() {
+        return (unit.inputs.clone(), unit.outputs.clone());
+    }
+    let Ok(design) = unit.defaults().build() else { return Default::default() };
+    let netlist = &design.netlist;
+    let inputs: Vec<&str> = (0..netlist.inputs().len()).map(|at| netlist.input_name(at)).collect();
+    let outputs: Vec<&str> = netlist.outputs().iter().map(|port| port.name.as_str()).collect();
+    (inputs.join(", "), outputs.join(", "))
+}
+
+pub(super) fn list(units: &[&Unit]) -> String {
     let mut text = String::new();
     for unit in units {
-        let _ = writeln!(text, "{}: {}\n  source: {}", unit.name, unit.summary, unit.source);
-        let _ = writeln!(text, "  inputs: {}\n  outputs: {}\n", unit.inputs, unit.outputs);
+        let _ = writeln!(text, "{}: {}", unit.name, unit.summary);
+        if !unit.source.is_empty() {
+            let _ = writeln!(text, "  source: {}", unit.source);
+        }
+        let (inputs, outputs) = ports_of(unit);
+        let _ = writeln!(text, "  inputs: {inputs}\n  outputs: {outputs}\n");
         let row = |param: &Param| {
             vec![
                 param.name.clone(),
@@ -67,7 +83,7 @@ pub(super) fn list(units: &[&'static Unit]) -> String {
     text
 }
 
-pub(super) fn list_json(units: &[&'static Unit]) -> Value {
+pub(super) fn list_json(units: &[&Unit]) -> Value {
     let param = |param: &Param| {
         let default = json_of(&param.default);
         let mut entry = json!({
@@ -85,15 +101,16 @@ pub(super) fn list_json(units: &[&'static Unit]) -> Value {
         fields.extend(extra.as_object().expect("bug: an object").clone());
         entry
     };
-    let unit = |unit: &&'static Unit| {
+    let unit = |unit: &&Unit| {
+        let (inputs, outputs) = ports_of(unit);
         json::document(
             "unit",
             json!({
                 "name": unit.name,
                 "summary": unit.summary,
                 "source": unit.source,
-                "inputs": unit.inputs,
-                "outputs": unit.outputs,
+                "inputs": inputs,
+                "outputs": outputs,
                 "parameters": unit.all_params().map(param).collect::<Vec<_>>(),
             }),
         )

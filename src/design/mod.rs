@@ -308,8 +308,8 @@ impl Design {
 
     /// What golden model and sampler depend on: designs of a unit with equal keys have the same.
     pub(crate) fn golden_key(&self) -> impl PartialEq {
-        let read = self.values.all().iter().zip(&self.made.read).enumerate();
-        let read = read.filter_map(|(at, (value, read))| read.then(|| (at, value.clone())));
+        let all = self.values.all().iter().zip(&self.made.read).enumerate();
+        let read = all.filter(|(_, (_, read))| **read).map(|(at, (value, _))| (at, value.clone()));
         let ports: Vec<String> =
             InputPorts::new(&self.netlist).names().map(str::to_owned).collect();
         (read.collect::<Vec<_>>(), self.golden_columns(), ports)

@@ -8,6 +8,7 @@ use crate::number::format::{Overflow, Round};
 use crate::number::function::Number;
 use crate::schedule::Kind as Shared;
 use crate::table::Scheme;
+use std::cmp::Ordering;
 use std::fmt;
 use std::ops::RangeInclusive;
 use std::sync::{Arc, LazyLock};
@@ -366,7 +367,9 @@ impl Param {
         let problem = match &self.kind {
             // A range that runs backwards holds nothing.
             Kind::Int { min, max, .. } if min > max => format!("{min} to {max} is no range"),
-            Kind::Real { min, max } if !(min <= max) => format!("{min} to {max} is no range"),
+            Kind::Real { min, max } if min.partial_cmp(max).is_none_or(Ordering::is_gt) => {
+                format!("{min} to {max} is no range")
+            }
             Kind::Choice(names) => {
                 let plain = |name: &Arc<str>| {
                     !name.is_empty() && name.bytes().all(|b| b.is_ascii_graphic() && b != b',')

@@ -3,6 +3,7 @@
 use super::Design;
 use super::param::{FLAG, Kind, PIPELINE, Param, Reflection, Role, Value};
 use crate::base::error::{Error, Result};
+use crate::base::escape;
 use crate::base::name;
 use crate::number::format::{Format, Overflow, Round};
 use crate::table::Scheme;
@@ -17,7 +18,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// function of this crate takes one's own as it takes those of [`crate::units`].
 ///
 /// ```
-/// use fixpath::format::{Format, Overflow, Round};
+/// use fixpath::format::{Format, Overflow};
 /// use fixpath::netlist::{Builder, Quantity};
 /// use fixpath::units::{Design, Golden, Param, Unit};
 ///
@@ -26,8 +27,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 ///     .param(Param::rounding("rounding"))
 ///     .design(|p| {
 ///         let mut b = Builder::new("square");
-///         let frac_bits = p.int("x_bits").map_or(0, |bits| i32::try_from(bits).unwrap_or(0)) - 1;
-///         let format = Format::signed(p.bits("x_bits"), frac_bits)?;
+///         let format = Format::signed(p.bits("x_bits"), p.bits("x_bits").cast_signed() - 1)?;
 ///         let x = b.input("x", format, Quantity::Number);
 ///         let exact = b.mul(x, x);
 ///         let y = b.narrow(exact, format, p.rounding("rounding"), Overflow::Saturate);
@@ -177,11 +177,17 @@ impl Unit {
     /// Refuses a unit that can't be used.
     ///
     /// # Errors
-    /// If its name or one of a parameter is no identifier, two parameters share a name, a default isn't legal, or
-    /// nothing makes its datapath.
+    /// If its name or one of a parameter is no identifier, two parameters share a name, a default isn't legal, a text has
+    /// more than one line, or nothing makes its datapath.
     pub fn check(&self) -> Result<()> {
         if !name::is_legal(&self.name) {
             return Err(Error::name("unit", &self.name));
+        }
+        let texts = [&self.summary, &self.source, &self.inputs, &self.outputs];
+        if let Some(text) = texts.into_iter().find(|text| text.contains(char::is_control)) {
+            let text = escape::short(text);
+            let why = format!("unit `{}`: `{text}` is to be one line of text", self.name);
+            return Err(Error::usage(why));
         }
         let of_unit = |why: &dyn fmt::Display| Error::usage(format!("unit `{}`: {why}", self.name));
         for (at, param) in self.params.iter().enumerate() {

@@ -34,6 +34,17 @@ pub enum Round {
     HalfEven,
 }
 
+impl Round {
+    /// Largest error of one rounding in ulp.
+    #[must_use]
+    pub const fn error_ulp(self) -> f64 {
+        match self {
+            Self::Floor | Self::TowardZero => 1.0,
+            Self::HalfUp | Self::HalfAway | Self::HalfEven => 0.5,
+        }
+    }
+}
+
 /// What to do with a value outside the format.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, PartialOrd, Ord)]
 pub enum Overflow {

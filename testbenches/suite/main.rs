@@ -30,6 +30,7 @@ mod lower;
 mod lut;
 mod netlist;
 mod op;
+mod own_units;
 mod readers;
 mod readme;
 mod record;

@@ -1,9 +1,13 @@
 //! Parameters of all units together: what is refused, and whether its remedy is one.
 
 use fixpath::format::{Format, Overflow, Round};
+use fixpath::measure::{Basis, Inputs, measure};
 use fixpath::netlist::{Builder, Quantity};
 use fixpath::units::fragment::Port;
-use fixpath::units::{Design, Golden, Kind, Param, Reflection, Role, Shading, UNITS, Unit, Values};
+use fixpath::units::{
+    Bound, Bounds, Design, Draw, Golden, HardCase, Kind, Param, Reflection, Role, Sampler, Shading,
+    Shape, UNITS, Unit, Values,
+};
 use fixpath::verify::Proof;
 use rand_core::{RngCore, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -184,4 +188,260 @@ fn a_proof_shrinks_widths_whatever_they_are_called() {
         assert!(text.contains(port), "{text}");
     }
     assert_eq!(proofs.len(), 2);
+}
+
+/// Values of a parameter to sweep, as it reads them: names, ends of ranges and something between. Tables stay small.
+fn some_values(param: &Param) -> Vec<String> {
+    match &param.kind {
+        Kind::Choice(names) => names.iter().map(ToString::to_string).collect(),
+        Kind::Real { min, max } => {
+            [*min, 0.25 * (3.0 * min + max), *max].map(|x| x.to_string()).to_vec()
+        }
+        Kind::Int { min, max, auto } => {
+            let max = if param.role == Role::TableSize { (*max).min(min + 5) } else { *max };
+            let mut all: Vec<i64> = vec![*min, min + (max - min) / 3, min + (max - min) / 2, max];
+            all.dedup();
+            let auto = auto.iter().map(|_| "auto".to_owned());
+            auto.chain(all.iter().map(ToString::to_string)).collect()
+        }
+    }
+}
+
+/// Where points share inputs and golden values, each has the figures that it has alone.
+#[test]
+fn a_sweep_over_any_parameter_gives_each_point_what_it_has_alone() {
+    let inputs = Inputs { sampler: Sampler::Lit, samples: 300, seed: 5 };
+    let mut compared = 0;
+    for unit in UNITS.iter() {
+        let is_variant = |param: &&Param| matches!(param.role, Role::Variant | Role::Pipeline);
+        let variants = unit.params.iter().find(is_variant);
+        let settings: Vec<Vec<String>> = variants.map_or(vec![Vec::new()], |param| {
+            let values = some_values(param).into_iter();
+            values.map(|value| vec![format!("{}={value}", param.name)]).collect()
+        });
+        for setting in settings {
+            for param in unit.params.iter().filter(|param| !is_variant(param)) {
+                let design = |value: String| {
+                    let assignment = format!("{}={value}", param.name);
+                    // Not all values go together.
+                    unit.values(&[&setting[..], &[assignment]].concat()).unwrap().build().ok()
+                };
+                let designs: Vec<Design> =
+                    some_values(param).into_iter().filter_map(design).collect();
+                let together = measure(&designs.iter().collect::<Vec<_>>(), &inputs, &|_| ());
+                // A word under overflow mode `error` may end the run.
+                let Ok(together) = together else { continue };
+                for (design, together) in designs.iter().zip(together) {
+                    let alone = &measure(&[design], &inputs, &|_| ()).unwrap()[0];
+                    let [together, alone] =
+                        [&together, alone].map(|report| format!("{:?}", report.figures));
+                    let value = design.values.get(&param.name);
+                    assert!(together == alone, "{} {setting:?} {}={value}", unit.name, param.name);
+                    compared += 1;
+                }
+            }
+        }
+    }
+    assert!(compared > 1000, "{compared}");
+}
+
+/// A golden that captures something of the design may depend on any parameter.
+#[test]
+fn a_golden_that_captures_shares_nothing() {
+    let unit = Unit::new("scaled", "").param(Param::real("k", 0.0..=4.0)).design(|p| {
+        let mut b = Builder::new("scaled");
+        let x = b.input("x", "s8f4".parse()?, Quantity::Number);
+        b.output("y", x);
+        let k = p.real("k");
+        Ok(Design::new(p, b.build()?).golden(move |_| Golden::each(move |[x]: [f64; 1]| [k * x])))
+    });
+    let design = |k: &str| unit.values(&[k]).unwrap().build().unwrap();
+    let inputs = Inputs { sampler: Sampler::Exhaustive, samples: 0, seed: 0 };
+    let reports = measure(&[&design("k=1"), &design("k=2")], &inputs, &|_| ()).unwrap();
+    let max = |at: usize| reports[at].figures("y", Basis::Total).max;
+    assert_eq!([max(0), max(1)], [0.0, 8.0]);
+}
+
+/// The message that a unit is refused with.
+fn refused(unit: &Unit) -> String {
+    unit.defaults().build().unwrap_err().to_string()
+}
+
+#[test]
+fn a_unit_that_is_no_unit_says_why() {
+    let design = |p: &Values| {
+        let mut b = Builder::new("half");
+        let x = b.input("x", "s8f4".parse()?, Quantity::Number);
+        b.output("y", x);
+        Ok(Design::new(p, b.build()?).golden(|_| Golden::each(|[x]: [f64; 1]| [x])))
+    };
+    let unit = |name: &str| Unit::new(name, "").design(design);
+    let with = |param| refused(&unit("half").param(param));
+    assert_eq!(
+        refused(&Unit::new("half", "")),
+        "unit `half`: nothing makes its datapath: give it a `design`"
+    );
+    for name in ["", "Half", "half_", "1st", "two words", "a__b", "half/1"] {
+        let message = refused(&unit(name));
+        assert!(
+            message.starts_with(&format!("unit `{name}`: a name is a to z first")),
+            "{message}"
+        );
+    }
+    assert_eq!(
+        refused(&unit("half").source("a\nb")),
+        "unit `half`: `a b` is to be one line of text"
+    );
+    assert_eq!(
+        refused(&unit("half").params([Param::flag("a"), Param::flag("a")])),
+        "unit `half`: parameter `a`: two of this name"
+    );
+    assert_eq!(
+        with(Param::flag("stages")),
+        "unit `half`: parameter `stages`: every unit has one of this name"
+    );
+    assert_eq!(
+        with(Param::bits("a", 2..=8).default(9)),
+        "unit `half`: parameter `a`: its default 9 isn't legal, which is 2 to 8"
+    );
+    assert_eq!(
+        with(Param::choice("a", ["x", "y"]).default("z")),
+        "unit `half`: parameter `a`: its default z isn't legal, which is x, y"
+    );
+    assert_eq!(with(Param::bits("a", 8..=2)), "unit `half`: parameter `a`: 8 to 2 is no range");
+    assert_eq!(
+        with(Param::real("a", 0.0..=f64::NAN)),
+        "unit `half`: parameter `a`: 0 to NaN is no range"
+    );
+    let none: [&str; 0] = [];
+    assert_eq!(
+        with(Param::choice("a", none)),
+        "unit `half`: parameter `a`: it has no names to choose from"
+    );
+    assert_eq!(
+        with(Param::choice("a", ["x", "x"])),
+        "unit `half`: parameter `a`: it has the name `x` twice"
+    );
+    assert!(with(Param::choice("a", ["x,y"])).contains("`x,y` can't be written"));
+    assert!(with(Param::flag("A")).contains("parameter `A`: a name is a to z first"));
+}
+
+#[test]
+fn a_design_that_does_not_fit_together_says_why() {
+    let made = |change: fn(Design) -> Design| {
+        let unit = Unit::new("pair", "").design(move |p| {
+            let mut b = Builder::new("pair");
+            let [x, y] =
+                ["x", "y"].map(|name| b.input(name, "s8f4".parse().unwrap(), Quantity::Number));
+            let sum = b.add(x, y);
+            b.output("sum", sum);
+            b.output("x_again", x);
+            let design = Design::new(p, b.build()?);
+            Ok(change(design.golden(|_| Golden::each(|[x, y]: [f64; 2]| [x + y, x]))))
+        });
+        unit.defaults().build().map(|_| ()).map_err(|why| why.to_string())
+    };
+    let refused = |change| made(change).unwrap_err();
+    assert_eq!(made(|design| design), Ok(()));
+    assert_eq!(
+        refused(|design| design.golden(|_| Golden::each(|[x]: [f64; 1]| [x, x]))),
+        "unit `pair`: its golden takes 1 inputs, and there are 2"
+    );
+    assert_eq!(
+        refused(|design| design.golden(|_| Golden::each(|[x, _]: [f64; 2]| [x]))),
+        "unit `pair`: its golden gives 1 columns, and groups take 2"
+    );
+    assert_eq!(
+        refused(|design| design.golden(|_| Golden::new(|_, columns| columns[1].clear()))),
+        "unit `pair`: its golden model doesn't fill each column to its length"
+    );
+    assert_eq!(
+        refused(|design| design.draw(|_, _| Draw::new(|_, _, columns, _| columns[0].clear()))),
+        "unit `pair`: its sampler doesn't fill each column to its length"
+    );
+    assert_eq!(
+        refused(|design| {
+            let groups = design.groups.iter().rev().cloned().collect();
+            design.groups(groups)
+        }),
+        "unit `pair`: its groups don't start with the output ports in order"
+    );
+    assert_eq!(
+        refused(|mut design| {
+            design.groups[0].shape = Shape::Polar;
+            design
+        }),
+        "unit `pair`: group `sum` takes 2 nodes and has 1"
+    );
+    assert_eq!(
+        refused(|design| design.hard(vec![HardCase::new("few", vec![vec![1]])])),
+        "unit `pair`: a hard case of `few` has 1 words for 2 ports"
+    );
+    assert_eq!(
+        refused(|design| design.hard(vec![HardCase::new("far", vec![vec![1, 128]])])),
+        "unit `pair`: a hard case of `far` has the word 128 for `y`, which has format s8f4"
+    );
+    assert_eq!(
+        refused(|design| {
+            design.bounds(Bounds::Stated(vec![Bound::new("sum", ["sun"], |_, _| 0.0)]))
+        }),
+        "unit `pair`: its bound on `sum` is on `sun`, which isn't measured: that are sum, x_again"
+    );
+    assert_eq!(
+        refused(|design| design.golden(|p| {
+            let k = p.real("k");
+            Golden::each(move |[x, y]: [f64; 2]| [k * x, y])
+        })),
+        "unit `pair`: unit `pair` has no parameter `k`: `fixpath list pair` names them all"
+    );
+    let table = |design: Design| {
+        design.bounds(Bounds::Stated(vec![Bound::new("sum", ["sum"], |_, worst| worst("t"))]))
+    };
+    assert_eq!(made(table), Ok(()));
+}
+
+#[test]
+fn what_is_read_and_not_there_is_an_error() {
+    let reads = |read: fn(&Values) -> String| {
+        let unit = Unit::new("reader", "")
+            .param(Param::int("n", -4..=4))
+            .param(Param::choice("c", ["x", "y"]))
+            .design(move |p| {
+                read(p);
+                let mut b = Builder::new("reader");
+                let x = b.input("x", "s8f4".parse()?, Quantity::Number);
+                b.output("y", x);
+                Ok(Design::new(p, b.build()?).golden(|_| Golden::each(|[x]: [f64; 1]| [x])))
+            });
+        unit.defaults().build().map(|_| ()).map_err(|why| why.to_string())
+    };
+    let read_as = |name: &str, what: &str, value: &str| {
+        Err(format!("unit `reader` reads its parameter `{name}` as {what}, and it is {value}"))
+    };
+    assert_eq!(reads(|p| format!("{:?}", (p.int("n"), p.choice("c"), p.int("stages")))), Ok(()));
+    let missing = reads(|p| format!("{:?}", p.int("m"))).unwrap_err();
+    assert!(missing.starts_with("unit `reader` has no parameter `m`"), "{missing}");
+    assert_eq!(reads(|p| format!("{:?}", p.bits("n"))), read_as("n", "a count", "-4 of -4 to 4"));
+    assert_eq!(
+        reads(|p| format!("{:?}", p.real("n"))),
+        read_as("n", "a number with fractions", "-4 of -4 to 4")
+    );
+    assert_eq!(reads(|p| format!("{:?}", p.int("c"))), read_as("c", "a whole number", "x of x, y"));
+    assert_eq!(reads(|p| format!("{:?}", p.choice("n"))), read_as("n", "a name", "-4 of -4 to 4"));
+    assert_eq!(
+        reads(|p| format!("{:?}", p.flag("c"))),
+        read_as("c", "a switch, off or on", "x of x, y")
+    );
+    assert_eq!(
+        reads(|p| format!("{:?}", p.scheme("c"))),
+        read_as("c", "a table scheme", "x of x, y")
+    );
+    assert_eq!(
+        reads(|p| format!("{:?}", p.rounding("c"))),
+        read_as("c", "a rounding", "x of x, y")
+    );
+    assert_eq!(
+        reads(|p| format!("{:?}", p.overflow("c"))),
+        read_as("c", "an overflow mode", "x of x, y")
+    );
 }

@@ -136,7 +136,10 @@ fn header(design: &Design, rtl: &Rtl, figures: bool) -> Result<Vec<String>> {
     let schedule = rtl.schedule();
     let mut lines = vec![
         format!("{}: {}", unit.name, unit.summary),
-        format!("made by fixpath {}; {}", env!("CARGO_PKG_VERSION"), unit.source),
+        match unit.source.as_str() {
+            "" => format!("made by fixpath {}", env!("CARGO_PKG_VERSION")),
+            source => format!("made by fixpath {}; {source}", env!("CARGO_PKG_VERSION")),
+        },
     ];
     let parameters = design.values.told().map(|(name, value)| format!("{name}={value}"));
     lines.extend(wrapped("  ", parameters));

@@ -215,8 +215,5 @@ pub(crate) fn angle(b: &mut Builder, name: &str, exact: NodeId, format: Format) 
 
 /// Largest error of one rounding in ulp.
 pub(crate) fn rounding_ulp(values: &Values) -> f64 {
-    match values.rounding("rounding") {
-        Round::Floor | Round::TowardZero => 1.0,
-        Round::HalfUp | Round::HalfAway | Round::HalfEven => 0.5,
-    }
+    values.rounding("rounding").error_ulp()
 }
