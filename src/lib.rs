@@ -42,6 +42,8 @@
 //! ```
 //!
 //! The same with operators, `(&x * &x).narrow(…)`, is written with [`netlist::Wires`].
+//! With parameters, a golden model and a bound such a datapath is a [`units::Unit`], and [`main`] gives it the whole
+//! command line: see `examples/own_units.rs`.
 //!
 //! The folders of the source are its layers, from `base` up to `cli`: each names only those below it, and a path
 //! inside the crate starts with the folder. From outside, modules have short paths, whichever folder they stand in:

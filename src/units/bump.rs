@@ -33,8 +33,12 @@ pub fn unit() -> Unit {
     Unit::new("bump", "light of a bump-mapped pixel from light, halfway vector, normal and bump vector")
         .source("seed 001 (Lee et al.), Fig. 8; the turn psi and the exact pipelines are this project's")
         .params([
-            Param::choice("pipeline", ["printed", "corrected", "exact-polar", "exact-cartesian"]).role(Role::Pipeline).default("exact-polar").help("the seed letter for letter, mended, or the exact rotation with polar or Cartesian dot products"),
-            Param::choice("conversion", ["table", "cordic"]).help("how exact-polar goes from components to angles"),
+            Param::choice("pipeline", ["printed", "corrected", "exact-polar", "exact-cartesian"])
+                .role(Role::Pipeline)
+                .default("exact-polar")
+                .help("the seed letter for letter, mended, or the exact rotation with polar or Cartesian dot products"),
+            Param::choice("conversion", ["table", "cordic"])
+                .help("how exact-polar goes from components to angles"),
             plan::angle_bits(),
             plan::table_addr_bits(),
             Param::scheme("scheme"),

@@ -29,11 +29,18 @@ pub fn unit() -> Unit {
         .source("seed 000 (US 6,980,218), the texture combination of the emboss; seed 003 has the same text")
         .params([
             filter(),
-            Param::int("lights", 1..=MAX_LIGHTS).role(Role::Count).help("displaced samples, one for each light"),
-            Param::choice("difference", ["undisplaced-displaced", "displaced-undisplaced"]).help("which sample is taken from which: the first for displacements toward the light, the other for those away from it"),
-            Param::bits("channel_bits", 1..=16).default(8).help("bits of texels and of the channels of light, in and out"),
+            Param::int("lights", 1..=MAX_LIGHTS)
+                .role(Role::Count)
+                .help("displaced samples, one for each light"),
+            Param::choice("difference", ["undisplaced-displaced", "displaced-undisplaced"])
+                .help("which sample is taken from which: the first for displacements toward the light, the other for those away from it"),
+            Param::bits("channel_bits", 1..=16)
+                .default(8)
+                .help("bits of texels and of the channels of light, in and out"),
             fraction_bits(),
-            Param::bits("guard_bits", 0..=16).default(4).help("fraction bits that an interpolated height keeps (bilinear)"),
+            Param::bits("guard_bits", 0..=16)
+                .default(4)
+                .help("fraction bits that an interpolated height keeps (bilinear)"),
             Param::int("gain_log2", -8..=8).default(0).help("differences count 2^gain_log2 times"),
             Param::rounding("rounding"),
         ])

@@ -48,38 +48,76 @@ pub fn unit() -> Unit {
     Unit::new("emboss", "texture coordinates displaced by the direction of a light, for embossing")
         .source("seeds 000 and 003 (US 6,980,218; US 7,307,640), seed 002 (GL_NV_texgen_emboss)")
         .params([
-            Param::choice("setting", ["gx", "nv"]).role(Role::Pipeline).help("what every switch that is auto stands at"),
-            Param::choice("frame", ["auto", "matrix", "normal", "given"]).help("T and B by the matrix (gx), from N and CT (nv), or as they are"),
-            Param::choice("normalise_basis", ["auto", "off", "on"]).help("T and B (of N x CT: B) over their lengths (gx: off; nv: on)"),
-            Param::choice("s_vector", ["auto", "tangent", "binormal"]).help("the vector that displaces s (gx: tangent; nv: binormal); the other one displaces t"),
-            Param::choice("l_sign", ["light-vertex", "vertex-light"]).help("L = light - vertex, or as the patents print it (from the light to the vertex), from which the default departs; turns what looks raised"),
-            Param::choice("t_sign", ["auto", "plus", "minus"]).help("sign of the displacement of t (gx: plus; nv: minus)"),
-            Param::choice("scale_q", ["auto", "off", "on"]).help("displacements times q (gx: off; nv: on)"),
-            Param::choice("constants", ["auto", "off", "parameters", "ports"]).help("displacements times Ks and Kt (gx: off; nv: parameters)"),
-            Param::real("ks", -MAX_CONSTANT..=MAX_CONSTANT).default(1).help("Ks, any number that its format holds (constants=parameters)"),
-            Param::real("kt", -MAX_CONSTANT..=MAX_CONSTANT).default(1).help("Kt, any number that its format holds (constants=parameters)"),
-            Param::flag("input20").help("light and matrix come as floats of 20 bits: 12 significant bits, toward zero"),
+            Param::choice("setting", ["gx", "nv"])
+                .role(Role::Pipeline)
+                .help("what every switch that is auto stands at"),
+            Param::choice("frame", ["auto", "matrix", "normal", "given"])
+                .help("T and B by the matrix (gx), from N and CT (nv), or as they are"),
+            Param::choice("normalise_basis", ["auto", "off", "on"])
+                .help("T and B (of N x CT: B) over their lengths (gx: off; nv: on)"),
+            Param::choice("s_vector", ["auto", "tangent", "binormal"])
+                .help("the vector that displaces s (gx: tangent; nv: binormal); the other one displaces t"),
+            Param::choice("l_sign", ["light-vertex", "vertex-light"])
+                .help("L = light - vertex, or as the patents print it (from the light to the vertex), from which the default departs; turns what looks raised"),
+            Param::choice("t_sign", ["auto", "plus", "minus"])
+                .help("sign of the displacement of t (gx: plus; nv: minus)"),
+            Param::choice("scale_q", ["auto", "off", "on"])
+                .help("displacements times q (gx: off; nv: on)"),
+            Param::choice("constants", ["auto", "off", "parameters", "ports"])
+                .help("displacements times Ks and Kt (gx: off; nv: parameters)"),
+            Param::real("ks", -MAX_CONSTANT..=MAX_CONSTANT)
+                .default(1)
+                .help("Ks, any number that its format holds (constants=parameters)"),
+            Param::real("kt", -MAX_CONSTANT..=MAX_CONSTANT)
+                .default(1)
+                .help("Kt, any number that its format holds (constants=parameters)"),
+            Param::flag("input20")
+                .help("light and matrix come as floats of 20 bits: 12 significant bits, toward zero"),
             component_bits(),
-            Param::bits("matrix_bits", 2..=24).default(16).help("bits of the matrix, signed (frame=matrix)"),
-            Param::bits("matrix_int_bits", 0..=6).default(2).help("it is from -2^matrix_int_bits to 2^matrix_int_bits (frame=matrix)"),
+            Param::bits("matrix_bits", 2..=24)
+                .default(16)
+                .help("bits of the matrix, signed (frame=matrix)"),
+            Param::bits("matrix_int_bits", 0..=6)
+                .default(2)
+                .help("it is from -2^matrix_int_bits to 2^matrix_int_bits (frame=matrix)"),
             Param::bits("position_bits", 2..=30).default(28).help("bits of positions, signed"),
-            Param::bits("position_frac_bits", 0..=28).default(15).help("fraction bits of positions"),
+            Param::bits("position_frac_bits", 0..=28)
+                .default(15)
+                .help("fraction bits of positions"),
             guard_bits(),
             norm_bits(),
             dot_frac_bits(),
             root_scheme(),
             root_addr_bits(),
             root_frac_bits(),
-            Param::bits("constant_int_bits", 0..=MAX_CONSTANT_INT_BITS).auto("as many as ks and kt ask for, each of them, 1 at least").help("Ks and Kt are from -2^constant_int_bits to 2^constant_int_bits"),
-            Param::bits("constant_frac_bits", 2..=24).auto("20, and fewer with more than 6 whole bits, 26 of both").help("fraction bits of Ks and Kt, and of their products with q"),
-            Param::bits("texture_int_bits", 0..=8).default(6).help("texture coordinates are from -2^texture_int_bits to 2^texture_int_bits"),
-            Param::bits("texture_frac_bits", 2..=24).default(18).help("fraction bits of texture coordinates and displacements"),
+            Param::bits("constant_int_bits", 0..=MAX_CONSTANT_INT_BITS)
+                .auto("as many as ks and kt ask for, each of them, 1 at least")
+                .help("Ks and Kt are from -2^constant_int_bits to 2^constant_int_bits"),
+            Param::bits("constant_frac_bits", 2..=24)
+                .auto("20, and fewer with more than 6 whole bits, 26 of both")
+                .help("fraction bits of Ks and Kt, and of their products with q"),
+            Param::bits("texture_int_bits", 0..=8)
+                .default(6)
+                .help("texture coordinates are from -2^texture_int_bits to 2^texture_int_bits"),
+            Param::bits("texture_frac_bits", 2..=24)
+                .default(18)
+                .help("fraction bits of texture coordinates and displacements"),
             ending_overflow().help("overflow of s1 and t1; with the first two the golden ends where they do"),
             Param::rounding("rounding"),
-            Param::int("texture_size", 1..=65_536).role(Role::MapSize).default(256).help("texels along the texture: only for errors in texels"),
-            Param::int("light", 0..=31).role(Role::Label).help("the light that port `light` is the place of: only told"),
-            Param::int("source", 0..=31).role(Role::Label).help("the coordinate (gx) or texture unit (nv) that s0 and t0 are of: only told"),
-            Param::int("destination", 0..=31).role(Role::Label).default(1).help("the coordinate (gx) or texture unit (nv) that s1 and t1 are of: only told"),
+            Param::int("texture_size", 1..=65_536)
+                .role(Role::MapSize)
+                .default(256)
+                .help("texels along the texture: only for errors in texels"),
+            Param::int("light", 0..=31)
+                .role(Role::Label)
+                .help("the light that port `light` is the place of: only told"),
+            Param::int("source", 0..=31)
+                .role(Role::Label)
+                .help("the coordinate (gx) or texture unit (nv) that s0 and t0 are of: only told"),
+            Param::int("destination", 0..=31)
+                .role(Role::Label)
+                .default(1)
+                .help("the coordinate (gx) or texture unit (nv) that s1 and t1 are of: only told"),
         ])
         .inputs("light_x … light_z, vertex_x … vertex_z: light and vertex in eye space; s0, t0: texture coordinates; \
              with frame=matrix m0_x … m2_z: rows of the model-view matrix, tangent_x … binormal_z: T and B of the model; \

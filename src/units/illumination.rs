@@ -32,7 +32,10 @@ pub fn unit() -> Unit {
     Unit::new("illumination", "light of a pixel from light, halfway and perturbed normal vector in the texture frame")
         .source("seed 001 (Lee et al.), sections 3.2 and 4.2, Fig. 8; variant kim: its eqs (3) and (4)")
         .params([
-            Param::choice("variant", ["printed", "corrected", "kim", "cartesian"]).role(Role::Variant).default("corrected").help("(24) and (25) letter for letter, mended, Kim's (3) and (4), or the dot product of components"),
+            Param::choice("variant", ["printed", "corrected", "kim", "cartesian"])
+                .role(Role::Variant)
+                .default("corrected")
+                .help("(24) and (25) letter for letter, mended, Kim's (3) and (4), or the dot product of components"),
             plan::angle_bits(),
             plan::table_addr_bits(),
             Param::scheme("scheme"),

@@ -33,9 +33,17 @@ pub fn unit() -> Unit {
         .source("Kugler 1998 (IMEM), as seed 001 (Lee et al.) describes it; largely a reconstruction")
         .params([
             Param::choice("conversion", ["table", "cordic"]).help("how the normal becomes angles"),
-            Param::bits("tilt_addr_bits", 6..=20).role(Role::TableSize).default(14).help("address bits of the map that turns a direction about y, shared by its three angles"),
-            Param::bits("map_angle_bits", 2..=16).default(8).help("bits of each angle in that map; a polar angle's word counts half of an azimuth's"),
-            Param::bits("map_addr_bits", 4..=20).role(Role::TableSize).default(12).help("address bits of each light map, shared by its two angles; the paper's have 20"),
+            Param::bits("tilt_addr_bits", 6..=20)
+                .role(Role::TableSize)
+                .default(14)
+                .help("address bits of the map that turns a direction about y, shared by its three angles"),
+            Param::bits("map_angle_bits", 2..=16)
+                .default(8)
+                .help("bits of each angle in that map; a polar angle's word counts half of an azimuth's"),
+            Param::bits("map_addr_bits", 4..=20)
+                .role(Role::TableSize)
+                .default(12)
+                .help("address bits of each light map, shared by its two angles; the paper's have 20"),
             plan::angle_bits(),
             plan::table_addr_bits(),
             Param::scheme("scheme"),

@@ -3,8 +3,8 @@
 //! A unit is one file and one row of [`UNITS`]: its parameters with their legal
 //! ranges, its netlist, its golden function in plain floating point (written
 //! from the mathematics and not from the netlist), its input sampler, its hard
-//! cases and its stated error bound. The command line, the suite, the sweep and
-//! the reports know units only through this table.
+//! cases and its stated error bound. The command line, the sweep and the reports know
+//! units only through [`all`]: this table, and what another crate gave to [`crate::main`].
 //!
 //! What they are made of, [`Design`] and its like, has its public names here too.
 

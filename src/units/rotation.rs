@@ -30,14 +30,20 @@ pub fn unit() -> Unit {
     Unit::new("rotation", "turns a direction in polar form into the frame of a surface normal")
         .source("seed 001 (Lee et al.), section 3.1 and Fig. 7")
         .params([
-            Param::choice("variant", ["printed", "corrected", "exact"]).role(Role::Variant).default("exact").help("the seed letter for letter, the seed with its identities mended, or the exact rotation"),
-            Param::choice("output", ["auto", "cartesian", "polar-cordic", "polar-table"]).help("form of the result; auto is cartesian for exact, and the seed's own polar form for the others"),
+            Param::choice("variant", ["printed", "corrected", "exact"])
+                .role(Role::Variant)
+                .default("exact")
+                .help("the seed letter for letter, the seed with its identities mended, or the exact rotation"),
+            Param::choice("output", ["auto", "cartesian", "polar-cordic", "polar-table"])
+                .help("form of the result; auto is cartesian for exact, and the seed's own polar form for the others"),
             plan::angle_bits(),
             plan::table_addr_bits(),
             Param::scheme("scheme"),
             plan::quarter_wave(),
             plan::frac_bits(),
-            Param::bits("int_bits", 0..=1).default(1).help("integer bits of the components; 1 gives 1.0 a code, 0 saves a bit and 1.0 overflows"),
+            Param::bits("int_bits", 0..=1)
+                .default(1)
+                .help("integer bits of the components; 1 gives 1.0 a code, 0 saves a bit and 1.0 overflows"),
             plan::guard_bits(),
             Param::rounding("rounding"),
             plan::overflow(),

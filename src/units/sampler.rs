@@ -28,12 +28,21 @@ pub fn unit() -> Unit {
         .source("seed 000 (US 6,980,218), texture look-ups of the emboss; texel centres as in OpenGL")
         .params([
             filter(),
-            Param::choice("address_s", ["wrap", "clamp"]).help("beyond the map along s: it repeats, or its border goes on"),
+            Param::choice("address_s", ["wrap", "clamp"])
+                .help("beyond the map along s: it repeats, or its border goes on"),
             Param::choice("address_t", ["wrap", "clamp"]).help("beyond the map along t, likewise"),
-            Param::bits("int_bits", 0..=16).default(4).help("integer bits of the coordinates, beside the sign"),
+            Param::bits("int_bits", 0..=16)
+                .default(4)
+                .help("integer bits of the coordinates, beside the sign"),
             Param::bits("frac_bits", 1..=30).default(20).help("fraction bits of the coordinates"),
-            Param::int("log2_width", 1..=13).role(Role::MapSize).default(9).help("the map has 2^log2_width columns"),
-            Param::int("log2_height", 1..=13).role(Role::MapSize).default(9).help("the map has 2^log2_height rows"),
+            Param::int("log2_width", 1..=13)
+                .role(Role::MapSize)
+                .default(9)
+                .help("the map has 2^log2_width columns"),
+            Param::int("log2_height", 1..=13)
+                .role(Role::MapSize)
+                .default(9)
+                .help("the map has 2^log2_height rows"),
             fraction_bits(),
         ])
         .inputs("s, t: texture coordinates, 0 to 1 over the map")

@@ -73,21 +73,37 @@ pub fn unit() -> Unit {
     Unit::new("tangent", "tangent-space set-up of a triangle's vertex: map, view vector and lights in texture space")
         .source("seed 004 (US 7,843,463), with its mirroring rule and facets as printed and mended")
         .params([
-            Param::choice("frame", ["smooth", "faceted"]).role(Role::Pipeline).help("a map per vertex with its normal, or one for the triangle with a second tangent"),
-            Param::choice("mirror", ["handed", "printed", "off"]).help("mirrored textures: B (of a facet N) turned, T turned as the seed has it, or nothing; \
+            Param::choice("frame", ["smooth", "faceted"])
+                .role(Role::Pipeline)
+                .help("a map per vertex with its normal, or one for the triangle with a second tangent"),
+            Param::choice("mirror", ["handed", "printed", "off"])
+                .help("mirrored textures: B (of a facet N) turned, T turned as the seed has it, or nothing; \
                errors are against the golden of the same rule"),
-            Param::choice("basis", ["orthonormal", "printed"]).help("T, B, N made orthonormal, or T and N x T (of a facet dP/dv) as they are; \
+            Param::choice("basis", ["orthonormal", "printed"])
+                .help("T, B, N made orthonormal, or T and N x T (of a facet dP/dv) as they are; \
                errors are against the golden of the same rule"),
             Param::int("lights", 1..=MOST_LIGHTS.into()).role(Role::Count).help("number of lights"),
-            Param::bits("position_int_bits", 0..=MOST_INT_BITS).default(4).help("positions are from -2^position_int_bits to 2^position_int_bits"),
-            Param::bits("position_frac_bits", 0..=23).default(11).help("fraction bits of positions; with sign and whole bits 2 to 24"),
-            Param::bits("uv_int_bits", 0..=MOST_INT_BITS).default(2).help("texture coordinates are from -2^uv_int_bits to 2^uv_int_bits"),
-            Param::bits("uv_frac_bits", 0..=23).default(13).help("fraction bits of texture coordinates; with sign and whole bits 2 to 24"),
+            Param::bits("position_int_bits", 0..=MOST_INT_BITS)
+                .default(4)
+                .help("positions are from -2^position_int_bits to 2^position_int_bits"),
+            Param::bits("position_frac_bits", 0..=23)
+                .default(11)
+                .help("fraction bits of positions; with sign and whole bits 2 to 24"),
+            Param::bits("uv_int_bits", 0..=MOST_INT_BITS)
+                .default(2)
+                .help("texture coordinates are from -2^uv_int_bits to 2^uv_int_bits"),
+            Param::bits("uv_frac_bits", 0..=23)
+                .default(13)
+                .help("fraction bits of texture coordinates; with sign and whole bits 2 to 24"),
             component_bits(),
             guard_bits().default(2),
-            Param::bits("vector_int_bits", 0..=20).default(1).help("view vector and lights are from -2^vector_int_bits to 2^vector_int_bits"),
+            Param::bits("vector_int_bits", 0..=20)
+                .default(1)
+                .help("view vector and lights are from -2^vector_int_bits to 2^vector_int_bits"),
             Param::bits("vector_bits", 2..=24).default(16).help("bits of their components, signed"),
-            Param::bits("out_frac_bits", 0..=30).default(14).help("fraction bits of view vector and lights in texture space"),
+            Param::bits("out_frac_bits", 0..=30)
+                .default(14)
+                .help("fraction bits of view vector and lights in texture space"),
             norm_bits(),
             dot_frac_bits(),
             root_scheme(),

@@ -43,7 +43,7 @@ fn its_units_are_listed_beside_the_others() {
     assert_eq!(names, built_in.chain(OWN).collect::<Vec<_>>());
     let one = done(&["list", "complex_product"]);
     assert!(one.starts_with("complex_product: product of two complex numbers\n  inputs: a_re, a_im, b_re, b_im\n  outputs: re, im\n"), "{one}");
-    assert!(one.contains("frac_bits  15       2 to 24"), "{one}");
+    assert!(one.contains("  frac_bits 15      2 to 24 "), "{one}");
     let output = Command::new(&*PROGRAM).args(["show", "complex_produkt"]).output().unwrap();
     let message = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(2));

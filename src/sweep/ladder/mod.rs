@@ -14,6 +14,7 @@ use crate::report::ladder::{Header, LightPoint, Record, Rung};
 use crate::report::record::{Point, SceneId, assigned, parameters_of};
 use crate::shading::render::{Pipeline, Shader, check_view, set_material, shots_together};
 use crate::shading::scene::Scene;
+use crate::table::Scheme;
 use rayon::prelude::*;
 
 /// Widths of the rungs, if nothing else is asked for.
@@ -47,8 +48,6 @@ const FINE: [(&str, &str); 5] = [
     ("scheme", "linear"),
     ("table_addr_bits", "12"),
 ];
-/// Schemes of the light tables.
-const LIGHT_SCHEMES: [&str; 3] = ["direct", "linear", "bipartite"];
 /// Address bits of the light tables.
 const LIGHT_ADDR_BITS: [u32; 3] = [8, 10, 12];
 /// The most stored bits of the tables of pictures rendered together: they are compiled into memory.
@@ -99,7 +98,7 @@ impl Ladder {
     pub fn pictures(&self, scene: &Scene) -> usize {
         let lights = self
             .light_pipeline(scene)
-            .map_or(0, |_| self.exponents.len() * LIGHT_SCHEMES.len() * LIGHT_ADDR_BITS.len());
+            .map_or(0, |_| self.exponents.len() * Scheme::ALL.len() * LIGHT_ADDR_BITS.len());
         self.pipelines.len() * self.widths.len() + lights
     }
 
@@ -184,7 +183,7 @@ impl Ladder {
     ) -> Result<Vec<LightPoint>> {
         let fine = FINE.map(|(key, value)| (key, value.to_owned()));
         let mut settings = Vec::new();
-        for scheme in LIGHT_SCHEMES {
+        for scheme in Scheme::ALL.iter().map(|scheme| scheme.name()) {
             for addr_bits in LIGHT_ADDR_BITS {
                 let tables = [
                     ("light_scheme", scheme.to_owned()),
