@@ -101,3 +101,25 @@ impl Unit {
             .ok_or_else(|| Error::unknown_unit(name, all().map(|unit| unit.name.as_str())))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_that_are_taken_are_refused() {
+        let own =
+            |name: &str| Unit::new(name, "").design(|_| Err(Error::usage("only its name counts")));
+        let refused = |units: &[Unit]| add(units).unwrap_err().to_string();
+        assert_eq!(
+            refused(&[own("mine"), dot::unit()]),
+            "unit `dot`: this name is taken by a unit of fixpath; give it another"
+        );
+        assert_eq!(
+            refused(&[own("mine"), own("mine")]),
+            "unit `mine`: two units have this name; give it another"
+        );
+        assert!(refused(&[own("Mine")]).starts_with("unit `Mine`: a name is a to z first"));
+        assert!(Unit::find("mine").is_err());
+    }
+}
