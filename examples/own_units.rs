@@ -13,12 +13,12 @@ use fixpath::netlist::{Builder, Quantity};
 use fixpath::table::{self, Scheme, Tabulated};
 use fixpath::trig::Real;
 use fixpath::units::{Bound, Bounds, Design, Golden, Param, Role, Unit, Values};
-use std::f64::consts::TAU;
+use std::f64::consts::LOG2_E;
 use std::process::ExitCode;
 
-/// The arc tangent, of numbers from -8 to 8.
+/// 1 / (1 + e^-x), of numbers from -8 to 8.
 fn sigmoid() -> Unit {
-    Unit::new("sigmoid", "arc tangent of x in turns, by one table")
+    Unit::new("sigmoid", "1 / (1 + e^-x), by one table")
         .param(
             Param::bits("x_bits", 4..=24)
                 .default(16)
@@ -33,22 +33,26 @@ fn sigmoid() -> Unit {
             let mut b = Builder::new("sigmoid");
             let format = Format::signed(p.bits("x_bits"), p.bits("x_bits").cast_signed() - 4)?;
             let x = b.input("x", format, Quantity::Number);
+            let function = Function::new("sigmoid", |x| 1.0 / (1.0 + (x * -LOG2_E).exp2()));
             let table = Tabulated {
-                name: "atan".to_owned(),
-                functions: vec![Function::Atan],
+                name: "sigmoid".to_owned(),
+                functions: vec![function],
                 scheme: p.scheme("scheme"),
                 addr_bits: p.bits("addr_bits"),
                 quarter_wave: false,
                 origin: 0.0,
-                output: Format::signed(16, 16)?, // -1/2 <= y < 1/2
+                output: Format::unsigned(16, 16)?, // 0 <= y < 1
                 round: p.rounding("rounding"),
                 argument: format,
             };
             let y = table::emit(&mut b, &table.spec(), x)[0];
             b.output("y", y);
             Ok(Design::new(p, b.build()?)
-                .golden(|_| Golden::each(|[x]: [f64; 1]| [x.atan() / TAU]))
-                .bounds(Bounds::Stated(vec![Bound::new("y", ["y"], |_, worst| worst("atan"))]))
+                .golden(|_| Golden::each(|[x]: [f64; 1]| [1.0 / (1.0 + (-x).exp())]))
+                // The golden may be rounded otherwise than the function that the table is judged by.
+                .bounds(Bounds::Stated(vec![Bound::new("y", ["y"], |_, worst| {
+                    worst("sigmoid") + 2.0 * f64::EPSILON
+                })]))
                 .tabulated(vec![table]))
         })
 }

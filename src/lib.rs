@@ -75,6 +75,6 @@ pub use base::{columns, error, escape, json, output, outside};
 pub use hardware::{cost, cycle, emit, hdl, rtl, timetable, verify, wave};
 pub use measure::{eval, samples};
 pub use netlist::op;
-pub use number::{format, function, trig};
+pub use number::{format, function, real, trig};
 pub use shading::{picture, render, scene, specialise, texgen};
 pub use sweep::{compare, ladder};

@@ -99,6 +99,8 @@ enum Kind {
     File { path: PathBuf, problem: String },
     #[error("{}, line {line}{}: {problem}", .path.display(), .column.as_ref().map(|c| format!(", column `{c}`")).unwrap_or_default())]
     Csv { path: PathBuf, line: u64, column: Option<String>, problem: String },
+    #[error("{}, line {line}, column {column}: {problem}", .path.display())]
+    Place { path: PathBuf, line: u64, column: u64, problem: String },
     #[error("{}: {action}: {source}", .path.display())]
     Io { path: PathBuf, action: &'static str, source: std::io::Error },
     #[error("{0}")]
@@ -144,6 +146,7 @@ constructors! {
     file(path: &Path, problem: String) = Kind::File { path: path.to_owned(), problem };
     csv(path: &Path, line: u64, column: Option<&str>, problem: String) = Kind::Csv { path: path.to_owned(), line, column: column.map(str::to_owned), problem };
     line(path: &Path, line: u64, problem: String) = Kind::Csv { path: path.to_owned(), line, column: None, problem };
+    place(path: &Path, line: u64, column: u64, problem: String) = Kind::Place { path: path.to_owned(), line, column, problem };
     io(path: &Path, action: &'static str, source: std::io::Error) = Kind::Io { path: path.to_owned(), action, source };
 }
 

@@ -11,7 +11,7 @@ use crate::base::cast;
 use crate::base::error::{Error, Result};
 use crate::base::simd::{Body, vectorised};
 use crate::design::Design;
-use crate::netlist::op::{Meaning, Op};
+use crate::netlist::op::Op;
 use crate::netlist::{Netlist, Node, NodeId, Quantity};
 use crate::sim::batch::{self, BLOCK, check_overflows};
 use crate::sim::real;
@@ -51,7 +51,7 @@ impl Cone {
                 names.join(", ")
             )));
         };
-        if !netlist.node(node).has_real {
+        if netlist.node(node).real.is_none() {
             return Err(Error::usage(format!(
                 "node `{label}` is bits without a value on reals, so it has no error: take a node that `fixpath wave` gives a value"
             )));
@@ -62,8 +62,8 @@ impl Cone {
         inside[node.index()] = true;
         for index in (0..=node.index()).rev().filter(|i| nodes[*i].op != Op::Input) {
             if inside[index] {
-                let meaning = nodes[index].meaning.into_iter().flat_map(|m| m.arguments());
-                for operand in nodes[index].operands.iter().copied().chain(meaning.flatten()) {
+                let meaning = nodes[index].meaning.iter().flat_map(|meaning| &meaning.of);
+                for operand in nodes[index].operands.iter().chain(meaning) {
                     inside[operand.index()] = true;
                     users[operand.index()].push(index);
                 }
@@ -214,7 +214,7 @@ fn named(netlist: &Netlist, label: &str) -> Option<NodeId> {
 fn is_angle(netlist: &Netlist, node: NodeId) -> bool {
     let Node { op, operands, quantity, meaning, .. } = netlist.node(node);
     let angle = |id: &NodeId| is_angle(netlist, *id);
-    if *quantity == Quantity::Turns || matches!(meaning, Some(Meaning::Opposite(_))) {
+    if *quantity == Quantity::Turns {
         return true;
     }
     let sum = matches!(op, Op::Add | Op::Sub | Op::Neg | Op::Modulo | Op::Narrow { .. });

@@ -2,12 +2,15 @@
 
 use super::choices::{Asked, Overrides, Place};
 use super::id::Owner;
-use super::{Netlist, Node, NodeId, Output, Part, Quantity, Scope, ScopeId, Table, TableId};
+use super::{
+    Meaning, Netlist, Node, NodeId, Output, Part, Quantity, Scope, ScopeId, Table, TableId,
+};
 use crate::base::cast;
 use crate::base::error::{Error, Operation, Result};
 use crate::base::{escape, name};
-use crate::netlist::op::{FormatProblem, Meaning, Op};
+use crate::netlist::op::{FormatProblem, Op};
 use crate::number::format::{Format, Overflow, Round};
+use crate::number::real::{Expr, Graph, Term, TermId};
 use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::panic::Location;
@@ -51,6 +54,7 @@ impl Builder {
                 tables: Vec::new(),
                 inputs: Vec::new(),
                 outputs: Vec::new(),
+                reals: Graph::default(),
                 choices: Vec::new(),
             },
             owner: Owner::builder(),
@@ -266,7 +270,7 @@ impl Builder {
             scope: self.scope,
             quantity: Quantity::Number,
             meaning: None,
-            has_real: false,
+            real: None,
         });
         self.known.insert(key, id);
         id
@@ -302,14 +306,24 @@ impl Builder {
     pub(super) fn open(&mut self, name: &str, part: Option<Part>) -> ScopeId {
         self.check_name("scope", name);
         let outer = self.scope;
-        let scope = Scope { name: name.to_owned(), parent: Some(outer), part };
+        self.scope = self.declare_scope(outer, name, part);
+        outer
+    }
+
+    /// The scope of a name below another.
+    pub(super) fn declare_scope(
+        &mut self,
+        parent: ScopeId,
+        name: &str,
+        part: Option<Part>,
+    ) -> ScopeId {
+        let scope = Scope { name: name.to_owned(), parent: Some(parent), part };
         let found = self.netlist.scopes.iter().position(|known| *known == scope);
         let index = found.unwrap_or_else(|| {
             self.netlist.scopes.push(scope);
             self.netlist.scopes.len() - 1
         });
-        self.scope = ScopeId(cast::id_of(index));
-        outer
+        ScopeId(cast::id_of(index))
     }
 
     /// Names a node, in the scope that it was built in; a node keeps its first name.
@@ -334,26 +348,55 @@ impl Builder {
         id
     }
 
-    /// Says what a node stands for on reals, of nodes that are built before it; a node keeps its first meaning.
+    /// Says what a node stands for on reals, as an expression of nodes that are built before it; a node keeps its first
+    /// meaning.
     #[track_caller]
-    pub fn means(&mut self, id: NodeId, meaning: Meaning) -> NodeId {
+    pub fn means<const N: usize>(
+        &mut self,
+        id: NodeId,
+        of: [NodeId; N],
+        expr: impl FnOnce([Expr; N]) -> Expr,
+    ) -> NodeId {
+        self.stands_for(id, &expr(Expr::variables()), &of)
+    }
+
+    /// As [`Builder::means`].
+    #[track_caller]
+    pub(crate) fn stands_for(&mut self, id: NodeId, expr: &Expr, of: &[NodeId]) -> NodeId {
         if !self.owned("means", id) {
             return id;
         }
+        if expr.arity() > of.len() {
+            let problem =
+                format!("means something of {} nodes, and {} are given", expr.arity(), of.len());
+            self.misuse(self.described(id), problem);
+            return id;
+        }
         let earlier = |of: &NodeId| self.owns(*of) && *of < id;
-        match meaning.arguments().into_iter().flatten().find(|of| !earlier(of)) {
+        match of.iter().find(|of| !earlier(of)) {
             None => {
-                self.netlist.nodes[id.index()].meaning.get_or_insert(meaning);
+                let node = &mut self.netlist.nodes[id.index()];
+                node.meaning.get_or_insert_with(|| Meaning::in_order(expr, of));
             }
             Some(of) => {
                 let problem = format!(
                     "means something of {}: that must be an earlier node",
-                    self.described(of)
+                    self.described(*of)
                 );
                 self.misuse(self.described(id), problem);
             }
         }
         id
+    }
+
+    /// Says what a node measures.
+    pub(crate) fn measures(&mut self, id: NodeId, quantity: Quantity) {
+        self.netlist.nodes[id.index()].quantity = quantity;
+    }
+
+    /// The first mistake so far, if there was one, which is then forgotten.
+    pub(super) fn take_error(&mut self) -> Option<Error> {
+        self.error.take()
     }
 
     /// Adds an input port.
@@ -526,7 +569,7 @@ impl Builder {
             );
         }
         let sign = self.slice(a, sign_bit, 1);
-        self.means(sign, Meaning::Negative(a))
+        self.means(sign, [a], |[a]| a.less(0.0))
     }
 
     /// `a * 2^left` by moving the binary point.
@@ -601,9 +644,8 @@ impl Builder {
     pub(crate) fn build_rebuilt(mut self) -> Result<Netlist> {
         let live = live(&self.netlist);
         for node in &mut self.netlist.nodes {
-            node.meaning = node.meaning.filter(|meaning| {
-                meaning.arguments().into_iter().flatten().all(|id| live[id.index()])
-            });
+            node.meaning =
+                node.meaning.take().filter(|meaning| meaning.of.iter().all(|id| live[id.index()]));
         }
         self.build()
     }
@@ -633,8 +675,13 @@ impl Builder {
             tables: Vec::new(),
             inputs: Vec::new(),
             outputs: Vec::new(),
+            reals: Graph::default(),
             choices: Vec::new(),
         };
+        let mut ports = (0..old.inputs.len())
+            .map(|port| netlist.reals.add(Term::Variable(cast::id_of(port))))
+            .collect::<Vec<TermId>>()
+            .into_iter();
         // Ports have their names first: whatever else is called so gets a number.
         let mut names: BTreeSet<(ScopeId, String)> = BTreeSet::new();
         for id in &old.inputs {
@@ -645,7 +692,9 @@ impl Builder {
             for operand in &mut node.operands {
                 *operand = new_ids[operand.index()];
             }
-            node.meaning = node.meaning.map(|meaning| meaning.map(|id| new_ids[id.index()]));
+            for of in node.meaning.iter_mut().flat_map(|meaning| &mut meaning.of) {
+                *of = new_ids[of.index()];
+            }
             if let Op::Read { table, .. } = &mut node.op {
                 let new = *new_tables[table.index()].get_or_insert_with(|| {
                     netlist.tables.push(old.tables[table.index()].clone());
@@ -653,13 +702,18 @@ impl Builder {
                 });
                 *table = new;
             }
-            let real = |id: NodeId| {
+            let real = |id: &NodeId| {
                 let node: Option<&Node> = netlist.nodes.get(id.index());
-                node.expect("bug: a meaning names a node that no output needs").has_real
+                node.expect("bug: a meaning names a node that no output needs").real
             };
-            node.has_real = match node.meaning {
-                Some(meaning) => meaning.arguments().into_iter().flatten().all(real),
-                None => node.op.has_real(node.format) && node.operands.iter().all(|id| real(*id)),
+            node.real = if node.op == Op::Input {
+                ports.next()
+            } else if let Some(Meaning { expr, of }) = &node.meaning {
+                let of: Option<Vec<TermId>> = of.iter().map(real).collect();
+                of.map(|of| netlist.reals.insert(expr, &of))
+            } else {
+                let of: Option<Vec<TermId>> = node.operands.iter().map(real).collect();
+                of.and_then(|of| node.op.reading(&mut netlist.reals, &of, node.format))
             };
             if node.op != Op::Input
                 && let Some(name) = node.name.take()
@@ -704,8 +758,9 @@ impl Builder {
         }
         let live = live(&self.netlist);
         for (index, node) in nodes.iter().enumerate().filter(|(index, _)| live[*index]) {
-            let mut arguments = node.meaning.into_iter().flat_map(Meaning::arguments).flatten();
-            if let Some(dead) = arguments.find(|id| !live[id.index()]) {
+            let mut of = node.meaning.iter().flat_map(|meaning| &meaning.of);
+            if let Some(dead) = of.find(|id| !live[id.index()]) {
+                let dead = *dead;
                 let id = NodeId { owner: self.owner, number: cast::id_of(index) };
                 let problem = format!(
                     "its meaning is of {}, which no output needs: make it an output, too, or leave the meaning out",

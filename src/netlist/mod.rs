@@ -22,6 +22,7 @@
 mod builder;
 mod choices;
 mod counts;
+mod file;
 mod id;
 pub mod op;
 pub(crate) mod ranges;
@@ -39,8 +40,9 @@ pub use wire::{Wire, Wires};
 
 use crate::base::cast;
 use crate::base::error::{Error, Result};
-use crate::netlist::op::{Meaning, Op};
+use crate::netlist::op::Op;
 use crate::number::format::Format;
+use crate::number::real::{Expr, Graph, TermId, Twin};
 
 /// What a signal measures; says how waves and reports show it.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
@@ -55,7 +57,7 @@ pub enum Quantity {
 }
 
 /// One node: an operation on earlier nodes.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Node {
     /// The operation.
     pub op: Op,
@@ -71,8 +73,34 @@ pub struct Node {
     pub quantity: Quantity,
     /// What it stands for on reals, if not its operation.
     pub meaning: Option<Meaning>,
-    /// True if it has a value on reals.
-    pub has_real: bool,
+    /// Its value on reals in [`Netlist::reals`]; nothing for bits without one.
+    pub real: Option<TermId>,
+}
+
+/// What a node stands for as a real number, where that isn't its operation on reals: a table read stands for the
+/// function that it approximates, of the node that it approximates it of.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Meaning {
+    /// An expression of other nodes.
+    pub expr: Expr,
+    /// Those nodes: the expression's variables in order.
+    pub of: Vec<NodeId>,
+}
+
+impl Meaning {
+    /// The same with variables in the order in which they first stand, each node one variable.
+    fn in_order(expr: &Expr, of: &[NodeId]) -> Self {
+        let mut nodes: Vec<NodeId> = Vec::new();
+        let expr = expr.renumbered(|number| {
+            let node = of[cast::index_of_u32(number)];
+            let known = nodes.iter().position(|known| *known == node);
+            cast::id_of(known.unwrap_or_else(|| {
+                nodes.push(node);
+                nodes.len() - 1
+            }))
+        });
+        Self { expr, of: nodes }
+    }
 }
 
 /// A part that is counted as one operator, whatever it is made of.
@@ -119,7 +147,19 @@ pub struct Netlist {
     tables: Vec<Table>,
     inputs: Vec<NodeId>,
     outputs: Vec<Output>,
+    reals: Graph,
     choices: Vec<Choice>,
+}
+
+/// Netlists are equal that are the same datapath: which formats a recipe [chose](Netlist::choices) doesn't count.
+impl PartialEq for Netlist {
+    fn eq(&self, other: &Self) -> bool {
+        let of = |netlist: &Self| {
+            let Self { name, scopes, tables, inputs, outputs, .. } = netlist;
+            (name.clone(), scopes.clone(), tables.clone(), inputs.clone(), outputs.clone())
+        };
+        of(self) == of(other) && self.nodes == other.nodes
+    }
 }
 
 impl Netlist {
@@ -162,6 +202,12 @@ impl Netlist {
     #[must_use]
     pub fn tables(&self) -> &[Table] {
         &self.tables
+    }
+
+    /// What nodes stand for on reals: the variables are the input ports in order, and stand first.
+    #[must_use]
+    pub fn reals(&self) -> &Graph {
+        &self.reals
     }
 
     /// Input nodes in port order.
@@ -271,26 +317,11 @@ impl Netlist {
     #[must_use]
     pub fn eval_reals(&self, inputs: &[f64]) -> Vec<f64> {
         assert_eq!(inputs.len(), self.inputs.len(), "bug: one value per input");
-        let mut values: Vec<f64> = Vec::with_capacity(self.nodes.len());
-        let mut ports = inputs.iter();
-        for node in &self.nodes {
-            let value = match node.meaning {
-                _ if node.op == Op::Input => *ports.next().expect("bug: counted above"),
-                Some(meaning) => {
-                    let of = meaning.arguments();
-                    meaning.eval(of.map(|id| id.map_or(0.0, |id| values[id.index()])))
-                }
-                None => {
-                    let mut of = [0.0; 3];
-                    for (slot, id) in of.iter_mut().zip(&node.operands) {
-                        *slot = values[id.index()];
-                    }
-                    node.op.eval_real(of, node.format)
-                }
-            };
-            values.push(if node.has_real { value } else { f64::NAN });
-        }
-        values
+        let values = self.reals.values(&Twin, inputs);
+        self.nodes
+            .iter()
+            .map(|node| node.real.map_or(f64::NAN, |real| values[real.index()]))
+            .collect()
     }
 
     /// The outermost part with operators that are counted apart that a scope is or stands in.

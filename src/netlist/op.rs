@@ -3,16 +3,15 @@
 //! Every operation is exact: its result format holds every result that its
 //! operands' formats allow. Only [`Op::Narrow`] rounds, saturates or wraps.
 //! This module gives, for each operation, the result format
-//! ([`Op::result_format`]), the value on words ([`Op::eval_raw`]) and the value
-//! on reals ([`Op::eval_real`]); the engines and the emitted hardware are twins
-//! of these and are tested against them.
+//! ([`Op::result_format`]), the value on words ([`Op::eval_raw`]) and what it is on reals
+//! ([`Op::reading`]); the engines and the emitted hardware are twins of these and are tested
+//! against them.
 
-use super::id::{NodeId, TableId};
+use super::id::TableId;
 use super::table::Table;
 use crate::base::cast;
 use crate::number::format::{Format, Overflow, Round, bit_len, narrow};
-use crate::number::function::Function;
-use crate::number::trig;
+use crate::number::real::{Graph, Primitive, TermId};
 
 /// An operation; operands are kept by the node.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -84,221 +83,6 @@ pub enum Op {
         /// What to do with values outside the format.
         overflow: Overflow,
     },
-}
-
-/// What a node stands for as a real number, where that isn't its operation on reals:
-/// a table read stands for the function that it approximates, of the node that it approximates it of.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Meaning {
-    /// A function of a node.
-    Apply(Function, NodeId),
-    /// Direction of (x, y) in turns, -½ to ½.
-    Atan2 {
-        /// Ordinate.
-        y: NodeId,
-        /// Abscissa.
-        x: NodeId,
-    },
-    /// Angle of (x, y, z) from the z axis in turns, 0 to ½.
-    Inclination {
-        /// Component across.
-        x: NodeId,
-        /// Component across.
-        y: NodeId,
-        /// Component along the axis.
-        z: NodeId,
-    },
-    /// `y / (2 f(angle))`, with 0/0 taken as 0.
-    OverTwice {
-        /// Dividend.
-        y: NodeId,
-        /// Function in the divisor.
-        function: Function,
-        /// Its argument.
-        angle: NodeId,
-    },
-    /// Flag: the node is negative.
-    Negative(NodeId),
-    /// The greatest whole number that is not above the node.
-    Floor(NodeId),
-    /// Flag: the cosine of an angle in turns is negative.
-    CosNegative(NodeId),
-    /// The angle half a turn on.
-    Opposite(NodeId),
-    /// `a / b`; 0/0 is 0, and what is over 0 else is the largest `f64`, as words saturate.
-    Quotient {
-        /// Dividend.
-        a: NodeId,
-        /// Divisor.
-        b: NodeId,
-    },
-    /// Square root; 0 below 0.
-    Root(NodeId),
-    /// 1 / square root; the largest `f64` at 0 and below, as words saturate.
-    RecipRoot(NodeId),
-    /// A function of the cosine of an angle in turns.
-    OfCos(Function, NodeId),
-    /// The largest magnitude of three.
-    Largest {
-        /// One.
-        x: NodeId,
-        /// Another.
-        y: NodeId,
-        /// The third.
-        z: NodeId,
-    },
-    /// By how many places a magnitude shifts up to get to `2^(top - 1)` and above, which is below
-    /// `2^top`; 0 for 0.
-    Headroom {
-        /// The magnitude.
-        a: NodeId,
-        /// It is below two to this.
-        top: i32,
-    },
-    /// `a * 2^(places + more)`.
-    Scaled {
-        /// What is scaled.
-        a: NodeId,
-        /// By how many places, upwards.
-        places: NodeId,
-        /// By how many more.
-        more: i32,
-    },
-    /// An angle of a direction that is turned about y.
-    Tilted {
-        /// Its azimuth in turns.
-        phi: NodeId,
-        /// Its polar angle in turns.
-        theta: NodeId,
-        /// By this angle in turns, from z to x.
-        by: NodeId,
-        /// The polar angle of the result, or else its azimuth.
-        polar: bool,
-    },
-}
-
-impl Meaning {
-    /// The nodes that it refers to.
-    #[must_use]
-    pub fn arguments(self) -> [Option<NodeId>; 3] {
-        match self {
-            Self::Apply(_, a)
-            | Self::Negative(a)
-            | Self::Floor(a)
-            | Self::CosNegative(a)
-            | Self::Opposite(a)
-            | Self::Root(a)
-            | Self::RecipRoot(a)
-            | Self::OfCos(_, a)
-            | Self::Headroom { a, .. } => [Some(a), None, None],
-            Self::Atan2 { y: a, x: b }
-            | Self::OverTwice { y: a, angle: b, .. }
-            | Self::Quotient { a, b }
-            | Self::Scaled { a, places: b, .. } => [Some(a), Some(b), None],
-            Self::Inclination { x: a, y: b, z: c }
-            | Self::Largest { x: a, y: b, z: c }
-            | Self::Tilted { phi: a, theta: b, by: c, .. } => [Some(a), Some(b), Some(c)],
-        }
-    }
-
-    /// The meaning with every node replaced.
-    #[must_use]
-    pub(crate) fn map(self, new: impl Fn(NodeId) -> NodeId) -> Self {
-        match self {
-            Self::Apply(f, a) => Self::Apply(f, new(a)),
-            Self::Atan2 { y, x } => Self::Atan2 { y: new(y), x: new(x) },
-            Self::Inclination { x, y, z } => Self::Inclination { x: new(x), y: new(y), z: new(z) },
-            Self::OverTwice { y, function, angle } => {
-                Self::OverTwice { y: new(y), function, angle: new(angle) }
-            }
-            Self::Negative(a) => Self::Negative(new(a)),
-            Self::Floor(a) => Self::Floor(new(a)),
-            Self::CosNegative(a) => Self::CosNegative(new(a)),
-            Self::Opposite(a) => Self::Opposite(new(a)),
-            Self::Quotient { a, b } => Self::Quotient { a: new(a), b: new(b) },
-            Self::Root(a) => Self::Root(new(a)),
-            Self::RecipRoot(a) => Self::RecipRoot(new(a)),
-            Self::OfCos(f, a) => Self::OfCos(f, new(a)),
-            Self::Largest { x, y, z } => Self::Largest { x: new(x), y: new(y), z: new(z) },
-            Self::Headroom { a, top } => Self::Headroom { a: new(a), top },
-            Self::Scaled { a, places, more } => {
-                Self::Scaled { a: new(a), places: new(places), more }
-            }
-            Self::Tilted { phi, theta, by, polar } => {
-                Self::Tilted { phi: new(phi), theta: new(theta), by: new(by), polar }
-            }
-        }
-    }
-
-    /// Value on reals of the arguments in order.
-    #[inline(always)]
-    #[must_use]
-    pub fn eval(self, [a, b, c]: [f64; 3]) -> f64 {
-        match self {
-            Self::Apply(function, _) => function.eval_real(a),
-            Self::Atan2 { .. } => trig::atan2_turns(a, b),
-            Self::Inclination { .. } => trig::inclination_turns(a, b, c),
-            Self::OverTwice { function, .. } => {
-                if a == 0.0 {
-                    0.0
-                } else {
-                    a / (2.0 * function.eval_real(b))
-                }
-            }
-            Self::Negative(_) => f64::from(u8::from(a < 0.0)),
-            Self::Floor(_) => a.floor(),
-            Self::CosNegative(_) => f64::from(u8::from(trig::sin_cos_turns(a).1 < 0.0)),
-            Self::Opposite(_) => a + 0.5,
-            Self::Quotient { .. } => {
-                if a == 0.0 {
-                    0.0
-                } else {
-                    (a / b).clamp(-f64::MAX, f64::MAX)
-                }
-            }
-            Self::Root(_) => a.max(0.0).sqrt(),
-            Self::RecipRoot(_) => (1.0 / a.max(0.0).sqrt()).min(f64::MAX),
-            Self::OfCos(function, _) => function.eval_real(trig::sin_cos_turns(a).1),
-            Self::Largest { .. } => a.abs().max(b.abs()).max(c.abs()),
-            Self::Headroom { top, .. } => {
-                if a == 0.0 {
-                    0.0
-                } else {
-                    f64::from(top - 1 - exponent(a))
-                }
-            }
-            Self::Scaled { more, .. } => a * libm::exp2(b + f64::from(more)),
-            Self::Tilted { polar, .. } => {
-                let (phi, theta) = tilted(a, b, c);
-                if polar { theta } else { phi }
-            }
-        }
-    }
-}
-
-/// A number less as many spans as keep it from `low` to below `low + span`, a power of two.
-#[inline(always)]
-#[must_use]
-pub fn modulo(a: f64, low: f64, span: f64) -> f64 {
-    let rest = a - span * ((a - low) * span.recip()).floor();
-    // What is below `low` by less than a last place of the span rounds to the far end.
-    if rest < low + span { rest } else { rest - span }
-}
-
-/// The exponent of a float that is not 0 nor subnormal: `2^exponent <= |x| < 2^(exponent + 1)`.
-fn exponent(x: f64) -> i32 {
-    i32::try_from((x.to_bits() >> 52) & 0x7ff).expect("bug: 11 bits") - 1023
-}
-
-/// Azimuth and polar angle of a direction that is turned about y from z to x; all in turns.
-#[inline(always)]
-#[must_use]
-pub fn tilted(phi: f64, theta: f64, by: f64) -> (f64, f64) {
-    let ((sin_phi, cos_phi), (sin_theta, cos_theta), (sin_by, cos_by)) =
-        (trig::sin_cos_turns(phi), trig::sin_cos_turns(theta), trig::sin_cos_turns(by));
-    let (x, y) = (sin_theta * cos_phi, sin_theta * sin_phi);
-    let (x, z) = (x * cos_by + cos_theta * sin_by, cos_theta * cos_by - x * sin_by);
-    (trig::atan2_turns(y, x), trig::inclination_turns(x, y, z))
 }
 
 /// Why an operation has no result format.
@@ -680,81 +464,55 @@ impl Op {
         (raw, false)
     }
 
-    /// True if the operation has a value on reals; the bit-level ones have none.
-    #[must_use]
-    pub fn has_real(self, out: Format) -> bool {
-        match self {
-            Self::Input
-            | Self::Const { .. }
-            | Self::Add
-            | Self::Sub
-            | Self::AddSub
-            | Self::Mul
-            | Self::Neg
-            | Self::Abs
-            | Self::Equal
-            | Self::Less
-            | Self::Mux
-            | Self::Shift { .. }
-            | Self::Modulo
-            | Self::Narrow { .. } => true,
-            Self::And | Self::Or | Self::Xor => out == Format::FLAG,
-            Self::Slice { .. }
-            | Self::Concat
-            | Self::LeadingZeros
-            | Self::ShiftLeft { .. }
-            | Self::Read { .. } => false,
-        }
-    }
-
-    /// The value on reals: exact arithmetic, `narrow` keeps its operand. NaN for an operation
-    /// without a value on reals.
+    /// The operation on reals, as a term of those of its operands: exact arithmetic, and `narrow` keeps its
+    /// operand. `None` for the operations on bits, which have no value there.
     ///
     /// # Panics
-    /// On `Input`: inputs have no meaning of their own.
-    #[inline(always)]
+    /// On `Input`: ports are variables.
     #[must_use]
-    pub fn eval_real(self, of: [f64; 3], out: Format) -> f64 {
-        let flag = |holds: bool| f64::from(u8::from(holds));
-        let [a, b, c] = of;
-        match self {
+    pub fn reading(self, graph: &mut Graph, of: &[TermId], out: Format) -> Option<TermId> {
+        let flags = out == Format::FLAG;
+        Some(match self {
             Self::Input => panic!("bug: an input has no operation"),
-            Self::Const { raw } => out.value(raw),
-            Self::Add => a + b,
-            Self::Sub => a - b,
+            Self::Const { raw } => graph.constant(out.value(raw)),
+            Self::Add => graph.of(Primitive::Add, of),
+            Self::Sub => graph.of(Primitive::Sub, of),
             Self::AddSub => {
-                if a != 0.0 {
-                    b - c
-                } else {
-                    b + c
-                }
+                let difference = graph.of(Primitive::Sub, &of[1..]);
+                let sum = graph.of(Primitive::Add, &of[1..]);
+                graph.of(Primitive::Select, &[of[0], difference, sum])
             }
-            Self::Mul => a * b,
-            Self::Neg => -a,
-            Self::Abs => a.abs(),
-            Self::And => a * b,
-            Self::Or => a.max(b),
-            Self::Xor => (a - b).abs(),
-            Self::Equal => flag(a == b),
-            Self::Less => flag(a < b),
-            Self::Mux => {
-                if a != 0.0 {
-                    b
-                } else {
-                    c
-                }
+            Self::Mul => graph.of(Primitive::Mul, of),
+            Self::Neg => graph.of(Primitive::Neg, of),
+            Self::Abs => graph.of(Primitive::Abs, of),
+            Self::And if flags => graph.of(Primitive::Mul, of),
+            Self::Or if flags => graph.of(Primitive::Max, of),
+            Self::Xor if flags => {
+                let difference = graph.of(Primitive::Sub, of);
+                graph.of(Primitive::Abs, &[difference])
             }
-            Self::Shift { left } => a * 2f64.powi(left),
+            Self::Equal => graph.of(Primitive::Equal, of),
+            Self::Less => graph.of(Primitive::Less, of),
+            Self::Mux => graph.of(Primitive::Select, of),
+            Self::Shift { left } => {
+                let factor = graph.constant(2f64.powi(left));
+                graph.of(Primitive::Mul, &[of[0], factor])
+            }
             Self::Modulo => {
+                let low = graph.constant(out.value(out.min_raw()));
                 let span = 2f64.powi(cast::signed_count(out.bits()) - out.frac_bits());
-                modulo(a, out.value(out.min_raw()), span)
+                let span = graph.constant(span);
+                graph.of(Primitive::Modulo, &[of[0], low, span])
             }
-            Self::Narrow { .. } => a,
-            Self::Slice { .. }
+            Self::Narrow { .. } => of[0],
+            Self::And
+            | Self::Or
+            | Self::Xor
+            | Self::Slice { .. }
             | Self::Concat
             | Self::LeadingZeros
             | Self::ShiftLeft { .. }
-            | Self::Read { .. } => f64::NAN,
-        }
+            | Self::Read { .. } => return None,
+        })
     }
 }

@@ -10,6 +10,7 @@ impl Netlist {
     #[must_use]
     pub fn to_text(&self) -> String {
         let mut text = format!("netlist {}\n", self.name);
+        let tables: Vec<String> = self.tables.iter().map(|table| table.name.clone()).collect();
         for table in &self.tables {
             let columns: Vec<String> =
                 table.columns.iter().map(|c| format!("{} {}", c.name, c.format)).collect();
@@ -22,7 +23,7 @@ impl Netlist {
             );
         }
         for (id, node) in self.ids().zip(&self.nodes) {
-            let _ = write!(text, "  %{} = {}", id.number, self.describe(node));
+            let _ = write!(text, "  %{} = {}", id.number, self.describe(node, &tables));
             for operand in &node.operands {
                 let _ = write!(text, " %{}", operand.number);
             }
@@ -43,8 +44,8 @@ impl Netlist {
         text
     }
 
-    /// Operation with its attributes, without operands.
-    fn describe(&self, node: &Node) -> String {
+    /// Operation with its attributes, without operands; `tables` are names of tables.
+    pub(super) fn describe(&self, node: &Node, tables: &[String]) -> String {
         let name = node.op.name();
         if let Op::Const { raw } = node.op {
             format!("{name} {raw}")
@@ -55,9 +56,9 @@ impl Netlist {
         } else if let Op::ShiftLeft { max } = node.op {
             format!("{name} max {max}")
         } else if let Op::Read { table, column } = node.op {
-            let table = &self.tables[table.index()];
-            let column = &table.columns[usize::try_from(column).expect("bug: small")];
-            format!("{name} {}.{}", table.name, column.name)
+            let columns = &self.tables[table.index()].columns;
+            let column = &columns[cast::index_of_u32(column)];
+            format!("{name} {}.{}", tables[table.index()], column.name)
         } else if let Op::Narrow { round, overflow } = node.op {
             format!("{name} {round} {overflow}")
         } else {
@@ -72,6 +73,7 @@ impl Netlist {
             "digraph {} {{\n  rankdir=LR;\n  node [shape=box, fontname=\"sans-serif\", fontsize=10];\n",
             self.name
         );
+        let tables: Vec<String> = self.tables.iter().map(|table| table.name.clone()).collect();
         for (s, scope) in self.scopes.iter().enumerate() {
             let indent = if s == 0 { "  " } else { "    " };
             if s > 0 {
@@ -95,7 +97,7 @@ impl Netlist {
                     text,
                     "{indent}n{} [label=\"{name}{}\\n{}\"{shape}];",
                     id.number,
-                    self.describe(node),
+                    self.describe(node, &tables),
                     node.format
                 );
             }

@@ -1,240 +1,98 @@
-//! The real functions that tables hold, in `f64` and to any precision.
+//! Functions that every library has, and words that are correctly rounded from functions.
 //!
 //! Angles are in turns, so that the reduction to the first octant is exact:
 //! sin(½ turn) is 0 and not 1.2e-16. Poles give an infinity of the sign that
-//! the function has on the side where the angle grows; arguments outside the
-//! domain of asin are taken to its end.
+//! the function has on the side where the angle grows.
 
+use super::real::{Big, Interval, Outward, Precise, Reading};
 use crate::base::cast;
-use crate::number::trig;
-use dashu_float::FBig;
-use dashu_float::round::mode::HalfEven;
-use std::f64::consts::TAU;
+use crate::base::error::{Error, Result};
+use std::sync::LazyLock;
 
-type Big = FBig<HalfEven, 2>;
+pub use super::real::{Function, Kernel, Number, cos_turns, sin_turns};
 
 /// Bits of the high-precision evaluation; table words have at most 63.
 const BIG_BITS: usize = 160;
 
-/// A finite `f64` that is ordered and can be a key; equal is bit for bit, and there is no -0.
-#[derive(Clone, Copy, Debug)]
-pub struct Number(f64);
-
-impl Number {
-    /// The number.
-    #[must_use]
-    pub fn get(self) -> f64 {
-        self.0
-    }
-}
-
-impl From<f64> for Number {
-    fn from(value: f64) -> Self {
-        Self(value + 0.0) // -0 becomes 0
-    }
-}
-
-impl Ord for Number {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        self.0.total_cmp(&other.0)
-    }
-}
-
-impl PartialOrd for Number {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for Number {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Number {}
-
-impl std::hash::Hash for Number {
-    fn hash<H: std::hash::Hasher>(&self, state: &mut H) {
-        self.0.to_bits().hash(state);
-    }
-}
-
-/// A real function of one variable.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, PartialOrd, Ord)]
-pub enum Function {
-    /// sin of an angle in turns.
-    Sin,
-    /// cos of an angle in turns.
-    Cos,
-    /// 1 / (2 sin) of an angle in turns; +infinity at 0, -infinity at ½.
-    HalfRecipSin,
-    /// 1 / (2 cos) of an angle in turns; -infinity at ¼, +infinity at ¾.
-    HalfRecipCos,
-    /// asin in turns, -¼ to ¼.
-    Asin,
-    /// atan in turns, -¼ to ¼.
-    Atan,
-    /// θ_prop of seed 001, eq (26): `1 - acos(y)/90°`, which is asin in quarter turns.
-    Prop,
-    /// 1 / x.
-    Recip,
-    /// sqrt(1 + x²), the secant of atan x.
-    Secant,
-    /// Square root; 0 below 0.
-    Sqrt,
-    /// 1 / sqrt(x); +infinity at 0 and below.
-    RecipSqrt,
-    /// `offset + factor * max(0, x)^exponent`, a light table of seed 001; 0^0 is 1.
-    Light {
-        /// Light at 0.
-        offset: Number,
-        /// Light at 1 without it; not negative, as the offset.
-        factor: Number,
-        /// The exponent.
-        exponent: u8,
-    },
-}
-
 impl Function {
-    /// Every function; of those with parameters, one.
-    pub const ALL: [Self; 12] = [
-        Self::Sin,
-        Self::Cos,
-        Self::HalfRecipSin,
-        Self::HalfRecipCos,
-        Self::Asin,
-        Self::Atan,
-        Self::Prop,
-        Self::Recip,
-        Self::Secant,
-        Self::Sqrt,
-        Self::RecipSqrt,
-        Self::Light { offset: Number(0.1), factor: Number(0.8), exponent: 33 },
-    ];
+    /// Units in the last place that a kernel may be off.
+    pub const KERNEL_ULP: f64 = 2.5;
 
-    /// Name in table names, listings and files.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Sin => "sin",
-            Self::Cos => "cos",
-            Self::HalfRecipSin => "half_recip_sin",
-            Self::HalfRecipCos => "half_recip_cos",
-            Self::Asin => "asin",
-            Self::Atan => "atan",
-            Self::Prop => "prop",
-            Self::Recip => "recip",
-            Self::Secant => "secant",
-            Self::Sqrt => "sqrt",
-            Self::RecipSqrt => "recip_sqrt",
-            Self::Light { .. } => "light",
-        }
-    }
-
-    /// Value to within [`Self::F64_ERROR`] relative.
-    #[inline]
-    #[must_use]
-    pub fn eval(self, x: f64) -> f64 {
-        match self {
-            Self::Sin => sin_turns(x),
-            Self::Cos => cos_turns(x),
-            Self::HalfRecipSin => 0.5 / sin_turns(x),
-            Self::HalfRecipCos => 0.5 / cos_turns(x),
-            Self::Asin => libm::asin(x.clamp(-1.0, 1.0)) / TAU,
-            Self::Atan => libm::atan(x) / TAU,
-            Self::Prop => libm::asin(x.clamp(-1.0, 1.0)) * (4.0 / TAU),
-            Self::Recip => 1.0 / x,
-            Self::Secant => x.mul_add(x, 1.0).sqrt(),
-            Self::Sqrt => x.max(0.0).sqrt(),
-            Self::RecipSqrt => 1.0 / x.max(0.0).sqrt(),
-            Self::Light { offset, factor, exponent } => {
-                offset.0 + factor.0 * libm::pow(x.max(0.0), exponent.into())
+    /// Compares the kernel with the expression to high precision at some arguments; gives the largest
+    /// difference in units in the last place and its argument.
+    ///
+    /// # Errors
+    /// If it is past [`Self::KERNEL_ULP`] or the function has no kernel.
+    pub fn check_kernel(&self, arguments: &[f64]) -> Result<(f64, f64)> {
+        let Some(kernel) = self.kernel() else {
+            return Err(Error::usage(format!("function `{}` has no kernel", self.name())));
+        };
+        let mut values = vec![0.0; arguments.len()];
+        kernel(arguments, &mut values);
+        let mut worst = (0.0, f64::NAN);
+        for (x, is) in arguments.iter().zip(values) {
+            let Some(exact) = self.precise(*x) else { continue };
+            let nearest = exact.nearest();
+            let ulp = nearest.abs().next_up() - nearest.abs();
+            let off = ((is - nearest) - exact.less(nearest)).abs() / ulp;
+            if !(off <= worst.0) {
+                worst = (off, *x);
             }
         }
-    }
-
-    /// Value as evaluations on reals have it: by [`crate::number::trig`] where it knows the function.
-    #[inline(always)]
-    #[must_use]
-    pub fn eval_real(self, x: f64) -> f64 {
-        match self {
-            Self::Sin => trig::sin_cos_turns(x).0,
-            Self::Cos => trig::sin_cos_turns(x).1,
-            Self::HalfRecipSin => 0.5 / trig::sin_cos_turns(x).0,
-            Self::HalfRecipCos => 0.5 / trig::sin_cos_turns(x).1,
-            Self::Asin => trig::asin_turns(x),
-            Self::Atan => trig::atan_turns(x),
-            Self::Prop => 4.0 * trig::asin_turns(x),
-            Self::Secant => (x * x + 1.0).sqrt(),
-            Self::Recip | Self::Sqrt | Self::RecipSqrt | Self::Light { .. } => self.eval(x),
+        if worst.0 <= Self::KERNEL_ULP {
+            return Ok(worst);
         }
+        Err(Error::usage(format!(
+            "the kernel of function `{}` is {:.1} ulp off at {:e}: legal is {}",
+            self.name(),
+            worst.0,
+            worst.1,
+            Self::KERNEL_ULP
+        )))
     }
 
-    /// Bound on the relative error of [`Self::eval`]: a few roundings of half an ulp each.
-    pub const F64_ERROR: f64 = 8.0 * f64::EPSILON;
+    /// Value to within a few ulp, one at a time.
+    #[must_use]
+    pub fn eval(&self, x: f64) -> f64 {
+        self.expr().eval(&[x])
+    }
+
+    /// An interval that holds its values over an interval.
+    #[must_use]
+    pub fn interval(&self, x: Interval) -> Interval {
+        self.expr().read(&Outward, &[x])
+    }
 
     /// Value to [`BIG_BITS`] bits; `None` at a pole.
-    fn big(self, x: f64) -> Option<Big> {
-        let exact = |x: f64| {
-            Big::try_from(x).expect("bug: argument is finite").with_precision(BIG_BITS).value()
-        };
-        let one = || exact(1.0);
-        let root = |big: &Big| dashu_float::ops::SquareRoot::sqrt(big);
-        let recip = |big: Big| (big != Big::ZERO).then(|| one() / big);
-        match self {
-            Self::Sin => Some(exact(x).sin_unit(1)),
-            Self::Cos => Some(exact(x).cos_unit(1)),
-            Self::HalfRecipSin => recip(exact(x).sin_unit(1) * exact(2.0)),
-            Self::HalfRecipCos => recip(exact(x).cos_unit(1) * exact(2.0)),
-            Self::Asin => Some(exact(x.clamp(-1.0, 1.0)).asin_unit(1)),
-            Self::Atan => Some(exact(x).atan_unit(1)),
-            Self::Prop => Some(exact(x.clamp(-1.0, 1.0)).asin_unit(1) * exact(4.0)),
-            Self::Recip => recip(exact(x)),
-            Self::Secant => {
-                let x = exact(x);
-                Some(root(&(one() + &x * &x)))
+    fn precise(&self, x: f64) -> Option<Big> {
+        let reading = Precise::new(BIG_BITS);
+        let x = reading.constant(x);
+        self.expr().read(&reading, &[x])
+    }
+}
+
+macro_rules! library {
+    ($($name:ident = $function:expr, $text:literal;)+) => {
+        /// Functions that every library has.
+        impl Function {$(
+            #[doc = $text]
+            #[must_use]
+            pub fn $name() -> Self {
+                static FUNCTION: LazyLock<Function> = LazyLock::new(|| $function);
+                FUNCTION.clone()
             }
-            Self::Sqrt => Some(root(&exact(x.max(0.0)))),
-            Self::RecipSqrt => (x > 0.0).then(|| one() / root(&exact(x))),
-            Self::Light { offset, factor, exponent } => {
-                let power = exact(x.max(0.0)).powi(exponent.into());
-                Some(exact(offset.0) + exact(factor.0) * power)
-            }
-        }
-    }
+        )+}
+    };
 }
 
-/// `x - q/4` and q mod 4 for the nearest quarter turn; both exact.
-fn quarter(x: f64) -> (f64, i64) {
-    let q = (4.0 * x).round();
-    (x - 0.25 * q, cast::i64_of(q).rem_euclid(4))
-}
-
-/// sin of an angle in turns. At the zeros the sign is that of the function just above.
-#[must_use]
-pub fn sin_turns(x: f64) -> f64 {
-    let (r, quadrant) = quarter(x);
-    let r = r * TAU + 0.0; // -0 becomes +0
-    match quadrant {
-        0 => libm::sin(r),
-        1 => libm::cos(r),
-        2 => -libm::sin(r),
-        _ => -libm::cos(r),
-    }
-}
-
-/// cos of an angle in turns. At the zeros the sign is that of the function just above.
-#[must_use]
-pub fn cos_turns(x: f64) -> f64 {
-    let (r, quadrant) = quarter(x);
-    let r = r * TAU + 0.0; // -0 becomes +0
-    match quadrant {
-        0 => libm::cos(r),
-        1 => -libm::sin(r),
-        2 => -libm::cos(r),
-        _ => libm::sin(r),
-    }
+library! {
+    sin = Function::new("sin", |x| x.sin_turns()).with_quarter_wave(), "sin of an angle in turns.";
+    cos = Function::new("cos", |x| x.cos_turns()).advanced_of(&Function::sin()), "cos of an angle in turns.";
+    asin = Function::new("asin", |x| x.asin_turns()), "asin in turns, -¼ to ¼.";
+    atan = Function::new("atan", |x| x.atan_turns()), "atan in turns, -¼ to ¼.";
+    recip = Function::new("recip", |x| 1.0 / x), "1 / x.";
+    sqrt = Function::new("sqrt", |x| x.max(0.0).sqrt()), "Square root; 0 below 0.";
+    recip_sqrt = Function::new("recip_sqrt", |x| 1.0 / x.max(0.0).sqrt()), "1 / sqrt(x); +infinity at 0 and below.";
 }
 
 /// A linear combination of values of a function, the form that every table entry has:
@@ -242,7 +100,7 @@ pub fn cos_turns(x: f64) -> f64 {
 #[derive(Clone, Debug)]
 pub struct Combination<'a> {
     /// The function.
-    pub function: Function,
+    pub function: &'a Function,
     /// Pairs of coefficient and argument, both exact.
     pub terms: &'a [(f64, f64)],
     /// Added to the sum; exact.
@@ -252,52 +110,42 @@ pub struct Combination<'a> {
 }
 
 impl Combination<'_> {
-    /// Value of the combination in `f64`.
-    #[must_use]
-    pub fn eval(&self) -> f64 {
-        let (lo, hi) = self.range;
-        let sum: f64 =
-            self.terms.iter().map(|&(c, x)| c * self.function.eval(x).clamp(lo, hi)).sum();
-        sum + self.constant
-    }
-
     /// The combination in units of 2^-frac_bits, correctly rounded to the nearest whole number.
     ///
-    /// `f64` decides where its error bound allows, and the high-precision evaluation elsewhere
-    /// (Ziv's strategy): near a tie, and for words near the limit of `f64`.
+    /// An interval decides where both its ends round to the same number, and the high-precision evaluation
+    /// elsewhere (Ziv's strategy): near a tie, and for words near the limit of `f64`.
     #[must_use]
     pub fn round(&self, frac_bits: i32) -> i64 {
         let (lo, hi) = self.range;
-        let scale = 2f64.powi(frac_bits);
-        let magnitude: f64 = self
-            .terms
-            .iter()
-            .map(|&(c, x)| (c * self.function.eval(x).clamp(lo, hi)).abs())
-            .sum::<f64>()
-            + self.constant.abs();
-        let scaled = self.eval() * scale;
-        let error = magnitude * scale * Function::F64_ERROR * 2.0;
-        let nearest = scaled.round_ties_even();
-        let to_tie = 0.5 - (scaled - nearest).abs();
-        if to_tie > error { cast::i64_of(nearest) } else { self.round_big(frac_bits) }
+        let sum = self.terms.iter().fold(Interval::from(self.constant), |sum, &(c, x)| {
+            let value = self.function.interval(x.into()).clamp(lo, hi);
+            sum + value * Interval::from(c)
+        });
+        let Interval { lo, hi } = sum * Interval::from(2f64.powi(frac_bits));
+        let nearest = lo.round_ties_even();
+        let inside = |x: f64| (x - nearest).abs() < 0.5;
+        if inside(lo) && inside(hi) {
+            cast::i64_of(nearest)
+        } else {
+            self.round_precisely(frac_bits)
+        }
     }
 
-    fn round_big(&self, frac_bits: i32) -> i64 {
-        let exact = |x: f64| {
-            Big::try_from(x).expect("bug: coefficient is finite").with_precision(BIG_BITS).value()
-        };
+    fn round_precisely(&self, frac_bits: i32) -> i64 {
+        let reading = Precise::new(BIG_BITS);
+        let exact = |x: f64| reading.constant(x).expect("bug: a number");
         let (lo, hi) = (exact(self.range.0), exact(self.range.1));
         let mut sum = exact(self.constant);
         for &(coefficient, x) in self.terms {
-            let value = match self.function.big(x) {
+            let value = match self.function.precise(x) {
                 None if self.function.eval(x) < 0.0 => lo.clone(),
                 None => hi.clone(),
-                Some(value) => value.clamp(lo.clone(), hi.clone()),
+                Some(value) => value.clamp(&lo, &hi),
             };
-            sum += exact(coefficient) * value;
+            sum = sum.plus(&exact(coefficient).times(&value));
         }
-        let scaled = sum * exact(2f64.powi(frac_bits));
-        i64::try_from(scaled.to_int().value()).expect("bug: table entry past 63 bits")
+        let scaled = sum.times(&exact(2f64.powi(frac_bits)));
+        scaled.round().expect("bug: table entry past 63 bits")
     }
 }
 
@@ -305,35 +153,30 @@ impl Combination<'_> {
 mod tests {
     use super::*;
 
+    fn half_recip_sin() -> Function {
+        Function::new("half_recip_sin", |x| 0.5 / x.sin_turns())
+    }
+
+    fn half_recip_cos() -> Function {
+        Function::new("half_recip_cos", |x| 0.5 / x.cos_turns())
+    }
+
     #[test]
     fn zeros_and_poles_have_the_sign_of_the_side_above() {
         assert_eq!(sin_turns(0.5), 0.0);
         assert!(sin_turns(0.5).is_sign_negative() && cos_turns(0.25).is_sign_negative());
         assert!(cos_turns(-0.25).is_sign_positive() && cos_turns(0.75).is_sign_positive());
-        assert_eq!(Function::HalfRecipSin.eval(0.0), f64::INFINITY);
-        assert_eq!(Function::HalfRecipSin.eval(-0.5), f64::NEG_INFINITY);
-        assert_eq!(Function::HalfRecipCos.eval(-0.25), f64::INFINITY);
-        assert_eq!(Function::HalfRecipCos.eval(0.25), f64::NEG_INFINITY);
-    }
-
-    #[test]
-    fn f64_is_within_its_stated_error_of_the_high_precision_value() {
-        for function in Function::ALL {
-            for i in -300..=300 {
-                let x = f64::from(i) / 256.0 + f64::from(i) * 2f64.powi(-30);
-                let Some(big) = function.big(x) else { continue };
-                let big = big.to_f64().value();
-                let error = (function.eval(x) - big).abs();
-                assert!(error <= big.abs() * Function::F64_ERROR, "{function:?}({x}): {error:e}");
-            }
-        }
+        assert_eq!(half_recip_sin().eval(0.0), f64::INFINITY);
+        assert_eq!(half_recip_sin().eval(-0.5), f64::NEG_INFINITY);
+        assert_eq!(half_recip_cos().eval(-0.25), f64::INFINITY);
+        assert_eq!(half_recip_cos().eval(0.25), f64::NEG_INFINITY);
     }
 
     #[test]
     fn ties_and_near_ties_round_to_nearest() {
         let range = (-4.0, 4.0);
-        let half =
-            Combination { function: Function::Sin, terms: &[(0.5, 0.25)], constant: 0.0, range };
+        let function = &Function::sin();
+        let half = Combination { function, terms: &[(0.5, 0.25)], constant: 0.0, range };
         assert_eq!(half.round(0), 0, "½ exactly: to even");
         let above = Combination { terms: &[(0.5, 0.25), (1.0, 2f64.powi(-70))], ..half.clone() };
         assert_eq!(above.round(0), 1, "½ + 2π 2^-70: f64 can't tell, the long evaluation can");
@@ -343,11 +186,42 @@ mod tests {
 
     #[test]
     fn poles_saturate_to_the_range() {
-        let pole = |function, x| {
+        let pole = |function: &Function, x| {
             Combination { function, terms: &[(1.0, x)], constant: 0.0, range: (-8.0, 7.5) }.round(1)
         };
-        assert_eq!(pole(Function::HalfRecipSin, 0.0), 15);
-        assert_eq!(pole(Function::HalfRecipSin, -0.5), -16);
-        assert_eq!(pole(Function::HalfRecipCos, 0.25), -16);
+        assert_eq!(pole(&half_recip_sin(), 0.0), 15);
+        assert_eq!(pole(&half_recip_sin(), -0.5), -16);
+        assert_eq!(pole(&half_recip_cos(), 0.25), -16);
+        assert_eq!(pole(&Function::recip_sqrt(), 0.0), 15);
+        assert_eq!(pole(&Function::recip_sqrt(), -1.0), 15);
+    }
+
+    #[test]
+    fn a_kernel_is_held_to_its_expression() {
+        fn good(x: &[f64], to: &mut [f64]) {
+            for (to, x) in to.iter_mut().zip(x) {
+                *to = libm::tanh(*x);
+            }
+        }
+        fn bad(x: &[f64], to: &mut [f64]) {
+            for (to, x) in to.iter_mut().zip(x) {
+                let power = libm::exp2(2.0 * std::f64::consts::LOG2_E * x);
+                *to = (power - 1.0) / (power + 1.0); // cancels at 0
+            }
+        }
+        let tanh = Function::new("tanh", |x| {
+            let power = (x * (2.0 * std::f64::consts::LOG2_E)).exp2();
+            (&power - 1.0) / (power + 1.0)
+        });
+        let arguments: Vec<f64> = (-400..=400).map(|i| f64::from(i) / 128.0 + 1e-9).collect();
+        assert!(
+            tanh.check_kernel(&arguments)
+                .is_err_and(|error| error.to_string().contains("no kernel"))
+        );
+        let error = tanh.clone().with_kernel(bad).check_kernel(&arguments).unwrap_err();
+        assert!(error.to_string().contains("the kernel of function `tanh`"), "{error}");
+        // 2 log2 e is rounded in the expression: a relative error of 2^-54 in the argument of exp2.
+        let (worst, at) = tanh.with_kernel(good).check_kernel(&arguments).unwrap();
+        assert!(worst > 0.1, "{worst} ulp at {at}");
     }
 }

@@ -2,4 +2,5 @@
 
 pub mod format;
 pub mod function;
+pub mod real;
 pub mod trig;

@@ -1,45 +1,33 @@
 //! Evaluation of many samples on reals: the algorithm's value at every node.
 //!
 //! The twin of [`super::batch`] on `f64` columns: `narrow` keeps its operand and a table is the
-//! function that it stands for.
+//! function that it stands for. What is evaluated are the terms of [`Netlist::reals`].
 
 use super::batch::BLOCK;
 use super::columns::Columns;
-use crate::base::cast;
 use crate::base::simd::{Body, vectorised};
-use crate::netlist::op::{Meaning, Op, modulo};
 use crate::netlist::{Netlist, NodeId};
-use crate::number::format::Format;
-use crate::number::function::Function;
+use crate::number::function;
+use crate::number::real::{Graph, Primitive, Term, TermId, modulo};
 use crate::number::trig::Real;
 use std::collections::{HashMap, HashSet};
 
-/// How a node gets its value on reals.
-#[derive(Clone, Copy, Debug)]
+/// How a term gets its value.
+#[derive(Clone, Debug)]
 enum Kernel {
-    /// `narrow` and other operations that keep their operand.
-    Same,
-    Add,
-    Sub,
-    Mul,
-    /// Less as many spans as keep it from `low` to below `low + span`.
-    Modulo {
-        low: f64,
-        span: f64,
-    },
-    /// A product with a constant.
+    /// A primitive.
+    Of(Primitive),
+    /// Less as many spans as keep it from `low` to below `low + span`, where those are numbers.
+    Modulo { low: f64, span: f64 },
+    /// A product with a number.
     Times(f64),
-    /// Any other operation.
-    Op(Op, Format),
-    Sin,
-    Cos,
-    /// Both of one angle; the cosine goes to this column.
+    /// Sine and cosine of one angle; the cosine goes to this column.
     SinCos(usize),
-    /// Any other meaning.
-    Meaning(Meaning),
+    /// A function with a kernel of its own.
+    Call(function::Kernel),
 }
 
-/// A netlist compiled for blocks of reals; the twin of [`Netlist::eval_reals`], bit for bit.
+/// A netlist's reals compiled for blocks; the twin of [`Netlist::eval_reals`], bit for bit.
 #[derive(Clone, Debug)]
 pub struct Program {
     steps: Vec<(Kernel, [usize; 3], usize)>,
@@ -71,48 +59,38 @@ impl Program {
     #[must_use]
     pub fn compile_repeated(netlist: &Netlist, outputs: &[NodeId], repeats: &[bool]) -> Self {
         assert_eq!(repeats.len(), netlist.inputs().len(), "bug: one per port");
-        let nodes = netlist.nodes();
-        let operands = |index: usize| -> Vec<usize> {
-            match nodes[index].meaning {
-                Some(meaning) => {
-                    meaning.arguments().into_iter().flatten().map(NodeId::index).collect()
-                }
-                None => nodes[index].operands.iter().map(|id| id.index()).collect(),
-            }
+        let real = |id: &NodeId| {
+            let real = netlist.node(*id).real;
+            real.unwrap_or_else(|| panic!("bug: {} has no real value", netlist.label(*id)))
         };
-        let mut needed = vec![false; nodes.len()];
-        for id in outputs {
-            assert!(netlist.node(*id).has_real, "bug: {} has no real value", netlist.label(*id));
-            needed[id.index()] = true;
-        }
-        for index in (0..nodes.len()).rev().filter(|i| nodes[*i].op != Op::Input) {
+        let outputs: Vec<TermId> = outputs.iter().map(real).collect();
+        Self::of_graph(netlist.reals(), &outputs, repeats)
+    }
+
+    /// Compiles what some terms need of a graph, whose first terms are its variables.
+    fn of_graph(graph: &Graph, outputs: &[TermId], repeats: &[bool]) -> Self {
+        let terms = graph.terms();
+        let mut needed = vec![false; terms.len()];
+        needed[..repeats.len()].fill(true);
+        outputs.iter().for_each(|id| needed[id.index()] = true);
+        for index in (0..terms.len()).rev() {
             if needed[index] {
-                operands(index).into_iter().for_each(|operand| needed[operand] = true);
+                terms[index].operands().iter().for_each(|id| needed[id.index()] = true);
             }
         }
-        let operands: Vec<Option<Vec<usize>>> = (0..nodes.len())
-            .map(|index| {
-                let port = nodes[index].op == Op::Input;
-                if port { Some(Vec::new()) } else { needed[index].then(|| operands(index)) }
-            })
-            .collect();
-        let mut same = vec![true; nodes.len()];
-        for (id, repeats) in netlist.inputs().iter().zip(repeats) {
-            same[id.index()] = *repeats;
-        }
-        for (index, operands) in operands.iter().enumerate() {
-            for operand in operands.iter().flatten() {
-                same[index] = same[index] && same[*operand];
-            }
+        let mut same = vec![true; terms.len()];
+        same[..repeats.len()].copy_from_slice(repeats);
+        for index in repeats.len()..terms.len() {
+            same[index] = terms[index].operands().iter().all(|id| same[id.index()]);
         }
         // Ports and what repeats first; order among them stays.
-        let early = |index: &usize| same[*index] || nodes[*index].op == Op::Input;
+        let early = |index: &usize| same[*index] || *index < repeats.len();
         let (mut order, rest): (Vec<usize>, Vec<usize>) =
-            (0..nodes.len()).filter(|index| operands[*index].is_some()).partition(early);
+            (0..terms.len()).filter(|index| needed[*index]).partition(early);
         let first = order.len();
         order.extend(rest);
-        let order = beside(netlist, &order);
-        let columns = Columns::new(netlist, &operands, &order, first, outputs);
+        let order = beside(terms, &order);
+        let columns = Columns::new(graph, &order, first, outputs);
         let mut program = Self {
             steps: Vec::new(),
             constants: Vec::new(),
@@ -122,27 +100,54 @@ impl Program {
             repeated: 0,
             repeats: repeats.to_vec(),
         };
+        let constant = |id: TermId| match terms[id.index()] {
+            Term::Constant(number) => Some(number.get()),
+            Term::Variable(_) | Term::Of(..) | Term::Call(..) => None,
+        };
         for (at, index) in order.iter().copied().enumerate() {
-            let (node, operands) = (&nodes[index], operands[index].as_deref().unwrap_or_default());
             let to = columns.of(index);
-            if node.op == Op::Input {
-                program.inputs.push(to);
-            } else if let (Op::Const { raw }, None) = (node.op, node.meaning) {
-                program.constants.push((to, node.format.value(raw)));
-            } else {
-                let kernel = kernel(node.op, node.meaning, node.format);
-                let of = columns.operands(operands);
-                if let (Some((before @ Kernel::Sin, angle, _)), Kernel::Cos) =
-                    (program.steps.last_mut(), kernel)
-                    && *angle == of
-                {
-                    *before = Kernel::SinCos(to);
+            let mut of = columns.operands(terms[index].operands());
+            let kernel = match &terms[index] {
+                Term::Variable(_) => {
+                    program.inputs.push(to);
                     continue;
                 }
-                program.steps.push((kernel, of, to));
-                if at < first {
-                    program.repeated += 1;
+                Term::Constant(number) => {
+                    program.constants.push((to, number.get()));
+                    continue;
                 }
+                Term::Call(function, _) => {
+                    Kernel::Call(function.kernel().expect("bug: only such functions are terms"))
+                }
+                Term::Of(primitive, operands) => match primitive {
+                    Primitive::Cos => {
+                        if let Some((before @ Kernel::Of(Primitive::Sin), [angle, ..], _)) =
+                            program.steps.last_mut()
+                            && *angle == of[0]
+                        {
+                            *before = Kernel::SinCos(to);
+                            continue;
+                        }
+                        Kernel::Of(Primitive::Cos)
+                    }
+                    Primitive::Mul => match operands.map(constant) {
+                        [_, Some(factor), _] => Kernel::Times(factor),
+                        [Some(factor), None, _] => {
+                            of.swap(0, 1);
+                            Kernel::Times(factor)
+                        }
+                        [None, None, _] => Kernel::Of(Primitive::Mul),
+                    },
+                    Primitive::Modulo => match operands.map(constant) {
+                        [_, Some(low), Some(span)] => Kernel::Modulo { low, span },
+                        _ => Kernel::Of(Primitive::Modulo),
+                    },
+                    primitive => Kernel::Of(*primitive),
+                },
+            };
+            program.steps.push((kernel, of, to));
+            if at < first {
+                program.repeated += 1;
             }
         }
         program
@@ -212,7 +217,7 @@ impl Body for Run<'_, '_> {
                     columns[second] = cos;
                 } else {
                     let of = of.map(|slot| columns[slot].get(..len).unwrap_or_default());
-                    step(*kernel, of, &mut to[..len], &mut other[..len]);
+                    step(kernel, of, &mut to[..len], &mut other[..len]);
                 }
                 columns[*to_slot] = to;
             }
@@ -224,88 +229,42 @@ impl Body for Run<'_, '_> {
     }
 }
 
-/// A loop of its own for each of some operations or meanings, so that those without branches become
-/// vectors, and one for all others. They are written out: closures aren't always inlined, and
-/// only what is inlined uses the processor's features.
+/// A loop of its own for each primitive, so that those without branches become vectors. They are written out:
+/// closures aren't always inlined, and only what is inlined uses the processor's features.
 macro_rules! loops {
-    (@loop $of:expr, $to:expr, $known:ident, $format:expr) => {{
-        let [a, b, c] = filled($of);
-        for (((to, a), b), c) in $to.iter_mut().zip(a).zip(b).zip(c) {
-            *to = $known.eval_real([*a, *b, *c], $format);
-        }
-    }};
-    (@loop $of:expr, $to:expr, $known:ident) => {{
-        let [a, b, c] = filled($of);
-        for (((to, a), b), c) in $to.iter_mut().zip(a).zip(b).zip(c) {
-            *to = $known.eval([*a, *b, *c]);
-        }
-    }};
-    ($of:expr, $to:expr, $op:expr, $format:expr; $($pattern:pat),+) => {
-        match $op {
-            $(known @ $pattern => loops!(@loop $of, $to, known, $format),)+
-            other => loops!(@loop $of, $to, other, $format),
-        }
-    };
-    ($of:expr, $to:expr, $meaning:expr; $($pattern:pat),+) => {
-        match $meaning {
-            $(known @ $pattern => loops!(@loop $of, $to, known),)+
-            other => loops!(@loop $of, $to, other),
+    ($primitive:expr, $of:expr, $to:expr; $($known:ident),+) => {
+        match $primitive {
+            $(Primitive::$known => {
+                let [a, b, c] = filled($of);
+                for (((to, a), b), c) in $to.iter_mut().zip(a).zip(b).zip(c) {
+                    *to = Primitive::$known.twin(*a, *b, *c);
+                }
+            })+
         }
     };
 }
 
 #[inline(always)]
-fn step(kernel: Kernel, [a, b, c]: [&[f64]; 3], to: &mut [f64], other: &mut [f64]) {
+fn step(kernel: &Kernel, of: [&[f64]; 3], to: &mut [f64], other: &mut [f64]) {
     match kernel {
-        Kernel::Same => to.copy_from_slice(a),
-        Kernel::Add => each(to, a, b, |a, b| a + b),
-        Kernel::Sub => each(to, a, b, |a, b| a - b),
-        Kernel::Mul => each(to, a, b, |a, b| a * b),
         Kernel::Modulo { low, span } => {
-            for (to, a) in to.iter_mut().zip(a) {
-                *to = modulo(*a, low, span);
+            for (to, a) in to.iter_mut().zip(of[0]) {
+                *to = modulo(*a, *low, *span);
             }
         }
         Kernel::Times(factor) => {
-            for (to, a) in to.iter_mut().zip(a) {
+            for (to, a) in to.iter_mut().zip(of[0]) {
                 *to = a * factor;
             }
         }
-        Kernel::Sin => f64::sin_cos_turns(a, to, other),
-        Kernel::Cos => f64::sin_cos_turns(a, other, to),
+        Kernel::Of(Primitive::Sin) => f64::sin_cos_turns(of[0], to, other),
+        Kernel::Of(Primitive::Cos) => f64::sin_cos_turns(of[0], other, to),
         Kernel::SinCos(_) => unreachable!("bug: it has two columns"),
-        Kernel::Meaning(meaning) => loops!([a, b, c], to, meaning;
-            Meaning::Apply(Function::Asin, _),
-            Meaning::Apply(Function::Prop, _),
-            Meaning::Apply(Function::Atan, _),
-            Meaning::Apply(Function::HalfRecipSin, _),
-            Meaning::Apply(Function::HalfRecipCos, _),
-            Meaning::Apply(Function::Recip, _),
-            Meaning::Apply(Function::Secant, _),
-            Meaning::Atan2 { .. },
-            Meaning::Inclination { .. },
-            Meaning::OverTwice { function: Function::Sin, .. },
-            Meaning::OverTwice { function: Function::Cos, .. },
-            Meaning::Negative(_),
-            Meaning::CosNegative(_),
-            Meaning::Opposite(_),
-            Meaning::Quotient { .. },
-            Meaning::Root(_),
-            Meaning::RecipRoot(_),
-            Meaning::Largest { .. },
-            Meaning::Tilted { polar: false, .. },
-            Meaning::Tilted { polar: true, .. }
+        Kernel::Call(kernel) => kernel(of[0], to),
+        Kernel::Of(primitive) => loops!(*primitive, of, to;
+            Add, Sub, Mul, Div, Neg, Abs, Min, Max, Floor, Modulo, Sqrt, Exp2, Log2, Pow, Exponent, Sin, Cos, Asin,
+            Acos, Atan, Atan2, Less, Equal, Select
         ),
-        Kernel::Op(op, format) => loops!([a, b, c], to, op, format;
-            Op::Neg, Op::Abs, Op::And, Op::Or, Op::Xor, Op::Less, Op::Mux, Op::AddSub
-        ),
-    }
-}
-
-#[inline(always)]
-fn each(to: &mut [f64], a: &[f64], b: &[f64], f: impl Fn(f64, f64) -> f64) {
-    for ((to, a), b) in to.iter_mut().zip(a).zip(b) {
-        *to = f(*a, *b);
     }
 }
 
@@ -317,23 +276,22 @@ fn filled([a, b, c]: [&[f64]; 3]) -> [&[f64]; 3] {
 }
 
 /// The same order with each cosine right after the sine of its angle, so that one step gives both.
-fn beside(netlist: &Netlist, order: &[usize]) -> Vec<usize> {
-    let nodes = netlist.nodes();
-    let function = |index: usize| {
-        let Some(Meaning::Apply(function, of)) = nodes[index].meaning else { return None };
-        matches!(function, Function::Sin | Function::Cos).then_some((function, of))
+fn beside(terms: &[Term], order: &[usize]) -> Vec<usize> {
+    let wave = |index: usize| match terms[index] {
+        Term::Of(primitive @ (Primitive::Sin | Primitive::Cos), [of, ..]) => Some((primitive, of)),
+        Term::Constant(_) | Term::Variable(_) | Term::Of(..) | Term::Call(..) => None,
     };
     let mut known = HashMap::new();
     for index in order.iter().copied() {
-        if let Some(function) = function(index) {
-            known.entry(function).or_insert(index);
+        if let Some(wave) = wave(index) {
+            known.insert(wave, index);
         }
     }
     let mut done = HashSet::new();
     let mut together = Vec::with_capacity(order.len());
     for index in order.iter().copied() {
-        let of = function(index).map(|(_, of)| of);
-        let pair = of.map(|of| [Function::Sin, Function::Cos].map(|f| known.get(&(f, of))));
+        let pair = wave(index)
+            .map(|(_, of)| [Primitive::Sin, Primitive::Cos].map(|wave| known.get(&(wave, of))));
         for one in pair.into_iter().flatten().flatten().chain([&index]) {
             if done.insert(*one) {
                 together.push(*one);
@@ -341,23 +299,4 @@ fn beside(netlist: &Netlist, order: &[usize]) -> Vec<usize> {
         }
     }
     together
-}
-
-/// The loop for a node.
-fn kernel(op: Op, meaning: Option<Meaning>, format: Format) -> Kernel {
-    match (meaning, op) {
-        (Some(Meaning::Apply(Function::Sin, _)), _) => Kernel::Sin,
-        (Some(Meaning::Apply(Function::Cos, _)), _) => Kernel::Cos,
-        (Some(meaning), _) => Kernel::Meaning(meaning),
-        (None, Op::Narrow { .. }) => Kernel::Same,
-        (None, Op::Add) => Kernel::Add,
-        (None, Op::Sub) => Kernel::Sub,
-        (None, Op::Mul) => Kernel::Mul,
-        (None, Op::Modulo) => {
-            let span = 2f64.powi(cast::signed_count(format.bits()) - format.frac_bits());
-            Kernel::Modulo { low: format.value(format.min_raw()), span }
-        }
-        (None, Op::Shift { left }) => Kernel::Times(2f64.powi(left)),
-        (None, op) => Kernel::Op(op, format),
-    }
 }

@@ -4,12 +4,15 @@ use crate::base::cast;
 use crate::base::error::Result;
 use crate::base::json;
 use crate::netlist::{Builder, NodeId, Quantity};
-use crate::number::function::Function;
+use crate::number::format::{Format, Round};
+use crate::number::function::{Function, Number};
 use crate::sim::batch::Program;
 use crate::table;
-use crate::table::Tabulated;
+use crate::table::{Scheme, Tabulated};
+use quick_cache::sync::Cache;
 use rayon::prelude::*;
 use serde::Serialize;
+use std::sync::{Arc, LazyLock};
 
 /// Exact statistics of one function of a table scheme, over every word of its argument.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -17,7 +20,7 @@ pub struct TableFigures {
     /// Table and function.
     pub table: String,
     /// Function.
-    pub function: &'static str,
+    pub function: String,
     /// Largest absolute error against the function saturated to the output format.
     #[serde(serialize_with = "json::real")]
     pub worst: f64,
@@ -53,6 +56,29 @@ pub fn table_figures(tabulated: &Tabulated) -> Result<Option<Vec<TableFigures>>>
     if tabulated.argument.bits() > TABLE_ARGUMENT_BITS {
         return Ok(None);
     }
+    let Tabulated { name, functions, scheme, addr_bits, .. } = tabulated;
+    let Tabulated { quarter_wave, origin, output, round, argument, .. } = *tabulated;
+    let size = (*scheme, *addr_bits, quarter_wave, Number::from(origin));
+    let key = (functions.clone(), size, output, round, argument);
+    let found = match GONE_THROUGH.get(&key) {
+        Some(found) => found,
+        None => {
+            let found: Arc<[TableFigures]> = go_through(tabulated)?.into();
+            GONE_THROUGH.insert(key, Arc::clone(&found));
+            found
+        }
+    };
+    let named = |figures: &TableFigures| TableFigures { table: name.clone(), ..figures.clone() };
+    Ok(Some(found.iter().map(named).collect()))
+}
+
+/// Schemes gone through so far, by what they are: points of a sweep share most of theirs.
+static GONE_THROUGH: LazyLock<Cache<Key, Arc<[TableFigures]>>> = LazyLock::new(|| Cache::new(4096));
+
+/// What makes a scheme what it is, but for its name.
+type Key = (Vec<Function>, (Scheme, u32, bool, Number), Format, Round, Format);
+
+fn go_through(tabulated: &Tabulated) -> Result<Vec<TableFigures>> {
     let mut b = Builder::new("table");
     let argument = b.input("argument", tabulated.argument, Quantity::Number);
     let nodes = table::emit(&mut b, &tabulated.spec(), argument);
@@ -80,7 +106,7 @@ pub fn table_figures(tabulated: &Tabulated) -> Result<Option<Vec<TableFigures>>>
                     .functions
                     .iter()
                     .zip(&columns)
-                    .map(|(function, column)| part_figures(tabulated, *function, &words, column))
+                    .map(|(function, column)| part_figures(tabulated, function, &words, column))
                     .collect()
             },
         )
@@ -102,7 +128,7 @@ pub fn table_figures(tabulated: &Tabulated) -> Result<Option<Vec<TableFigures>>>
             total.not_monotone += part.not_monotone;
         }
     }
-    Ok(Some(total))
+    Ok(total)
 }
 
 /// Words that a thread takes at a time in [`table_figures`].
@@ -110,7 +136,7 @@ const CHUNK_WORDS: i64 = 1 << 14;
 
 fn part_figures(
     tabulated: &Tabulated,
-    function: Function,
+    function: &Function,
     words: &[i64],
     column: &[i64],
 ) -> TableFigures {
@@ -118,7 +144,7 @@ fn part_figures(
     let (lo, hi) = (output.value(output.min_raw()), output.value(output.max_raw()));
     let mut figures = TableFigures {
         table: tabulated.name.clone(),
-        function: function.name(),
+        function: function.name().to_owned(),
         worst: -1.0,
         worst_ulp: 0.0,
         witness_raw: 0,

@@ -4,7 +4,7 @@
 //! the diffuse coefficient.
 
 use super::illumination::{
-    self, DOTS, Light, cartesian_dot, diffuse_bound, dot_groups, golden_dot, golden_light,
+    self, Curve, DOTS, Light, cartesian_dot, diffuse_bound, dot_groups, golden_dot, golden_light,
     intensity_bound, light_ports, specular_bound,
 };
 use super::parts::plan::{Plan, rounding_ulp};
@@ -12,10 +12,8 @@ use super::parts::{fragment, setup};
 use crate::base::cast;
 use crate::base::error::Result;
 use crate::design::{Bound, Bounds, Design, Golden, Group, Shading, Shape, Unit, Values};
-use crate::netlist::op::Meaning;
 use crate::netlist::{Builder, NodeId};
 use crate::number::format::{Format, Overflow, Round, quantize};
-use crate::number::function::Function;
 use crate::number::trig::Real;
 
 /// The unit.
@@ -90,11 +88,6 @@ fn lit(b: &mut Builder, plan: &mut Plan<'_>, dots: &[NodeId]) -> Result<Light> {
     let bits = values.bits("light_bits");
     let frac = cast::signed_count(bits);
     let output = Format::unsigned(bits, frac)?; // 0 <= light < 1
-    let function = |offset: f64, factor: f64, exponent| Function::Light {
-        offset: offset.into(),
-        factor: factor.into(),
-        exponent,
-    };
     let diffuse = b.scope("diffuse", |b| -> Result<NodeId> {
         let away = b.negative(dots[0]);
         let zero = b.constant(0, Format::FLAG);
@@ -116,15 +109,14 @@ fn lit(b: &mut Builder, plan: &mut Plan<'_>, dots: &[NodeId]) -> Result<Light> {
         let sum = b.add(product, ambient);
         Ok(b.narrow(sum, output, plan.round, Overflow::Saturate))
     })?;
-    b.means(
-        diffuse,
-        Meaning::Apply(function(values.real("ambient"), values.real("diffuse"), 1), dots[0]),
-    );
+    let (offset, factor) = (values.real("ambient"), values.real("diffuse"));
+    let function = Curve { offset, factor, exponent: 1 }.function();
+    b.means(diffuse, [dots[0]], |[dot]| function.of(&dot));
     b.name(diffuse, "diffuse");
     let mut light = Light { intensity: diffuse, diffuse, specular: None };
     if let [_, dot_h] = dots {
         let exponent = u8::try_from(values.bits("exponent")).expect("bug: at most 255");
-        let power = function(0.0, values.real("specular"), exponent);
+        let power = Curve { offset: 0.0, factor: values.real("specular"), exponent };
         let size = "specular_addr_bits";
         let specular = illumination::table(b, plan, "specular", size, power, *dot_h, output)?;
         let sum = b.add(diffuse, specular);

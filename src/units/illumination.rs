@@ -19,7 +19,6 @@ use crate::design::{
     Bound, Bounds, Design, Golden, Group, HardCase, Param, Reflection, Role, Shading, Shape, Unit,
     Values,
 };
-use crate::netlist::op::Meaning;
 use crate::netlist::{Builder, Netlist, NodeId, Quantity};
 use crate::number::format::{Format, Overflow, Round, quantize};
 use crate::number::function::Function;
@@ -156,7 +155,7 @@ pub(super) fn polar_dot(
         let difference = angle(b, "difference", difference, turn);
         let mut cos = |b: &mut Builder, angle, name| -> Result<NodeId> {
             let output = number(1, plan.work_bits)?;
-            let cos = plan.table(b, "cos", "cos_addr_bits", &[Function::Cos], angle, output)[0];
+            let cos = plan.table(b, "cos", "cos_addr_bits", &[Function::cos()], angle, output)[0];
             Ok(b.name(cos, name))
         };
         let cos_sum = cos(b, sum, "cos_sum")?;
@@ -233,17 +232,13 @@ pub(super) fn light(
     let bits = values.bits("light_bits");
     let output = Format::unsigned(bits, cast::signed_count(bits))?; // 0 <= light < 1
     let power = u8::try_from(values.bits("exponent")).expect("bug: at most 255");
-    let ambient = values.real("ambient").into();
-    let function = |offset, factor: &str, exponent| Function::Light {
-        offset,
-        factor: values.real(factor).into(),
-        exponent,
-    };
-    let diffuse = function(ambient, "diffuse", 1);
+    let curve =
+        |offset, factor: &str, exponent| Curve { offset, factor: values.real(factor), exponent };
+    let diffuse = curve(values.real("ambient"), "diffuse", 1);
     let diffuse = table(b, plan, "diffuse", "diffuse_addr_bits", diffuse, dot_l, output)?;
     let mut light = Light { intensity: diffuse, diffuse, specular: None };
     if let Some(dot_h) = dot_h {
-        let specular = function(0.0.into(), "specular", power);
+        let specular = curve(0.0, "specular", power);
         let specular = table(b, plan, "specular", "specular_addr_bits", specular, dot_h, output)?;
         let sum = b.add(diffuse, specular);
         light.intensity = b.narrow(sum, output, plan.round, Overflow::Saturate);
@@ -253,17 +248,36 @@ pub(super) fn light(
     Ok(light)
 }
 
+/// `offset + factor * max(0, x)^exponent`, the light at a cosine x; 0^0 is 1.
+#[derive(Clone, Copy)]
+pub(super) struct Curve {
+    /// Light at 0.
+    pub(super) offset: f64,
+    /// Light at 1 without it; not negative, as the offset.
+    pub(super) factor: f64,
+    /// The exponent.
+    pub(super) exponent: u8,
+}
+
+impl Curve {
+    pub(super) fn function(self) -> Function {
+        let Self { offset, factor, exponent } = self;
+        Function::new("light", |x| offset + factor * x.max(0.0).pow(f64::from(exponent)))
+    }
+}
+
 /// The light table at a dot product, and its offset alone where that is negative.
 pub(super) fn table(
     b: &mut Builder,
     plan: &mut Plan<'_>,
     name: &str,
     size: &str,
-    function: Function,
+    curve: Curve,
     dot: NodeId,
     output: Format,
 ) -> Result<NodeId> {
-    let Function::Light { offset, exponent, .. } = function else { panic!("bug: a light table") };
+    let Curve { offset, exponent, .. } = curve;
+    let function = curve.function();
     let zero = b.constant(0, Format::FLAG);
     let away = if exponent > 0 {
         b.negative(dot)
@@ -287,7 +301,7 @@ pub(super) fn table(
     let fraction = b.shift(fraction, -frac);
     let tabulated = Tabulated {
         name: name.to_owned(),
-        functions: vec![function],
+        functions: vec![function.clone()],
         scheme: plan.values.scheme("light_scheme"),
         addr_bits: plan.values.bits(size),
         quarter_wave: false,
@@ -302,13 +316,13 @@ pub(super) fn table(
         let word = quantize(value, output, Round::HalfEven, Overflow::Saturate)?.0;
         Ok(b.constant(word, output))
     };
-    let (bright, dark) = (constant(b, function.eval(1.0))?, constant(b, offset.get())?);
+    let (bright, dark) = (constant(b, function.eval(1.0))?, constant(b, offset)?);
     let light = b.mux(facing, bright, light);
-    b.means(light, Meaning::Apply(function, index));
+    b.means(light, [index], |[x]| function.of(&x));
     let light = b.mux(away, dark, light);
     if exponent > 0 {
         // The function is its offset there, to more places than the constant.
-        b.means(light, Meaning::Apply(function, dot));
+        b.means(light, [dot], |[x]| function.of(&x));
     }
     Ok(b.name(light, name))
 }

@@ -11,18 +11,17 @@
 //! A map holds what is right in the middle of its cell. It is made only as large as is asked for:
 //! the paper's are `tilt_addr_bits=14` and `map_addr_bits=20`.
 
-use super::illumination::{self, components, golden_dot, golden_light};
+use super::illumination::{self, Curve, components, golden_dot, golden_light};
 use super::parts::fragment;
 use super::parts::plan::{self, Plan, angle, number};
 use super::parts::polar::opposite;
-use super::rotation::to_polar;
+use super::rotation::{inclination, to_polar};
 use crate::base::cast;
 use crate::base::error::Result;
 use crate::design::{Bounds, Design, Golden, Group, Param, Role, Shading, Shape, Unit, Values};
-use crate::netlist::op::{Meaning, tilted};
 use crate::netlist::{Builder, Column, NodeId, Quantity, Table, TableId};
 use crate::number::format::{Format, Overflow, Round, quantize, word_mask};
-use crate::number::function::Function;
+use crate::number::real::{Expr, Graph, Twin};
 use crate::number::trig::Real;
 use std::sync::Arc;
 
@@ -168,6 +167,19 @@ fn middle(i: i64, bits: u32, span: f64) -> f64 {
     (cast::f64_of(i) + 0.5) * span * 2f64.powi(-cast::signed_count(bits))
 }
 
+/// Azimuth and polar angle of the direction of azimuth and polar angle that is turned about y by an angle from z to
+/// x; all in turns.
+fn tilted([phi, theta, by]: &[Expr; 3]) -> [Expr; 2] {
+    let ((sin_phi, cos_phi), (sin_theta, cos_theta), (sin_by, cos_by)) = (
+        (phi.sin_turns(), phi.cos_turns()),
+        (theta.sin_turns(), theta.cos_turns()),
+        (by.sin_turns(), by.cos_turns()),
+    );
+    let (x, y) = (&sin_theta * cos_phi, &sin_theta * sin_phi);
+    let (x, z) = (&x * &cos_by + &cos_theta * &sin_by, &cos_theta * &cos_by - &x * &sin_by);
+    [y.atan2_turns(&x), inclination(&x, &y, &z)]
+}
+
 /// The map of directions turned about y.
 fn tilt_map(b: &mut Builder, values: &Values) -> Result<TableId> {
     let [phi_bits, theta_bits, by_bits] = tilt_bits(values);
@@ -175,16 +187,19 @@ fn tilt_map(b: &mut Builder, values: &Values) -> Result<TableId> {
     let azimuth = Format::turns(word_bits)?;
     let polar = Format::unsigned(word_bits, cast::signed_count(word_bits) + 1)?; // below ½
     let addr_bits = phi_bits + theta_bits + by_bits;
+    let mut graph = Graph::default();
+    let variables: [Expr; 3] = Expr::variables();
+    let ids = variables.each_ref().map(|variable| graph.merge(variable));
+    let [phi_at, theta_at] = tilted(&variables).map(|angle| graph.insert(&angle, &ids));
     let (mut phis, mut thetas) = (Vec::new(), Vec::new());
     for address in 0..1i64 << addr_bits {
         let by = address & word_mask(by_bits);
         let theta = address >> by_bits & word_mask(theta_bits);
         let phi = address >> (by_bits + theta_bits);
-        let (phi, theta) = tilted(
-            middle(phi, phi_bits, 1.0),
-            middle(theta, theta_bits, 0.5),
-            middle(by, by_bits, 0.5),
-        );
+        let of =
+            [middle(phi, phi_bits, 1.0), middle(theta, theta_bits, 0.5), middle(by, by_bits, 0.5)];
+        let values = graph.values(&Twin, &of);
+        let (phi, theta) = (values[phi_at.index()], values[theta_at.index()]);
         phis.push(quantize(phi, azimuth, Round::HalfEven, Overflow::Wrap)?.0);
         thetas.push(quantize(theta, polar, Round::HalfEven, Overflow::Saturate)?.0);
     }
@@ -233,7 +248,10 @@ fn tilt(
     Ok([false, true].map(|polar| {
         let word = b.read(map, usize::from(polar), address);
         b.turns(word);
-        b.means(word, Meaning::Tilted { phi, theta, by, polar })
+        b.means(word, [phi, theta, by], |of| {
+            let [phi, theta] = tilted(&of);
+            if polar { theta } else { phi }
+        })
     }))
 }
 
@@ -249,8 +267,7 @@ fn light_map(
         "diffuse" => (values.real("ambient"), 1),
         _ => (0.0, u8::try_from(values.bits("exponent")).expect("bug: at most 255")),
     };
-    let function =
-        Function::Light { offset: offset.into(), factor: values.real(name).into(), exponent };
+    let function = Curve { offset, factor: values.real(name), exponent }.function();
     let [phi_bits, theta_bits] = map_bits(values);
     let row = (0..1i64 << theta_bits).map(|i| {
         let cosine = crate::number::function::cos_turns(middle(i, theta_bits, 0.5));
@@ -272,7 +289,7 @@ fn light_map(
     let low = polar_index(b, theta, theta_bits)?;
     let address = b.concat(high, low);
     let light = b.read(map, 0, address);
-    Ok(b.means(light, Meaning::OfCos(function, theta)))
+    Ok(b.means(light, [theta], |[theta]| function.of(&theta.cos_turns())))
 }
 
 /// The golden model: N' in the world by the axes of N's own frame, dot products with L and H; and

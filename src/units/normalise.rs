@@ -11,7 +11,6 @@ use super::rsqrt::Root;
 use crate::base::cast;
 use crate::base::error::Result;
 use crate::design::{Bound, Bounds, Design, Golden, Param, Unit, Values};
-use crate::netlist::op::Meaning;
 use crate::netlist::{Builder, NodeId, Quantity};
 use crate::number::format::{Format, Overflow, Round};
 use crate::number::trig::Real;
@@ -62,11 +61,14 @@ pub(super) fn block(b: &mut Builder, name: &str, v: [NodeId; 3]) -> Block {
         let any = b.or(x, y);
         let any = b.or(any, z);
         let largest = b.shift(any, -format.frac_bits());
-        b.means(largest, Meaning::Largest { x: v[0], y: v[1], z: v[2] });
+        b.means(largest, v, |[x, y, z]| x.abs().max(y.abs()).max(z.abs()));
         b.name(largest, "largest");
         let (_, count) = divide::normalise(b, largest, 1);
         let top = cast::signed_count(bits) - format.frac_bits();
-        let places = b.means(count, Meaning::Headroom { a: largest, top });
+        // To 2^(top - 1) and above, which is below 2^top; 0 for 0.
+        let places = b.means(count, [largest], |[a]| {
+            a.equal(0.0).select(0.0, f64::from(top - 1) - a.exponent())
+        });
         b.name(places, "places");
         let zero = b.constant(0, Format::FLAG);
         let zero = b.equal(largest, zero);
@@ -86,7 +88,7 @@ pub(super) fn block(b: &mut Builder, name: &str, v: [NodeId; 3]) -> Block {
             }
             let word = b.modulo(word, signed);
             let word = b.shift(word, -cast::signed_count(bits));
-            b.means(word, Meaning::Scaled { a: v[i], places, more: -top });
+            b.means(word, [v[i], places], |[a, places]| a * (places + f64::from(-top)).exp2());
             b.name(word, ["x", "y", "z"][i])
         });
         Block { words, places, zero }

@@ -16,12 +16,11 @@ use crate::design::{
     Bound, Bounds, Design, Draw, Golden, Group, HardCase, InputPorts, Param, Role, Sampler, Shape,
     Unit, Value, Values,
 };
-use crate::netlist::op::Meaning;
 use crate::netlist::{Builder, NodeId, Quantity};
 use crate::number::format::{Format, Overflow};
 use crate::number::function::Function;
+use crate::number::real::Expr;
 use crate::number::trig::{Real, acos_turns, asin_turns, atan_turns, sin_cos_turns};
-use crate::table::Scheme;
 use std::f64::consts::TAU;
 
 /// The unit.
@@ -265,7 +264,7 @@ pub(super) fn to_polar(
             let recip = plan.tabulate(
                 "recip",
                 "recip_addr_bits",
-                &[Function::Recip],
+                &[Function::recip()],
                 0.5,
                 recip_output,
                 argument,
@@ -273,7 +272,7 @@ pub(super) fn to_polar(
             let atan = plan.tabulate(
                 "atan",
                 "atan_addr_bits",
-                &[Function::Atan, Function::Secant],
+                &[Function::atan(), secant()],
                 0.0,
                 atan_output,
                 Format::unsigned(frac_bits, cast::signed_count(frac_bits))?,
@@ -286,9 +285,40 @@ pub(super) fn to_polar(
         let length = b.narrow(azimuth.length, component, round, Overflow::Saturate);
         (azimuth.angle, convert(b, length, z, "polar_angle")?.angle)
     };
-    b.means(phi, Meaning::Atan2 { y, x });
-    b.means(theta, Meaning::Inclination { x, y, z });
+    b.means(phi, [y, x], |[y, x]| y.atan2_turns(x));
+    b.means(theta, [x, y, z], |[x, y, z]| inclination(&x, &y, &z));
     Ok([plan.angle_word(b, "phi", phi)?, plan.angle_word(b, "theta", theta)?])
+}
+
+/// Angle of (x, y, z) from the z axis in turns.
+pub(super) fn inclination(x: &Expr, y: &Expr, z: &Expr) -> Expr {
+    (x * x + y * y).sqrt().atan2_turns(z)
+}
+
+/// sqrt(1 + x²), the secant of atan x.
+fn secant() -> Function {
+    Function::new("secant", |x| (&x * &x + 1.0).sqrt())
+}
+
+/// 1 / (2 sin) of an angle in turns; +infinity at 0, -infinity at ½.
+fn half_recip_sin() -> Function {
+    Function::new("half_recip_sin", |x| 0.5 / x.sin_turns()).with_quarter_wave()
+}
+
+/// 1 / (2 cos) of an angle in turns; -infinity at ¼, +infinity at ¾.
+fn half_recip_cos() -> Function {
+    let sin = half_recip_sin();
+    Function::new("half_recip_cos", |x| 0.5 / x.cos_turns()).advanced_of(&sin)
+}
+
+/// θ_prop of Lee et al., eq (26): `1 - acos(y)/90°`, which is asin in quarter turns.
+fn prop() -> Function {
+    Function::new("prop", |y| 4.0 * y.asin_turns())
+}
+
+/// `y / 2f`, with 0/0 taken as 0.
+fn over_twice(y: &Expr, f: &Expr) -> Expr {
+    y.equal(0.0).select(0.0, y / (2.0 * f))
 }
 
 /// Integer bits of the atan table's index. Past 2^k it is off by 2^-k rad; with 2^a cells over
@@ -297,11 +327,7 @@ fn atan_int_bits(values: &Values) -> u32 {
     let count = |bits: i64| u32::try_from(bits).expect("bug: counts of bits are small");
     let own = values.int("atan_addr_bits");
     let addr_bits = own.map_or_else(|| values.bits("table_addr_bits"), count);
-    let balanced = match values.scheme("scheme") {
-        Scheme::Linear => 2 * addr_bits / 3,
-        Scheme::Bipartite => addr_bits / 2,
-        Scheme::Direct => (addr_bits - 1) / 2,
-    };
+    let balanced = values.scheme("scheme").balanced_int_bits(addr_bits);
     values.int("atan_int_bits").map_or(balanced.max(1), count)
 }
 
@@ -358,7 +384,7 @@ fn seed(
         b,
         "asin",
         "asin_addr_bits",
-        &[Function::Asin],
+        &[Function::asin()],
         index,
         Format::signed_turns(work_angle)?,
     )[0];
@@ -370,7 +396,7 @@ fn seed(
             b.constant(3 << (plan.angle_bits - 2), Format::turns(plan.angle_bits)?);
         let (past, before) = (b.less(quarter, theta_a), b.less(theta_a, three_quarters));
         let behind = b.and(past, before);
-        b.means(behind, Meaning::CosNegative(theta_a));
+        b.means(behind, [theta_a], |[theta_a]| theta_a.cos_turns().less(0.0));
         b.name(behind, "behind");
         let minus = b.neg(asin);
         let minus = b.modulo(minus, inner_turn);
@@ -393,13 +419,12 @@ fn seed(
     b.name(y_double, "y_double");
     let recip = number(plan.values.bits("recip_int_bits"), work)?;
     let size = "recip_addr_bits";
-    let recip_sin = plan.table(b, "recip_sin", size, &[Function::HalfRecipSin], big_z, recip)[0];
-    let recip_cos = plan.table(b, "recip_cos", size, &[Function::HalfRecipCos], big_z, recip)[0];
+    let recip_sin = plan.table(b, "recip_sin", size, &[half_recip_sin()], big_z, recip)[0];
+    let recip_cos = plan.table(b, "recip_cos", size, &[half_recip_cos()], big_z, recip)[0];
     b.name(recip_sin, "half_recip_sin");
     b.name(recip_cos, "half_recip_cos");
-    let over = |function| Meaning::OverTwice { y: y_double, function, angle: big_z };
     let tan = b.mul(y_double, recip_sin);
-    b.means(tan, over(Function::Sin));
+    b.means(tan, [y_double, big_z], |[y, z]| over_twice(&y, &z.sin_turns()));
     let tan_format = number(atan_int_bits(plan.values), work)?;
     let tan = b.narrow(tan, tan_format, plan.round, Overflow::Saturate);
     b.name(tan, "tan_phi");
@@ -407,7 +432,7 @@ fn seed(
         b,
         "atan",
         "atan_addr_bits",
-        &[Function::Atan],
+        &[Function::atan()],
         tan,
         Format::signed_turns(work_angle)?,
     )[0];
@@ -422,7 +447,7 @@ fn seed(
 
     // (26), (27): theta_prop of y_k, which its approximations let pass 1: the index saturates.
     let y_k = b.mul(y_double, recip_cos);
-    b.means(y_k, over(Function::Cos));
+    b.means(y_k, [y_double, big_z], |[y, z]| over_twice(&y, &z.cos_turns()));
     let y_k = b.narrow(y_k, number(0, work)?, plan.round, Overflow::Saturate);
     b.name(y_k, "y_k");
     let (index, distance) = if corrected {
@@ -432,8 +457,7 @@ fn seed(
     } else {
         (y_k, difference)
     };
-    let prop =
-        plan.table(b, "prop", "prop_addr_bits", &[Function::Prop], index, number(1, work)?)[0];
+    let prop = plan.table(b, "prop", "prop_addr_bits", &[prop()], index, number(1, work)?)[0];
     b.name(prop, "theta_prop");
 
     // (19): theta' = Z + (90° - Z) * theta_prop.

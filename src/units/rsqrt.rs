@@ -100,7 +100,7 @@ impl<'a> Root<'a> {
         let kept_bits = kept_bits(self.values);
         let tabulated = Tabulated {
             name: "recip_root".to_owned(),
-            functions: vec![Function::RecipSqrt],
+            functions: vec![Function::recip_sqrt()],
             scheme: if scheme == Scheme::Linear.name() { Scheme::Linear } else { Scheme::Direct },
             addr_bits,
             quarter_wave: false,

@@ -16,7 +16,6 @@ use crate::base::error::Result;
 use crate::design::{
     Bound, Bounds, Design, Draw, Golden, HardCase, InputPorts, Param, Role, Unit, Values,
 };
-use crate::netlist::op::Meaning;
 use crate::netlist::{Builder, NodeId, Quantity};
 use crate::number::format::{Format, Overflow, Round};
 use crate::number::trig::Real;
@@ -93,7 +92,7 @@ fn design(values: &Values) -> Result<Design> {
             let whole = b.format(exact).int_bits().unsigned_abs() + 1;
             let first = b.narrow(exact, Format::signed(whole, 0)?, Round::Floor, Overflow::Wrap);
             if first != exact {
-                b.means(first, Meaning::Floor(exact));
+                b.means(first, [exact], |[exact]| exact.floor());
             }
             let texel = |b: &mut Builder, index| -> Result<NodeId> {
                 let address = Format::integer(side_bits)?;

@@ -3,7 +3,8 @@
 use fixpath::format::{Format, Overflow, Round};
 use fixpath::function::Function;
 use fixpath::netlist::{Builder, Column, Netlist, NodeId, Quantity, Table, TableId};
-use fixpath::op::{Meaning, Op};
+use fixpath::op::Op;
+use fixpath::real::{Expr, Primitive};
 use fixpath::sim::batch::{BLOCK, Features, Program};
 use fixpath::sim::real;
 use fixpath::units::{UNITS, Unit};
@@ -321,22 +322,29 @@ impl Grower {
             return;
         }
         let port = self.random.pick(&self.ports);
-        let meaning = match self.random.below(12) {
-            0 => Meaning::Negative(of),
-            1 => Meaning::CosNegative(of),
-            2 => Meaning::Opposite(of),
-            3 => Meaning::Atan2 { y: of, x: port },
-            4 => Meaning::Inclination { x: port, y: of, z: port },
-            5 => Meaning::OverTwice { y: port, function: Function::Cos, angle: of },
-            6 => Meaning::Quotient { a: port, b: of },
-            7 => Meaning::Root(of),
-            8 => Meaning::RecipRoot(of),
-            9 => Meaning::OfCos(Function::Secant, of),
-            10 => Meaning::Tilted { phi: of, theta: port, by: port, polar: self.random.chance(50) },
-            _ => Meaning::Apply(self.random.pick(&Function::ALL), of),
-        };
-        self.b.means(stand_in, meaning);
+        let expr = self.expression(4);
+        self.b.means(stand_in, [of, port], |_| expr);
         self.push(stand_in);
+    }
+
+    /// Any primitives of two variables and of numbers, so many deep at most.
+    fn expression(&mut self, depth: usize) -> Expr {
+        if depth == 0 || self.random.chance(20) {
+            return match self.random.below(4) {
+                0 => Expr::variable(0),
+                1 => Expr::variable(1),
+                2 => Function::sin().of(&Expr::variable(0)),
+                _ => Expr::constant(self.random.pick(&[0.0, 0.5, -0.25, 1.0, 2.0, 3.7])),
+            };
+        }
+        let primitive = self.random.pick(&Primitive::ALL);
+        let of: Vec<Expr> = (0..primitive.arity()).map(|_| self.expression(depth - 1)).collect();
+        match of.as_slice() {
+            [a] => Expr::of(primitive, [a]),
+            [a, b] => Expr::of(primitive, [a, b]),
+            [a, b, c] => Expr::of(primitive, [a, b, c]),
+            _ => unreachable!("one to three operands"),
+        }
     }
 }
 
@@ -495,7 +503,7 @@ fn check_reals(
         }
     }
     let real = |ids: &[NodeId]| -> Vec<NodeId> {
-        ids.iter().copied().filter(|id| netlist.node(*id).has_real).collect()
+        ids.iter().copied().filter(|id| netlist.node(*id).real.is_some()).collect()
     };
     for outputs in [real(all), real(ports)] {
         let program = real::Program::compile(netlist, &outputs);
@@ -578,7 +586,7 @@ fn check_repeats(netlist: &Netlist, seed: u64) {
     }
 
     let real: Vec<NodeId> =
-        netlist.ids().filter(|id| netlist.node(*id).has_real).step_by(3).collect();
+        netlist.ids().filter(|id| netlist.node(*id).real.is_some()).step_by(3).collect();
     let values = |repeated: bool| -> Vec<Vec<f64>> {
         let column = |(port, words): (&NodeId, &Vec<i64>)| {
             let format = netlist.node(*port).format;
@@ -648,14 +656,14 @@ fn sines_beside_cosines() {
         let mut b = Builder::new("angles");
         let (x, y) = (b.input("x", angle, Quantity::Turns), b.input("y", angle, Quantity::Turns));
         let mut frac = 4;
-        let mut apply = |b: &mut Builder, function, of| {
+        let mut apply = |b: &mut Builder, function: &Function, of| {
             // Of another format each, as equal nodes are built once.
             frac += 1;
             let to = Format::signed(20, frac).unwrap();
             let stand_in = b.narrow(of, to, Round::HalfUp, Overflow::Wrap);
-            b.means(stand_in, Meaning::Apply(function, of))
+            b.means(stand_in, [of], |[x]| function.of(&x))
         };
-        let (sin, cos) = (Function::Sin, Function::Cos);
+        let (sin, cos) = (&Function::sin(), &Function::cos());
         let [first, second] = if order & 1 == 0 { [sin, cos] } else { [cos, sin] };
         let mut ends = Vec::new();
         for of in if order & 2 == 0 { [x, y] } else { [y, x] } {

@@ -6,11 +6,13 @@ use expect_test::expect;
 use fixpath::cycle::Cycle;
 use fixpath::format::{Format, Overflow, Round};
 use fixpath::netlist::{Builder, Column, Counts, Netlist, NodeId, Part, Quantity, Table};
-use fixpath::op::{Meaning, Op};
+use fixpath::op::Op;
 use fixpath::rtl::Rtl;
 use fixpath::schedule::{Depth, Rom, Schedule};
 use fixpath::sim::batch::{BLOCK, Program, Word};
+use fixpath::units::{Kind, UNITS};
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
 use std::sync::Arc;
 
 fn format(text: &str) -> Format {
@@ -412,14 +414,14 @@ fn what_is_another_builders_is_seen() {
             ("mux of x (s8f4), a node of another builder, x (s8f4)", |b, x, id| b.mux(x, id, x)),
             ("name in `wrong`", |b, _, id| b.name(id, "z")),
             ("turns in `wrong`", |b, _, id| b.turns(id)),
-            ("means in `wrong`", |b, x, id| b.means(id, Meaning::Floor(x))),
+            ("means in `wrong`", |b, x, id| b.means(id, [x], |[of]| of.floor())),
             ("format in `wrong`", |b, x, id| if b.format(id) == Format::FLAG { id } else { x }),
             ("format in `wrong`", |b, _, id| b.negative(id)),
             ("output `z` in `wrong`", |b, x, id| {
                 b.output("z", id);
                 x
             }),
-            ("x (s8f4)", |b, x, id| b.means(x, Meaning::Floor(id))),
+            ("x (s8f4)", |b, x, id| b.means(x, [id], |[of]| of.floor())),
             ("less of a node of another builder, a node of another builder", |b, _, id| {
                 b.less(id, id)
             }),
@@ -475,14 +477,14 @@ fn operations_are_asked_what_they_can() {
     );
     // A meaning is of what is there before, and of what stays.
     assert_eq!(
-        refusal(|b, x| b.means(x, Meaning::Floor(x))),
+        refusal(|b, x| b.means(x, [x], |[of]| of.floor())),
         "x (s8f4): means something of x (s8f4): that must be an earlier node"
     );
     let mut b = Builder::new("wrong");
     let x = b.input("x", format("s8f4"), Quantity::Number);
     let dead = b.mul(x, x);
     let y = b.neg(x);
-    b.means(y, Meaning::Floor(dead));
+    b.means(y, [dead], |[of]| of.floor());
     b.output("y", y);
     assert_eq!(
         message(b.build()),
@@ -522,7 +524,7 @@ fn builders_take_anything() {
                 5 => b.read(random.pick(&tables), random.below(3), p),
                 6 => b.negative(p),
                 7 => b.name(p, name),
-                8 => b.means(p, Meaning::Floor(q)),
+                8 => b.means(p, [q], |[of]| of.floor()),
                 9 => b.constant(random.pick(&[0, 1, -1, i64::MAX, i64::MIN]), to),
                 10 => b.scope(name, |b| b.add(p, q)),
                 11 => {
@@ -812,5 +814,150 @@ fn text_is_reproducible() {
     let text = |scheme: &str| rotation(&["output=polar-table", scheme]).to_text();
     for scheme in ["scheme=direct", "scheme=linear", "scheme=bipartite"] {
         assert_eq!(text(scheme), text(scheme));
+    }
+}
+
+/// Hardware has one name for a port.
+#[test]
+fn an_input_and_an_output_of_one_name_are_refused() {
+    let format = Format::signed(8, 4).unwrap();
+    let mut b = Builder::new("echo");
+    let x = b.input("x", format, Quantity::Number);
+    let y = b.neg(x);
+    b.output("x", y);
+    let why = b.build().unwrap_err().to_string();
+    assert_eq!(why, "`x` is an input and an output of `echo`: give one of them another name");
+}
+
+fn read(text: &str) -> Result<Netlist, String> {
+    Netlist::parse(text, Path::new("n.txt")).map_err(|error| error.to_string())
+}
+
+/// What is written is read back to the same netlist: every unit by itself and with each other choice of each
+/// parameter.
+#[test]
+fn files_of_units_are_read_back() {
+    for unit in UNITS.iter() {
+        let mut settings: Vec<String> = vec![String::new()];
+        for param in &unit.params {
+            if let Kind::Choice(names) = &param.kind {
+                settings.extend(names.iter().map(|name| format!("{}={name}", param.name)));
+            }
+        }
+        for setting in settings {
+            let set: Vec<&str> = setting.split_terminator(' ').collect();
+            // Some choices ask for others.
+            let Ok(design) = unit.values(&set).unwrap().build() else { continue };
+            let text = design.netlist.to_file();
+            let again =
+                read(&text).unwrap_or_else(|error| panic!("{} {setting}: {error}", unit.name));
+            assert!(again == *design.netlist, "{} {setting}", unit.name);
+        }
+    }
+}
+
+#[test]
+fn files_of_random_netlists_are_read_back() {
+    for seed in 0..300 {
+        let netlist = crate::engines::random_netlist(seed);
+        let text = netlist.to_file();
+        let again = read(&text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+        assert!(again == netlist, "{text}\n{}", again.to_file());
+    }
+}
+
+const SMALL_FILE: &str = "\
+fixpath netlist 1
+name small
+scope tail
+scope tail.lookup scheme # a comment
+function light = add(0.1, mul(0.8, max(x, 0)))
+table rom 1 up:s4f1 down:s4f1
+  7 -4
+  -8 6
+%0 = input : u1f0 @a
+%1 = read rom.up %0 : s4f1 @tail.lookup.value means light(%0)
+%2 = mul %1 %1 : s8f2 @tail.
+
+%3 = narrow half-even saturate %2 : u5f1
+output y = %3
+";
+
+#[test]
+fn a_small_file() {
+    let netlist = read(SMALL_FILE).unwrap();
+    assert_eq!(netlist.name(), "small");
+    assert_eq!(netlist.label(netlist.outputs()[0].node), "%3");
+    assert_eq!(netlist.eval(&[1]).unwrap().0[3], 31, "(-4)² = 16 saturates");
+    assert_eq!(netlist.eval_reals(&[1.0])[3], 0.9f64 * 0.9);
+    assert_eq!(read(&netlist.to_file()).unwrap(), netlist);
+}
+
+/// Each with a part of its message; the place is that of the first difference.
+#[test]
+fn malformed_files_are_refused_with_their_place() {
+    let cases = [
+        (
+            "fixpath netlist 1",
+            "fixpath netlist 2",
+            "line 1, column 1: a netlist's file begins with",
+        ),
+        ("name small", "nam small", "line 2, column 1: the second line is `name`"),
+        ("name small", "name Small", "line 2, column 6: `Small` is no name"),
+        ("scope tail\n", "scope tail 2\n", "line 3, column 12: `2` is no part"),
+        (
+            "scope tail\n",
+            "scope tail\nscope tail\n",
+            "line 4, column 7: scope `tail` is declared twice",
+        ),
+        ("scope tail.lookup", "scope head.lookup", "line 4, column 7: there is no scope `head`"),
+        ("max(x, 0)", "max(y, 0)", "line 5, column 40: `y` is no finite number"),
+        ("table rom 1", "table rom 31", "line 6, column 11: 31 address bits: legal is 1 to 30"),
+        ("up:s4f1", "up", "line 6, column 13: `up` is no column"),
+        ("up:s4f1", "down:s4f1", "line 6, column 23: column `down` stands twice"),
+        ("up:s4f1", "up:s64f1", "line 6, column 16: format of 64 bits"),
+        ("  7 -4", "  7", "line 7, column 4: the line ends"),
+        ("  7 -4", "  7 -4 5", "line 7, column 8: the line has ended before `5`"),
+        ("  7 -4", "  8 -4", "line 7, column 3: word 8 of column `up` is outside s4f1"),
+        ("  7 -4", "  x -4", "line 7, column 3: `x` is not a word of column `up`"),
+        (
+            "%0 = input",
+            "%1 = input",
+            "line 9, column 1: nodes are numbered from %0 up: expected `%0`",
+        ),
+        ("%0 = input : u1f0 @a", "%0 = input : u1f0", "line 9, column 6: an input has a name"),
+        (
+            "%0 = input : u1f0 @a",
+            "%0 = input : u1f0 @tail.a",
+            "line 9, column 19: an input is in no scope",
+        ),
+        ("@a\n", "@1a\n", "line 9, column 19: `1a` is no name"),
+        ("rom.up", "ram.up", "line 10, column 11: there is no table `ram`"),
+        ("rom.up", "rom.left", "line 10, column 11: table `rom` has no column `left`"),
+        ("light(%0)", "light(%1)", "`%1` is no finite number"),
+        ("light(%0)", "light(%0, 1)", "`light` takes 1 operands, and 2 are given"),
+        ("mul %1 %1", "mul %1", "line 11, column 6: `mul` takes 2 operands, and 1 are given"),
+        ("mul %1 %1", "mul %1 %2", "line 11, column 13: `%2` is no node before this line"),
+        ("mul %1 %1", "cube %1", "line 11, column 6: there is no operation `cube`"),
+        (": s8f2", ": s9f2", "line 11, column 18: the result of `mul` is s8f2, not s9f2"),
+        (": s8f2 @tail.", ": s8f2 tail", "line 11, column 23: expected turns"),
+        ("half-even", "half", "line 13, column 13: `half` is not a rounding"),
+        ("output y = %3", "output y = %4", "line 14, column 12: `%4` is no node"),
+        ("output y = %3", "outputs y = %3", "line 14, column 1: `outputs` begins no line"),
+        ("output y = %3\n", "", "line 13, column 1: the file ends, and it has no output"),
+    ];
+    for (from, to, message) in cases {
+        assert!(SMALL_FILE.contains(from), "{from}");
+        let error = read(&SMALL_FILE.replacen(from, to, 1)).expect_err(to);
+        assert!(error.contains(message), "{to}: {error}");
+    }
+    let cut = SMALL_FILE.split("  -8 6").next().unwrap();
+    assert!(read(cut).is_err_and(|error| error.contains("ends inside of table `rom` of line 6")));
+    // Whatever is cut off or changed: an error or a netlist, no panic.
+    for at in 0..SMALL_FILE.len() {
+        let _ = read(&SMALL_FILE[..at]);
+        for other in ["%", "9", ".", " ", "\n", "@", "-"] {
+            let _ = read(&format!("{}{other}{}", &SMALL_FILE[..at], &SMALL_FILE[at + 1..]));
+        }
     }
 }

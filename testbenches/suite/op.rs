@@ -5,6 +5,7 @@
 use fixpath::format::{Format, Overflow, Round};
 use fixpath::netlist::{Builder, Column, NodeId, Quantity, Table};
 use fixpath::op::{FormatProblem, Op};
+use fixpath::real::{Graph, Twin};
 use std::sync::Arc;
 
 const FINE: i32 = 24;
@@ -44,6 +45,14 @@ fn eval(op: Op, of: &[(i64, Format)]) -> (i64, Format) {
     (raw, out)
 }
 
+/// Value of an operation on reals, if it has one.
+fn on_reals(op: Op, reals: &[f64], out: Format) -> Option<f64> {
+    let mut graph = Graph::default();
+    let of: Vec<_> = reals.iter().map(|value| graph.constant(*value)).collect();
+    let reading = op.reading(&mut graph, &of, out)?;
+    Some(graph.values(&Twin, &[])[reading.index()])
+}
+
 /// The real evaluation must be the value of the word.
 fn check_real(op: Op, of: &[(i64, Format)], (raw, out): (i64, Format)) {
     let mut reals = [0.0; 3];
@@ -51,8 +60,7 @@ fn check_real(op: Op, of: &[(i64, Format)], (raw, out): (i64, Format)) {
         *real = *raw as f64 * 2f64.powi(-format.frac_bits());
     }
     let expected = raw as f64 * 2f64.powi(-out.frac_bits());
-    assert!(op.has_real(out));
-    assert_eq!(op.eval_real(reals, out), expected, "{op:?} of {of:?}");
+    assert_eq!(on_reals(op, &reals[..of.len()], out), Some(expected), "{op:?} of {of:?}");
 }
 
 /// The fewest bits that hold all of some words, by trying.
@@ -311,7 +319,7 @@ fn constants_reads_and_narrows() {
     let to = Format::signed(3, 0).unwrap();
     for (raw, expected) in [(7, (3, true)), (5, (2, false)), (-8, (-4, false)), (-5, (-2, false))] {
         assert_eq!(op.eval_raw(&[(raw, out)], to, &[]), expected, "{raw}");
-        assert_eq!(op.eval_real([raw as f64 / 2.0, 0.0, 0.0], to), raw as f64 / 2.0);
+        assert_eq!(on_reals(op, &[raw as f64 / 2.0], to), Some(raw as f64 / 2.0));
     }
 }
 

@@ -94,6 +94,17 @@ fn every_command_takes_its_units() {
     }
 }
 
+/// A table of a function of its own, by each scheme: as far off as the scheme's exact error says.
+#[test]
+fn its_function_is_tabulated_by_every_scheme() {
+    for scheme in fixpath::table::Scheme::ALL {
+        let set = format!("scheme={scheme}");
+        let sim = json(&["sim", "sigmoid", "-p", &set, "--sampler", "exhaustive"]);
+        let [seen, stated] = ["seen", "bound"].map(|key| sim["bounds"][0][key].as_f64().unwrap());
+        assert!(seen <= stated && stated < 1.001 * seen, "{scheme}: {seen} of {stated}");
+    }
+}
+
 /// Points that differ in what the golden reads don't share it: each has the error that it has alone.
 #[test]
 fn its_sweeps_have_goldens_of_their_own() {

@@ -129,7 +129,7 @@ fn all_traces(rtl: &Rtl, options: &Options) -> Vec<Trace> {
     let trace = |signal: Signal, path: Vec<String>, name: String, port: Option<usize>| {
         let node = netlist.node(signal.node);
         let twins = match port {
-            _ if !node.has_real || node.format.bits() == 1 => &[],
+            _ if node.real.is_none() || node.format.bits() == 1 => &[],
             Some(_) => Twin::PORT,
             None if exact[signal.node.index()] => Twin::EXACT,
             None => Twin::INSIDE,

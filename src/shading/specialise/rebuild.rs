@@ -2,7 +2,7 @@
 
 use super::reduced::{Reduced, Source};
 use crate::base::name;
-use crate::netlist::op::{Meaning, Op};
+use crate::netlist::op::Op;
 use crate::netlist::{Builder, Netlist, NodeId, Quantity, ScopeId, TableId};
 use crate::number::format::{Overflow, Round};
 use std::collections::{BTreeMap, BTreeSet};
@@ -69,7 +69,7 @@ impl<'a> Rebuild<'a> {
         self.b.enter(self.old.node(id).scope);
         let new = self.in_format(self.at(operand), id);
         // An operand without a value on reals may stand for what the node did.
-        let own = self.b.len() > before || !self.old.node(operand).has_real;
+        let own = self.b.len() > before || self.old.node(operand).real.is_none();
         self.stands_for(id, new, self.b.len() > before, own.then_some(id));
     }
 
@@ -159,11 +159,11 @@ impl<'a> Rebuild<'a> {
                 self.b.turns(new);
             }
         }
-        if let Some(meaning) = meaning_of.and_then(|id| self.old.node(id).meaning) {
+        if let Some(meaning) = meaning_of.and_then(|id| self.old.node(id).meaning.as_ref()) {
             let known = |id: NodeId| self.new[id.index()].filter(|argument| *argument < new);
-            if meaning.arguments().into_iter().flatten().all(|id| known(id).is_some()) {
-                let meaning: Meaning = meaning.map(|id| known(id).expect("bug: checked above"));
-                self.b.means(new, meaning);
+            let of: Option<Vec<NodeId>> = meaning.of.iter().map(|id| known(*id)).collect();
+            if let Some(of) = of {
+                self.b.stands_for(new, &meaning.expr, &of);
             }
         }
     }

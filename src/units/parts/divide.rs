@@ -2,9 +2,9 @@
 
 use crate::base::cast;
 use crate::base::error::Result;
-use crate::netlist::op::Meaning;
 use crate::netlist::{Builder, NodeId, Part};
 use crate::number::format::{Format, Overflow, Round};
+use crate::number::real::Expr;
 use crate::table::{self, Spec};
 
 /// How a quotient is found.
@@ -55,8 +55,14 @@ pub(crate) fn divide(
             }
         };
         let quotient = b.narrow(signed, output, round, Overflow::Saturate);
-        b.means(quotient, Meaning::Quotient { a, b: d })
+        b.means(quotient, [a, d], |[a, d]| ended_quotient(&a, &d))
     })
+}
+
+/// `a / d`; 0/0 is 0, and any other division by 0 gives the largest `f64` of the sign, as words saturate.
+fn ended_quotient(a: &Expr, d: &Expr) -> Expr {
+    let quotient = (a / d).max(-f64::MAX).min(f64::MAX);
+    a.equal(0.0).select(0.0, quotient)
 }
 
 /// Format of the reciprocal table's argument: the mantissa of the divisor's magnitude, without its
@@ -333,7 +339,7 @@ mod tests {
                 let (a, d, output) = (format(a), format(d), format(output));
                 let spec = Spec {
                     name: "recip",
-                    functions: &[Function::Recip],
+                    functions: &[Function::recip()],
                     scheme: *scheme,
                     addr_bits: 4,
                     quarter_wave: false,

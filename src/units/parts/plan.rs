@@ -184,7 +184,7 @@ impl<'a> Plan<'a> {
     /// sin and cos of an angle.
     pub(crate) fn sincos(&mut self, b: &mut Builder, angle: NodeId) -> Result<(NodeId, NodeId)> {
         let output = number(1, self.work_bits)?; // -2 to 2: 1.0 has a code
-        let functions = &[Function::Sin, Function::Cos];
+        let functions = &[Function::sin(), Function::cos()];
         let pair = self.table(b, "sincos", "sincos_addr_bits", functions, angle, output);
         Ok((pair[0], pair[1]))
     }

@@ -1,7 +1,6 @@
 //! Parts shared by units: from Cartesian to polar, by CORDIC and by tables.
 
 use crate::base::cast;
-use crate::netlist::op::Meaning;
 use crate::netlist::{Builder, NodeId};
 use crate::number::format::{Format, Overflow, Round, bit_len};
 use crate::table::{self, Spec};
@@ -31,7 +30,8 @@ pub(crate) fn opposite(b: &mut Builder, angle: NodeId) -> NodeId {
     let format = b.format(angle);
     let top = b.constant(1 << (format.bits() - 1), format);
     let turned = b.xor(angle, top);
-    b.means(turned, Meaning::Opposite(angle))
+    b.turns(turned);
+    b.means(turned, [angle], |[angle]| angle + 0.5)
 }
 
 /// Angle and length of (x, y) by CORDIC in vectoring mode: adders and wires only.

@@ -4,7 +4,6 @@
 use super::divide::{bit_of, limit, normalise, sticky, word_of};
 use crate::base::cast;
 use crate::base::error::Result;
-use crate::netlist::op::Meaning;
 use crate::netlist::{Builder, NodeId, Part};
 use crate::number::format::{Format, Overflow, Round, bit_len};
 use crate::table::{self, Spec};
@@ -61,7 +60,7 @@ pub(crate) fn root(
             }
         };
         let root = b.narrow(exact, output, round, Overflow::Saturate);
-        b.means(root, Meaning::Root(a))
+        b.means(root, [a], |[a]| a.max(0.0).sqrt())
     })
 }
 
@@ -94,7 +93,8 @@ pub(crate) fn reciprocal_root(
         let of_zero = b.equal(a, zero);
         let exact = b.mux(of_zero, limit, shifted);
         let root = b.narrow(exact, output, round, Overflow::Saturate);
-        b.means(root, Meaning::RecipRoot(a))
+        // The largest f64 at 0, as words saturate.
+        b.means(root, [a], |[a]| (1.0 / a.max(0.0).sqrt()).min(f64::MAX))
     })
 }
 
@@ -340,11 +340,12 @@ mod tests {
             {
                 let (a, output) = (format(a), format(output));
                 let (max, half_ulp) = (output.value(output.max_raw()), 0.5 * output.ulp());
-                let roots = table(&[Function::Sqrt], *scheme, kept);
+                let (sqrt, recip_sqrt) = ([Function::sqrt()], [Function::recip_sqrt()]);
+                let roots = table(&sqrt, *scheme, kept);
                 let method = Method::Table(roots);
                 let direct =
                     netlist(a, |b, a| root(b, "root", a, output, Round::HalfEven, &method));
-                let reciprocals = table(&[Function::RecipSqrt], *scheme, kept);
+                let reciprocals = table(&recip_sqrt, *scheme, kept);
                 let inverse = netlist(a, |b, a| {
                     reciprocal_root(b, "inverse", a, output, Round::HalfEven, &reciprocals, None)
                 });
@@ -381,7 +382,8 @@ mod tests {
                 let (a, output) = (format(a), format(output));
                 let max = output.value(output.max_raw());
                 for round in Round::ALL {
-                    let mut table = table(&[Function::RecipSqrt], Scheme::Direct, kept);
+                    let recip_sqrt = [Function::recip_sqrt()];
+                    let mut table = table(&recip_sqrt, Scheme::Direct, kept);
                     table.spec.addr_bits = addr_bits;
                     let inverse = netlist(a, |b, a| {
                         let newton = Some(frac_bits);
@@ -416,7 +418,8 @@ mod tests {
         let real =
             |netlist: &Netlist, x| netlist.eval_reals(&[x])[netlist.outputs()[0].node.index()];
         assert_eq!(real(&direct, 2.0), 2f64.sqrt());
-        let table = table(&[Function::RecipSqrt], Scheme::Linear, 63);
+        let recip_sqrt = [Function::recip_sqrt()];
+        let table = table(&recip_sqrt, Scheme::Linear, 63);
         let inverse =
             netlist(a, |b, a| reciprocal_root(b, "inverse", a, output, Round::Floor, &table, None));
         assert_eq!(real(&inverse, 4.0), 0.5);

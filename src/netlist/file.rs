@@ -1,0 +1,679 @@
+//! A netlist as a file, and back: the form in which netlists are exchanged.
+//!
+//! ```text
+//! fixpath netlist 1
+//! name square
+//! scope tail
+//! function light = add(0.1, mul(0.8, max(x, 0)))
+//! table rom 2 up:s4f1 down:s4f1
+//!   7 -4
+//!   -8 6
+//!   3 5
+//!   0 -1
+//! %0 = input : u2f0 @a
+//! %1 = read rom.up %0 : s4f1 @tail.value means light(%0)
+//! %2 = mul %1 %1 : s7f2 @tail.
+//! %3 = narrow half-even saturate %2 : u5f1
+//! output y = %3
+//! ```
+//!
+//! - The first line names the form and its version. Empty lines and what follows `#` count for nothing.
+//! - `scope PATH` declares a scope below those before it; a word after it says which part it is, as `scheme`.
+//! - `function NAME = EXPRESSION` names an expression of `x` ([`Expr`]); `function ID named NAME = …` where the
+//!   name is taken.
+//! - `table NAME BITS COLUMN:FORMAT…` is followed by a line of words for each of its `2^BITS` addresses; `table ID named
+//!   NAME …` where the name is taken.
+//! - `%N = OPERATION %OPERAND… : FORMAT` is a node. Numbers count up from 0, and operands come first. Behind the format
+//!   may stand what it measures (`turns` or `float20`), `@SCOPE.NAME` (`@SCOPE.` without a name, `@NAME` outside of all
+//!   scopes), and `means EXPRESSION`: what it stands for on reals, of other nodes.
+//! - `output NAME = %N` is a port.
+//!
+//! What no output needs is dropped by reading. Code of functions ([`Function::with_kernel`]) isn't text: what is read
+//! has their expressions.
+
+use super::{Builder, Column, Meaning, Netlist, NodeId, Part, Quantity, ScopeId, Table, TableId};
+use crate::base::cast;
+use crate::base::error::{Error, Result};
+use crate::base::{escape, name};
+use crate::netlist::op::Op;
+use crate::number::format::{Format, Overflow, Round};
+use crate::number::function::Function;
+use crate::number::real::{Expr, Primitive, Term};
+use std::collections::{BTreeSet, HashMap};
+use std::fmt::Write as _;
+use std::path::Path;
+use std::str::FromStr;
+use std::sync::Arc;
+
+/// First line.
+const HEAD: &str = "fixpath netlist 1";
+
+impl Part {
+    /// Every part.
+    pub const ALL: &'static [Self] =
+        &[Self::Scheme, Self::Divider, Self::SquareRoot, Self::ReciprocalRoot, Self::Dot];
+
+    /// Name in files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Scheme => "scheme",
+            Self::Divider => "divider",
+            Self::SquareRoot => "square_root",
+            Self::ReciprocalRoot => "reciprocal_root",
+            Self::Dot => "dot",
+        }
+    }
+}
+
+impl Quantity {
+    /// Every quantity.
+    pub const ALL: &'static [Self] = &[Self::Number, Self::Turns, Self::Float20];
+
+    /// Name in listings and files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Number => "number",
+            Self::Turns => "turns",
+            Self::Float20 => "float20",
+        }
+    }
+}
+
+impl Netlist {
+    /// All of it, as a file that [`Netlist::parse`] reads back to the same netlist.
+    #[must_use]
+    pub fn to_file(&self) -> String {
+        let mut text = format!("{HEAD}\nname {}\n", self.name);
+        for (index, scope) in self.scopes.iter().enumerate().skip(1) {
+            let path = self.scope_path(ScopeId(cast::id_of(index))).join(".");
+            let part = scope.part.map(|part| format!(" {}", part.name())).unwrap_or_default();
+            let _ = writeln!(text, "scope {path}{part}");
+        }
+        let functions = self.functions();
+        for (id, function) in &functions {
+            let named = |function: &Function| name_of(&functions, function);
+            let expr = function.expr().to_text(&|_| "x".to_owned(), &named);
+            let _ = writeln!(text, "function {}= {expr}", heading(id, function.name()));
+        }
+        let ids = unique(self.tables.iter().map(|table| table.name.as_str()), &|_| false);
+        for (id, table) in ids.iter().zip(&self.tables) {
+            let _ = write!(text, "table {}{}", heading(id, &table.name), table.addr_bits);
+            for column in &table.columns {
+                let _ = write!(text, " {}:{}", column.name, column.format);
+            }
+            text.push('\n');
+            for row in 0..1usize << table.addr_bits {
+                for (i, column) in table.columns.iter().enumerate() {
+                    let space = if i == 0 { "  " } else { " " };
+                    let _ = write!(text, "{space}{}", column.words[row]);
+                }
+                text.push('\n');
+            }
+        }
+        for (id, node) in self.ids().zip(&self.nodes) {
+            let _ = write!(text, "%{} = {}", id.number, self.describe(node, &ids));
+            for operand in &node.operands {
+                let _ = write!(text, " %{}", operand.number);
+            }
+            let _ = write!(text, " : {}", node.format);
+            if node.quantity != Quantity::Number {
+                let _ = write!(text, " {}", node.quantity.name());
+            }
+            if node.scope != ScopeId::ROOT || node.name.is_some() {
+                text.push_str(" @");
+                for name in self.scope_path(node.scope) {
+                    let _ = write!(text, "{name}.");
+                }
+                text.push_str(node.name.as_deref().unwrap_or_default());
+            }
+            if let Some(Meaning { expr, of }) = &node.meaning {
+                let variable = |number: u32| format!("%{}", of[cast::index_of_u32(number)].number);
+                let expr = expr.to_text(&variable, &|function| name_of(&functions, function));
+                let _ = write!(text, " means {expr}");
+            }
+            text.push('\n');
+        }
+        for output in &self.outputs {
+            let _ = writeln!(text, "output {} = %{}", output.name, output.node.number);
+        }
+        text
+    }
+
+    /// The functions that nodes stand for, each after those that it calls, with names of their own.
+    fn functions(&self) -> Vec<(String, Function)> {
+        fn collect(expr: &Expr, found: &mut Vec<Function>) {
+            for term in expr.terms() {
+                if let Term::Call(function, _) = term
+                    && !found.contains(function)
+                {
+                    collect(function.expr(), found);
+                    found.push(function.clone());
+                }
+            }
+        }
+        let mut found = Vec::new();
+        for meaning in self.nodes.iter().filter_map(|node| node.meaning.as_ref()) {
+            collect(&meaning.expr, &mut found);
+        }
+        let primitive =
+            |name: &str| Primitive::ALL.into_iter().any(|primitive| primitive.name() == name);
+        let ids = unique(found.iter().map(Function::name), &primitive);
+        ids.into_iter().zip(found).collect()
+    }
+
+    /// Reads a file; `path` is for messages.
+    ///
+    /// # Errors
+    /// If it is malformed or no netlist; with line and column.
+    pub fn parse(text: &str, path: &Path) -> Result<Self> {
+        Reader::default().read(text, path)
+    }
+}
+
+fn name_of(functions: &[(String, Function)], function: &Function) -> String {
+    let found = functions.iter().find(|(_, known)| known == function);
+    found.expect("bug: every function is collected").0.clone()
+}
+
+/// `ID named NAME `, or the name alone if it is the id.
+fn heading(id: &str, name: &str) -> String {
+    if id == name { format!("{name} ") } else { format!("{id} named {name} ") }
+}
+
+/// The names, with a number behind those that are taken.
+fn unique<'a>(names: impl Iterator<Item = &'a str>, taken: &dyn Fn(&str) -> bool) -> Vec<String> {
+    let mut used = BTreeSet::new();
+    let mut id = |name| name::numbered(name, |id| !taken(id) && used.insert(id.to_owned()));
+    names.map(&mut id).collect()
+}
+
+/// What is wrong, after so many bytes of the line.
+struct Wrong {
+    at: usize,
+    problem: String,
+}
+
+type Read<T> = std::result::Result<T, Wrong>;
+
+fn wrong<T>(at: usize, problem: impl Into<String>) -> Read<T> {
+    Err(Wrong { at, problem: problem.into() })
+}
+
+/// Words of a line with their places.
+struct Line<'a> {
+    text: &'a str,
+    at: usize,
+}
+
+impl<'a> Line<'a> {
+    fn rest(&self) -> &'a str {
+        &self.text[self.at..]
+    }
+
+    /// The next word; nothing at the end.
+    fn next(&mut self) -> Option<(usize, &'a str)> {
+        self.at += self.rest().len() - self.rest().trim_start().len();
+        let end = self.rest().find(char::is_whitespace).unwrap_or(self.rest().len());
+        let word = &self.rest()[..end];
+        let at = self.at;
+        self.at += end;
+        (!word.is_empty()).then_some((at, word))
+    }
+
+    fn word(&mut self, what: &str) -> Read<(usize, &'a str)> {
+        match self.next() {
+            Some(word) => Ok(word),
+            None => wrong(self.at, format!("the line ends, and {what} is missing")),
+        }
+    }
+
+    /// What the next word says, and its place.
+    fn placed<T: FromStr>(&mut self, what: &str) -> Read<(usize, T)> {
+        let (at, word) = self.word(what)?;
+        match word.parse() {
+            Ok(value) => Ok((at, value)),
+            Err(_) => wrong(at, format!("`{word}` is not {what}")),
+        }
+    }
+
+    fn parse<T: FromStr>(&mut self, what: &str) -> Read<T> {
+        self.placed(what).map(|(_, value)| value)
+    }
+
+    fn expect(&mut self, token: &str) -> Read<()> {
+        let (at, word) = self.word(&format!("`{token}`"))?;
+        if word == token {
+            Ok(())
+        } else {
+            wrong(at, format!("expected `{token}` before `{word}`"))
+        }
+    }
+
+    fn end(&mut self) -> Read<()> {
+        match self.next() {
+            None => Ok(()),
+            Some((at, word)) => wrong(at, format!("the line has ended before `{word}`")),
+        }
+    }
+
+    /// `NAME`, or `ID named NAME`, before anything else: the id and the name.
+    fn names(&mut self, what: &str) -> Read<(usize, &'a str, &'a str)> {
+        let (at, id) = self.word(what)?;
+        let before = self.at;
+        if matches!(self.next(), Some((_, "named"))) {
+            return Ok((at, id, self.word(what)?.1));
+        }
+        self.at = before;
+        Ok((at, id, id))
+    }
+}
+
+/// A table whose words are being read.
+struct Pending {
+    id: String,
+    name: String,
+    addr_bits: u32,
+    columns: Vec<(String, Format, Vec<i64>)>,
+    /// Its own line.
+    line: usize,
+}
+
+#[derive(Default)]
+struct Reader {
+    builder: Option<Builder>,
+    scopes: HashMap<String, ScopeId>,
+    functions: HashMap<String, Function>,
+    tables: HashMap<String, (TableId, Vec<String>)>,
+    pending: Option<Pending>,
+    nodes: Vec<NodeId>,
+    outputs: usize,
+}
+
+impl Reader {
+    fn read(mut self, text: &str, path: &Path) -> Result<Netlist> {
+        let mut last = 0;
+        for (index, whole) in text.lines().enumerate() {
+            last = index;
+            let code = whole.split('#').next().unwrap_or_default();
+            let mut line = Line { text: code, at: 0 };
+            let failed = |at: usize, problem: String| {
+                let column = cast::count_of(code[..at.min(code.len())].chars().count()) + 1;
+                Error::place(path, cast::count_of(index) + 1, column, problem)
+            };
+            if index == 0 {
+                if code.trim_end() != HEAD {
+                    return Err(failed(0, format!("a netlist's file begins with `{HEAD}`")));
+                }
+                continue;
+            }
+            self.line(&mut line, index).map_err(|wrong| failed(wrong.at, wrong.problem))?;
+            if let Some(error) = self.builder.as_mut().and_then(Builder::take_error) {
+                return Err(failed(0, error.to_string()));
+            }
+        }
+        let end =
+            |problem: &str| Error::place(path, cast::count_of(last) + 1, 1, problem.to_owned());
+        if let Some(Pending { name, line, .. }) = self.pending {
+            return Err(end(&format!(
+                "the file ends inside of table `{name}` of line {}",
+                line + 1
+            )));
+        }
+        let Some(builder) = self.builder.filter(|_| self.outputs > 0) else {
+            return Err(end("the file ends, and it has no output"));
+        };
+        builder.build().map_err(|error| Error::file(path, error.to_string()))
+    }
+
+    fn line(&mut self, line: &mut Line<'_>, index: usize) -> Read<()> {
+        if self.pending.is_some() && !line.rest().trim().is_empty() {
+            return self.row(line);
+        }
+        let Some((at, word)) = line.next() else { return Ok(()) };
+        if self.builder.is_none() {
+            let (name_at, name) = match word {
+                "name" => line.word("the netlist's name")?,
+                _ => return wrong(at, "the second line is `name` and the netlist's name"),
+            };
+            self.builder = Some(Builder::new(identifier(name_at, name)?));
+            return line.end();
+        }
+        match word {
+            "scope" => self.scope(line),
+            "function" => self.function(line),
+            "table" => self.table(line, index),
+            "output" => self.output(line),
+            _ if word.starts_with('%') => self.node(line, at, word),
+            _ => wrong(
+                at,
+                format!("`{word}` begins no line: legal are scope, function, table, %N and output"),
+            ),
+        }
+    }
+
+    fn b(&mut self) -> &mut Builder {
+        self.builder.as_mut().expect("bug: lines are read after the name's")
+    }
+
+    fn scope(&mut self, line: &mut Line<'_>) -> Read<()> {
+        let (at, path) = line.word("the scope's path")?;
+        let (parent, name) = path.rsplit_once('.').unwrap_or(("", path));
+        let parent = self.scope_at(at, parent)?;
+        let name = identifier(at, name)?;
+        let part = match line.next() {
+            None => None,
+            Some((at, word)) => {
+                let names: Vec<&str> = Part::ALL.iter().map(|part| part.name()).collect();
+                let part = Part::ALL.iter().find(|part| part.name() == word);
+                let unknown = || format!("`{word}` is no part: legal are {}", names.join(", "));
+                Some(*part.ok_or_else(|| Wrong { at, problem: unknown() })?)
+            }
+        };
+        let id = self.b().declare_scope(parent, name, part);
+        if self.scopes.insert(path.to_owned(), id).is_some() {
+            return wrong(at, format!("scope `{path}` is declared twice"));
+        }
+        line.end()
+    }
+
+    fn scope_at(&self, at: usize, path: &str) -> Read<ScopeId> {
+        if path.is_empty() {
+            return Ok(ScopeId::ROOT);
+        }
+        match self.scopes.get(path) {
+            Some(id) => Ok(*id),
+            None => wrong(at, format!("there is no scope `{path}`: declare it before")),
+        }
+    }
+
+    fn function(&mut self, line: &mut Line<'_>) -> Read<()> {
+        let (at, id, name) = line.names("the function's name")?;
+        identifier(at, id)?;
+        line.expect("=")?;
+        let expr = self.expression(line, &|name| (name == "x").then_some(0))?;
+        let function = Function::of_expr(name, expr);
+        if self.functions.insert(id.to_owned(), function).is_some() {
+            return wrong(at, format!("function `{id}` is defined twice"));
+        }
+        Ok(())
+    }
+
+    /// An expression to the end of the line.
+    fn expression(
+        &self,
+        line: &mut Line<'_>,
+        variable: &dyn Fn(&str) -> Option<u32>,
+    ) -> Read<Expr> {
+        let start = line.at;
+        let text = line.rest();
+        line.at = line.text.len();
+        Expr::parse(text, variable, &|name| self.functions.get(name).cloned())
+            .map_err(|error| Wrong { at: start + error.at, problem: error.problem })
+    }
+
+    fn table(&mut self, line: &mut Line<'_>, index: usize) -> Read<()> {
+        let (at, id, name) = line.names("the table's name")?;
+        if self.tables.contains_key(id) {
+            return wrong(at, format!("table `{id}` stands twice"));
+        }
+        identifier(at, id)?;
+        identifier(at, name)?;
+        let (bits_at, addr_bits) = line.placed::<u32>("a number of address bits")?;
+        let most = Table::MAX_ADDR_BITS;
+        if !(1..=most).contains(&addr_bits) {
+            return wrong(bits_at, format!("{addr_bits} address bits: legal is 1 to {most}"));
+        }
+        let mut columns: Vec<(String, Format, Vec<i64>)> = Vec::new();
+        while let Some((at, word)) = line.next() {
+            let Some((name, format)) = word.split_once(':') else {
+                return wrong(at, format!("`{word}` is no column: write NAME:FORMAT"));
+            };
+            let name = identifier(at, name)?;
+            if columns.iter().any(|(known, ..)| known == name) {
+                return wrong(at, format!("column `{name}` stands twice"));
+            }
+            columns.push((name.to_owned(), format_at(at + name.len() + 1, format)?, Vec::new()));
+        }
+        if columns.is_empty() {
+            return wrong(line.at, "a table has a column: write NAME:FORMAT");
+        }
+        let (id, name) = (id.to_owned(), name.to_owned());
+        self.pending = Some(Pending { id, name, addr_bits, columns, line: index });
+        Ok(())
+    }
+
+    fn row(&mut self, line: &mut Line<'_>) -> Read<()> {
+        let table = self.pending.as_mut().expect("bug: asked for by the caller");
+        for (name, format, words) in &mut table.columns {
+            let (at, word) = line.placed::<i64>(&format!("a word of column `{name}`"))?;
+            if !format.contains(word) {
+                return wrong(at, format!("word {word} of column `{name}` is outside {format}"));
+            }
+            words.push(word);
+        }
+        line.end()?;
+        if table.columns[0].2.len() < 1 << table.addr_bits {
+            return Ok(());
+        }
+        let table = self.pending.take().expect("bug: taken above");
+        let columns: Vec<Column> = table
+            .columns
+            .into_iter()
+            .map(|(name, format, words)| Column { name, format, words: Arc::from(words) })
+            .collect();
+        let names = columns.iter().map(|column| column.name.clone()).collect();
+        let Pending { id, name, addr_bits, .. } = Pending { columns: Vec::new(), ..table };
+        let built = self.b().table(Table { name, addr_bits, columns });
+        self.tables.insert(id, (built, names));
+        Ok(())
+    }
+
+    fn node_at(&self, at: usize, word: &str) -> Read<NodeId> {
+        let number = word.strip_prefix('%').and_then(|number| number.parse::<usize>().ok());
+        match number.and_then(|number| self.nodes.get(number)) {
+            Some(id) => Ok(*id),
+            None => wrong(
+                at,
+                format!(
+                    "`{word}` is no node before this line: legal is %0 to %{}",
+                    self.nodes.len()
+                ),
+            ),
+        }
+    }
+
+    fn node(&mut self, line: &mut Line<'_>, at: usize, word: &str) -> Read<()> {
+        let expected = format!("%{}", self.nodes.len());
+        if word != expected {
+            return wrong(
+                at,
+                format!("nodes are numbered from %0 up: expected `{expected}` before `{word}`"),
+            );
+        }
+        line.expect("=")?;
+        let (op_at, op) = line.word("an operation")?;
+        let op = self.operation(line, op_at, op)?;
+        let mut operands = Vec::new();
+        loop {
+            let (at, word) = line.word("`:` and a format")?;
+            if word == ":" {
+                break;
+            }
+            operands.push(self.node_at(at, word)?);
+        }
+        let arity = op.arity();
+        if operands.len() != arity {
+            let given = operands.len();
+            return wrong(
+                op_at,
+                format!("`{}` takes {arity} operands, and {given} are given", op.name()),
+            );
+        }
+        let (format_at_byte, text) = line.word("a format")?;
+        let format = format_at(format_at_byte, text)?;
+        let op = if let Op::Slice { lo } = op { slice(op_at, lo, format)? } else { op };
+
+        let (mut quantity, mut scope, mut name) = (None, ScopeId::ROOT, None);
+        let mut meaning: Option<(Expr, Vec<NodeId>)> = None;
+        let mut name_at = 0;
+        while let Some((at, word)) = line.next() {
+            if let Some(path) = word.strip_prefix('@') {
+                let (path, own) = path.rsplit_once('.').unwrap_or(("", path));
+                scope = self.scope_at(at, path)?;
+                if !own.is_empty() {
+                    name = Some(identifier(at, own)?);
+                    name_at = at;
+                }
+            } else if word == "means" {
+                meaning = Some(self.meaning(line)?);
+            } else if let Some(known) = Quantity::ALL.iter().find(|known| known.name() == word) {
+                quantity = Some(*known);
+            } else {
+                return wrong(
+                    at,
+                    format!("expected turns, float20, @NAME or means, and not `{word}`"),
+                );
+            }
+        }
+        let b = self.b();
+        b.enter(scope);
+        let id = if op == Op::Input {
+            let Some(name) = name else { return wrong(op_at, "an input has a name: write @NAME") };
+            if scope != ScopeId::ROOT {
+                return wrong(name_at, "an input is in no scope: write @NAME");
+            }
+            b.input(name, format, quantity.unwrap_or_default())
+        } else {
+            let id = b.operation(op, &operands, format);
+            let is = b.format(id);
+            if !b.has_failed() && is != format {
+                return wrong(
+                    format_at_byte,
+                    format!("the result of `{}` is {is}, not {format}", op.name()),
+                );
+            }
+            if let Some(name) = name {
+                b.name(id, name);
+            }
+            if let Some(quantity) = quantity {
+                b.measures(id, quantity);
+            }
+            id
+        };
+        if let Some((expr, of)) = meaning {
+            b.stands_for(id, &expr, &of);
+        }
+        self.nodes.push(id);
+        Ok(())
+    }
+
+    /// What a node stands for: an expression of nodes before it.
+    fn meaning(&self, line: &mut Line<'_>) -> Read<(Expr, Vec<NodeId>)> {
+        let of = std::cell::RefCell::new(Vec::new());
+        let variable = |name: &str| {
+            let number: usize = name.strip_prefix('%')?.parse().ok()?;
+            let id = *self.nodes.get(number)?;
+            let mut of = of.borrow_mut();
+            let known = of.iter().position(|known| *known == id);
+            let position = known.unwrap_or_else(|| {
+                of.push(id);
+                of.len() - 1
+            });
+            Some(cast::id_of(position))
+        };
+        let expr = self.expression(line, &variable)?;
+        Ok((expr, of.into_inner()))
+    }
+
+    /// An operation with what stands between its name and its operands.
+    fn operation(&self, line: &mut Line<'_>, at: usize, word: &str) -> Read<Op> {
+        let (name, bits) = word.split_once('[').unwrap_or((word, ""));
+        Ok(match name {
+            "input" => Op::Input,
+            "const" => Op::Const { raw: line.parse("a word")? },
+            "add" => Op::Add,
+            "sub" => Op::Sub,
+            "addsub" => Op::AddSub,
+            "mul" => Op::Mul,
+            "neg" => Op::Neg,
+            "abs" => Op::Abs,
+            "and" => Op::And,
+            "or" => Op::Or,
+            "xor" => Op::Xor,
+            "equal" => Op::Equal,
+            "less" => Op::Less,
+            "mux" => Op::Mux,
+            "slice" => {
+                let lo = bits.strip_suffix(']').and_then(|bits| bits.split_once(':'));
+                match lo.and_then(|(_, lo)| lo.parse().ok()) {
+                    Some(lo) => Op::Slice { lo },
+                    None => return wrong(at, "a slice is written slice[HIGH:LOW]"),
+                }
+            }
+            "concat" => Op::Concat,
+            "shift" => Op::Shift { left: line.parse("a number of places, as +3")? },
+            "leading_zeros" => Op::LeadingZeros,
+            "shift_left" => {
+                line.expect("max")?;
+                Op::ShiftLeft { max: line.parse("the largest shift")? }
+            }
+            "read" => {
+                let (at, word) = line.word("TABLE.COLUMN")?;
+                let (table, column) = word.split_once('.').unwrap_or((word, ""));
+                let Some((id, columns)) = self.tables.get(table) else {
+                    return wrong(at, format!("there is no table `{table}` before this line"));
+                };
+                let Some(column) = columns.iter().position(|known| known == column) else {
+                    let names = columns.join(", ");
+                    return wrong(
+                        at,
+                        format!(
+                            "table `{table}` has no column `{column}`: its columns are {names}"
+                        ),
+                    );
+                };
+                Op::Read { table: *id, column: cast::id_of(column) }
+            }
+            "modulo" => Op::Modulo,
+            "narrow" => {
+                let round: Round = line.parse("a rounding, as half-even")?;
+                let overflow: Overflow = line.parse("an overflow mode, as saturate")?;
+                Op::Narrow { round, overflow }
+            }
+            _ => return wrong(at, format!("there is no operation `{word}`")),
+        })
+    }
+
+    fn output(&mut self, line: &mut Line<'_>) -> Read<()> {
+        let (at, name) = line.word("the port's name")?;
+        let name = identifier(at, name)?;
+        line.expect("=")?;
+        let (at, word) = line.word("a node")?;
+        let id = self.node_at(at, word)?;
+        self.b().output(name, id);
+        self.outputs += 1;
+        line.end()
+    }
+}
+
+fn slice(at: usize, lo: u32, format: Format) -> Read<Op> {
+    match lo.checked_add(format.bits()) {
+        Some(end) if end <= Format::MAX_BITS => Ok(Op::Slice { lo }),
+        Some(_) | None => {
+            wrong(at, format!("bit {lo} is past the {} bits of words", Format::MAX_BITS))
+        }
+    }
+}
+
+fn format_at(at: usize, text: &str) -> Read<Format> {
+    text.parse().or_else(|error: Error| wrong(at, error.to_string()))
+}
+
+fn identifier(at: usize, name: &str) -> Read<&str> {
+    if name::is_legal(name) {
+        return Ok(name);
+    }
+    wrong(at, format!("`{}` is no name: a name is {}", escape::short(name), name::RULE))
+}

@@ -1,0 +1,320 @@
+//! Intervals that hold every value that their operands allow.
+
+use super::expr::Reading;
+use super::primitive::Primitive;
+use super::scalar::Scalar;
+use std::ops::{Add, Mul};
+
+/// The numbers from `lo` to `hi`, both among them; ends may be infinite.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Interval {
+    /// Lower end.
+    pub lo: f64,
+    /// Upper end.
+    pub hi: f64,
+}
+
+impl From<f64> for Interval {
+    fn from(value: f64) -> Self {
+        Self { lo: value, hi: value }
+    }
+}
+
+impl Interval {
+    /// Every number.
+    pub const ALL: Self = Self { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
+    /// 0 or 1.
+    const FLAG: Self = Self { lo: 0.0, hi: 1.0 };
+
+    /// From one number to another.
+    #[must_use]
+    pub fn new(lo: f64, hi: f64) -> Self {
+        Self { lo, hi }
+    }
+
+    /// True if a number is in it.
+    #[must_use]
+    pub fn contains(self, value: f64) -> bool {
+        self.lo <= value && value <= self.hi
+    }
+
+    /// The smallest interval that holds both.
+    #[must_use]
+    pub fn hull(self, other: Self) -> Self {
+        Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
+    }
+
+    /// Each number kept between two.
+    #[must_use]
+    pub fn clamp(self, lo: f64, hi: f64) -> Self {
+        Self { lo: self.lo.clamp(lo, hi), hi: self.hi.clamp(lo, hi) }
+    }
+
+    /// Ends moved outward by what `libm` may be off; an end of 0 is exact.
+    fn outward(self) -> Self {
+        // Functions are within an ulp; turns and reduced arguments take three roundings more.
+        const ULPS: f64 = 4.0 * f64::EPSILON;
+        let off = |x: f64| x.abs() * ULPS;
+        let lo = if self.lo == 0.0 { 0.0 } else { (self.lo - off(self.lo)).next_down() };
+        let hi = if self.hi == 0.0 { 0.0 } else { (self.hi + off(self.hi)).next_up() };
+        Self { lo, hi }
+    }
+
+    /// The hull of some ends; every number if one of them is none.
+    fn of_ends(ends: &[f64]) -> Self {
+        if ends.iter().any(|end| end.is_nan()) {
+            return Self::ALL;
+        }
+        let lo = ends.iter().copied().fold(f64::INFINITY, f64::min);
+        let hi = ends.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        Self { lo, hi }
+    }
+
+    fn is_point(self) -> bool {
+        self.lo.total_cmp(&self.hi).is_eq()
+    }
+
+    /// Of a function that never falls.
+    fn rising(self, function: impl Fn(f64) -> f64) -> Self {
+        Self::of_ends(&[function(self.lo), function(self.hi)])
+    }
+
+    /// sin or cos, with its largest value at a whole number of turns and `top`.
+    fn wave(self, function: impl Fn(f64) -> f64, top: f64) -> Self {
+        let full = Self { lo: -1.0, hi: 1.0 };
+        // Past this, quarter turns have no code.
+        if !(self.lo.abs() < 1e12 && self.hi.abs() < 1e12) || self.hi - self.lo >= 1.0 {
+            return full;
+        }
+        let ends = Self::of_ends(&[function(self.lo), function(self.hi)]).outward();
+        // A whole number of turns after `at` is in the interval.
+        let holds = |at: f64| (self.hi - at).floor() >= (self.lo - at).ceil();
+        let lo = if holds(top + 0.5) { -1.0 } else { ends.lo.max(-1.0) };
+        let hi = if holds(top) { 1.0 } else { ends.hi.min(1.0) };
+        Self { lo, hi }
+    }
+
+    fn negative(self) -> Self {
+        Self { lo: -self.hi, hi: -self.lo }
+    }
+
+    fn magnitude(self) -> Self {
+        if self.lo >= 0.0 {
+            self
+        } else if self.hi <= 0.0 {
+            self.negative()
+        } else {
+            Self { lo: 0.0, hi: self.hi.max(-self.lo) }
+        }
+    }
+
+    /// The quotient; a pole at the lower end of the divisor is one from above.
+    fn over(self, other: Self) -> Self {
+        if other.contains(0.0) && (other.lo < 0.0 || other.hi == 0.0) {
+            return Self::ALL; // a pole inside, or one whose side isn't known
+        }
+        let quotient = |a: f64, b: f64, up: bool| {
+            let q = a / b;
+            let exact = b != 0.0 && q.is_finite() && q.mul_add(b, -a) == 0.0 && a.abs() > SAFE;
+            if exact || a == 0.0 || q.is_infinite() && b == 0.0 { q } else { step(q, up) }
+        };
+        let mut ends = Vec::with_capacity(8);
+        for a in [self.lo, self.hi] {
+            for b in [other.lo, other.hi] {
+                if a == 0.0 {
+                    ends.push(0.0);
+                } else if b.is_infinite() {
+                    ends.push(if a.is_infinite() { f64::NAN } else { 0.0 });
+                } else {
+                    // A zero is that of the upper side: the lower end of what is not negative.
+                    ends.extend([quotient(a, b + 0.0, false), quotient(a, b + 0.0, true)]);
+                }
+            }
+        }
+        Self::of_ends(&ends)
+    }
+}
+
+/// Past this, what is left over a product or quotient has a code.
+const SAFE: f64 = 1e-250;
+
+/// The next float up or down; an infinity that was rounded to ends at the largest float.
+fn step(x: f64, up: bool) -> f64 {
+    if up { x.next_up() } else { x.next_down() }
+}
+
+impl Add for Interval {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        let sum = |a: f64, b: f64, up: bool| {
+            let sum = a + b;
+            // What is left is exact (Knuth).
+            let part = sum - a;
+            let left = (a - (sum - part)) + (b - part);
+            let exact = left == 0.0 || a.is_infinite() || b.is_infinite();
+            if exact { sum } else { step(sum, up) }
+        };
+        let ends = [sum(self.lo, other.lo, false), sum(self.hi, other.hi, true)];
+        Self::of_ends(&ends)
+    }
+}
+
+impl Mul for Interval {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let product = |a: f64, b: f64, up: bool| {
+            if a == 0.0 || b == 0.0 {
+                return 0.0;
+            }
+            let p = a * b;
+            let exact = a.is_infinite()
+                || b.is_infinite()
+                || p.is_finite() && a.mul_add(b, -p) == 0.0 && p.abs() > SAFE;
+            if exact { p } else { step(p, up) }
+        };
+        let pairs =
+            [(self.lo, other.lo), (self.lo, other.hi), (self.hi, other.lo), (self.hi, other.hi)];
+        let lo = pairs.map(|(a, b)| product(a, b, false));
+        let hi = pairs.map(|(a, b)| product(a, b, true));
+        Self::of_ends(&[Self::of_ends(&lo).lo, Self::of_ends(&hi).hi])
+    }
+}
+
+/// Evaluation by intervals, rounded outward: what comes out holds the value for every value of the variables.
+///
+/// Where a primitive has no value for some of them (a root of a negative number, a pole), every number is in the
+/// result; but a divisor from 0 upwards gives what lies on that side of its pole.
+#[derive(Clone, Copy, Debug)]
+pub struct Outward;
+
+impl Reading for Outward {
+    type Value = Interval;
+
+    fn constant(&self, value: f64) -> Interval {
+        value.into()
+    }
+
+    fn of(&self, primitive: Primitive, [a, b, c]: [&Interval; 3]) -> Interval {
+        let (a, b, c) = (*a, *b, *c);
+        let scalar = |x: f64, y: f64| Scalar.of(primitive, [&x, &y, &0.0]);
+        let one = |x: f64| scalar(x, 0.0);
+        match primitive {
+            Primitive::Add => a + b,
+            Primitive::Sub => a + b.negative(),
+            Primitive::Mul => a * b,
+            Primitive::Div => a.over(b),
+            Primitive::Neg => a.negative(),
+            Primitive::Abs => a.magnitude(),
+            Primitive::Min => Interval { lo: a.lo.min(b.lo), hi: a.hi.min(b.hi) },
+            Primitive::Max => Interval { lo: a.lo.max(b.lo), hi: a.hi.max(b.hi) },
+            Primitive::Floor => a.rising(f64::floor),
+            Primitive::Modulo => residue(a, b, c),
+            Primitive::Sqrt => {
+                let root = |x: f64, up: bool| {
+                    let root = x.sqrt();
+                    let exact = root.mul_add(root, -x) == 0.0 && x > SAFE || x == 0.0;
+                    if exact || root.is_infinite() { root } else { step(root, up) }
+                };
+                if a.lo < 0.0 {
+                    return Interval::ALL;
+                }
+                Interval::of_ends(&[root(a.lo, false), root(a.hi, true)])
+            }
+            Primitive::Exp2 => {
+                let whole = a.is_point() && a.lo.floor() == a.lo && a.lo.abs() < 1000.0;
+                let power = a.rising(one);
+                if whole { power } else { power.outward().at_least(0.0) }
+            }
+            Primitive::Log2 if a.lo <= 0.0 => Interval::ALL,
+            Primitive::Log2 => a.rising(one).outward(),
+            Primitive::Pow if a.lo < 0.0 || a.lo == 0.0 && b.lo < 0.0 => Interval::ALL,
+            Primitive::Pow => {
+                let ends = [
+                    scalar(a.lo, b.lo),
+                    scalar(a.lo, b.hi),
+                    scalar(a.hi, b.lo),
+                    scalar(a.hi, b.hi),
+                ];
+                Interval::of_ends(&ends).outward().at_least(0.0)
+            }
+            Primitive::Exponent => {
+                let magnitude = a.magnitude();
+                if magnitude.lo < f64::MIN_POSITIVE || magnitude.hi.is_infinite() {
+                    return Interval::ALL;
+                }
+                magnitude.rising(one)
+            }
+            Primitive::Sin => a.wave(one, 0.25),
+            Primitive::Cos => a.wave(one, 0.0),
+            Primitive::Asin | Primitive::Atan => a.rising(one).outward().clamp(-0.25, 0.25),
+            Primitive::Acos => a.rising(one).outward().clamp(0.0, 0.5),
+            Primitive::Atan2 => {
+                let cut = a.lo < 0.0 && a.hi >= 0.0 && b.lo < 0.0;
+                let origin = a.contains(0.0) && b.contains(0.0) && !(a.is_point() && b.is_point());
+                if cut || origin {
+                    return Interval { lo: -0.5, hi: 0.5 };
+                }
+                let (a_lo, a_hi) = (a.lo + 0.0, a.hi + 0.0); // -0 becomes 0
+                let ends = [
+                    scalar(a_lo, b.lo),
+                    scalar(a_lo, b.hi),
+                    scalar(a_hi, b.lo),
+                    scalar(a_hi, b.hi),
+                ];
+                Interval::of_ends(&ends).outward().clamp(-0.5, 0.5)
+            }
+            Primitive::Less => {
+                if a.hi < b.lo {
+                    1.0.into()
+                } else if a.lo >= b.hi {
+                    0.0.into()
+                } else {
+                    Interval::FLAG
+                }
+            }
+            Primitive::Equal => {
+                if a.lo == a.hi && a == b {
+                    1.0.into()
+                } else if a.hi < b.lo || b.hi < a.lo {
+                    0.0.into()
+                } else {
+                    Interval::FLAG
+                }
+            }
+            Primitive::Select => {
+                if !a.contains(0.0) {
+                    b
+                } else if a.lo == a.hi {
+                    c
+                } else {
+                    b.hull(c)
+                }
+            }
+        }
+    }
+}
+
+impl Interval {
+    /// Without what is below a number that its values are known not to be below.
+    fn at_least(self, least: f64) -> Self {
+        Self { lo: self.lo.max(least), hi: self.hi.max(least) }
+    }
+}
+
+/// `a` modulo spans; the whole range if it crosses from one span to the next.
+fn residue(a: Interval, low: Interval, span: Interval) -> Interval {
+    let known =
+        low.is_point() && span.is_point() && span.lo > 0.0 && a.lo.is_finite() && a.hi.is_finite();
+    if !known {
+        return Interval::ALL;
+    }
+    let (low, span) = (low.lo, span.lo);
+    let shift = Interval::from(((a.lo - low) / span).floor()) * span.into();
+    let start = Interval::from(low) + shift;
+    if a.lo < start.hi || a.hi >= (start + span.into()).lo {
+        return Interval { lo: low, hi: (Interval::from(low) + span.into()).hi };
+    }
+    (a + shift.negative()).clamp(low, (Interval::from(low) + span.into()).hi)
+}

@@ -1,0 +1,193 @@
+//! Values to any number of bits.
+
+use super::expr::Reading;
+use super::primitive::Primitive;
+use dashu_float::FBig;
+use dashu_float::ops::{Abs, SquareRoot};
+use dashu_float::round::mode::HalfEven;
+use std::cmp::Ordering;
+
+type Float = FBig<HalfEven, 2>;
+
+/// A number to so many bits as its reading has.
+#[derive(Clone, Debug)]
+pub struct Big(Float);
+
+impl Big {
+    /// The nearest `f64`.
+    #[must_use]
+    pub fn nearest(&self) -> f64 {
+        self.0.to_f64().value()
+    }
+
+    /// What is left over a number, as the nearest `f64`; NaN over one that is not finite.
+    #[must_use]
+    pub fn less(&self, other: f64) -> f64 {
+        let other = Float::try_from(other).ok().filter(|other| !other.repr().is_infinite());
+        other.map_or(f64::NAN, |other| (&self.0 - other).to_f64().value())
+    }
+
+    /// The sum.
+    #[must_use]
+    pub fn plus(&self, other: &Self) -> Self {
+        Self(&self.0 + &other.0)
+    }
+
+    /// The product.
+    #[must_use]
+    pub fn times(&self, other: &Self) -> Self {
+        Self(&self.0 * &other.0)
+    }
+
+    /// Kept between two numbers.
+    #[must_use]
+    pub fn clamp(self, lo: &Self, hi: &Self) -> Self {
+        Self(self.0.clamp(lo.0.clone(), hi.0.clone()))
+    }
+
+    /// The nearest whole number, to even where two are; `None` past 63 bits.
+    #[must_use]
+    pub fn round(&self) -> Option<i64> {
+        i64::try_from(self.0.to_int().value()).ok()
+    }
+}
+
+/// Evaluation to so many bits: each primitive is rounded to them. A value is `None` where there is none: at poles,
+/// and at roots and logarithms of negative numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct Precise {
+    bits: usize,
+}
+
+impl Precise {
+    /// With so many bits.
+    #[must_use]
+    pub fn new(bits: usize) -> Self {
+        Self { bits }
+    }
+
+    fn exact(self, value: f64) -> Option<Float> {
+        let value = Float::try_from(value).ok().filter(|value| !value.repr().is_infinite())?;
+        Some(value.with_precision(self.bits).value())
+    }
+
+    fn whole(self, value: f64) -> Float {
+        self.exact(value).expect("bug: a whole number is finite")
+    }
+
+    /// `a - span * floor((a - low) / span)`.
+    fn modulo(a: &Float, low: &Float, span: &Float) -> Option<Float> {
+        (*span != Float::ZERO).then(|| a - ((a - low) / span).floor() * span)
+    }
+
+    fn log2(self, a: &Float) -> Float {
+        a.ln() / self.whole(2.0).ln()
+    }
+
+    /// `2^a` by the whole part, which is exact, and the rest.
+    fn exp2(self, a: &Float) -> Option<Float> {
+        let whole = a.floor();
+        let places = isize::try_from(whole.to_int().value()).ok()?;
+        if places.unsigned_abs() > 1 << 20 {
+            return None;
+        }
+        let rest = a - whole;
+        Some((rest * self.whole(2.0).ln()).exp() << places)
+    }
+
+    fn pow(self, a: &Float, b: &Float) -> Option<Float> {
+        let zero = Float::ZERO;
+        match (a.cmp(&zero), b.cmp(&zero)) {
+            (_, Ordering::Equal) => Some(self.whole(1.0)),
+            (Ordering::Equal, Ordering::Greater) => Some(zero),
+            (Ordering::Equal, Ordering::Less) | (Ordering::Less, _) => None,
+            (Ordering::Greater, _) => {
+                let whole = b.floor() == *b && b.clone().abs() < self.whole(65_536.0);
+                if whole {
+                    Some(a.powi(b.to_int().value()))
+                } else {
+                    self.exp2(&(b * self.log2(a)))
+                }
+            }
+        }
+    }
+
+    /// Direction of (x, y) in turns.
+    fn atan2(self, y: &Float, x: &Float) -> Float {
+        let zero = Float::ZERO;
+        let half = |sign: &Float| if *sign < zero { self.whole(-0.5) } else { self.whole(0.5) };
+        match (x.cmp(&zero), y.cmp(&zero)) {
+            (Ordering::Equal, Ordering::Equal) => zero,
+            (Ordering::Equal, _) => half(y) / self.whole(2.0),
+            (Ordering::Greater, _) => (y / x).atan_unit(1),
+            (Ordering::Less, _) => (y / x).atan_unit(1) + half(y),
+        }
+    }
+
+    fn exponent(a: &Float) -> Option<isize> {
+        let repr = a.repr();
+        let digits = isize::try_from(repr.digits()).ok()?;
+        (*a != Float::ZERO).then(|| repr.exponent() + digits - 1)
+    }
+}
+
+impl Reading for Precise {
+    type Value = Option<Big>;
+
+    fn constant(&self, value: f64) -> Option<Big> {
+        self.exact(value).map(Big)
+    }
+
+    fn of(&self, primitive: Primitive, of: [&Option<Big>; 3]) -> Option<Big> {
+        let zero = Float::ZERO;
+        let operand = |i: usize| of[i].as_ref().map(|big| &big.0);
+        if primitive == Primitive::Select {
+            // The branch that isn't taken may have no value.
+            let taken = if *operand(0)? == zero { 2 } else { 1 };
+            return of[taken].clone();
+        }
+        let a = operand(0)?;
+        let b = || operand(1);
+        let c = || operand(2);
+        let flag = |holds: bool| self.whole(f64::from(u8::from(holds)));
+        let within = |a: &Float| a.clone().clamp(self.whole(-1.0), self.whole(1.0));
+        let value = match primitive {
+            Primitive::Add => a + b()?,
+            Primitive::Sub => a - b()?,
+            Primitive::Mul => a * b()?,
+            Primitive::Div => {
+                let b = b()?;
+                if *b == zero {
+                    return None;
+                }
+                a / b
+            }
+            Primitive::Neg => -a.clone(),
+            Primitive::Abs => a.clone().abs(),
+            Primitive::Min => a.min(b()?).clone(),
+            Primitive::Max => a.max(b()?).clone(),
+            Primitive::Floor => a.floor(),
+            Primitive::Modulo => Self::modulo(a, b()?, c()?)?,
+            Primitive::Sqrt if *a < zero => return None,
+            Primitive::Sqrt => SquareRoot::sqrt(a),
+            Primitive::Exp2 => self.exp2(a)?,
+            Primitive::Log2 if *a <= zero => return None,
+            Primitive::Log2 => self.log2(a),
+            Primitive::Pow => self.pow(a, b()?)?,
+            Primitive::Exponent => {
+                let exponent = i32::try_from(Self::exponent(a)?).ok()?;
+                self.whole(f64::from(exponent))
+            }
+            Primitive::Sin => a.sin_unit(1),
+            Primitive::Cos => a.cos_unit(1),
+            Primitive::Asin => within(a).asin_unit(1),
+            Primitive::Acos => self.whole(0.25) - within(a).asin_unit(1),
+            Primitive::Atan => a.atan_unit(1),
+            Primitive::Atan2 => self.atan2(a, b()?),
+            Primitive::Less => flag(a < b()?),
+            Primitive::Equal => flag(a == b()?),
+            Primitive::Select => unreachable!("bug: handled above"),
+        };
+        Some(Big(value))
+    }
+}

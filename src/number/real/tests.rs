@@ -1,0 +1,167 @@
+//! Readings held to each other: intervals and floats to the evaluation to high precision.
+
+use super::*;
+
+/// Numbers of all sizes, beside those where primitives end, jump or turn.
+const NUMBERS: [f64; 30] = [
+    0.0,
+    1.0,
+    -1.0,
+    0.5,
+    -0.5,
+    0.25,
+    -0.25,
+    0.75,
+    2.0,
+    -2.0,
+    3.0,
+    1e-3,
+    -1e-3,
+    1e-9,
+    -1e-9,
+    0.1,
+    -0.1,
+    0.3,
+    -0.7,
+    0.999_999_999_999,
+    1.000_000_000_001,
+    -0.999_999_999_999,
+    12.75,
+    -12.75,
+    100.125,
+    -31.4,
+    0.250_000_000_01,
+    0.499_999_999_99,
+    1e5,
+    7.389,
+];
+
+fn precise(primitive: Primitive, of: [f64; 3]) -> Option<Big> {
+    let reading = Precise::new(200);
+    let [a, b, c] = of.map(|x| reading.constant(x));
+    reading.of(primitive, [&a, &b, &c])
+}
+
+/// Every choice of operands, with anything for those that aren't taken.
+fn operands(primitive: Primitive) -> Vec<[f64; 3]> {
+    let mut all = Vec::new();
+    for a in NUMBERS {
+        for b in &NUMBERS[..if primitive.arity() > 1 { NUMBERS.len() } else { 1 }] {
+            for c in &NUMBERS[..if primitive.arity() > 2 { 12 } else { 1 }] {
+                all.push([a, *b, *c]);
+            }
+        }
+    }
+    all
+}
+
+/// In units of the last place of the nearest float; below 2^-54 absolutely where that is more, as sine and cosine are.
+fn off(is: f64, should: &Big) -> f64 {
+    let nearest = should.nearest();
+    if nearest.is_infinite() {
+        return if is == nearest { 0.0 } else { f64::INFINITY };
+    }
+    let ulp = (nearest.abs().next_up() - nearest.abs()).max(2f64.powi(-54));
+    ((is - nearest) - should.less(nearest)).abs() / ulp
+}
+
+#[test]
+fn floats_are_near_the_value() {
+    for primitive in Primitive::ALL {
+        let mut compared = 0;
+        for of in operands(primitive) {
+            let Some(exact) = precise(primitive, of) else { continue };
+            let spans = (of[0] - of[1]) / of[2];
+            // Residues of numbers that aren't dyadic lose what is cancelled, and have no end in floats at joints.
+            if primitive == Primitive::Modulo
+                && (of[2] <= 0.0
+                    || of[2].log2().fract() != 0.0
+                    || (spans - spans.round()).abs() < 1e-9)
+            {
+                continue;
+            }
+            compared += 1;
+            let [a, b, c] = of;
+            let limit = if primitive == Primitive::Modulo { 2.0 * a.abs() / c } else { 0.0 } + 4.0;
+            for (name, is) in
+                [("twin", primitive.twin(a, b, c)), ("scalar", Scalar.of(primitive, [&a, &b, &c]))]
+            {
+                assert!(
+                    off(is, &exact) <= limit,
+                    "{primitive:?} {of:?} {name}: {is} for {exact:?}"
+                );
+            }
+        }
+        assert!(compared > 10, "{primitive:?}");
+    }
+}
+
+/// The value at points, and at points inside of wide intervals.
+#[test]
+fn intervals_hold_the_value() {
+    let holds = |interval: Interval, exact: &Big| {
+        let nearest = exact.nearest();
+        if nearest.is_infinite() {
+            return interval.contains(nearest);
+        }
+        let left = exact.less(nearest);
+        let above = interval.lo < nearest || interval.lo == nearest && left >= 0.0;
+        let below = interval.hi > nearest || interval.hi == nearest && left <= 0.0;
+        above && below
+    };
+    for primitive in Primitive::ALL {
+        let mut narrow = 0;
+        for of in operands(primitive) {
+            let points = of.map(Interval::from);
+            let [a, b, c] = points.each_ref();
+            let interval = Outward.of(primitive, [a, b, c]);
+            let Some(exact) = precise(primitive, of) else { continue };
+            assert!(holds(interval, &exact), "{primitive:?} {of:?}: {interval:?} for {exact:?}");
+            let size = exact.nearest().abs().max(1e-300);
+            narrow += usize::from(interval.hi - interval.lo <= 1e-14 * size);
+            for (down, up) in [(0.0, 0.01), (1e-12, 0.0), (0.3, 0.4), (0.0, 30.0), (1e6, 1e6)] {
+                let wide = of.map(|x| Interval::new(x - down, x + up));
+                let [a, b, c] = wide.each_ref();
+                let interval = Outward.of(primitive, [a, b, c]);
+                assert!(
+                    holds(interval, &exact),
+                    "{primitive:?} {wide:?}: {interval:?} at {of:?} {exact:?}"
+                );
+                for share in [0.25, 0.5, 0.875, 1.0] {
+                    let inside = wide.map(|wide| wide.lo + share * (wide.hi - wide.lo));
+                    let inside = [0, 1, 2].map(|i| inside[i].clamp(wide[i].lo, wide[i].hi));
+                    if let Some(exact) = precise(primitive, inside) {
+                        assert!(
+                            holds(interval, &exact),
+                            "{primitive:?} {wide:?}: {interval:?} at {inside:?}"
+                        );
+                    }
+                }
+            }
+        }
+        assert!(narrow > 10, "{primitive:?}: {narrow}");
+    }
+}
+
+#[test]
+fn a_term_stands_once_and_functions_without_kernels_dissolve() {
+    let x = Expr::variable(0);
+    let square = &x * &x;
+    let sum = &square + &square * 2.0;
+    assert_eq!(sum.terms().len(), 5);
+    let sin = Function::sin();
+    let mut graph = Graph::default();
+    let port = graph.add(Term::Variable(0));
+    let called = graph.insert(&sin.of(&x), &[port]);
+    assert_eq!(graph.terms()[called.index()], Term::Of(Primitive::Sin, [port; 3]));
+}
+
+#[test]
+fn a_branch_that_is_not_taken_may_be_a_pole() {
+    let x = Expr::variable(0);
+    let guarded = x.equal(0.0).select(0.0, 1.0 / &x);
+    let reading = Precise::new(100);
+    let at = |x: f64| guarded.read(&reading, &[reading.constant(x)]).map(|big| big.nearest());
+    assert_eq!((at(0.0), at(4.0)), (Some(0.0), Some(0.25)));
+    assert!((1.0 / &x).read(&reading, &[reading.constant(0.0)]).is_none());
+}

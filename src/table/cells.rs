@@ -1,0 +1,183 @@
+//! The division of an argument's words into cells, and what all schemes do with them.
+
+use crate::base::cast;
+use crate::netlist::{Builder, Column, NodeId, Table, TableId};
+use crate::number::format::{Format, Round, word_mask};
+use crate::number::function::{Combination, Function};
+use quick_cache::Weighter;
+use quick_cache::sync::Cache;
+use rayon::prelude::*;
+use std::sync::{Arc, LazyLock};
+
+/// Extra fraction bits of words that are added up.
+const SUM_GUARD_BITS: i32 = 2;
+
+/// What a scheme is: what its file brings.
+pub(super) struct Definition {
+    /// Name on the command line and in files.
+    pub(super) name: &'static str,
+    /// False where cells leave it nothing to do; the direct scheme takes its place.
+    pub(super) applies: fn(&Cells<'_>) -> bool,
+    /// The columns of its tables, with what each table's name ends in.
+    pub(super) tables: fn(&Cells<'_>) -> Tables,
+    /// The nodes that read the tables for one of the functions, by its position.
+    pub(super) emit: fn(&mut Builder, &Cells<'_>, &[TableId], usize, NodeId) -> NodeId,
+    /// See [`Scheme::balanced_int_bits`](super::Scheme::balanced_int_bits).
+    pub(super) balanced_int_bits: fn(u32) -> u32,
+}
+
+/// Columns of tables, with what each table's name ends in.
+pub(super) type Tables = Vec<(&'static str, Vec<Column>)>;
+
+/// Functions that are tabulated, and the words of their argument in cells, each of which has an address.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cells<'a> {
+    /// Name of the table.
+    pub(super) name: &'a str,
+    pub(super) functions: &'a [Function],
+    /// Real number of the argument's word 0.
+    pub(super) origin: f64,
+    pub(super) output: Format,
+    /// Rounding of sums.
+    pub(super) round: Round,
+    pub(super) argument: Format,
+    pub(super) addr_bits: u32,
+    /// Bits of the position inside a cell.
+    pub(super) cell_bits: u32,
+}
+
+impl Cells<'_> {
+    /// Bits of the argument.
+    pub(super) fn bits(&self) -> u32 {
+        self.argument.bits()
+    }
+
+    /// Fraction bits of words that are added up.
+    pub(super) fn sum_frac(&self) -> i32 {
+        self.output.frac_bits() + SUM_GUARD_BITS
+    }
+
+    /// A word for each address.
+    pub(super) fn each(&self, word: &(dyn Fn(i64) -> i64 + Sync)) -> Vec<i64> {
+        (0..1i64 << self.addr_bits).into_par_iter().map(word).collect()
+    }
+
+    /// Value of the word whose pattern is `pattern`.
+    fn at(&self, pattern: i64) -> f64 {
+        self.origin + self.argument.value(self.argument.wrap(pattern))
+    }
+
+    /// Value `words` after the start of cell `i` of 2^bits words, without wrapping at the end.
+    pub(super) fn after(&self, i: i64, bits: u32, words: i64) -> f64 {
+        self.at(i << bits) + cast::f64_of(words) * self.argument.ulp()
+    }
+
+    /// First and last value of cell `i`.
+    pub(super) fn ends(&self, i: i64) -> (f64, f64) {
+        (self.after(i, self.cell_bits, 0), self.after(i, self.cell_bits, word_mask(self.cell_bits)))
+    }
+
+    /// True if the function saturates within the `2^bits` words from cell `i`, or has a pole
+    /// there. A line through such words could have the wrong sign where the function is small. A
+    /// place past the end is no more than rounding: 1.0 where that has no code.
+    fn saturates(&self, function: &Function, i: i64, bits: u32) -> bool {
+        let ((lo, hi), ulp) = (range(self.output), self.output.ulp());
+        [0, word_mask(bits), 1 << bits].into_iter().any(|words| {
+            let value = function.eval(self.after(i, bits, words));
+            value < lo - ulp || value > hi + ulp
+        })
+    }
+
+    /// Terms of the rise of the function over the `2^bits` words from cell `i`; none where it
+    /// saturates.
+    pub(super) fn rise(&self, function: &Function, i: i64, bits: u32) -> [(f64, f64); 2] {
+        let weight = if self.saturates(function, i, bits) { 0.0 } else { 1.0 };
+        [(-weight, self.after(i, bits, 0)), (weight, self.after(i, bits, 1 << bits))]
+    }
+
+    /// The tables of a scheme.
+    pub(super) fn tables(&self, scheme: &'static Definition) -> Vec<Table> {
+        let key = Key {
+            functions: self.functions.to_vec(),
+            scheme: scheme.name,
+            addr_bits: self.addr_bits,
+            origin_bits: self.origin.to_bits(),
+            formats: [self.argument, self.output],
+        };
+        let parts = BUILT.get(&key).unwrap_or_else(|| {
+            let parts: Parts = (scheme.tables)(self).into();
+            BUILT.insert(key, Arc::clone(&parts));
+            parts
+        });
+        let table = |(end, columns): &(&str, Vec<Column>)| Table {
+            name: format!("{}{end}", self.name),
+            addr_bits: self.addr_bits,
+            columns: columns.clone(),
+        };
+        parts.iter().map(table).collect()
+    }
+}
+
+/// What a table is made from.
+#[derive(PartialEq, Eq, Hash)]
+struct Key {
+    functions: Vec<Function>,
+    scheme: &'static str,
+    addr_bits: u32,
+    origin_bits: u64,
+    formats: [Format; 2],
+}
+
+/// Columns of each table of a scheme, with what its name ends in.
+type Parts = Arc<[(&'static str, Vec<Column>)]>;
+
+/// Tables built so far: a sweep asks for the same ones again and again. No lock is held while one is built, so
+/// that rows are built in parallel.
+static BUILT: LazyLock<Cache<Key, Parts, Words>> =
+    LazyLock::new(|| Cache::with_weighter(1024, BUILT_WORDS, Words));
+/// Words that are kept; those that were asked for least go first.
+const BUILT_WORDS: u64 = 1 << 24;
+
+/// Weighs tables by their words.
+#[derive(Clone)]
+struct Words;
+
+impl Weighter<Key, Parts> for Words {
+    fn weight(&self, _: &Key, parts: &Parts) -> u64 {
+        let columns = parts.iter().flat_map(|(_, columns)| columns);
+        columns.map(|column| cast::count_of(column.words.len())).sum::<u64>().max(1)
+    }
+}
+
+/// A combination of two values that owns its terms; past 53 bits its constant is the nearest `f64`.
+pub(super) struct Entry<'a> {
+    pub(super) function: &'a Function,
+    pub(super) terms: [(f64, f64); 2],
+    pub(super) constant: f64,
+    pub(super) range: (f64, f64),
+}
+
+impl Entry<'_> {
+    pub(super) fn round(&self, frac_bits: i32) -> i64 {
+        let Self { function, ref terms, constant, range } = *self;
+        Combination { function, terms, constant, range }.round(frac_bits)
+    }
+}
+
+/// A column in the smallest format that holds its words.
+pub(super) fn column(name: String, words: Vec<i64>, frac_bits: i32) -> Column {
+    let lo = words.iter().copied().min().expect("bug: tables have entries");
+    let hi = words.iter().copied().max().expect("bug: tables have entries");
+    let format = Format::spanning(i128::from(lo), i128::from(hi), frac_bits);
+    Column { name, format: format.expect("bug: entries are words"), words: Arc::from(words) }
+}
+
+/// The values between which a format's words lie.
+pub(super) fn range(format: Format) -> (f64, f64) {
+    (format.value(format.min_raw()), format.value(format.max_raw()))
+}
+
+/// The nearest word of a format to a combination.
+pub(super) fn entry(combination: &Combination<'_>, format: Format) -> i64 {
+    combination.round(format.frac_bits()).clamp(format.min_raw(), format.max_raw())
+}
