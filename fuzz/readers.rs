@@ -4,6 +4,7 @@
 use fixpath::cli;
 use fixpath::cost;
 use fixpath::format::Format;
+use fixpath::netlist::Netlist;
 use fixpath::report::{self, record::Record};
 use fixpath::samples::{AngleUnit, Block, SampleFile};
 use fixpath::scene::{Fragments, Scene};
@@ -25,6 +26,7 @@ pub(crate) const READERS: &[Reader] = &[
     ("command_line", command_line),
     ("format", format),
     ("gltf", gltf),
+    ("netlist", netlist),
     ("obj", obj),
     ("parameters", parameters),
     ("picture", picture),
@@ -48,6 +50,22 @@ fn text(bytes: &[u8]) -> Option<&str> {
 fn unit(bytes: &[u8]) -> Option<(&'static Unit, &str)> {
     let (name, rest) = text(bytes)?.split_once('\n')?;
     Some((Unit::find(name).ok()?, rest))
+}
+
+/// A netlist's file: what is read is written as what is read the same, and runs.
+pub(crate) fn netlist(bytes: &[u8]) {
+    let Some(text) = text(bytes) else { return };
+    let path = Path::new("fuzzed.netlist");
+    let Ok(netlist) = Netlist::parse(text, path) else { return };
+    let written = netlist.to_file();
+    let again = Netlist::parse(&written, path).expect("what is written is read");
+    assert!(again == netlist, "{written}");
+    let words: Vec<i64> =
+        netlist.inputs().iter().map(|id| netlist.node(*id).format.max_raw()).collect();
+    let (nodes, _) = netlist.eval(&words).expect("words of the ports' formats");
+    assert!(netlist.nodes().iter().zip(nodes).all(|(node, word)| node.format.contains(word)));
+    let ones = vec![1.0; words.len()];
+    assert_eq!(netlist.eval_reals(&ones).len(), netlist.nodes().len());
 }
 
 /// A format: what is read is written as what is read the same.

@@ -81,7 +81,7 @@ enum Command {
     },
     /// Show a datapath: formats, tables, operator counts, ROM bits, stages, netlist.
     #[command(
-        after_help = "Examples:\n  fixpath show rotation\n  fixpath show rotation -p variant=corrected -p scheme=linear --json\n  fixpath show rotation --dot | dot -Tsvg > rotation.svg"
+        after_help = "Examples:\n  fixpath show rotation\n  fixpath show rotation -p variant=corrected -p scheme=linear --json\n  fixpath show rotation --dot | dot -Tsvg > rotation.svg\n  fixpath show rotation --netlist > rotation.netlist && fixpath sim ./rotation.netlist"
     )]
     Show {
         #[command(flatten)]
@@ -92,6 +92,9 @@ enum Command {
         /// The netlist as a Graphviz graph.
         #[arg(long)]
         dot: bool,
+        /// The whole netlist as a file that every command takes in place of a unit.
+        #[arg(long, conflicts_with_all = ["dot", "json"])]
+        netlist: bool,
     },
     /// Print a time-shared schedule: what sits in which unit in which cycle, and what that takes.
     #[command(
@@ -363,14 +366,17 @@ fn run(command: &Command) -> Result<bool> {
     match command {
         Command::List { unit, json } => {
             let units = match unit {
-                Some(name) => vec![Unit::find(name)?],
-                None => units::all().collect(),
+                Some(name) => vec![units::named(name)?],
+                None => units::all().cloned().collect(),
             };
+            let units: Vec<&Unit> = units.iter().collect();
             print(&if *json { json::text(&text::list_json(&units)) } else { text::list(&units) })?;
         }
-        Command::Show { unit, json, dot } => {
+        Command::Show { unit, json, dot, netlist } => {
             let design = unit.design()?;
-            print(&if *dot {
+            print(&if *netlist {
+                design.netlist.to_file()
+            } else if *dot {
                 design.netlist.to_dot()
             } else if *json {
                 json::text(&show::show_json(&design)?)

@@ -4,17 +4,18 @@ use super::number;
 use super::print::note_unused;
 use crate::base::error::Result;
 use crate::base::input;
-use crate::design::{Design, Sampler, Unit, Values};
+use crate::design::{Design, Sampler, Values};
 use crate::measure::samples::{AngleUnit, SampleFile};
 use crate::measure::{Basis, Inputs};
 use crate::report::record::RankBy;
+use crate::units;
 use clap::{Args, ValueEnum};
 use std::io;
 use std::path::Path;
 
 #[derive(Args)]
 pub(super) struct UnitArgs {
-    /// Unit; `fixpath list` names them.
+    /// Unit, which `fixpath list` names, or a netlist's file, which `fixpath show UNIT --netlist` writes.
     pub(super) unit: String,
     /// Set a parameter.
     #[arg(short = 'p', long = "param", value_name = "KEY=VALUE")]
@@ -23,7 +24,7 @@ pub(super) struct UnitArgs {
 
 impl UnitArgs {
     pub(super) fn values(&self) -> Result<Values> {
-        Unit::find(&self.unit)?.values(&self.params)
+        units::named(&self.unit)?.values(&self.params)
     }
 
     pub(super) fn design(&self) -> Result<Design> {

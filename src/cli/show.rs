@@ -154,6 +154,19 @@ pub(super) fn show(design: &Design) -> Result<String> {
         );
     }
 
+    if !netlist.choices().is_empty() {
+        text.push_str("\nformats that -p format.NODE=… sets\n");
+        let rows: Vec<Vec<String>> = netlist
+            .choices()
+            .iter()
+            .map(|choice| {
+                let set = if choice.overridden { "set" } else { "" };
+                vec![choice.name.clone(), choice.format.to_string(), set.to_owned()]
+            })
+            .collect();
+        text.push_str(&table(&["node", "format", ""], &rows));
+    }
+
     let schedule = rtl.schedule();
     let _ = writeln!(
         text,
@@ -200,6 +213,7 @@ pub(super) fn show_json(design: &Design) -> Result<Value> {
             .collect();
         json!({"name": t.name, "entries": 1u64 << t.addr_bits, "rom_bits": t.rom_bits(), "columns": columns})
     };
+    let format = |choice: &crate::netlist::Choice| json!({"node": choice.name, "format": choice.format.to_string(), "set": choice.overridden});
     let node = |id| {
         let node = netlist.node(id);
         json!({
@@ -219,6 +233,7 @@ pub(super) fn show_json(design: &Design) -> Result<Value> {
             "counts": netlist.counts(),
             "tables": netlist.tables().iter().map(table).collect::<Vec<_>>(),
             "table_schemes": tables(design)?,
+            "formats": netlist.choices().iter().map(format).collect::<Vec<_>>(),
             "pipeline": {
                 "latency_cycles": schedule.latency(),
                 "interval_cycles": schedule.interval(),

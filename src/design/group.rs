@@ -13,6 +13,8 @@ pub enum Shape {
     Polar,
     /// A number; the golden gives it.
     Scalar,
+    /// An angle in turns, whose errors are modulo a turn; the golden gives it.
+    Turns,
     /// A number whose error counts beside scales of its own: absolute and, as `NAME_SCALE`, over
     /// each of them. The golden gives it, and its scales in
     /// columns of their own after those of all groups.
@@ -47,7 +49,7 @@ impl Shape {
     pub fn scales(&self) -> &[Scale] {
         match self {
             Self::Scaled { scales, .. } => scales,
-            Self::Cartesian | Self::Polar | Self::Scalar => &[],
+            Self::Cartesian | Self::Polar | Self::Scalar | Self::Turns => &[],
         }
     }
 
@@ -57,7 +59,7 @@ impl Shape {
         match self {
             Self::Cartesian => 3,
             Self::Polar => 2,
-            Self::Scalar | Self::Scaled { .. } => 1,
+            Self::Scalar | Self::Turns | Self::Scaled { .. } => 1,
         }
     }
 
@@ -72,7 +74,7 @@ impl Shape {
     pub fn columns(&self) -> &'static [&'static str] {
         match self {
             Self::Cartesian | Self::Polar => &["x", "y", "z"],
-            Self::Scalar | Self::Scaled { .. } => &[""],
+            Self::Scalar | Self::Turns | Self::Scaled { .. } => &[""],
         }
     }
 
@@ -84,9 +86,10 @@ impl Shape {
                 let phi = (libm::atan2(*y, *x) / TAU).rem_euclid(1.0) + 0.0; // -0 becomes 0
                 vec![phi, libm::atan2(libm::hypot(*x, *y), *z) / TAU]
             }
-            (Self::Cartesian | Self::Scalar | Self::Scaled { .. } | Self::Polar, _) => {
-                golden.to_vec()
-            }
+            (
+                Self::Cartesian | Self::Scalar | Self::Turns | Self::Scaled { .. } | Self::Polar,
+                _,
+            ) => golden.to_vec(),
         }
     }
 }

@@ -4,6 +4,7 @@
 //! golden model, the sampler of its inputs, its hard cases and its stated bounds.
 
 mod bound;
+mod file;
 mod golden;
 mod group;
 mod inputs;
@@ -18,7 +19,7 @@ pub use param::{Kind, PIPELINE, Param, Reflection, Role, Value};
 pub use unit::{Recipe, Shading, Unit, Values};
 
 use crate::base::error::{Error, Result};
-use crate::netlist::{Netlist, NodeId};
+use crate::netlist::{Netlist, NodeId, Quantity};
 use crate::number::format::Format;
 use crate::schedule::Binding;
 use crate::table::Tabulated;
@@ -65,13 +66,17 @@ struct Made {
 }
 
 impl Design {
-    /// The design of a netlist, made from such values. Until they are set, each output port is a number of its own, hard
+    /// The design of a netlist, made from such values. Until they are set, each output port is a number or angle of its own, hard
     /// cases are the ends of formats, inputs are numbers of all sizes, and no bound is stated. A golden model must be set.
     #[must_use]
     pub fn new(values: &Values, netlist: Netlist) -> Self {
         let values = values.clone();
         let group = |output: &crate::netlist::Output| {
-            Group::new(output.name.as_str(), Shape::Scalar, vec![output.node])
+            let shape = match netlist.node(output.node).quantity {
+                Quantity::Turns => Shape::Turns,
+                Quantity::Number | Quantity::Float20 => Shape::Scalar,
+            };
+            Group::new(output.name.as_str(), shape, vec![output.node])
         };
         let made = Made {
             has_golden: false,

@@ -1,10 +1,11 @@
 //! A unit, and values of its parameters.
 
-use super::Design;
 use super::param::{FLAG, Kind, PIPELINE, Param, Reflection, Role, Value};
+use super::{Bounds, Design};
 use crate::base::error::{Error, Result};
 use crate::base::escape;
 use crate::base::name;
+use crate::netlist::{Builder, Overrides};
 use crate::number::format::{Format, Overflow, Round};
 use crate::table::Scheme;
 use std::fmt;
@@ -208,7 +209,8 @@ impl Unit {
     #[must_use]
     pub fn defaults(&self) -> Values {
         let values = self.all_params().map(|param| param.default.clone()).collect();
-        Values { unit: self.clone(), values, notes: None }
+        let (formats, overrides) = (Vec::new(), Overrides::default());
+        Values { unit: self.clone(), values, formats, overrides, notes: None }
     }
 
     /// The defaults with some `key=value` assignments.
@@ -240,8 +242,15 @@ impl Unit {
 pub struct Values {
     unit: Unit,
     values: Vec<Value>,
+    /// Formats of nodes in place of the recipe's: the key with [`FORMAT`] in front, the value as text, the format.
+    formats: Vec<(String, Value, Format)>,
+    /// The same by the places where the recipe asks for them; known while a design is made.
+    overrides: Overrides,
     notes: Option<Arc<Notes>>,
 }
+
+/// What keys of formats of nodes begin with: `format.NODE=s20f18`.
+const FORMAT: &str = "format.";
 
 /// What was read.
 #[derive(Debug)]
@@ -256,7 +265,7 @@ impl Clone for Values {
     /// A copy that notes nothing. It may be read at any time, so it counts as a read of all.
     fn clone(&self) -> Self {
         self.note_all();
-        Self { unit: self.unit.clone(), values: self.values.clone(), notes: None }
+        self.with_notes(None)
     }
 }
 
@@ -267,11 +276,31 @@ impl Values {
         &self.unit
     }
 
-    /// Sets one parameter from text.
+    fn with_notes(&self, notes: Option<Arc<Notes>>) -> Self {
+        Self {
+            unit: self.unit.clone(),
+            values: self.values.clone(),
+            formats: self.formats.clone(),
+            overrides: self.overrides.clone(),
+            notes,
+        }
+    }
+
+    /// Sets one parameter from text. `format.NODE` sets the format of a node in place of the recipe's, by its
+    /// [stable name](crate::netlist::Choice::name); a node that isn't there is an error where the design is made.
     ///
     /// # Errors
     /// If the name is unknown or the value not legal.
     pub fn set(&mut self, name: &str, text: &str) -> Result<()> {
+        if name.starts_with(FORMAT) {
+            let Ok(format) = text.parse::<Format>() else {
+                let legal = "a format, such as s20f18 or u12f12".to_owned();
+                return Err(Error::parameter_value(&escape::short(name), text, legal));
+            };
+            self.formats.retain(|(known, ..)| known != name);
+            self.formats.push((name.to_owned(), Value::Choice(format.to_string().into()), format));
+            return Ok(());
+        }
         let (index, param) = self.find(name)?;
         self.values[index] = param.parse(text)?;
         Ok(())
@@ -293,6 +322,19 @@ impl Values {
         self.params()
             .filter(move |(param, _)| !silent(param.role))
             .map(|(param, value)| (param.name.as_str(), value))
+            .chain(self.formats())
+    }
+
+    /// Formats of nodes that were set.
+    fn formats(&self) -> impl Iterator<Item = (&str, &Value)> {
+        self.formats.iter().map(|(key, value, _)| (key.as_str(), value))
+    }
+
+    /// A builder for the netlist, which gives nodes the formats that were set. Recipes start with it.
+    #[must_use]
+    #[track_caller]
+    pub fn builder(&self, name: &str) -> Builder {
+        Builder::with(name, &self.overrides)
     }
 
     /// Pairs of parameter and value, in order.
@@ -303,7 +345,7 @@ impl Values {
 
     /// Pairs of name and value in the order of the parameters.
     pub fn iter(&self) -> impl Iterator<Item = (&str, &Value)> {
-        self.params().map(|(param, value)| (param.name.as_str(), value))
+        self.params().map(|(param, value)| (param.name.as_str(), value)).chain(self.formats())
     }
 
     /// True if there is a parameter of a name.
@@ -464,8 +506,7 @@ impl Values {
     /// The same values, noting what is read of them.
     pub(crate) fn noting(&self) -> Self {
         let read = self.values.iter().map(|_| AtomicBool::new(false)).collect();
-        let notes = Some(Arc::new(Notes { read, wrong: Mutex::new(None) }));
-        Self { unit: self.unit.clone(), values: self.values.clone(), notes }
+        self.with_notes(Some(Arc::new(Notes { read, wrong: Mutex::new(None) })))
     }
 
     /// Which were read, by parameter.
@@ -501,6 +542,36 @@ impl Values {
 
     /// The same without a remedy for words that are too wide.
     pub(crate) fn design(&self) -> Result<Design> {
+        if self.formats.is_empty() {
+            return self.design_of_recipe();
+        }
+        // The plain design knows its nodes by name; with their places the recipe is run again.
+        let mut values = self.clone();
+        let formats: Vec<(String, Value, Format)> = std::mem::take(&mut values.formats);
+        let plain = values.design_of_recipe()?;
+        let of = |(key, _, format): &(String, Value, Format)| {
+            (key.strip_prefix(FORMAT).unwrap_or_default().to_owned(), *format)
+        };
+        let named: Vec<(String, Format)> = formats.iter().map(of).collect();
+        values.overrides = Overrides::new(&plain.netlist, &named)?;
+        values.formats = formats;
+        let design = values.design_of_recipe()?;
+        let met = |name: &str| {
+            design.netlist.choices().iter().any(|choice| choice.overridden && choice.name == name)
+        };
+        if let Some((name, _)) = named.iter().find(|(name, _)| !met(name)) {
+            return Err(Error::usage(format!(
+                "unit `{}` takes no format for node `{name}`: its recipe starts with a builder of its own and not with \
+                 that of its parameters",
+                self.unit.name
+            )));
+        }
+        Ok(design.bounds(Bounds::unstated(
+            "formats of nodes are not the unit's own, and its bounds are for those",
+        )))
+    }
+
+    fn design_of_recipe(&self) -> Result<Design> {
         self.unit.check()?;
         let make = self.unit.design.as_ref().expect("bug: it was checked");
         let noting = self.noting();

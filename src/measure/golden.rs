@@ -15,7 +15,7 @@ pub(crate) fn as_golden(groups: &[Group], nodes: &mut [Vec<f64>], to: &mut Vec<V
         node += from.len();
         column += to.len();
         match group.shape {
-            Shape::Cartesian | Shape::Scalar | Shape::Scaled { .. } => {
+            Shape::Cartesian | Shape::Scalar | Shape::Turns | Shape::Scaled { .. } => {
                 for (to, from) in to.iter_mut().zip(from) {
                     std::mem::swap(to, from);
                 }

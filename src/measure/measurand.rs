@@ -13,6 +13,8 @@ enum Kind {
     Dot,
     /// Difference of one column.
     Number,
+    /// The same modulo a turn, of angles in turns.
+    Turns,
     /// The same over the golden's scale, in this column.
     Relative(usize),
     /// Difference of one column in texels of a texture of that size.
@@ -35,6 +37,7 @@ impl Measurand {
         match self.kind {
             Kind::Angle => "rad",
             Kind::Dot | Kind::Number => "1",
+            Kind::Turns => "turn",
             Kind::Relative(_) => "rel",
             Kind::Texels(_) => "texel",
         }
@@ -44,7 +47,11 @@ impl Measurand {
     /// number itself.
     pub(super) fn counts_unbounded(&self, design: &Design) -> bool {
         let direction = design.groups.iter().any(|group| group.shape.is_direction());
-        if direction { self.kind == Kind::Angle } else { self.kind == Kind::Number }
+        if direction {
+            self.kind == Kind::Angle
+        } else {
+            matches!(self.kind, Kind::Number | Kind::Turns)
+        }
     }
 
     /// All of a design, in reporting order: the same for all designs of a unit.
@@ -74,7 +81,8 @@ impl Measurand {
             for i in 0..group.shape.columns().len() {
                 let ulp = |i: usize| design.netlist.node(group.nodes[i]).format.ulp();
                 let ulp = (group.shape != Shape::Polar).then(|| ulp(i));
-                add(Kind::Number, column + i, ulp);
+                let kind = if group.shape == Shape::Turns { Kind::Turns } else { Kind::Number };
+                add(kind, column + i, ulp);
             }
             column += group.shape.columns().len();
         }
@@ -99,12 +107,15 @@ impl Measurand {
                 let (u, v) = (self.three(is), self.three(should));
                 vectorised(Lengths { u, v, lengths: errors });
             }
-            Kind::Number | Kind::Texels(_) | Kind::Relative(_) => {
+            Kind::Number | Kind::Turns | Kind::Texels(_) | Kind::Relative(_) => {
                 let factor =
                     if let Kind::Texels(texels) = self.kind { f64::from(texels) } else { 1.0 };
                 let (is, should) = (&is[self.column], &should[self.column]);
                 vectorised(Differences { is, should, factor, errors });
             }
+        }
+        if self.kind == Kind::Turns {
+            errors.iter_mut().for_each(|error| *error -= error.round());
         }
         if let Kind::Relative(scale) = self.kind {
             for (error, scale) in errors.iter_mut().zip(&golden[scale]) {

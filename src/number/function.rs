@@ -35,7 +35,8 @@ impl Function {
             let nearest = exact.nearest();
             let ulp = nearest.abs().next_up() - nearest.abs();
             let off = ((is - nearest) - exact.less(nearest)).abs() / ulp;
-            if !(off <= worst.0) {
+            // A NaN is worse than anything.
+            if off.is_nan() || off > worst.0 {
                 worst = (off, *x);
             }
         }

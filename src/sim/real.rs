@@ -119,31 +119,17 @@ impl Program {
                 Term::Call(function, _) => {
                     Kernel::Call(function.kernel().expect("bug: only such functions are terms"))
                 }
-                Term::Of(primitive, operands) => match primitive {
-                    Primitive::Cos => {
-                        if let Some((before @ Kernel::Of(Primitive::Sin), [angle, ..], _)) =
+                Term::Of(primitive, operands) => {
+                    if *primitive == Primitive::Cos
+                        && let Some((before @ Kernel::Of(Primitive::Sin), [angle, ..], _)) =
                             program.steps.last_mut()
-                            && *angle == of[0]
-                        {
-                            *before = Kernel::SinCos(to);
-                            continue;
-                        }
-                        Kernel::Of(Primitive::Cos)
+                        && *angle == of[0]
+                    {
+                        *before = Kernel::SinCos(to);
+                        continue;
                     }
-                    Primitive::Mul => match operands.map(constant) {
-                        [_, Some(factor), _] => Kernel::Times(factor),
-                        [Some(factor), None, _] => {
-                            of.swap(0, 1);
-                            Kernel::Times(factor)
-                        }
-                        [None, None, _] => Kernel::Of(Primitive::Mul),
-                    },
-                    Primitive::Modulo => match operands.map(constant) {
-                        [_, Some(low), Some(span)] => Kernel::Modulo { low, span },
-                        _ => Kernel::Of(Primitive::Modulo),
-                    },
-                    primitive => Kernel::Of(*primitive),
-                },
+                    kernel(*primitive, operands.map(constant), &mut of)
+                }
             };
             program.steps.push((kernel, of, to));
             if at < first {
@@ -273,6 +259,25 @@ fn step(kernel: &Kernel, of: [&[f64]; 3], to: &mut [f64], other: &mut [f64]) {
 fn filled([a, b, c]: [&[f64]; 3]) -> [&[f64]; 3] {
     let filler = if a.is_empty() { b } else { a };
     [a, b, c].map(|x| if x.is_empty() { filler } else { x })
+}
+
+/// The loop for a primitive, some of whose operands are numbers.
+fn kernel(primitive: Primitive, numbers: [Option<f64>; 3], of: &mut [usize; 3]) -> Kernel {
+    if primitive == Primitive::Mul {
+        if let Some(factor) = numbers[1] {
+            return Kernel::Times(factor);
+        }
+        if let Some(factor) = numbers[0] {
+            of.swap(0, 1);
+            return Kernel::Times(factor);
+        }
+    }
+    if primitive == Primitive::Modulo
+        && let [_, Some(low), Some(span)] = numbers
+    {
+        return Kernel::Modulo { low, span };
+    }
+    Kernel::Of(primitive)
 }
 
 /// The same order with each cosine right after the sine of its angle, so that one step gives both.

@@ -19,10 +19,14 @@ mod scheme;
 pub use scheme::Scheme;
 
 use crate::base::cast;
+use crate::base::error::Error;
 use crate::netlist::{Builder, NodeId, Part, TableId};
 use crate::number::format::{Format, Round};
 use crate::number::function::{Combination, Function};
 use cells::{Cells, entry, range};
+
+/// The most bits of a result: sums have a few more.
+const MAX_BITS: u32 = 56;
 
 /// A function (or several at one address) to be tabulated.
 #[derive(Clone, Copy, Debug)]
@@ -178,6 +182,13 @@ fn emit_cells(b: &mut Builder, spec: &Spec<'_>, which: usize, argument: NodeId) 
         addr_bits,
         cell_bits: argument_format.bits() - addr_bits,
     };
+    if spec.output.bits() > MAX_BITS {
+        b.fail(Error::usage(format!(
+            "table `{}` of {}: words of tables have at most {MAX_BITS} bits",
+            spec.name, spec.output
+        )));
+        return b.constant(0, spec.output);
+    }
     // Where there is nothing between the entries, a scheme is the direct one.
     let applies = (spec.scheme.definition().applies)(&cells);
     let scheme = if applies { spec.scheme } else { Scheme::Direct };

@@ -119,7 +119,7 @@ pub(super) fn longest() -> f64 {
 }
 
 fn design(values: &Values) -> Result<Design> {
-    let mut b = Builder::new("basis");
+    let mut b = values.builder("basis");
     let format = component(values)?;
     let n = vector_ports(&mut b, "normal", format, Quantity::Number);
     let ct = vector_ports(&mut b, "ct", format, Quantity::Number);

@@ -91,7 +91,7 @@ fn design(values: &Values) -> Result<Design> {
         (false, "cordic") => Form::PolarCordic,
         (false, _) => Form::PolarTable,
     };
-    let mut b = Builder::new("bump");
+    let mut b = values.builder("bump");
     let turn = Format::turns(plan.angle_bits)?;
     let pair = |b: &mut Builder, v: &str| {
         ["phi", "theta"].map(|a| b.input(&format!("{a}_{v}"), turn, Quantity::Turns))

@@ -73,7 +73,7 @@ fn design(values: &Values) -> Result<Design> {
     let bilinear = values.choice("filter") == "bilinear";
     let code = Format::integer(values.bits("channel_bits"))?;
     let round = values.rounding("rounding");
-    let mut b = Builder::new("combine");
+    let mut b = values.builder("combine");
     let fraction = Format::turns(values.bits("fraction_bits"))?;
     let port = |b: &mut Builder, name: &str, format| b.input(name, format, Quantity::Number);
     let ports: Vec<Vec<NodeId>> = samples(values)

@@ -33,7 +33,7 @@ pub(super) fn cross(b: &mut Builder, name: &str, v: [NodeId; 3], w: [NodeId; 3])
 }
 
 fn design(values: &Values) -> Result<Design> {
-    let mut b = Builder::new("cross_product");
+    let mut b = values.builder("cross_product");
     let v = signed(values, "v_bits", "v_frac_bits")?;
     let v = vector_ports(&mut b, "v", v, Quantity::Number);
     let w = signed(values, "w_bits", "w_frac_bits")?;

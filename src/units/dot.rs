@@ -124,7 +124,7 @@ fn rounding_bound(values: &Values, _: &dyn Fn(&str) -> f64) -> f64 {
 }
 
 fn design(values: &Values) -> Result<Design> {
-    let mut b = Builder::new("dot");
+    let mut b = values.builder("dot");
     let v = signed(values, "v_bits", "v_frac_bits")?;
     let v = vector_ports(&mut b, "v", v, Quantity::Number);
     let w = signed(values, "w_bits", "w_frac_bits")?;

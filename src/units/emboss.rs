@@ -315,7 +315,7 @@ fn constant(values: &Values, switches: Switches, name: &str) -> Result<Format> {
 
 fn design(values: &Values) -> Result<Design> {
     let switches = Switches::new(values);
-    let mut b = Builder::new("emboss");
+    let mut b = values.builder("emboss");
     let ports = Ports::new(&mut b, values, switches)?;
     let mut root = Root::new(values);
     let round = root.round;

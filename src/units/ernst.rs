@@ -41,7 +41,7 @@ pub fn unit() -> Unit {
 fn design(values: &Values) -> Result<Design> {
     let highlight = values.flag("highlight");
     let mut plan = Plan::new(values);
-    let mut b = Builder::new("ernst");
+    let mut b = values.builder("ernst");
     let units = setup::set_up(&mut b, &mut plan, highlight)?;
     let (p, lights) = units.split_last().expect("bug: N' is there");
     let dots = lights

@@ -276,6 +276,7 @@ pub(super) fn table(
     dot: NodeId,
     output: Format,
 ) -> Result<NodeId> {
+    let output = b.table_format(name, output);
     let Curve { offset, exponent, .. } = curve;
     let function = curve.function();
     let zero = b.constant(0, Format::FLAG);
@@ -331,7 +332,7 @@ fn design(values: &Values) -> Result<Design> {
     let variant = values.choice("variant");
     let highlight = values.flag("highlight");
     let mut plan = Plan::new(values);
-    let mut b = Builder::new("illumination");
+    let mut b = values.builder("illumination");
     let vectors: &[&str] = if highlight { &["lt", "ht", "p"] } else { &["lt", "p"] };
     let dots = if variant == "cartesian" {
         let component = number(1, plan.frac_bits)?;

@@ -57,7 +57,7 @@ pub fn unit() -> Unit {
 fn design(values: &Values) -> Result<Design> {
     let highlight = values.flag("highlight");
     let mut plan = Plan::new(values);
-    let mut b = Builder::new("kim");
+    let mut b = values.builder("kim");
     let turn = Format::turns(plan.angle_bits)?;
     let pair = |b: &mut Builder, v: &str| {
         ["phi", "theta"].map(|a| b.input(&format!("{a}_{v}"), turn, Quantity::Turns))

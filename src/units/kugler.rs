@@ -69,7 +69,7 @@ pub fn unit() -> Unit {
 fn design(values: &Values) -> Result<Design> {
     let highlight = values.flag("highlight");
     let mut plan = Plan::new(values);
-    let mut b = Builder::new("kugler");
+    let mut b = values.builder("kugler");
     let turn = Format::turns(plan.angle_bits)?;
     let component = number(1, plan.frac_bits)?;
     let normal = ["n_x", "n_y", "n_z"].map(|name| b.input(name, component, Quantity::Number));

@@ -35,7 +35,10 @@ pub use crate::number::function::Number;
 pub use crate::table::Tabulated;
 pub use parts::fragment;
 
+use crate::base::document;
 use crate::base::error::{Error, Result};
+use crate::netlist::Netlist;
+use std::path::Path;
 use std::sync::{LazyLock, OnceLock};
 
 /// The units of this crate.
@@ -89,6 +92,19 @@ pub(crate) fn add(units: &[Unit]) -> Result<()> {
     let known = || Error::usage("the units of the command line are set once".to_owned());
     OTHERS.set(units.to_vec()).map_err(|_| known())
 }
+
+/// The unit of this name, or the netlist of a file: a name has neither a dot nor a slash.
+pub(crate) fn named(name: &str) -> Result<Unit> {
+    if !name.contains(['.', '/', '\\']) {
+        return Unit::find(name).cloned();
+    }
+    let path = Path::new(name);
+    let text = document::read(path, MAX_FILE_BYTES)?;
+    Ok(Unit::of_netlist(Netlist::parse(&text, path)?))
+}
+
+/// How large a netlist's file may be.
+const MAX_FILE_BYTES: u64 = 1 << 28;
 
 impl Unit {
     /// The unit of this name, of those that commands know.

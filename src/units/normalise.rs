@@ -7,6 +7,7 @@
 use super::dot::{dot, signed, vector_ports};
 use super::parts::divide;
 use super::parts::plan::rounding_ulp;
+use super::parts::polar::in_one_format;
 use super::rsqrt::Root;
 use crate::base::cast;
 use crate::base::error::Result;
@@ -51,7 +52,7 @@ pub(super) struct Block {
 pub(super) fn block(b: &mut Builder, name: &str, v: [NodeId; 3]) -> Block {
     b.scope(name, |b| {
         let format = b.format(v[0]);
-        assert!(v.iter().all(|x| b.format(*x) == format), "bug: components have one format");
+        let v = in_one_format(b, format, v);
         let bits = format.bits();
         // Leading zeros of the largest are those of all magnitudes together.
         let [x, y, z] = v.map(|x| {
@@ -145,7 +146,7 @@ pub(super) fn unit_vector(
 }
 
 fn design(values: &Values) -> Result<Design> {
-    let mut b = Builder::new("normalise");
+    let mut b = values.builder("normalise");
     let format = signed(values, "v_bits", "v_frac_bits")?;
     let v = vector_ports(&mut b, "v", format, Quantity::Number);
     let Block { words, places, zero } = block(&mut b, "block", v);

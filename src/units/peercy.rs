@@ -7,7 +7,6 @@ use super::parts::plan::Plan;
 use super::parts::{fragment, setup};
 use crate::base::error::Result;
 use crate::design::{Bounds, Design, Golden, Group, Shape, Unit, Values};
-use crate::netlist::Builder;
 use crate::number::trig::Real;
 
 /// The unit.
@@ -26,7 +25,7 @@ const QUANTITIES: &[&str] =
 
 fn design(values: &Values) -> Result<Design> {
     let mut plan = Plan::new(values);
-    let mut b = Builder::new("peercy");
+    let mut b = values.builder("peercy");
     let units = setup::set_up(&mut b, &mut plan, true)?;
     for (node, name) in units.iter().flatten().zip(QUANTITIES) {
         b.output(name, *node);

@@ -74,7 +74,7 @@ fn design(values: &Values) -> Result<Design> {
         }
     };
     let mut plan = Plan::new(values);
-    let mut b = Builder::new("rotation");
+    let mut b = values.builder("rotation");
     let turn = Format::turns(plan.angle_bits)?;
     let inputs =
         ["phi_a", "theta_a", "phi_n", "theta_n"].map(|name| b.input(name, turn, Quantity::Turns));
@@ -262,6 +262,7 @@ pub(super) fn to_polar(
         let mut convert = |b: &mut Builder, y, x, scope: &str| -> Result<polar::Polar> {
             let argument = polar::mantissa_argument(b.format(x))?;
             let recip = plan.tabulate(
+                b,
                 "recip",
                 "recip_addr_bits",
                 &[Function::recip()],
@@ -270,6 +271,7 @@ pub(super) fn to_polar(
                 argument,
             );
             let atan = plan.tabulate(
+                b,
                 "atan",
                 "atan_addr_bits",
                 &[Function::atan(), secant()],

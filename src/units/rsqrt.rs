@@ -98,6 +98,7 @@ impl<'a> Root<'a> {
         let most = frac_bits + GUARD_BITS;
         let table_bits = if newton.is_some() { most.min(addr_bits + 3) } else { most };
         let kept_bits = kept_bits(self.values);
+        let table_output = Format::unsigned(table_bits + 2, cast::signed_count(table_bits))?; // to 2
         let tabulated = Tabulated {
             name: "recip_root".to_owned(),
             functions: vec![Function::recip_sqrt()],
@@ -105,7 +106,7 @@ impl<'a> Root<'a> {
             addr_bits,
             quarter_wave: false,
             origin: 0.25,
-            output: Format::unsigned(table_bits + 2, cast::signed_count(table_bits))?, // to 2
+            output: b.table_format("recip_root", table_output),
             round: self.round,
             argument: root::argument(b.format(a), kept_bits)?,
         };
@@ -163,7 +164,7 @@ pub(super) fn length_error(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 
 }
 
 fn design(values: &Values) -> Result<Design> {
-    let mut b = Builder::new("rsqrt");
+    let mut b = values.builder("rsqrt");
     let frac_bits = cast::signed_count(values.bits("input_frac_bits"));
     let a = Format::unsigned(values.bits("input_bits"), frac_bits)?;
     let a = b.input("a", a, Quantity::Number);

@@ -73,7 +73,7 @@ fn design(values: &Values) -> Result<Design> {
     let frac_bits = values.bits("frac_bits");
     let coordinate =
         Format::signed(values.bits("int_bits") + frac_bits + 1, cast::signed_count(frac_bits))?;
-    let mut b = Builder::new("sampler");
+    let mut b = values.builder("sampler");
     let coordinates = AXES.map(|(name, ..)| b.input(name, coordinate, Quantity::Number));
     let mut outputs = Vec::new();
     for ((_, address, log2, position, names), coordinate) in AXES.into_iter().zip(coordinates) {

@@ -230,7 +230,7 @@ fn design(values: &Values) -> Result<Design> {
         );
         return Err(values.refuse("guard_bits", &legal));
     }
-    let mut b = Builder::new("tangent");
+    let mut b = values.builder("tangent");
     let p = ["p0", "p1", "p2"].map(|name| vector_ports(&mut b, name, position, Quantity::Number));
     let uv = ["uv0", "uv1", "uv2"].map(|name| {
         ["u", "v"].map(|axis| b.input(&format!("{name}_{axis}"), uv, Quantity::Number))

@@ -817,18 +817,6 @@ fn text_is_reproducible() {
     }
 }
 
-/// Hardware has one name for a port.
-#[test]
-fn an_input_and_an_output_of_one_name_are_refused() {
-    let format = Format::signed(8, 4).unwrap();
-    let mut b = Builder::new("echo");
-    let x = b.input("x", format, Quantity::Number);
-    let y = b.neg(x);
-    b.output("x", y);
-    let why = b.build().unwrap_err().to_string();
-    assert_eq!(why, "`x` is an input and an output of `echo`: give one of them another name");
-}
-
 fn read(text: &str) -> Result<Netlist, String> {
     Netlist::parse(text, Path::new("n.txt")).map_err(|error| error.to_string())
 }

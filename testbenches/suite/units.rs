@@ -1,7 +1,7 @@
 //! Parameters of all units together: what is refused, and whether its remedy is one.
 
 use fixpath::format::{Format, Overflow, Round};
-use fixpath::measure::{Basis, Inputs, measure};
+use fixpath::measure::{Basis, Inputs, Report, measure};
 use fixpath::netlist::{Builder, Quantity};
 use fixpath::units::fragment::Port;
 use fixpath::units::{
@@ -476,4 +476,88 @@ fn what_is_read_and_not_there_is_an_error() {
         reads(|p| format!("{:?}", p.overflow("c"))),
         read_as("c", "an overflow mode", "x of x, y")
     );
+}
+
+/// Formats by name, of any sort: a design or an error, no panic; the engines agree on what is built; and a name that
+/// isn't there is refused with the nearest.
+#[test]
+fn formats_of_nodes_are_taken_or_refused() {
+    let formats = ["u1f0", "s2f0", "u3f5", "s7f0", "s20f18", "u40f39", "s63f62", "u63f0"];
+    let mut built = 0;
+    for unit in UNITS.iter() {
+        for setting in ["", "rounding=floor"] {
+            let set: Vec<&str> = setting.split_terminator(' ').collect();
+            let Ok(values) = unit.values(&set) else { continue };
+            let plain = values.build().unwrap();
+            let choices = plain.netlist.choices();
+            for (at, choice) in choices.iter().enumerate() {
+                for format in [formats[at % formats.len()], formats[(at * 5 + 3) % formats.len()]] {
+                    let given = format!("format.{}={format}", choice.name);
+                    let mut all = set.clone();
+                    all.push(&given);
+                    let Ok(design) = unit.values(&all).unwrap().build() else { continue };
+                    built += 1;
+                    let found = design.netlist.choices().iter().find(|c| c.name == choice.name);
+                    let found = found.unwrap_or_else(|| panic!("{} {given}", unit.name));
+                    assert_eq!(found.format.to_string(), format, "{} {given}", unit.name);
+                    assert!(found.overridden);
+                    crate::engines::check(&design.netlist, 1, 20)
+                        .unwrap_or_else(|text| panic!("{} {given}: {text}", unit.name));
+                }
+            }
+        }
+    }
+    assert!(built > 200, "{built}");
+    let refused = |set: &str| design_error("rotation", set);
+    let text = refused("format.sincos.narow=s20f18");
+    assert!(text.contains("has no node `sincos.narow`"), "{text}");
+    let text = refused("format.phi=20");
+    assert!(text.contains("parameter `format.phi` = `20`: legal is a format"), "{text}");
+}
+
+fn design_error(unit: &str, set: &str) -> String {
+    let values = Unit::find(unit).unwrap().values(&[set]);
+    values.and_then(|values| values.build().map(|_| ())).unwrap_err().to_string()
+}
+
+/// With a format by name the golden stays, errors follow, and every text says so.
+#[test]
+fn a_coarser_node_is_worse_and_is_told() {
+    let design =
+        |set: &[&str]| Unit::find("rotation").unwrap().values(set).unwrap().build().unwrap();
+    let (plain, coarse) = (design(&[]), design(&["format.sincos=s7f5"]));
+    let inputs = Inputs { sampler: Sampler::Sphere, samples: 4096, seed: 1 };
+    let reports = measure(&[&plain, &coarse], &inputs, &|_| ()).unwrap();
+    let max = |report: &Report| report.figures("angle", Basis::Total).max;
+    assert!(max(&reports[1]) > 3.0 * max(&reports[0]));
+    let told: Vec<String> =
+        coarse.values.told().map(|(name, value)| format!("{name}={value}")).collect();
+    assert_eq!(told.last().unwrap(), "format.sincos=s7f5");
+    assert!(matches!(&coarse.bounds, Bounds::Unstated(_)));
+}
+
+/// A netlist's file in place of a unit: its words are the unit's, its total error is its arithmetic error.
+#[test]
+fn a_netlist_stands_for_a_unit() {
+    let netlist = Unit::find("rotation")
+        .unwrap()
+        .values(&["output=polar-table"])
+        .unwrap()
+        .build()
+        .unwrap()
+        .netlist;
+    let unit = Unit::of_netlist((*netlist).clone());
+    unit.check().unwrap();
+    let design = unit.defaults().build().unwrap();
+    assert!(*design.netlist == *netlist);
+    let inputs = Inputs { sampler: Sampler::Sphere, samples: 4096, seed: 1 };
+    let report = measure(&[&design], &inputs, &|_| ()).unwrap().remove(0);
+    for port in ["phi", "theta"] {
+        let total = report.figures(port, Basis::Total);
+        assert_eq!(total.max, report.figures(port, Basis::Arithmetic).max, "{port}");
+        assert_eq!(report.figures(port, Basis::Algorithm).max, 0.0, "{port}");
+    }
+    // Angles are compared modulo a turn: next to 0 is next to 1.
+    assert!(report.figures("phi", Basis::Total).max < 0.5);
+    assert!(report.figures("theta", Basis::Total).max < 1e-3);
 }

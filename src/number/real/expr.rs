@@ -112,11 +112,10 @@ impl Graph {
     /// Position of a term, which is added if it isn't there.
     pub fn add(&mut self, term: Term) -> TermId {
         let next = TermId(cast::id_of(self.terms.len()));
-        let id = *self.known.entry(term).or_insert_with_key(|term| {
+        *self.known.entry(term).or_insert_with_key(|term| {
             self.terms.push(term.clone());
             next
-        });
-        id
+        })
     }
 
     /// A number.

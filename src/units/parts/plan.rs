@@ -147,12 +147,15 @@ impl<'a> Plan<'a> {
         argument: NodeId,
         output: Format,
     ) -> Vec<NodeId> {
-        let tabulated = self.tabulate(name, size, functions, 0.0, output, b.format(argument));
+        let format = b.format(argument);
+        let tabulated = self.tabulate(b, name, size, functions, 0.0, output, format);
         table::emit(b, &tabulated.spec(), argument)
     }
 
+    #[expect(clippy::too_many_arguments, reason = "what a table is made from")]
     pub(crate) fn tabulate(
         &mut self,
+        b: &mut Builder,
         name: &str,
         size: &str,
         functions: &[Function],
@@ -160,6 +163,7 @@ impl<'a> Plan<'a> {
         output: Format,
         argument: Format,
     ) -> Tabulated {
+        let output = b.table_format(name, output);
         let addr_bits = match self.values.int(size) {
             Some(bits) => u32::try_from(bits).expect("bug: counts of bits are small"),
             None => self.values.bits("table_addr_bits"),

@@ -1,6 +1,7 @@
 //! Parts shared by units: from Cartesian to polar, by CORDIC and by tables.
 
 use crate::base::cast;
+use crate::base::error::Error;
 use crate::netlist::{Builder, NodeId};
 use crate::number::format::{Format, Overflow, Round, bit_len};
 use crate::table::{self, Spec};
@@ -129,12 +130,29 @@ pub(crate) fn mantissa_argument(component: Format) -> crate::base::error::Result
     Format::unsigned(component.bits() - 1, cast::signed_count(component.bits()))
 }
 
+/// Components that have the format of another; any other is a mistake in formats that were given by name.
+pub(crate) fn in_one_format<const N: usize>(
+    b: &mut Builder,
+    format: Format,
+    components: [NodeId; N],
+) -> [NodeId; N] {
+    components.map(|component| {
+        let other = b.format(component);
+        if other != format {
+            b.fail(Error::usage(format!(
+                "components have one format, and these have {format} and {other}: give all of them one"
+            )));
+        }
+        b.narrow(component, format, Round::Floor, Overflow::Wrap)
+    })
+}
+
 /// Angle and length of (x, y), both of one signed format: octant fold, normalised
 /// reciprocal table, one product for the ratio, a table of atan and secant, one product
 /// for the length. (0, 0) gives angle 0.
 pub(crate) fn table(b: &mut Builder, y: NodeId, x: NodeId, tables: &PolarTables<'_>) -> Polar {
     let component = b.format(x);
-    assert_eq!(component, b.format(y), "bug: components have one format");
+    let [y] = in_one_format(b, component, [y]);
     let bits = component.bits(); // of |x|, since -2^(bits-1) has the magnitude 2^(bits-1)
     let (ax, ay) = (b.abs(x), b.abs(y));
     let steep = b.less(ax, ay);

@@ -3,7 +3,7 @@
 
 use super::divide::{bit_of, limit, normalise, sticky, word_of};
 use crate::base::cast;
-use crate::base::error::Result;
+use crate::base::error::{Error, Result};
 use crate::netlist::{Builder, NodeId, Part};
 use crate::number::format::{Format, Overflow, Round, bit_len};
 use crate::table::{self, Spec};
@@ -152,9 +152,21 @@ struct Normalised {
     frac_bits: i32,
 }
 
-fn normalised(b: &mut Builder, a: NodeId, table: &Table<'_>) -> Normalised {
+/// A word that roots are taken of; a signed one is a mistake in formats that were given by name.
+fn unsigned(b: &mut Builder, a: NodeId) -> NodeId {
     let format = b.format(a);
-    assert!(!format.is_signed(), "bug: roots are of unsigned words");
+    if !format.is_signed() {
+        return a;
+    }
+    b.fail(Error::usage(format!(
+        "roots are of unsigned words, and this one has format {format}: give it an unsigned one"
+    )));
+    b.abs(a)
+}
+
+fn normalised(b: &mut Builder, a: NodeId, table: &Table<'_>) -> Normalised {
+    let a = unsigned(b, a);
+    let format = b.format(a);
     let (bits, frac_bits) = even_bits(format);
     let mut word = b.slice(a, 0, format.bits());
     if frac_bits != format.frac_bits() {
@@ -185,8 +197,8 @@ fn normalised(b: &mut Builder, a: NodeId, table: &Table<'_>) -> Normalised {
 
 /// The root to half an ulp of `output` or better, and a bit that tells whether anything is left.
 fn digits(b: &mut Builder, a: NodeId, output: Format) -> NodeId {
+    let a = unsigned(b, a);
     let format = b.format(a);
-    assert!(!format.is_signed(), "bug: roots are of unsigned words");
     // The root counts 2^-frac, its square 2^-2frac: no bit of the operand lies below that.
     let frac = (output.frac_bits() + 1).max((format.frac_bits() + 1).div_euclid(2));
     let appended = (2 * frac - format.frac_bits()).unsigned_abs();

@@ -108,13 +108,13 @@ fn normalised(b: &mut Builder, plan: &mut Plan<'_>, v: [NodeId; 3]) -> Result<[N
     let output = number(1, plan.frac_bits)?;
     let axes = ["x", "y", "z"];
     let kept_bits = kept_bits(work_bits);
-    let mut roots = |name: &str, function| -> Result<_> {
+    let mut roots = |b: &mut Builder, name: &str, function| -> Result<_> {
         let argument = root::argument(unsigned, kept_bits)?;
         let format = Format::unsigned(work_bits + 2, work_frac)?; // up to 2
-        Ok(plan.tabulate(name, "root_addr_bits", &[function], 0.25, format, argument))
+        Ok(plan.tabulate(b, name, "root_addr_bits", &[function], 0.25, format, argument))
     };
     if values.choice("normalise") == "reciprocal-root" {
-        let table = roots("recip_root", Function::recip_sqrt())?;
+        let table = roots(b, "recip_root", Function::recip_sqrt())?;
         let table = root::Table { spec: table.spec(), kept_bits };
         // Up to 4: vectors of ¼ and longer.
         let factor = Format::unsigned(work_bits + 2, work_frac)?;
@@ -131,7 +131,7 @@ fn normalised(b: &mut Builder, plan: &mut Plan<'_>, v: [NodeId; 3]) -> Result<[N
     let length = Format::unsigned(work_bits + INT_BITS + 1, work_frac)?;
     let table;
     let method = if values.choice("root") == "table" {
-        table = roots("root", Function::sqrt())?;
+        table = roots(b, "root", Function::sqrt())?;
         root::Method::Table(root::Table { spec: table.spec(), kept_bits })
     } else {
         root::Method::Digits
@@ -146,7 +146,7 @@ fn normalised(b: &mut Builder, plan: &mut Plan<'_>, v: [NodeId; 3]) -> Result<[N
             let argument = divide::argument(b.format(length))?;
             let format = Format::unsigned(work_bits + 2, work_frac)?;
             let size = "recip_addr_bits";
-            table = plan.tabulate("recip", size, &[Function::recip()], 0.5, format, argument);
+            table = plan.tabulate(b, "recip", size, &[Function::recip()], 0.5, format, argument);
             divide::Method::Table(table.spec())
         }
     };
