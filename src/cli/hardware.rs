@@ -7,9 +7,11 @@ use crate::base::error::Result;
 use crate::hardware::emit::{Package, Settings};
 use crate::hardware::hdl::testbench::vectors_file;
 use crate::hardware::hdl::{LANGUAGES, Language, Tables};
+use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 #[derive(Args)]
 pub(super) struct HdlArgs {
@@ -35,24 +37,25 @@ pub(super) struct HdlArgs {
     seed: Option<u64>,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum LanguageArg {
-    /// Verilog-2005, for Icarus, Verilator, Yosys and others.
-    Verilog,
-    /// VHDL-2008, for GHDL and others.
-    Vhdl,
-}
+/// One of [`LANGUAGES`], by its place there.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct LanguageArg(usize);
 
 impl LanguageArg {
     fn language(self) -> &'static dyn Language {
-        let name = match self {
-            Self::Verilog => "verilog",
-            Self::Vhdl => "vhdl",
-        };
-        *LANGUAGES
-            .iter()
-            .find(|language| language.name() == name)
-            .expect("bug: every one is listed")
+        LANGUAGES[self.0]
+    }
+}
+
+impl ValueEnum for LanguageArg {
+    fn value_variants<'a>() -> &'a [Self] {
+        static ALL: LazyLock<Vec<LanguageArg>> =
+            LazyLock::new(|| (0..LANGUAGES.len()).map(LanguageArg).collect());
+        &ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.language().name()).help(self.language().summary()))
     }
 }
 

@@ -72,10 +72,12 @@ pub(super) fn list(units: &[&Unit]) -> String {
             ]
         };
         let rows: Vec<Vec<String>> = unit.params.iter().map(row).collect();
-        text.push_str(&table(&["parameter", "default", "legal", "meaning"], &rows));
-        text.push_str(
-            "  widths near the upper ends don't all go together: words have at most 63 bits, and what would be wider is refused\n",
-        );
+        if !rows.is_empty() {
+            text.push_str(&table(&["parameter", "default", "legal", "meaning"], &rows));
+            text.push_str(
+                "  widths near the upper ends don't all go together: words have at most 63 bits, and what would be wider is refused\n",
+            );
+        }
         text.push_str("\n  of the pipeline, for every unit:\n");
         let rows: Vec<Vec<String>> = PIPELINE.iter().map(row).collect();
         text.push_str(&table(&["parameter", "default", "legal", "meaning"], &rows));

@@ -111,7 +111,7 @@ impl Cone {
     pub fn measure(&self, design: &Design, progress: &(dyn Fn(u64) + Sync)) -> Result<ConeReport> {
         let netlist = &*design.netlist;
         let node = netlist.node(self.node);
-        let pass = Pass::new(self, netlist);
+        let pass = Pass::new(self, netlist)?;
         let narrows = pass.program.narrows();
         let start = Instant::now();
         let runs = self.samples() >> pass.run_bits;
@@ -249,7 +249,7 @@ struct Partial {
 }
 
 impl<'a> Pass<'a> {
-    fn new(cone: &'a Cone, netlist: &'a Netlist) -> Self {
+    fn new(cone: &'a Cone, netlist: &'a Netlist) -> Result<Self> {
         let (mut offsets, mut at) = (Vec::new(), 0);
         let mut repeats = vec![true; netlist.inputs().len()];
         for port in &cone.ports {
@@ -258,17 +258,17 @@ impl<'a> Pass<'a> {
             offsets.push((*port, at));
             at = end;
         }
-        Self {
+        Ok(Self {
             cone,
             is_angle: is_angle(netlist, cone.node),
             netlist,
             program: batch::Program::compile_cone(netlist, &[cone.node], &repeats),
-            reals: real::Program::compile_repeated(netlist, &[cone.node], &repeats),
+            reals: real::Program::compile_repeated(netlist, &[cone.node], &repeats)?,
             offsets,
             repeats,
             run_bits: RUN_BITS.min(cone.bits),
             histograms: Histograms::new(1),
-        }
+        })
     }
 
     fn lane(&self) -> Lane<'_> {

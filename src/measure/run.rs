@@ -66,19 +66,12 @@ pub fn measure_on(
             ));
         }
         let judged = design.judged();
-        if let Some(bits) = judged.iter().find(|id| netlist.node(**id).real.is_none()) {
-            return Err(Error::usage(format!(
-                "`{}` of unit `{}` is bits without a value on reals, so no error of it can be told: say what it means, or leave it out",
-                netlist.label(*bits),
-                design.values.unit().name
-            )));
-        }
         let repeats = inputs.repeats(design);
         compiled.push(Compiled {
             design,
             bases,
             program: Program::compile_repeated(netlist, &judged, &repeats),
-            reals: real::Program::compile_repeated(netlist, &judged, &repeats),
+            reals: real::Program::compile_repeated(netlist, &judged, &repeats)?,
             judged,
             measurands: Measurand::all(design),
             set,

@@ -22,7 +22,7 @@
 mod builder;
 mod choices;
 mod counts;
-mod file;
+pub mod file;
 mod id;
 pub mod op;
 pub(crate) mod ranges;

@@ -5,6 +5,7 @@
 
 use super::batch::BLOCK;
 use super::columns::Columns;
+use crate::base::error::{Error, Result};
 use crate::base::simd::{Body, vectorised};
 use crate::netlist::{Netlist, NodeId};
 use crate::number::function;
@@ -42,29 +43,39 @@ pub struct Program {
 }
 
 impl Program {
-    /// Compiles what the nodes of `outputs` need, all of which must have a value on reals.
+    /// Compiles what the nodes of `outputs` need.
     ///
-    /// # Panics
-    /// If an output has none.
-    #[must_use]
-    pub fn compile(netlist: &Netlist, outputs: &[NodeId]) -> Self {
+    /// # Errors
+    /// If one of them is bits without a value on reals.
+    pub fn compile(netlist: &Netlist, outputs: &[NodeId]) -> Result<Self> {
         Self::compile_repeated(netlist, outputs, &vec![false; netlist.inputs().len()])
     }
 
     /// As [`Program::compile`], where the values at some ports are the same in each block of a run:
     /// what depends on such ports only is computed once a run.
     ///
+    /// # Errors
+    /// As [`Program::compile`].
+    ///
     /// # Panics
-    /// As [`Program::compile`], or if there is not one `repeats` per port.
-    #[must_use]
-    pub fn compile_repeated(netlist: &Netlist, outputs: &[NodeId], repeats: &[bool]) -> Self {
+    /// If there is not one `repeats` per port.
+    pub fn compile_repeated(
+        netlist: &Netlist,
+        outputs: &[NodeId],
+        repeats: &[bool],
+    ) -> Result<Self> {
         assert_eq!(repeats.len(), netlist.inputs().len(), "bug: one per port");
         let real = |id: &NodeId| {
-            let real = netlist.node(*id).real;
-            real.unwrap_or_else(|| panic!("bug: {} has no real value", netlist.label(*id)))
+            netlist.node(*id).real.ok_or_else(|| {
+                Error::usage(format!(
+                    "`{}` of `{}` is bits without a value on reals, so no error of it can be told: say what it means, or leave it out",
+                    netlist.label(*id),
+                    netlist.name()
+                ))
+            })
         };
-        let outputs: Vec<TermId> = outputs.iter().map(real).collect();
-        Self::of_graph(netlist.reals(), &outputs, repeats)
+        let outputs: Vec<TermId> = outputs.iter().map(real).collect::<Result<_>>()?;
+        Ok(Self::of_graph(netlist.reals(), &outputs, repeats))
     }
 
     /// Compiles what some terms need of a graph, whose first terms are its variables.

@@ -506,7 +506,7 @@ fn check_reals(
         ids.iter().copied().filter(|id| netlist.node(*id).real.is_some()).collect()
     };
     for outputs in [real(all), real(ports)] {
-        let program = real::Program::compile(netlist, &outputs);
+        let program = real::Program::compile(netlist, &outputs).unwrap();
         let mut runner = program.runner();
         let mut given = vec![Vec::new(); outputs.len()];
         runner.run(&program, &views(&part(&columns, 0..count / 3)), &mut given);
@@ -605,8 +605,8 @@ fn check_repeats(netlist: &Netlist, seed: u64) {
         program.runner().run(program, &views(values), &mut given);
         given.iter().map(|c| c.iter().map(|x| x.to_bits()).collect()).collect()
     };
-    let plain = run(&real::Program::compile(netlist, &real), &values(true));
-    let once = real::Program::compile_repeated(netlist, &real, &repeats);
+    let plain = run(&real::Program::compile(netlist, &real).unwrap(), &values(true));
+    let once = real::Program::compile_repeated(netlist, &real, &repeats).unwrap();
     assert_eq!(run(&once, &values(false)), plain, "{repeats:?}\n{}", netlist.to_text());
 }
 

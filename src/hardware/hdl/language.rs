@@ -6,6 +6,8 @@ use super::module::{File, Module};
 pub trait Language: Sync + std::fmt::Debug {
     /// Name on the command line.
     fn name(&self) -> &'static str;
+    /// Its edition and who reads it, in a line.
+    fn summary(&self) -> &'static str;
     /// Extension of its files.
     fn extension(&self) -> &'static str;
     /// The text of a module.

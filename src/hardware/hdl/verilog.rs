@@ -22,6 +22,10 @@ impl Language for Verilog {
         "verilog"
     }
 
+    fn summary(&self) -> &'static str {
+        "Verilog-2005, for Icarus, Verilator, Yosys and others"
+    }
+
     fn extension(&self) -> &'static str {
         "v"
     }

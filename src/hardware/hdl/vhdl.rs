@@ -26,6 +26,10 @@ impl Language for Vhdl {
         "vhdl"
     }
 
+    fn summary(&self) -> &'static str {
+        "VHDL-2008, for GHDL and others"
+    }
+
     fn extension(&self) -> &'static str {
         "vhd"
     }

@@ -162,7 +162,8 @@ impl<'a> Twins<'a> {
             })
             .collect();
         let judged = shown.iter().any(|shown| shown.port.is_some());
-        let program = Program::compile(netlist, &nodes);
+        let program =
+            Program::compile(netlist, &nodes).expect("bug: only nodes with a value have twins");
         let schedule = rtl.schedule();
         let angles = (!angles.is_empty()).then(|| {
             let program = batch::Program::compile(&design.netlist, &design.judged());
