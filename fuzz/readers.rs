@@ -4,13 +4,14 @@
 use fixpath::cli;
 use fixpath::cost;
 use fixpath::format::Format;
+use fixpath::measure::{Inputs, measure};
 use fixpath::netlist::Netlist;
 use fixpath::report::{self, record::Record};
 use fixpath::samples::{AngleUnit, Block, SampleFile};
 use fixpath::scene::{Fragments, Scene};
 use fixpath::sweep::Axis;
 use fixpath::texgen::Calls;
-use fixpath::units::{Design, Unit};
+use fixpath::units::{Design, Sampler, Unit};
 use std::fs;
 use std::path::Path;
 use std::sync::OnceLock;
@@ -64,8 +65,11 @@ pub(crate) fn netlist(bytes: &[u8]) {
         netlist.inputs().iter().map(|id| netlist.node(*id).format.max_raw()).collect();
     let (nodes, _) = netlist.eval(&words).expect("words of the ports' formats");
     assert!(netlist.nodes().iter().zip(nodes).all(|(node, word)| node.format.contains(word)));
-    let ones = vec![1.0; words.len()];
-    assert_eq!(netlist.eval_reals(&ones).len(), netlist.nodes().len());
+    let unit = Unit::of_netlist(netlist);
+    // Tables of a schedule that asks for too much, and outputs of bits, are refused.
+    let Ok(design) = unit.defaults().build() else { return };
+    let inputs = Inputs { sampler: Sampler::Sphere, samples: 10, seed: 1 };
+    let _ = measure(&[&design], &inputs, &|_| ());
 }
 
 /// A format: what is read is written as what is read the same.

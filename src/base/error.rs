@@ -226,6 +226,14 @@ impl Error {
         Self(Box::new(Kind::TooWide { part, bits, remedy }))
     }
 
+    /// The same without the place in code, for what isn't the caller's own.
+    pub(crate) fn without_place(self) -> Self {
+        if let Kind::Misuse { what, problem, .. } = &*self.0 {
+            return Self::usage(format!("{what}: {problem}"));
+        }
+        self
+    }
+
     /// Where the code that asked for a node stands, if this is about building a netlist: for whoever wrote that code.
     #[must_use]
     pub fn caller(&self) -> Option<&'static Location<'static>> {

@@ -4,7 +4,7 @@ use super::progress::progress_bar;
 use crate::base::columns::{self, Field};
 use crate::base::error::Result;
 use crate::design::{Design, Sampler};
-use crate::measure::{self, Basis, BoundCheck, Inputs, Profile, Report};
+use crate::measure::{self, Basis, BoundCheck, Figures, Inputs, Profile, Report};
 use std::io::Write;
 use std::path::Path;
 
@@ -34,7 +34,14 @@ impl Sim {
     }
 
     pub(super) fn passed(&self) -> bool {
-        self.bounds.hold(&self.report) && self.hard.iter().all(|case| case.holds != Some(false))
+        self.bounds.hold(&self.report)
+            && self.hard.iter().all(|case| case.holds != Some(false))
+            && self.without_value().next().is_none()
+    }
+
+    /// Quantities whose golden, or value on reals, is no number at some input.
+    pub(super) fn without_value(&self) -> impl Iterator<Item = &Figures> {
+        self.report.figures.iter().filter(|figures| figures.max.is_nan())
     }
 }
 

@@ -163,6 +163,13 @@ pub(super) fn sim(sim: &Sim) -> String {
         let _ = writeln!(text, "  {quantity}: over {what}");
     }
     text.push_str("  percentiles are known to 1.6 %; 0 means below 2^-44\n");
+    for figures in sim.without_value() {
+        let (basis, quantity) = (figures.basis.name(), &figures.quantity);
+        let _ = writeln!(
+            text,
+            "{basis} {quantity}: NO VALUE at some input: a pole, or a root or logarithm of what is below 0"
+        );
+    }
     text.push_str(&overflows(report));
     if !sim.hard.is_empty() {
         text.push('\n');

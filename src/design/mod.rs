@@ -19,6 +19,7 @@ pub use param::{Kind, PIPELINE, Param, Reflection, Role, Value};
 pub use unit::{Recipe, Shading, Unit, Values};
 
 use crate::base::error::{Error, Result};
+use crate::base::name;
 use crate::netlist::{Netlist, NodeId, Quantity};
 use crate::number::format::Format;
 use crate::schedule::Binding;
@@ -195,8 +196,13 @@ impl Design {
             if takes != given {
                 return refuse(&format!("group `{name}` takes {takes} nodes and has {given}"));
             }
-            if nodes.iter().any(|id| id.index() >= netlist.nodes().len()) {
-                return refuse(&format!("group `{name}` has a node of another netlist"));
+            if nodes.iter().any(|id| !id.is_finished() || id.index() >= netlist.nodes().len()) {
+                return refuse(&format!(
+                    "group `{name}` has a node of another netlist or of a builder: take ids of the built netlist"
+                ));
+            }
+            if !name.is_empty() && !name::is_legal(name) {
+                return Err(Error::name("group", name));
             }
         }
         let judged = self.judged();
@@ -240,6 +246,11 @@ impl Design {
             }
         }
         let quantities: Vec<String> = self.groups.iter().flat_map(Group::quantities).collect();
+        if let Some((_, twice)) =
+            quantities.iter().enumerate().find(|(at, name)| quantities[..*at].contains(name))
+        {
+            return refuse(&format!("two quantities are called `{twice}`: name its groups apart"));
+        }
         for bound in self.bounds.stated() {
             if let Some(none) = bound.quantities.iter().find(|name| !quantities.contains(name)) {
                 return refuse(&format!(

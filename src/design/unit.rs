@@ -553,6 +553,12 @@ impl Values {
             (key.strip_prefix(FORMAT).unwrap_or_default().to_owned(), *format)
         };
         let named: Vec<(String, Format)> = formats.iter().map(of).collect();
+        if plain.netlist.choices().is_empty() {
+            return Err(Error::usage(format!(
+                "unit `{}` chooses no formats that a name could set: those of a netlist's file stand in it",
+                self.unit.name
+            )));
+        }
         values.overrides = Overrides::new(&plain.netlist, &named)?;
         values.formats = formats;
         let design = values.design_of_recipe()?;
@@ -602,7 +608,7 @@ impl Values {
             else {
                 return None;
             };
-            let changed = (number + step).clamp(*min, *max);
+            let changed = number.saturating_add(step).clamp(*min, *max);
             let mut other = self.clone();
             other.values[index] = Value::Int(changed);
             let helps = changed != *number

@@ -201,7 +201,9 @@ impl Body for Quantise<'_> {
         let mut whole = |value: f64| {
             let scaled = value * scale;
             any_far |= scaled.is_nan() || scaled.abs() >= 2f64.powi(51);
-            cast::word_of_bits((scaled + ROUNDER).to_bits()) - cast::word_of_bits(ROUNDER.to_bits())
+            // What is far is done again.
+            let bits = cast::word_of_bits((scaled + ROUNDER).to_bits());
+            bits.wrapping_sub(cast::word_of_bits(ROUNDER.to_bits()))
         };
         let pairs = to.iter_mut().zip(column);
         if wraps {

@@ -318,7 +318,15 @@ impl Builder {
         part: Option<Part>,
     ) -> ScopeId {
         let scope = Scope { name: name.to_owned(), parent: Some(parent), part };
-        let found = self.netlist.scopes.iter().position(|known| *known == scope);
+        let same = |known: &Scope| known.name == scope.name && known.parent == scope.parent;
+        let found = self.netlist.scopes.iter().position(same);
+        if found.is_some_and(|index| self.netlist.scopes[index].part != part) {
+            let name = escape::short(name);
+            self.misuse(
+                format!("scope `{name}`"),
+                "it is another part elsewhere: give it another name",
+            );
+        }
         let index = found.unwrap_or_else(|| {
             self.netlist.scopes.push(scope);
             self.netlist.scopes.len() - 1
@@ -370,6 +378,10 @@ impl Builder {
             let problem =
                 format!("means something of {} nodes, and {} are given", expr.arity(), of.len());
             self.misuse(self.described(id), problem);
+            return id;
+        }
+        if let Some(problem) = expr.problem_with_calls() {
+            self.misuse(self.described(id), format!("what it means: {problem}"));
             return id;
         }
         let earlier = |of: &NodeId| self.owns(*of) && *of < id;

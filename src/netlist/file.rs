@@ -288,6 +288,7 @@ struct Reader {
     tables: HashMap<String, (TableId, Vec<String>)>,
     pending: Option<Pending>,
     nodes: Vec<NodeId>,
+    inputs: usize,
     outputs: usize,
 }
 
@@ -310,7 +311,7 @@ impl Reader {
             }
             self.line(&mut line, index).map_err(|wrong| failed(wrong.at, wrong.problem))?;
             if let Some(error) = self.builder.as_mut().and_then(Builder::take_error) {
-                return Err(failed(0, error.to_string()));
+                return Err(failed(0, error.without_place().to_string()));
             }
         }
         let end =
@@ -321,10 +322,16 @@ impl Reader {
                 line + 1
             )));
         }
+        if text.trim().is_empty() {
+            return Err(end(&format!("it is empty, and a netlist's file begins with `{HEAD}`")));
+        }
+        if self.inputs == 0 {
+            return Err(end("the file ends, and it has no input"));
+        }
         let Some(builder) = self.builder.filter(|_| self.outputs > 0) else {
             return Err(end("the file ends, and it has no output"));
         };
-        builder.build().map_err(|error| Error::file(path, error.to_string()))
+        builder.build().map_err(|error| Error::file(path, error.without_place().to_string()))
     }
 
     fn line(&mut self, line: &mut Line<'_>, index: usize) -> Read<()> {
@@ -394,6 +401,9 @@ impl Reader {
         line.expect("=")?;
         let expr = self.expression(line, &|name| (name == "x").then_some(0))?;
         let function = Function::of_expr(name, expr);
+        if let Some(problem) = function.problem() {
+            return wrong(at, problem);
+        }
         if self.functions.insert(id.to_owned(), function).is_some() {
             return wrong(at, format!("function `{id}` is defined twice"));
         }
@@ -566,6 +576,7 @@ impl Reader {
             b.stands_for(id, &expr, &of);
         }
         self.nodes.push(id);
+        self.inputs += usize::from(op == Op::Input);
         Ok(())
     }
 

@@ -40,6 +40,11 @@ impl NodeId {
         Self { owner: Owner::FINISHED, number }
     }
 
+    /// True for ids of a finished netlist, which those of its builder are not.
+    pub(crate) fn is_finished(self) -> bool {
+        self.owner == Owner::FINISHED
+    }
+
     /// Position in [`Netlist::nodes`](super::Netlist::nodes).
     #[must_use]
     #[expect(clippy::missing_panics_doc, reason = "32 bits always fit")]

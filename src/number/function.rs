@@ -30,8 +30,10 @@ impl Function {
         let mut values = vec![0.0; arguments.len()];
         kernel(arguments, &mut values);
         let mut worst = (0.0, f64::NAN);
+        let mut compared = false;
         for (x, is) in arguments.iter().zip(values) {
             let Some(exact) = self.precise(*x) else { continue };
+            compared = true;
             let nearest = exact.nearest();
             let ulp = nearest.abs().next_up() - nearest.abs();
             let off = ((is - nearest) - exact.less(nearest)).abs() / ulp;
@@ -40,11 +42,15 @@ impl Function {
                 worst = (off, *x);
             }
         }
+        if !compared {
+            let text = format!("function `{}` has no value at any argument given", self.name());
+            return Err(Error::usage(text));
+        }
         if worst.0 <= Self::KERNEL_ULP {
             return Ok(worst);
         }
         Err(Error::usage(format!(
-            "the kernel of function `{}` is {:.1} ulp off at {:e}: legal is {}",
+            "the kernel of function `{}` is {:.1} ulp off at {:e}: legal is up to {}",
             self.name(),
             worst.0,
             worst.1,
@@ -111,10 +117,10 @@ pub struct Combination<'a> {
 }
 
 impl Combination<'_> {
-    /// The combination in units of 2^-frac_bits, correctly rounded to the nearest whole number.
+    /// The combination in units of 2^-frac_bits, rounded to the nearest whole number; of two the even one.
     ///
-    /// An interval decides where both its ends round to the same number, and the high-precision evaluation
-    /// elsewhere (Ziv's strategy): near a tie, and for words near the limit of `f64`.
+    /// An interval decides where both its ends round to the same number, and the evaluation to 160 bits elsewhere (Ziv's
+    /// strategy): near a tie, and for words near the limit of `f64`.
     #[must_use]
     pub fn round(&self, frac_bits: i32) -> i64 {
         let (lo, hi) = self.range;
@@ -139,9 +145,13 @@ impl Combination<'_> {
         let mut sum = exact(self.constant);
         for &(coefficient, x) in self.terms {
             let value = match self.function.precise(x) {
-                None if self.function.eval(x) < 0.0 => lo.clone(),
-                None => hi.clone(),
                 Some(value) => value.clamp(&lo, &hi),
+                // Of a pole the end of its side; past poles inside, as 1 / (1 + 1/x) at 0, what floats give.
+                None => match self.function.eval(x) {
+                    value if value <= self.range.0 => lo.clone(),
+                    value if value < self.range.1 => exact(value),
+                    _ => hi.clone(),
+                },
             };
             sum = sum.plus(&exact(coefficient).times(&value));
         }
@@ -195,6 +205,20 @@ mod tests {
         assert_eq!(pole(&half_recip_cos(), 0.25), -16);
         assert_eq!(pole(&Function::recip_sqrt(), 0.0), 15);
         assert_eq!(pole(&Function::recip_sqrt(), -1.0), 15);
+    }
+
+    /// Past a pole inside, and where there is no value, entries are what floats give, not an end.
+    #[test]
+    fn what_has_no_precise_value_is_that_of_floats() {
+        let entry = |function: Function, x| {
+            let (function, terms) = (&function, &[(1.0, x)][..]);
+            Combination { function, terms, constant: 0.0, range: (-8.0, 8.0) }.round(3)
+        };
+        assert_eq!(entry(Function::new("f", |x| 1.0 / (1.0 + 1.0 / x)), 0.0), 0);
+        assert_eq!(entry(Function::new("f", |x| (1.0 / x).atan_turns()), 0.0), 2);
+        assert_eq!(entry(Function::new("f", |x| x.exp2() + 0.5), -3e6), 4);
+        assert_eq!(entry(Function::new("f", |x| x.pow(2.0)), -1.0), 8);
+        assert_eq!(entry(Function::new("f", |x| (&x * 100.0).floor().sqrt()), 0.07), 21);
     }
 
     #[test]

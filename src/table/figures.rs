@@ -58,7 +58,12 @@ pub fn table_figures(tabulated: &Tabulated) -> Result<Option<Vec<TableFigures>>>
     }
     let Tabulated { name, functions, scheme, addr_bits, .. } = tabulated;
     let Tabulated { quarter_wave, origin, output, round, argument, .. } = *tabulated;
-    let size = (*scheme, *addr_bits, quarter_wave, Number::from(origin));
+    let folded: Vec<Option<(Function, bool)>> = functions
+        .iter()
+        .filter(|_| quarter_wave)
+        .map(|function| function.quarter_wave().map(|(of, on)| (of.clone(), on)))
+        .collect();
+    let size = (*scheme, *addr_bits, folded, Number::from(origin));
     let key = (functions.clone(), size, output, round, argument);
     let found = match GONE_THROUGH.get(&key) {
         Some(found) => found,
@@ -76,7 +81,9 @@ pub fn table_figures(tabulated: &Tabulated) -> Result<Option<Vec<TableFigures>>>
 static GONE_THROUGH: LazyLock<Cache<Key, Arc<[TableFigures]>>> = LazyLock::new(|| Cache::new(4096));
 
 /// What makes a scheme what it is, but for its name.
-type Key = (Vec<Function>, (Scheme, u32, bool, Number), Format, Round, Format);
+type Key = (Vec<Function>, Size, Format, Round, Format);
+/// Scheme, address bits, what functions are folded to, origin.
+type Size = (Scheme, u32, Vec<Option<(Function, bool)>>, Number);
 
 fn go_through(tabulated: &Tabulated) -> Result<Vec<TableFigures>> {
     let mut b = Builder::new("table");

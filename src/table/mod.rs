@@ -20,13 +20,15 @@ pub use scheme::Scheme;
 
 use crate::base::cast;
 use crate::base::error::Error;
-use crate::netlist::{Builder, NodeId, Part, TableId};
+use crate::netlist::{Builder, NodeId, Part, Table, TableId};
 use crate::number::format::{Format, Round};
 use crate::number::function::{Combination, Function};
 use cells::{Cells, entry, range};
 
 /// The most bits of a result: sums have a few more.
 const MAX_BITS: u32 = 56;
+/// The most fraction bits of a result with the argument's bits: slopes have both and a few more.
+const MAX_FRAC_BITS: i32 = 120;
 
 /// A function (or several at one address) to be tabulated.
 #[derive(Clone, Copy, Debug)]
@@ -182,11 +184,21 @@ fn emit_cells(b: &mut Builder, spec: &Spec<'_>, which: usize, argument: NodeId) 
         addr_bits,
         cell_bits: argument_format.bits() - addr_bits,
     };
-    if spec.output.bits() > MAX_BITS {
-        b.fail(Error::usage(format!(
-            "table `{}` of {}: words of tables have at most {MAX_BITS} bits",
-            spec.name, spec.output
-        )));
+    let bits = spec.output.bits();
+    let frac_bits = spec.output.frac_bits() + cast::signed_count(b.format(argument).bits());
+    let problem = if bits > MAX_BITS {
+        Some(format!("words of tables have at most {MAX_BITS} bits"))
+    } else if frac_bits.abs() > MAX_FRAC_BITS {
+        let most = MAX_FRAC_BITS;
+        Some(format!("fraction bits of words and bits of the argument are at most {most} together"))
+    } else if spec.addr_bits.min(b.format(argument).bits()) > Table::MAX_ADDR_BITS {
+        let most = Table::MAX_ADDR_BITS;
+        Some(format!("{} address bits, and tables have at most {most}", spec.addr_bits))
+    } else {
+        spec.functions.iter().find_map(Function::problem)
+    };
+    if let Some(problem) = problem {
+        b.fail(Error::usage(format!("table `{}` of {}: {problem}", spec.name, spec.output)));
         return b.constant(0, spec.output);
     }
     // Where there is nothing between the entries, a scheme is the direct one.

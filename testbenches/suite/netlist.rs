@@ -5,12 +5,13 @@ use crate::engines::Random;
 use expect_test::expect;
 use fixpath::cycle::Cycle;
 use fixpath::format::{Format, Overflow, Round};
+use fixpath::measure::{Inputs, measure};
 use fixpath::netlist::{Builder, Column, Counts, Netlist, NodeId, Part, Quantity, Table};
 use fixpath::op::Op;
 use fixpath::rtl::Rtl;
 use fixpath::schedule::{Depth, Rom, Schedule};
 use fixpath::sim::batch::{BLOCK, Program, Word};
-use fixpath::units::{Kind, UNITS};
+use fixpath::units::{Kind, Sampler, UNITS, Unit};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::Arc;
@@ -851,6 +852,49 @@ fn files_of_random_netlists_are_read_back() {
         let text = netlist.to_file();
         let again = read(&text).unwrap_or_else(|error| panic!("{error}\n{text}"));
         assert!(again == netlist, "{text}\n{}", again.to_file());
+    }
+}
+
+/// Files that are large or deep without having many lines, and what a builder makes that no file holds.
+#[test]
+fn functions_that_call_too_much_are_refused() {
+    let head = "fixpath netlist 1\nname n\nfunction f0 = add(x, 1)\n";
+    for (call, part) in
+        [("add(f(x), f(add(x, 1)))", "more than 65536 terms"), ("f(x)", "more than 500 deep")]
+    {
+        let mut text = head.to_owned();
+        for i in 1..2000 {
+            let call = call.replace("f(", &format!("f{}(", i - 1));
+            text.push_str(&format!("function f{i} = {call}\n"));
+        }
+        let error = read(&text).expect_err(part);
+        assert!(error.contains(part), "{error}");
+    }
+    let text = format!("{head}function g named !x = add(x, 1)\n");
+    assert!(read(&text).is_err_and(|error| error.contains("function `!x`: a name is")));
+    let mut b = Builder::new("twice");
+    let x = b.input("x", format("s8f4"), Quantity::Number);
+    let y = b.scope("s", |b| b.neg(x));
+    let z = b.part(Part::Dot, "s", |b| b.mul(x, y));
+    b.output("z", z);
+    assert!(
+        b.build().unwrap_err().to_string().starts_with("scope `s`: it is another part elsewhere")
+    );
+    assert!(read("").is_err_and(|error| error.contains("it is empty")));
+    let text = SMALL_FILE.replace("input : u1f0 @a", "const 0 : u1f0");
+    assert!(read(&text).is_err_and(|error| error.contains("it has no input")));
+}
+
+/// Ports of 63 bits are measured, too.
+#[test]
+fn a_netlist_of_wide_ports_is_measured() {
+    for format in ["s63f0", "s63f62", "u63f63", "s54f0"] {
+        let text = format!(
+            "fixpath netlist 1\nname wide\n%0 = input : {format} @a\n%1 = narrow half-even saturate %0 : s20f4\noutput y = %1\n"
+        );
+        let design = Unit::of_netlist(read(&text).unwrap()).defaults().build().unwrap();
+        let inputs = Inputs { sampler: Sampler::Sphere, samples: 1000, seed: 1 };
+        measure(&[&design], &inputs, &|_| ()).unwrap();
     }
 }
 

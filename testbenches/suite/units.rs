@@ -482,7 +482,9 @@ fn what_is_read_and_not_there_is_an_error() {
 /// isn't there is refused with the nearest.
 #[test]
 fn formats_of_nodes_are_taken_or_refused() {
-    let formats = ["u1f0", "s2f0", "u3f5", "s7f0", "s20f18", "u40f39", "s63f62", "u63f0"];
+    let formats = [
+        "u1f0", "s2f0", "u3f5", "s7f0", "s20f18", "u40f39", "s63f62", "u63f0", "s20f120", "s10f127",
+    ];
     let mut built = 0;
     for unit in UNITS.iter() {
         for setting in ["", "rounding=floor"] {

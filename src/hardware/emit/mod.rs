@@ -156,7 +156,9 @@ fn header(design: &Design, rtl: &Rtl, figures: bool) -> Result<Vec<String>> {
             format!("latency {}, interval {interval}; {rom}", cycles(latency))
         }
     });
-    if figures {
+    // No error can be told of bits without a value on reals.
+    let judged = design.judged();
+    if figures && judged.iter().all(|id| design.netlist.node(*id).real.is_some()) {
         lines.extend(error_figures(design)?);
     }
     Ok(lines)

@@ -1,10 +1,10 @@
 //! Terms, graphs of them, expressions, and functions, which are expressions with a name.
 
 use super::primitive::Primitive;
-use crate::base::cast;
+use crate::base::{cast, escape, name};
 use std::collections::HashMap;
 use std::fmt;
-use std::hash::{Hash, Hasher};
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::ops;
 use std::sync::Arc;
 
@@ -250,6 +250,49 @@ impl Expr {
         graph.into_expr()
     }
 
+    /// Why it can't be used, if it can't: a number in it isn't finite, it is too large with all that it calls, or operands
+    /// stand too deep in operands.
+    pub(crate) fn problem(&self) -> Option<String> {
+        let infinite = |term: &Term| matches!(term, Term::Constant(x) if !x.get().is_finite());
+        if self.0.iter().any(infinite) {
+            return Some("a number in it is not finite".to_owned());
+        }
+        let Extent { terms, depth } = self.extent();
+        if terms > Extent::MOST.terms {
+            return Some(format!("it is made of more than {} terms", Extent::MOST.terms));
+        }
+        (depth > Extent::MOST.depth)
+            .then(|| format!("operands stand more than {} deep in it", Extent::MOST.depth))
+    }
+
+    /// As [`Self::problem`], and of the functions that it calls.
+    pub(crate) fn problem_with_calls(&self) -> Option<String> {
+        let called = |term: &Term| match term {
+            Term::Call(function, _) => function.problem(),
+            Term::Constant(_) | Term::Variable(_) | Term::Of(..) => None,
+        };
+        // Too large comes first: then nothing else is gone through.
+        self.problem().or_else(|| self.0.iter().find_map(called))
+    }
+
+    /// Its terms with those of what it calls, and how deep they stand.
+    fn extent(&self) -> Extent {
+        let mut depths: Vec<u32> = Vec::with_capacity(self.0.len());
+        let mut terms = 0u32;
+        for term in self.terms() {
+            let below = term.operands().iter().map(|id| depths[id.index()]).max().unwrap_or(0);
+            let own = match term {
+                Term::Call(function, _) => function.0.extent,
+                Term::Constant(_) | Term::Variable(_) | Term::Of(..) => {
+                    Extent { terms: 1, depth: 1 }
+                }
+            };
+            terms = terms.saturating_add(own.terms);
+            depths.push(below.saturating_add(own.depth));
+        }
+        Extent { terms, depth: depths.last().copied().unwrap_or(0) }
+    }
+
     /// How many variables there are up to the last one.
     #[must_use]
     pub fn arity(&self) -> usize {
@@ -259,6 +302,18 @@ impl Expr {
         };
         self.0.iter().map(number).max().unwrap_or(0)
     }
+}
+
+/// How large an expression is.
+#[derive(Clone, Copy)]
+struct Extent {
+    terms: u32,
+    depth: u32,
+}
+
+impl Extent {
+    /// The most that is used: more is an error, before anything runs through it.
+    const MOST: Self = Self { terms: 1 << 16, depth: 500 };
 }
 
 impl Graph {
@@ -446,6 +501,10 @@ pub struct Function(Arc<Named>);
 struct Named {
     name: String,
     expr: Expr,
+    /// Of name and expression.
+    hash: u64,
+    /// Of the expression.
+    extent: Extent,
     quarter_wave: Option<QuarterWave>,
     kernel: Option<Kernel>,
 }
@@ -468,8 +527,24 @@ impl Function {
     /// The name is that of table columns, so it follows the rule of names in netlists.
     #[must_use]
     pub fn new(name: impl Into<String>, expr: impl FnOnce(Expr) -> Expr) -> Self {
-        let expr = expr(Expr::variable(0));
-        Self(Arc::new(Named { name: name.into(), expr, quarter_wave: None, kernel: None }))
+        let (name, expr) = (name.into(), expr(Expr::variable(0)));
+        let mut hasher = DefaultHasher::new();
+        (&name, &expr).hash(&mut hasher);
+        let (hash, extent) = (hasher.finish(), expr.extent());
+        Self(Arc::new(Named { name, expr, hash, extent, quarter_wave: None, kernel: None }))
+    }
+
+    /// Why it can't be used, if it can't: its name is none, or as [`Expr::problem`].
+    pub(crate) fn problem(&self) -> Option<String> {
+        if !name::is_legal(self.name()) {
+            let given = escape::short(self.name());
+            return Some(format!("function `{given}`: a name is {}", name::RULE));
+        }
+        if self.expr().arity() > 1 {
+            return Some(format!("function `{}` has more than one variable", self.name()));
+        }
+        let why = self.expr().problem_with_calls();
+        why.map(|why| format!("function `{}`: {why}", self.name()))
     }
 
     /// A function by its name and its expression, of variable 0 alone.
@@ -478,10 +553,12 @@ impl Function {
     }
 
     fn with(self, change: impl FnOnce(&mut Named)) -> Self {
-        let Named { name, expr, quarter_wave, kernel } = &*self.0;
+        let Named { name, expr, hash, extent, quarter_wave, kernel } = &*self.0;
         let mut named = Named {
             name: name.clone(),
             expr: expr.clone(),
+            hash: *hash,
+            extent: *extent,
             quarter_wave: quarter_wave.clone(),
             kernel: *kernel,
         };
@@ -560,7 +637,6 @@ impl Eq for Function {}
 
 impl Hash for Function {
     fn hash<H: Hasher>(&self, state: &mut H) {
-        self.name().hash(state);
-        self.expr().hash(state);
+        self.0.hash.hash(state);
     }
 }

@@ -50,14 +50,27 @@ impl Interval {
         Self { lo: self.lo.clamp(lo, hi), hi: self.hi.clamp(lo, hi) }
     }
 
-    /// Ends moved outward by what `libm` may be off; an end of 0 is exact.
+    /// Ends moved outward by what `libm` may be off; an end that is infinite stays.
     fn outward(self) -> Self {
         // Functions are within an ulp; turns and reduced arguments take three roundings more.
         const ULPS: f64 = 4.0 * f64::EPSILON;
-        let off = |x: f64| x.abs() * ULPS;
-        let lo = if self.lo == 0.0 { 0.0 } else { (self.lo - off(self.lo)).next_down() };
-        let hi = if self.hi == 0.0 { 0.0 } else { (self.hi + off(self.hi)).next_up() };
-        Self { lo, hi }
+        let moved = |x: f64, up: bool| {
+            if x.is_infinite() {
+                x
+            } else {
+                step(x + if up { 1.0 } else { -1.0 } * x.abs() * ULPS, up)
+            }
+        };
+        Self { lo: moved(self.lo, false), hi: moved(self.hi, true) }
+    }
+
+    /// As [`Self::outward`], of a function that is 0 at 0 and nowhere else: there, 0 is exact.
+    fn outward_from(self, argument: Self) -> Self {
+        let Self { lo, hi } = self.outward();
+        Self {
+            lo: if argument.lo == 0.0 { 0.0 } else { lo },
+            hi: if argument.hi == 0.0 { 0.0 } else { hi },
+        }
     }
 
     /// The hull of some ends; every number if one of them is none.
@@ -86,7 +99,14 @@ impl Interval {
         if !(self.lo.abs() < 1e12 && self.hi.abs() < 1e12) || self.hi - self.lo >= 1.0 {
             return full;
         }
-        let ends = Self::of_ends(&[function(self.lo), function(self.hi)]).outward();
+        // A zero of a quarter turn is exact: the reduction is.
+        let exact = |x: f64, value: f64| value == 0.0 && (4.0 * x).fract() == 0.0;
+        let (at_lo, at_hi) = (function(self.lo), function(self.hi));
+        let near = |x: f64, value: f64| {
+            let end = Self::from(value + 0.0);
+            if exact(x, value) { end } else { end.outward() }
+        };
+        let ends = near(self.lo, at_lo).hull(near(self.hi, at_hi));
         // A whole number of turns after `at` is in the interval.
         let holds = |at: f64| (self.hi - at).floor() >= (self.lo - at).ceil();
         let lo = if holds(top + 0.5) { -1.0 } else { ends.lo.max(-1.0) };
@@ -185,7 +205,8 @@ impl Mul for Interval {
 /// Evaluation by intervals, rounded outward: what comes out holds the value for every value of the variables.
 ///
 /// Where a primitive has no value for some of them (a root of a negative number, a pole), every number is in the
-/// result; but a divisor from 0 upwards gives what lies on that side of its pole.
+/// result; but a divisor from 0 upwards gives what lies on that side of its pole, so at the pole itself a value of the
+/// other side, as of 1/-0, isn't in it.
 #[derive(Clone, Copy, Debug)]
 pub struct Outward;
 
@@ -228,7 +249,8 @@ impl Reading for Outward {
                 if whole { power } else { power.outward().at_least(0.0) }
             }
             Primitive::Log2 if a.lo <= 0.0 => Interval::ALL,
-            Primitive::Log2 => a.rising(one).outward(),
+            // The logarithm of 1 is 0 exactly.
+            Primitive::Log2 => a.rising(one).outward_from(a + Interval::from(-1.0)),
             Primitive::Pow if a.lo < 0.0 || a.lo == 0.0 && b.lo < 0.0 => Interval::ALL,
             Primitive::Pow => {
                 let ends = [
@@ -248,7 +270,7 @@ impl Reading for Outward {
             }
             Primitive::Sin => a.wave(one, 0.25),
             Primitive::Cos => a.wave(one, 0.0),
-            Primitive::Asin | Primitive::Atan => a.rising(one).outward().clamp(-0.25, 0.25),
+            Primitive::Asin | Primitive::Atan => a.rising(one).outward_from(a).clamp(-0.25, 0.25),
             Primitive::Acos => a.rising(one).outward().clamp(0.0, 0.5),
             Primitive::Atan2 => {
                 let cut = a.lo < 0.0 && a.hi >= 0.0 && b.lo < 0.0;
@@ -256,14 +278,17 @@ impl Reading for Outward {
                 if cut || origin {
                     return Interval { lo: -0.5, hi: 0.5 };
                 }
-                let (a_lo, a_hi) = (a.lo + 0.0, a.hi + 0.0); // -0 becomes 0
+                let [a_lo, a_hi] = [a.lo + 0.0, a.hi + 0.0]; // -0 becomes 0
                 let ends = [
                     scalar(a_lo, b.lo),
                     scalar(a_lo, b.hi),
                     scalar(a_hi, b.lo),
                     scalar(a_hi, b.hi),
                 ];
-                Interval::of_ends(&ends).outward().clamp(-0.5, 0.5)
+                let direction = Interval::of_ends(&ends);
+                // Along the axis, 0 is exact.
+                let exact = a.is_point() && a_lo == 0.0 && b.lo >= 0.0;
+                if exact { direction } else { direction.outward().clamp(-0.5, 0.5) }
             }
             Primitive::Less => {
                 if a.hi < b.lo {

@@ -52,7 +52,7 @@ impl Big {
     }
 }
 
-/// Evaluation to so many bits: each primitive is rounded to them. A value is `None` where there is none: at poles,
+/// Evaluation to so many bits: the result of each primitive has them, within a few units in its last place. A value is `None` where there is none: at poles,
 /// and at roots and logarithms of negative numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct Precise {
@@ -87,11 +87,18 @@ impl Precise {
     /// `2^a` by the whole part, which is exact, and the rest.
     fn exp2(self, a: &Float) -> Option<Float> {
         let whole = a.floor();
-        let places = isize::try_from(whole.to_int().value()).ok()?;
-        if places.unsigned_abs() > 1 << 20 {
-            return None;
+        let far = 1 << 20;
+        let places = isize::try_from(whole.to_int().value());
+        let places = match places {
+            Ok(places) if places.abs() <= far => places,
+            // Below what any format tells from 0; above, there is no use for it.
+            Ok(_) | Err(_) if *a < Float::ZERO => return Some(Float::ZERO),
+            Ok(_) | Err(_) => return None,
+        };
+        let rest = (a - whole).with_precision(self.bits).value();
+        if rest == Float::ZERO {
+            return Some(self.whole(1.0) << places);
         }
-        let rest = a - whole;
         Some((rest * self.whole(2.0).ln()).exp() << places)
     }
 
@@ -188,6 +195,7 @@ impl Reading for Precise {
             Primitive::Equal => flag(a == b()?),
             Primitive::Select => unreachable!("bug: handled above"),
         };
-        Some(Big(value))
+        // Some results of dashu have the bits of what they are, and go on with those.
+        Some(Big(value.with_precision(self.bits).value()))
     }
 }

@@ -12,7 +12,7 @@ pub enum Primitive {
     Sub,
     /// `a * b`.
     Mul,
-    /// `a / b`: of the sign of `a` and infinite at `b = 0`.
+    /// `a / b`, as floats have it: infinite at `b = 0`, and no number where `a` is 0, too.
     Div,
     /// `-a`.
     Neg,
@@ -46,7 +46,8 @@ pub enum Primitive {
     Acos,
     /// Arc of a tangent in turns, -¼ to ¼.
     Atan,
-    /// Direction of (b, a) in turns, -½ to ½: operands are ordinate and abscissa; 0 of (0, 0).
+    /// Direction of (b, a) in turns, -½ to ½: operands are ordinate and abscissa; 0 of (0, 0). Half a turn is ½; in blocks,
+    /// of an ordinate of -0, it is -½.
     Atan2,
     /// 1 if `a < b`, else 0.
     Less,

@@ -55,7 +55,8 @@ impl Reading for Scalar {
             Primitive::Asin => libm::asin(a.clamp(-1.0, 1.0)) / TAU,
             Primitive::Acos => libm::acos(a.clamp(-1.0, 1.0)) / TAU,
             Primitive::Atan => libm::atan(*a) / TAU,
-            Primitive::Atan2 => libm::atan2(*a, *b) / TAU,
+            // A zero has no sign here.
+            Primitive::Atan2 => libm::atan2(*a + 0.0, *b + 0.0) / TAU,
             Primitive::Add
             | Primitive::Sub
             | Primitive::Mul
@@ -92,7 +93,7 @@ impl Expr {
 /// `x - q/4` and q mod 4 for the nearest quarter turn; both exact.
 fn quarter(x: f64) -> (f64, i64) {
     let q = (4.0 * x).round();
-    (x - 0.25 * q, cast::i64_of(q).rem_euclid(4))
+    (x - 0.25 * q, cast::i64_of(q.rem_euclid(4.0)))
 }
 
 /// sin of an angle in turns. At the zeros the sign is that of the function just above.

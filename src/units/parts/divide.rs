@@ -1,7 +1,7 @@
 //! Dividers: by digit recurrence, and by a table of reciprocals.
 
 use crate::base::cast;
-use crate::base::error::Result;
+use crate::base::error::{Error, Result};
 use crate::netlist::{Builder, NodeId, Part};
 use crate::number::format::{Format, Overflow, Round};
 use crate::number::real::Expr;
@@ -107,7 +107,13 @@ pub(crate) fn bit_of(b: &mut Builder, a: NodeId, appended: u32, i: u32) -> NodeI
 
 /// The word of some bits, the first one on top.
 pub(crate) fn word_of(b: &mut Builder, bits: &[NodeId]) -> NodeId {
-    let (first, rest) = bits.split_first().expect("bug: a word has bits");
+    let Some((first, rest)) = bits.split_first() else {
+        b.fail(Error::usage(
+            "formats that were given by name leave a result without bits: give finer ones"
+                .to_owned(),
+        ));
+        return b.constant(0, Format::FLAG);
+    };
     rest.iter().fold(*first, |word, bit| b.concat(word, *bit))
 }
 
