@@ -5,7 +5,7 @@ use crate::base::error::Result;
 use crate::base::json;
 use crate::design::Design;
 use crate::measure;
-use crate::netlist::{Netlist, Operators, Quantity};
+use crate::netlist::{Netlist, Operators};
 use crate::schedule::stage_sizes;
 use crate::table::figures::TableFigures;
 use serde_json::{Value, json};
@@ -13,18 +13,13 @@ use std::fmt::Write as _;
 use std::sync::Arc;
 
 fn ports(netlist: &Netlist) -> (Vec<Vec<String>>, Value) {
-    let quantity = |quantity| match quantity {
-        Quantity::Turns => "turns",
-        Quantity::Number => "number",
-        Quantity::Float20 => "float20",
-    };
     let inputs = netlist.inputs().iter().enumerate().map(|(i, id)| {
         let node = netlist.node(*id);
-        ("in", netlist.input_name(i).to_owned(), node.format, quantity(node.quantity))
+        ("in", netlist.input_name(i).to_owned(), node.format, node.quantity.name())
     });
     let outputs = netlist.outputs().iter().map(|output| {
         let node = netlist.node(output.node);
-        ("out", output.name.clone(), node.format, quantity(node.quantity))
+        ("out", output.name.clone(), node.format, node.quantity.name())
     });
     let all: Vec<_> = inputs.chain(outputs).collect();
     let rows = all

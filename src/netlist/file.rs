@@ -600,61 +600,51 @@ impl Reader {
 
     /// An operation with what stands between its name and its operands.
     fn operation(&self, line: &mut Line<'_>, at: usize, word: &str) -> Read<Op> {
-        let (name, bits) = word.split_once('[').unwrap_or((word, ""));
-        Ok(match name {
-            "input" => Op::Input,
-            "const" => Op::Const { raw: line.parse("a word")? },
-            "add" => Op::Add,
-            "sub" => Op::Sub,
-            "addsub" => Op::AddSub,
-            "mul" => Op::Mul,
-            "neg" => Op::Neg,
-            "abs" => Op::Abs,
-            "and" => Op::And,
-            "or" => Op::Or,
-            "xor" => Op::Xor,
-            "equal" => Op::Equal,
-            "less" => Op::Less,
-            "mux" => Op::Mux,
-            "slice" => {
-                let lo = bits.strip_suffix(']').and_then(|bits| bits.split_once(':'));
-                match lo.and_then(|(_, lo)| lo.parse().ok()) {
-                    Some(lo) => Op::Slice { lo },
-                    None => return wrong(at, "a slice is written slice[HIGH:LOW]"),
-                }
+        let (name, bits) =
+            word.split_once('[').map_or((word, None), |(name, bits)| (name, Some(bits)));
+        let is_slice = |op: &Op| matches!(op, Op::Slice { .. });
+        let known = Op::ALL.iter().find(|op| op.name() == name && (bits.is_none() || is_slice(op)));
+        let Some(op) = known.copied() else {
+            return wrong(at, format!("there is no operation `{}`", escape::short(word)));
+        };
+        // An operation without more than its operands is what its name says.
+        if let Op::Const { .. } = op {
+            Ok(Op::Const { raw: line.parse("a word")? })
+        } else if let Op::Slice { .. } = op {
+            let lo = bits.and_then(|bits| bits.strip_suffix(']')?.split_once(':')?.1.parse().ok());
+            match lo {
+                Some(lo) => Ok(Op::Slice { lo }),
+                None => wrong(at, "a slice is written slice[HIGH:LOW]"),
             }
-            "concat" => Op::Concat,
-            "shift" => Op::Shift { left: line.parse("a number of places, as +3")? },
-            "leading_zeros" => Op::LeadingZeros,
-            "shift_left" => {
-                line.expect("max")?;
-                Op::ShiftLeft { max: line.parse("the largest shift")? }
-            }
-            "read" => {
-                let (at, word) = line.word("TABLE.COLUMN")?;
-                let (table, column) = word.split_once('.').unwrap_or((word, ""));
-                let Some((id, columns)) = self.tables.get(table) else {
-                    return wrong(at, format!("there is no table `{table}` before this line"));
-                };
-                let Some(column) = columns.iter().position(|known| known == column) else {
-                    let names = columns.join(", ");
-                    return wrong(
-                        at,
-                        format!(
-                            "table `{table}` has no column `{column}`: its columns are {names}"
-                        ),
-                    );
-                };
-                Op::Read { table: *id, column: cast::id_of(column) }
-            }
-            "modulo" => Op::Modulo,
-            "narrow" => {
-                let round: Round = line.parse("a rounding, as half-even")?;
-                let overflow: Overflow = line.parse("an overflow mode, as saturate")?;
-                Op::Narrow { round, overflow }
-            }
-            _ => return wrong(at, format!("there is no operation `{word}`")),
-        })
+        } else if let Op::Shift { .. } = op {
+            Ok(Op::Shift { left: line.parse("a number of places, as +3")? })
+        } else if let Op::ShiftLeft { .. } = op {
+            line.expect("max")?;
+            Ok(Op::ShiftLeft { max: line.parse("the largest shift")? })
+        } else if let Op::Read { .. } = op {
+            self.table_column(line)
+        } else if let Op::Narrow { .. } = op {
+            let round: Round = line.parse("a rounding, as half-even")?;
+            let overflow: Overflow = line.parse("an overflow mode, as saturate")?;
+            Ok(Op::Narrow { round, overflow })
+        } else {
+            Ok(op)
+        }
+    }
+
+    fn table_column(&self, line: &mut Line<'_>) -> Read<Op> {
+        let (at, word) = line.word("TABLE.COLUMN")?;
+        let (table, column) = word.split_once('.').unwrap_or((word, ""));
+        let Some((id, columns)) = self.tables.get(table) else {
+            return wrong(at, format!("there is no table `{table}` before this line"));
+        };
+        let Some(column) = columns.iter().position(|known| known == column) else {
+            let names = columns.join(", ");
+            let problem =
+                format!("table `{table}` has no column `{column}`: its columns are {names}");
+            return wrong(at, problem);
+        };
+        Ok(Op::Read { table: *id, column: cast::id_of(column) })
     }
 
     fn output(&mut self, line: &mut Line<'_>) -> Read<()> {

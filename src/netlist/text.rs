@@ -28,11 +28,9 @@ impl Netlist {
                 let _ = write!(text, " %{}", operand.number);
             }
             let _ = write!(text, " : {}", node.format);
-            text.push_str(match node.quantity {
-                Quantity::Number => "",
-                Quantity::Turns => " turns",
-                Quantity::Float20 => " float20",
-            });
+            if node.quantity != Quantity::Number {
+                let _ = write!(text, " {}", node.quantity.name());
+            }
             if node.name.is_some() {
                 let _ = write!(text, "  # {}", self.label(id));
             }

@@ -61,7 +61,7 @@ pub enum Term {
     Variable(u32),
     /// A primitive of as many earlier terms as it takes; the rest are 0.
     Of(Primitive, [TermId; 3]),
-    /// A named function that brings a kernel of its own, of an earlier term.
+    /// A named function of an earlier term. In a graph, only one with a kernel of its own: others are what they are made of.
     Call(Function, TermId),
 }
 
@@ -139,19 +139,34 @@ impl Graph {
     /// # Panics
     /// If the expression has more variables.
     pub fn insert(&mut self, expr: &Expr, variables: &[TermId]) -> TermId {
+        let variable = |_: &mut Self, number| variables[cast::index_of_u32(number)];
+        self.copy(expr, variable, |graph, function, of| match function.kernel() {
+            Some(_) => graph.call(function, of),
+            None => graph.insert(function.expr(), &[of]),
+        })
+    }
+
+    fn call(&mut self, function: &Function, of: TermId) -> TermId {
+        self.add(Term::Call(function.clone(), of))
+    }
+
+    /// Adds the terms of an expression; what its variables and calls become is up to the caller.
+    fn copy(
+        &mut self,
+        expr: &Expr,
+        mut variable: impl FnMut(&mut Self, u32) -> TermId,
+        mut call: impl FnMut(&mut Self, &Function, TermId) -> TermId,
+    ) -> TermId {
         let mut at: Vec<TermId> = Vec::with_capacity(expr.0.len());
         for term in expr.terms() {
             let id = match term {
                 Term::Constant(_) => self.add(term.clone()),
-                Term::Variable(number) => variables[cast::index_of_u32(*number)],
-                Term::Of(primitive, of) => {
-                    let of = of.map(|id| at.get(id.index()).copied().unwrap_or_default());
-                    self.of(*primitive, &of[..primitive.arity()])
+                Term::Variable(number) => variable(self, *number),
+                Term::Of(primitive, _) => {
+                    let of: Vec<TermId> = term.operands().iter().map(|id| at[id.index()]).collect();
+                    self.of(*primitive, &of)
                 }
-                Term::Call(function, of) if function.kernel().is_some() => {
-                    self.add(Term::Call(function.clone(), at[of.index()]))
-                }
-                Term::Call(function, of) => self.insert(function.expr(), &[at[of.index()]]),
+                Term::Call(function, of) => call(self, function, at[of.index()]),
             };
             at.push(id);
         }
@@ -239,14 +254,9 @@ impl Expr {
     /// With other numbers of variables, which are asked for in the order in which variables first stand.
     #[must_use]
     pub fn renumbered(&self, mut number: impl FnMut(u32) -> u32) -> Self {
-        let renumber = |term: &Term| match term {
-            Term::Variable(old) => Term::Variable(number(*old)),
-            Term::Constant(_) | Term::Of(..) | Term::Call(..) => term.clone(),
-        };
-        // Variables may have become one, and then what is made of them has.
-        let own: Vec<Term> = self.0.iter().map(renumber).collect();
         let mut graph = Graph::default();
-        graph.merge(&Self(own.into()));
+        let renumbered = |graph: &mut Graph, old| graph.add(Term::Variable(number(old)));
+        graph.copy(self, renumbered, Graph::call);
         graph.into_expr()
     }
 
@@ -324,22 +334,7 @@ impl Graph {
 
     /// Adds the terms of an expression with its own variables.
     pub(crate) fn merge(&mut self, expr: &Expr) -> TermId {
-        let mut at: Vec<TermId> = Vec::with_capacity(expr.0.len());
-        for term in expr.terms() {
-            let term = match term {
-                Term::Constant(_) | Term::Variable(_) => term.clone(),
-                Term::Of(primitive, of) => {
-                    let mut operands = [TermId::default(); 3];
-                    for (to, id) in operands.iter_mut().zip(&of[..primitive.arity()]) {
-                        *to = at[id.index()];
-                    }
-                    Term::Of(*primitive, operands)
-                }
-                Term::Call(function, of) => Term::Call(function.clone(), at[of.index()]),
-            };
-            at.push(self.add(term));
-        }
-        at.last().copied().expect("bug: an expression has a term")
+        self.copy(expr, |graph, number| graph.add(Term::Variable(number)), Self::call)
     }
 }
 
