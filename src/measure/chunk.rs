@@ -145,7 +145,7 @@ pub(super) fn measure_chunk(
         };
         lanes.counts.make_room(len);
         lap.seconds();
-        lanes.runner.run(&c.program, &words, &mut lanes.words)?;
+        lanes.runner.run_quantised(&c.program, &words, &mut lanes.words)?;
         profile.engine = lap.seconds();
         values_of(&c.design.netlist, &c.judged, &lanes.words, &mut lanes.values);
         let values: Vec<&[f64]> = set.quantised.iter().map(Vec::as_slice).collect();

@@ -70,6 +70,16 @@ impl Runner {
         self.run_words(program, inputs, outputs)
     }
 
+    /// As [`Runner::run`], of words that were quantised to the ports' formats: they aren't checked again.
+    pub(crate) fn run_quantised(
+        &mut self,
+        program: &Program,
+        inputs: &[&[i64]],
+        outputs: &mut [Vec<i64>],
+    ) -> Result<()> {
+        self.run_columns(program, inputs, outputs, false)
+    }
+
     /// As [`Runner::run`] on columns of any [`Word`]s: narrow ones save time.
     ///
     /// # Errors
@@ -82,6 +92,16 @@ impl Runner {
         inputs: &[&[I]],
         outputs: &mut [Vec<O>],
     ) -> Result<()> {
+        self.run_columns(program, inputs, outputs, true)
+    }
+
+    fn run_columns<I: Word, O: Word>(
+        &mut self,
+        program: &Program,
+        inputs: &[&[I]],
+        outputs: &mut [Vec<O>],
+        checked: bool,
+    ) -> Result<()> {
         let count = check_columns(program, inputs, outputs)?;
         for column in outputs.iter_mut() {
             column.resize(count, O::default());
@@ -93,7 +113,8 @@ impl Runner {
             let len = BLOCK.min(count - start);
             let again = start > 0;
             let mut outside = None;
-            let load = Load { program, store, inputs, again, start, len, outside: &mut outside };
+            let seen = checked.then_some(&mut outside);
+            let load = Load { program, store, inputs, again, start, len, outside: seen };
             vectorised_for(features, load);
             if let Some(port) = outside {
                 return Err(outside_of(&program.ports[port], &inputs[port][start..], start));
@@ -159,25 +180,33 @@ struct Load<'a, 'b, I> {
     again: bool,
     start: usize,
     len: usize,
-    /// A port with words outside its format.
-    outside: &'a mut Option<usize>,
+    /// Takes a port with words outside its format, where that is looked for.
+    outside: Option<&'a mut Option<usize>>,
 }
 
 impl<I: Word> Body for Load<'_, '_, I> {
     #[inline(always)]
     fn run(self) {
-        let Self { program, store, inputs, again, start, len, outside } = self;
+        let Self { program, store, inputs, again, start, len, mut outside } = self;
         for (port, (column, input)) in program.inputs.iter().zip(inputs).enumerate() {
             let Some(Column { width, slot }) = *column else { continue };
             if again && program.repeats[port] {
                 continue;
             }
             let input = &input[start..start + len];
+            let Some(outside) = &mut outside else {
+                match width {
+                    Width::W16 => load(input, &mut store.lanes16[slot]),
+                    Width::W32 => load(input, &mut store.lanes32[slot]),
+                    Width::W64 => load(input, &mut store.lanes64[slot]),
+                }
+                continue;
+            };
             let inside = Inside::new(program.ports[port].format);
             let holds = match width {
-                Width::W16 => load(input, inside, &mut store.lanes16[slot]),
-                Width::W32 => load(input, inside, &mut store.lanes32[slot]),
-                Width::W64 => load(input, inside, &mut store.lanes64[slot]),
+                Width::W16 => load_checked(input, inside, &mut store.lanes16[slot]),
+                Width::W32 => load_checked(input, inside, &mut store.lanes32[slot]),
+                Width::W64 => load_checked(input, inside, &mut store.lanes64[slot]),
             };
             if !holds {
                 outside.get_or_insert(port);
@@ -186,9 +215,22 @@ impl<I: Word> Body for Load<'_, '_, I> {
     }
 }
 
+/// Fills a column.
+#[inline(always)]
+fn load<I: Word, L: Lane>(from: &[I], to: &mut Option<Box<Lanes<L>>>) {
+    let to = to.as_mut().expect("bug: no column is taken out");
+    for (to, word) in to.0.iter_mut().zip(from) {
+        *to = L::of(word.word());
+    }
+}
+
 /// Fills a column, and says whether all words are inside.
 #[inline(always)]
-fn load<I: Word, L: Lane>(from: &[I], inside: Inside<I>, to: &mut Option<Box<Lanes<L>>>) -> bool {
+fn load_checked<I: Word, L: Lane>(
+    from: &[I],
+    inside: Inside<I>,
+    to: &mut Option<Box<Lanes<L>>>,
+) -> bool {
     let to = to.as_mut().expect("bug: no column is taken out");
     let mut seen = I::default();
     for (to, word) in to.0.iter_mut().zip(from) {
