@@ -79,8 +79,8 @@ enum Kind {
     Operands { node: Operation, problem: String },
     #[error("{what}: {problem} ({}:{})", .caller.file(), .caller.line())]
     Misuse { what: String, problem: String, caller: &'static Location<'static> },
-    #[error("netlist `{netlist}` has no node `{given}` of a format of its own{hint}: {known}")]
-    UnknownNode { netlist: String, given: String, hint: String, known: String },
+    #[error("netlist `{netlist}` has no {what}{hint}: {known}")]
+    UnknownPart { netlist: String, what: String, hint: String, known: String },
     #[error(
         "node `{node}` overflowed {count} times under overflow mode `error`: widen it or choose another overflow mode"
     )]
@@ -185,16 +185,29 @@ impl Error {
 
     /// That a netlist has no node of this name whose format can be given.
     pub(crate) fn unknown_node(netlist: &str, given: &str, known: &[&str]) -> Self {
+        let what = format!("node `{}` of a format of its own", escape::short(given));
+        Self::unknown_part(netlist, what, given, known)
+    }
+
+    pub(crate) fn unknown_memory(netlist: &str, given: &str, known: &[&str]) -> Self {
+        let what = format!("memory `{}`", escape::short(given));
+        Self::unknown_part(netlist, what, given, known)
+    }
+
+    fn unknown_part(netlist: &str, what: String, given: &str, known: &[&str]) -> Self {
         let listed = match known {
             [] => "there is none".to_owned(),
+            [name] => format!("there is {name}"),
             names => format!("there are {}", names.join(", ")),
         };
-        Self(Box::new(Kind::UnknownNode {
-            netlist: netlist.to_owned(),
-            given: escape::short(given),
-            hint: nearest(given, known.iter().copied()),
-            known: listed,
-        }))
+        let hint = nearest(given, known.iter().copied());
+        Self(Box::new(Kind::UnknownPart { netlist: netlist.to_owned(), what, hint, known: listed }))
+    }
+
+    pub(crate) fn unbound_memory(name: &str) -> Self {
+        Self::usage(format!(
+            "no words are bound to memory `{name}`: bind them with -p memory.{name}=FILE.csv, or by `Netlist::bind`"
+        ))
     }
 
     /// If this is about a format's bits: the node or shared unit without its number, how many nodes were built

@@ -1,12 +1,13 @@
 //! `fixpath hdl`: a design as files of hardware.
 
 use super::options::UnitArgs;
-use super::print::note_unused;
+use super::print::{note, note_unused};
 use super::{number, shell};
 use crate::base::error::Result;
 use crate::hardware::emit::{Package, Settings};
 use crate::hardware::hdl::testbench::vectors_file;
-use crate::hardware::hdl::{LANGUAGES, Language, Tables};
+use crate::design::Design;
+use crate::hardware::hdl::{LANGUAGES, Language, Memories, Tables};
 use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
 use std::fmt::Write as _;
@@ -29,6 +30,9 @@ pub(super) struct HdlArgs {
     /// Where the words of tables stand.
     #[arg(long, value_enum, default_value = "auto")]
     tables: TablesArg,
+    /// Where memories are, whose words the datapath doesn't have.
+    #[arg(long, value_enum, default_value = "ports")]
+    memories: MemoriesArg,
     /// Random vectors after the hard-case list.
     #[arg(long, value_name = "N", default_value_t = 10_000, allow_negative_numbers = true, value_parser = number::whole(0..=100_000_000))]
     vectors: u64,
@@ -84,6 +88,31 @@ impl TablesArg {
     }
 }
 
+#[derive(Clone, Copy, ValueEnum)]
+pub(super) enum MemoriesArg {
+    /// Outside: ports for each address that one is read at and for its words.
+    Ports,
+    /// In the module: a RAM with a write port.
+    Ram,
+}
+
+impl MemoriesArg {
+    pub(super) fn memories(self) -> Memories {
+        match self {
+            Self::Ports => Memories::Ports,
+            Self::Ram => Memories::Ram,
+        }
+    }
+}
+
+/// A design whose memories have words to be verified with: random ones where none are bound.
+pub(super) fn with_memories(mut design: Design) -> Design {
+    for name in design.fill_memories() {
+        note(&format!("no words are bound to memory `{name}`: vectors are for random ones"));
+    }
+    design
+}
+
 /// Writes the files; returns what to tell.
 pub(super) fn run(args: &HdlArgs) -> Result<String> {
     let mut languages: Vec<LanguageArg> = Vec::new();
@@ -98,12 +127,13 @@ pub(super) fn run(args: &HdlArgs) -> Result<String> {
     let settings = Settings {
         name: args.name.clone(),
         tables: args.tables.tables(),
+        memories: args.memories.memories(),
         languages: languages.into_iter().map(LanguageArg::language).collect(),
         random: args.vectors,
         seed: args.seed.unwrap_or(1),
         ..Settings::default()
     };
-    let mut package = Package::new(&args.unit.design()?, &settings)?;
+    let mut package = Package::new(&with_memories(args.unit.design()?), &settings)?;
     let count = package.vectors.count();
     package.write(&args.out)?;
     Ok(told(&package, count, &args.out))

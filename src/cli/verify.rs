@@ -1,6 +1,6 @@
 //! `fixpath verify`: a unit's hardware in outside simulators.
 
-use super::hardware::TablesArg;
+use super::hardware::{MemoriesArg, TablesArg, with_memories};
 use super::options::UnitArgs;
 use super::print::note_unused;
 use super::{number, text};
@@ -33,6 +33,9 @@ pub(super) struct VerifyArgs {
     /// Where the words of tables stand.
     #[arg(long, value_enum, default_value = "auto")]
     tables: TablesArg,
+    /// Where memories are, whose words the datapath doesn't have.
+    #[arg(long, value_enum, default_value = "ports")]
+    memories: MemoriesArg,
     /// Longest run of a tool in s.
     #[arg(long, value_name = "S", default_value_t = 600, allow_negative_numbers = true, value_parser = number::whole(1..=86_400))]
     time_limit: u64,
@@ -67,12 +70,13 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(String, Result<bool>)> {
         vectors: args.vectors,
         seed: args.seed.unwrap_or(1),
         tables: args.tables.tables(),
+        memories: args.memories.memories(),
         limit: Duration::from_secs(args.time_limit),
         memory_bytes: outside::memory_bytes(args.memory_limit),
         keep: args.keep.clone(),
         ..Request::default()
     };
-    let design = args.unit.design()?;
+    let design = with_memories(args.unit.design()?);
     // What was asked for by name has to be there, before anything runs.
     if !args.with.is_empty() {
         for simulator in &request.simulators {

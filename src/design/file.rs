@@ -23,10 +23,10 @@ impl Unit {
             .inputs(inputs)
             .outputs(outputs)
             .design(move |values| {
-                let own = Arc::clone(&netlist);
-                Ok(Design::new(values, (*netlist).clone())
-                    .golden(move |_| on_reals(own))
-                    .bounds(Bounds::unstated(NO_GOLDEN)))
+                let design = Design::new(values, (*netlist).clone());
+                // With what is bound to memories.
+                let own = Arc::clone(&design.netlist);
+                Ok(design.golden(move |_| on_reals(own)).bounds(Bounds::unstated(NO_GOLDEN)))
             })
     }
 }
@@ -52,7 +52,8 @@ fn on_reals(netlist: Arc<Netlist>) -> Golden<f64> {
     })
 }
 
-/// Fills the columns of outputs without a value on reals with the values of their words.
+/// Fills the columns of outputs without a value on reals with the values of their words; those of earlier samples aren't
+/// known here.
 fn by_words(netlist: &Netlist, outputs: &[NodeId], inputs: &[&[f64]], columns: &mut [Vec<f64>]) {
     let formats: Vec<Format> = netlist.inputs().iter().map(|id| netlist.node(*id).format).collect();
     for sample in 0..columns.first().map_or(0, Vec::len) {
@@ -62,10 +63,12 @@ fn by_words(netlist: &Netlist, outputs: &[NodeId], inputs: &[&[f64]], columns: &
         };
         let words: Vec<i64> = formats.iter().zip(inputs).map(word).collect();
         let Ok((words, _)) = netlist.eval(&words) else { continue };
+        let known = netlist.first_delay().is_none();
         for (id, column) in outputs.iter().zip(columns.iter_mut()) {
             let node = netlist.node(*id);
             if node.real.is_none() {
-                column[sample] = node.format.value(words[id.index()]);
+                let value = node.format.value(words[id.index()]);
+                column[sample] = if known { value } else { f64::NAN };
             }
         }
     }

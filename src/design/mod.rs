@@ -8,6 +8,7 @@ mod file;
 mod golden;
 mod group;
 mod inputs;
+mod memory;
 mod param;
 mod unit;
 
@@ -62,8 +63,10 @@ struct Made {
     read: Vec<bool>,
     /// Whether the sampler depends on the formats of the ports.
     drawn_by_format: bool,
-    /// The first read of a parameter that isn't there.
+    /// The first read of a parameter that isn't there, or words that don't fit a memory.
     wrong: Option<Error>,
+    /// Whether a memory has random words.
+    filled: bool,
 }
 
 impl Design {
@@ -72,18 +75,23 @@ impl Design {
     #[must_use]
     pub fn new(values: &Values, netlist: Netlist) -> Self {
         let values = values.clone();
+        let mut made = Made {
+            has_golden: false,
+            read: vec![false; values.all().len()],
+            drawn_by_format: true,
+            wrong: None,
+            filled: false,
+        };
+        let netlist = values.bound(&netlist).unwrap_or_else(|wrong| {
+            made.wrong = Some(wrong);
+            netlist
+        });
         let group = |output: &crate::netlist::Output| {
             let shape = match netlist.node(output.node).quantity {
                 Quantity::Turns => Shape::Turns,
                 Quantity::Number | Quantity::Float20 => Shape::Scalar,
             };
             Group::new(output.name.as_str(), shape, vec![output.node])
-        };
-        let made = Made {
-            has_golden: false,
-            read: vec![false; values.all().len()],
-            drawn_by_format: true,
-            wrong: None,
         };
         Self {
             groups: netlist.outputs().iter().map(group).collect(),
@@ -328,7 +336,7 @@ impl Design {
         let read = all.filter(|(_, (_, read))| **read).map(|(at, (value, _))| (at, value.clone()));
         let ports: Vec<String> =
             InputPorts::new(&self.netlist).names().map(str::to_owned).collect();
-        (read.collect::<Vec<_>>(), self.golden_columns(), ports)
+        (read.collect::<Vec<_>>(), self.golden_columns(), ports, self.values.by_name())
     }
 
     /// Whether what is drawn depends on the formats of the ports, too.

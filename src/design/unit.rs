@@ -1,5 +1,6 @@
 //! A unit, and values of its parameters.
 
+use super::memory::MemoryFile;
 use super::param::{FLAG, Kind, PIPELINE, Param, Reflection, Role, Value};
 use super::{Bounds, Design};
 use crate::base::error::{Error, Result};
@@ -10,6 +11,7 @@ use crate::number::format::{Format, Overflow, Round};
 use crate::table::Scheme;
 use std::fmt;
 use std::ops::Deref;
+use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -210,7 +212,7 @@ impl Unit {
     pub fn defaults(&self) -> Values {
         let values = self.all_params().map(|param| param.default.clone()).collect();
         let (formats, overrides) = (Vec::new(), Overrides::default());
-        Values { unit: self.clone(), values, formats, overrides, notes: None }
+        Values { unit: self.clone(), values, formats, memories: Vec::new(), overrides, notes: None }
     }
 
     /// The defaults with some `key=value` assignments.
@@ -244,13 +246,18 @@ pub struct Values {
     values: Vec<Value>,
     /// Formats of nodes in place of the recipe's: the key with [`FORMAT`] in front, the value as text, the format.
     formats: Vec<(String, Value, Format)>,
-    /// The same by the places where the recipe asks for them; known while a design is made.
+    /// Words of memories: the key with [`MEMORY`] in front, the file's path as text, its words.
+    memories: Vec<(String, Value, Arc<MemoryFile>)>,
+    /// The formats by the places where the recipe asks for them; known while a design is made.
     overrides: Overrides,
     notes: Option<Arc<Notes>>,
 }
 
 /// What keys of formats of nodes begin with: `format.NODE=s20f18`.
 const FORMAT: &str = "format.";
+
+/// What keys of words of memories begin with: `memory.NAME=words.csv`.
+const MEMORY: &str = "memory.";
 
 /// What was read.
 #[derive(Debug)]
@@ -281,16 +288,18 @@ impl Values {
             unit: self.unit.clone(),
             values: self.values.clone(),
             formats: self.formats.clone(),
+            memories: self.memories.clone(),
             overrides: self.overrides.clone(),
             notes,
         }
     }
 
     /// Sets one parameter from text. `format.NODE` sets the format of a node in place of the recipe's, by its
-    /// [stable name](crate::netlist::Choice::name); a node that isn't there is an error where the design is made.
+    /// [stable name](crate::netlist::Choice::name), and `memory.NAME` binds words to a memory, from a file in CSV with a
+    /// heading for each column and a line of words for each address. What isn't there is an error where the design is made.
     ///
     /// # Errors
-    /// If the name is unknown or the value not legal.
+    /// If the name is unknown, the value not legal, or the file can't be read.
     pub fn set(&mut self, name: &str, text: &str) -> Result<()> {
         if name.starts_with(FORMAT) {
             let Ok(format) = text.parse::<Format>() else {
@@ -299,6 +308,12 @@ impl Values {
             };
             self.formats.retain(|(known, ..)| known != name);
             self.formats.push((name.to_owned(), Value::Choice(format.to_string().into()), format));
+            return Ok(());
+        }
+        if name.starts_with(MEMORY) {
+            let file = Arc::new(MemoryFile::read(Path::new(text))?);
+            self.memories.retain(|(known, ..)| known != name);
+            self.memories.push((name.to_owned(), Value::Choice(text.to_owned().into()), file));
             return Ok(());
         }
         let (index, param) = self.find(name)?;
@@ -322,12 +337,23 @@ impl Values {
         self.params()
             .filter(move |(param, _)| !silent(param.role))
             .map(|(param, value)| (param.name.as_str(), value))
-            .chain(self.formats())
+            .chain(self.named())
     }
 
-    /// Formats of nodes that were set.
-    fn formats(&self) -> impl Iterator<Item = (&str, &Value)> {
-        self.formats.iter().map(|(key, value, _)| (key.as_str(), value))
+    /// Formats of nodes and words of memories that were set.
+    fn named(&self) -> impl Iterator<Item = (&str, &Value)> {
+        let formats = self.formats.iter().map(|(key, value, _)| (key.as_str(), value));
+        formats.chain(self.memories.iter().map(|(key, value, _)| (key.as_str(), value)))
+    }
+
+    /// The same for keys of designs that share golden values.
+    pub(super) fn by_name(&self) -> Vec<(String, Value)> {
+        self.named().map(|(key, value)| (key.to_owned(), value.clone())).collect()
+    }
+
+    /// Words that were set for memories, by their names.
+    pub(super) fn memory_files(&self) -> impl Iterator<Item = (&str, &MemoryFile)> {
+        self.memories.iter().map(|(key, _, file)| (key.strip_prefix(MEMORY).unwrap_or_default(), &**file))
     }
 
     /// A builder for the netlist, which gives nodes the formats that were set. Recipes start with it.
@@ -345,7 +371,7 @@ impl Values {
 
     /// Pairs of name and value in the order of the parameters.
     pub fn iter(&self) -> impl Iterator<Item = (&str, &Value)> {
-        self.params().map(|(param, value)| (param.name.as_str(), value)).chain(self.formats())
+        self.params().map(|(param, value)| (param.name.as_str(), value)).chain(self.named())
     }
 
     /// True if there is a parameter of a name.

@@ -13,11 +13,12 @@
 //! [`Op::eval_raw`], with no second meaning: on the rotation unit a cycle takes 0.4 us, a quarter of a wave's time.
 
 use crate::base::cast;
-use crate::base::error::Result;
+use crate::base::error::{Error, Result};
 use crate::hardware::rtl::{Case, Rtl, Signal, Source};
 use crate::netlist::op::Op;
 use crate::netlist::{NodeId, Table};
 use crate::number::format::{Format, Overflow};
+use crate::schedule::Operation;
 use std::sync::Arc;
 
 /// State of the hardware.
@@ -32,16 +33,27 @@ pub struct Cycle {
     edges: u64,
     /// A `narrow` under overflow mode `error` that overflowed on valid data.
     forbidden: Option<NodeId>,
+    /// What goes into delays at an edge.
+    taken: Vec<i64>,
 }
 
 /// What is known of time and data.
 #[derive(Clone, Debug)]
 struct Control {
-    /// The valid input, and what the valid bits hold.
-    valid_in: bool,
-    valid: Vec<bool>,
+    /// By rate, from the slowest.
+    rates: Vec<Valid>,
     phase: u32,
     interval: u32,
+}
+
+/// Which samples of a rate are data.
+#[derive(Clone, Debug)]
+struct Valid {
+    /// Stage that the rate's words enter in.
+    entry: u32,
+    /// The valid input, and what the valid bits hold.
+    input: bool,
+    bits: Vec<bool>,
 }
 
 /// State of a unit.
@@ -68,8 +80,33 @@ struct Program {
     steps: Vec<Step>,
     units: Vec<Feeds>,
     results: Vec<Taken>,
-    /// By phase, in order: slots that take the word of another at the edge that ends it.
-    moves: Vec<Vec<(usize, usize)>>,
+    /// By phase, in order: what takes the word of another at the edge that ends it.
+    moves: Vec<Vec<Move>>,
+    delays: Vec<Delay>,
+    /// Place of each node's rate among those of the ports.
+    rates: Vec<usize>,
+    /// A memory that can't be read.
+    unbound: Option<String>,
+}
+
+/// A slot that takes the word of another at an edge.
+#[derive(Clone, Copy, Debug)]
+struct Move {
+    to: usize,
+    from: usize,
+    /// Of a register that holds words for faster rates: the place of its rate, and the stage that must be data.
+    when: Option<(usize, u32)>,
+}
+
+/// The words of earlier samples.
+#[derive(Clone, Debug)]
+struct Delay {
+    stage: u32,
+    rate: usize,
+    /// What goes in.
+    from: usize,
+    /// Slots from the newest word to the oldest, which is the node's own.
+    line: Vec<usize>,
 }
 
 /// The operation of a free node.
@@ -112,18 +149,23 @@ impl Control {
         self.phase == 0
     }
 
-    fn valid(&self, stage: u32) -> bool {
-        match stage.checked_sub(1) {
-            None => self.valid_in,
+    fn valid(&self, rate: usize, stage: u32) -> bool {
+        let Valid { entry, input, bits } = &self.rates[rate];
+        match stage.checked_sub(entry + 1) {
+            None => *input && stage == *entry,
             Some(before) => {
                 let bit = before / self.interval;
-                self.valid.get(cast::index_of_u32(bit)).copied().unwrap_or(false)
+                bits.get(cast::index_of_u32(bit)).copied().unwrap_or(false)
             }
         }
     }
 
-    fn is_data(&self, stage: u32) -> bool {
-        self.valid(stage) && stage % self.interval == self.phase
+    fn is_data(&self, rate: usize, stage: u32) -> bool {
+        self.valid(rate, stage) && stage % self.interval == self.phase
+    }
+
+    fn fastest(&self) -> usize {
+        self.rates.len() - 1
     }
 }
 
@@ -139,6 +181,11 @@ impl Program {
     /// `inside` are the units' own.
     fn new(rtl: Arc<Rtl>, inside: &[Arc<Self>]) -> Self {
         let (netlist, schedule) = (rtl.netlist(), rtl.schedule());
+        let rates = netlist.rates();
+        let place = |id: NodeId| {
+            let own = netlist.node(id).rate;
+            rates.iter().position(|rate| *rate >= own).unwrap_or(rates.len() - 1)
+        };
         let (mut own, mut start) = (Vec::new(), Vec::new());
         for id in netlist.ids() {
             own.push(start.len());
@@ -152,20 +199,37 @@ impl Program {
             units: Vec::new(),
             results: Vec::new(),
             moves: vec![Vec::new(); cast::index_of_u32(schedule.interval())],
+            delays: Vec::new(),
+            rates: netlist.ids().map(place).collect(),
+            unbound: netlist.memories().find(|m| m.is_unbound()).map(|m| m.name.clone()),
             rtl: Arc::clone(&rtl),
         };
         for id in netlist.ids() {
             let (node, own) = (netlist.node(id), program.own[id.index()]);
-            let mut edge = Vec::new();
-            let registers = rtl.registers(id).count();
-            edge.extend((own..own + registers).rev().map(|slot| (slot + 1, slot)));
+            // From the last: each takes its word before the one before it has another.
+            let mut edge: Vec<Move> = Vec::new();
+            for (number, register) in rtl.registers(id).enumerate() {
+                let (to, from) = (own + number + 1, own + number);
+                let when = rtl.holds(register).map(|_| (place(id), register.stage - 1));
+                edge.insert(0, Move { to, from, when });
+            }
             let phase = schedule.phase(schedule.stage(id));
             program.moves[cast::index_of_u32(phase)].extend(edge);
             let mut to = own;
-            if schedule.is_clocked(netlist, id) {
+            for _ in 0..schedule.clocks(netlist, id) {
                 // A read takes a word at every edge.
-                to = program.constant(0);
-                program.moves.iter_mut().for_each(|moves| moves.push((own, to)));
+                let from = program.constant(0);
+                let step = Move { to, from, when: None };
+                program.moves.iter_mut().for_each(|moves| moves.push(step));
+                to = from;
+            }
+            if let Op::Delay { samples } = node.op {
+                let mut line: Vec<usize> = (1..samples).map(|_| program.constant(0)).collect();
+                line.push(own);
+                let from = program.slot(rtl.operand(id, node.operands[0]));
+                let stage = schedule.stage(id);
+                program.delays.push(Delay { stage, rate: place(id), from, line });
+                continue;
             }
             if node.op == Op::Input {
                 program.inputs.push(own);
@@ -255,31 +319,50 @@ impl Cycle {
             .collect();
         let inside: Vec<Arc<Program>> =
             units.iter().map(|unit| Arc::clone(&unit.inside.program)).collect();
+        let timings = rtl.schedule().timings();
+        let valid = timings.iter().map(|timing| Valid {
+            entry: timing.entry,
+            input: false,
+            bits: vec![false; cast::index_of_u32(rtl.valid_bits_of(timing))],
+        });
         let control = Control {
-            valid_in: false,
-            valid: vec![false; cast::index_of_u32(rtl.valid_bits())],
+            rates: valid.collect(),
             phase: 0,
             interval: rtl.schedule().interval(),
         };
         let program = Arc::new(Program::new(rtl, &inside));
         let words = program.start.clone();
-        Self { program, words, control, units, edges: 0, forbidden: None }
+        Self { program, words, control, units, edges: 0, forbidden: None, taken: Vec::new() }
     }
 
-    /// Lets logic follow the input words; `valid` says whether they are data.
+    /// Lets logic follow the input words; `valid` says whether they are data, at all rates.
     ///
     /// # Errors
-    /// If there is not one word of its format per input port.
+    /// If there is not one word of its format per input port, or no words are bound to a memory.
     pub fn settle(&mut self, inputs: &[i64], valid: bool) -> Result<()> {
+        self.settle_rates(inputs, |_| valid)
+    }
+
+    /// As [`Cycle::settle`], where words of each rate of the ports, counted from the slowest, may be data or not.
+    ///
+    /// # Errors
+    /// As [`Cycle::settle`].
+    pub fn settle_rates(&mut self, inputs: &[i64], valid: impl Fn(usize) -> bool) -> Result<()> {
+        if let Some(memory) = &self.program.unbound {
+            return Err(Error::unbound_memory(memory));
+        }
         self.program.rtl.netlist().check_words(inputs)?;
         self.follow(inputs, valid);
         Ok(())
     }
 
-    /// As [`Cycle::settle`], of words that are in their formats.
-    fn follow(&mut self, inputs: &[i64], valid: bool) {
+    /// As [`Cycle::settle_rates`], of words that are in their formats.
+    fn follow(&mut self, inputs: &[i64], valid: impl Fn(usize) -> bool) {
         let Self { program, words, control, units, forbidden, .. } = self;
-        control.valid_in = valid && control.ready();
+        let ready = control.ready();
+        for (place, rate) in control.rates.iter_mut().enumerate() {
+            rate.input = valid(place) && ready;
+        }
         for (slot, word) in program.inputs.iter().zip(inputs) {
             words[*slot] = *word;
         }
@@ -287,13 +370,13 @@ impl Cycle {
         for step in &program.steps {
             let (word, overflowed) = step.eval(words, tables);
             let error = overflowed && step.op.overflow() == Some(Overflow::Error);
-            if error && control.is_data(step.stage) {
+            if error && control.is_data(program.rates[step.node.index()], step.stage) {
                 forbidden.get_or_insert(step.node);
             }
             words[step.to] = word;
         }
         for (number, (state, feeds)) in units.iter_mut().zip(&program.units).enumerate() {
-            if let Some(node) = state.settle(&program.rtl, number, feeds, words, control) {
+            if let Some(node) = state.settle(program, number, feeds, words, control) {
                 forbidden.get_or_insert(node);
             }
         }
@@ -305,9 +388,22 @@ impl Cycle {
 
     /// Takes a rising edge.
     pub fn clock(&mut self) {
-        let Self { program, words, control, units, edges, .. } = self;
-        for (to, from) in &program.moves[cast::index_of_u32(control.phase)] {
-            words[*to] = words[*from];
+        let Self { program, words, control, units, edges, taken, .. } = self;
+        // What goes into delays is what is there before the edge, and so is what comes out of them.
+        taken.clear();
+        taken.extend(program.delays.iter().map(|delay| words[delay.from]));
+        for Move { to, from, when } in &program.moves[cast::index_of_u32(control.phase)] {
+            if when.is_none_or(|(rate, stage)| control.is_data(rate, stage)) {
+                words[*to] = words[*from];
+            }
+        }
+        for (delay, word) in program.delays.iter().zip(taken) {
+            if control.is_data(delay.rate, delay.stage) {
+                for pair in delay.line.windows(2).rev() {
+                    words[pair[1]] = words[pair[0]];
+                }
+                words[delay.line[0]] = *word;
+            }
         }
         for (state, unit) in units.iter_mut().zip(program.rtl.units()) {
             state.inside.clock();
@@ -319,19 +415,27 @@ impl Cycle {
                 }
             }
         }
-        if control.ready() && !control.valid.is_empty() {
-            control.valid.rotate_right(1);
-            control.valid[0] = control.valid_in;
+        let ready = control.ready();
+        for Valid { input, bits, .. } in &mut control.rates {
+            if ready && !bits.is_empty() {
+                bits.rotate_right(1);
+                bits[0] = *input;
+            }
+            *input = false;
         }
-        control.valid_in = false;
         control.phase = (control.phase + 1) % control.interval;
         *edges += 1;
     }
 
-    /// Clears the valid bits and the phase, as the reset does at an edge.
+    /// Clears the valid bits, the phase and delays, as the reset does at an edge.
     pub fn reset(&mut self) {
-        self.control.valid_in = false;
-        self.control.valid.fill(false);
+        for rate in &mut self.control.rates {
+            rate.input = false;
+            rate.bits.fill(false);
+        }
+        for slot in self.program.delays.iter().flat_map(|delay| &delay.line) {
+            self.words[*slot] = 0;
+        }
         self.control.phase = 0;
         for state in &mut self.units {
             state.inside.reset();
@@ -406,16 +510,28 @@ impl Cycle {
         self.edges >= u64::from(stage)
     }
 
-    /// True if the sample that is in this stage in its phase is data.
+    /// True if the sample of a rate of the ports, counted from the slowest, that is in this stage in its phase is data.
     #[must_use]
-    pub fn valid(&self, stage: u32) -> bool {
-        self.control.valid(stage)
+    pub fn valid(&self, rate: usize, stage: u32) -> bool {
+        self.control.valid(rate, stage)
     }
 
-    /// True in a cycle in which a stage works on data: valid, and in its phase.
+    /// True in a cycle in which a stage works on data of the fastest rate: valid, and in its phase.
     #[must_use]
     pub fn is_data(&self, stage: u32) -> bool {
-        self.control.is_data(stage)
+        self.control.is_data(self.control.fastest(), stage)
+    }
+
+    /// True in a cycle in which words of a rate of the ports are taken.
+    #[must_use]
+    pub fn takes(&self, rate: usize) -> bool {
+        self.control.rates[rate].input
+    }
+
+    /// Place of a node's rate among those of the ports.
+    #[must_use]
+    pub fn rate_of(&self, node: NodeId) -> usize {
+        self.program.rates[node.index()]
     }
 
     /// Words of the output ports, if they are valid: in one cycle for each sample.
@@ -434,12 +550,13 @@ impl UnitState {
     /// overflowed and may not.
     fn settle(
         &mut self,
-        rtl: &Rtl,
+        program: &Program,
         number: usize,
         feeds: &Feeds,
         words: &[i64],
         control: &Control,
     ) -> Option<NodeId> {
+        let rtl = &program.rtl;
         let phase = cast::index_of_u32(control.phase);
         for (at, (port, feed)) in
             rtl.units()[number].ports.iter().zip(&feeds.ports[phase]).enumerate()
@@ -452,9 +569,12 @@ impl UnitState {
             }
         }
         let operations = rtl.operations(number);
-        let issued = feeds.issued[phase].filter(|at| control.valid(operations[*at].issue));
+        let is_data = |operation: &Operation| {
+            control.valid(program.rates[operation.nodes[0].index()], operation.issue)
+        };
+        let issued = feeds.issued[phase].filter(|at| is_data(&operations[*at]));
         self.sits[0] = issued;
-        self.inside.follow(&self.ports, issued.is_some());
+        self.inside.follow(&self.ports, |_| issued.is_some());
         let inside = self.inside.forbidden.take()?;
         // The node of the operation that sits there.
         let stage = self.inside.program.rtl.schedule().stage(inside);

@@ -24,15 +24,20 @@
 //!   register loads at the edge that ends the phase (it keeps its word in all others).
 //! * **Results.** The word of a node inside a unit ([`Rtl::result`]) is the unit's output with its
 //!   low bits dropped and cut to the node's format. It is used by hold registers only.
+//! * **Delays** hold the words of earlier samples in registers that a reset clears. They load at the edge that ends the
+//!   stage of the node, when its sample is data: [`Rtl::is_state`].
+//! * **Rates.** The words of a slow rate are held where the next faster rate enters: the register of
+//!   [`Rtl::holds`] loads only when its sample is data. Each rate has valid bits of its own.
+//! * **Memories** are outside, and stand still with the pipeline: a read's word is there so many cycles after its address.
 //! * **Valid.** Bit k of [`Rtl::valid_bits`] loads at the edges that end phase 0, bit 0 from
 //!   `valid_in`, the others from the bit before. Stage s > 0 holds data where bit (s - 1) / I is
 //!   set; `valid_out` is that for the latency, in the latency's phase: one cycle for each sample.
 
 use crate::base::cast;
 use crate::netlist::op::Op;
-use crate::netlist::{Counts, Netlist, NodeId};
+use crate::netlist::{Counts, Netlist, NodeId, Rate};
 use crate::number::format::{Format, addr_bits};
-use crate::schedule::{Kind, Operand, Operation, Schedule, Unit};
+use crate::schedule::{Kind, Operand, Operation, Schedule, Timing, Unit};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -137,6 +142,9 @@ pub struct HardwareCounts {
     pub hold_bits: u64,
     /// Those of them in chains of two and more: delay FIFOs.
     pub fifo_bits: u64,
+    /// Bits of the registers of delays, which keep words from one sample to the next.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub state_bits: u64,
     /// Bits of operand registers at the ports of units.
     pub operand_bits: u64,
     /// Bits of registers inside units.
@@ -148,6 +156,12 @@ pub struct HardwareCounts {
     /// Multiplexers before units as choices between two words, in bits: a case more than one
     /// at a port of b bits counts b.
     pub multiplexer_bits: u64,
+}
+
+/// For counts that most hardware has none of.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde gives references")]
+fn is_zero(count: &u64) -> bool {
+    *count == 0
 }
 
 /// What happens to an operation in a cycle of its sample.
@@ -320,6 +334,28 @@ impl Rtl {
         (first..=self.last[node.index()]).step_by(step).map(move |stage| Signal { node, stage })
     }
 
+    /// The rate whose words a hold register keeps for faster ones: it loads when that rate's sample is data.
+    #[must_use]
+    pub fn holds(&self, register: Signal) -> Option<Rate> {
+        let stage = self.schedule.hold(&self.netlist, register.node)?;
+        let holds = register.stage > self.schedule.stage(register.node)
+            && self.seen(register.node, stage) == register;
+        holds.then(|| self.rate(register.node))
+    }
+
+    /// The rate of a node among those of the ports.
+    fn rate(&self, node: NodeId) -> Rate {
+        let rates = self.netlist.rates();
+        let own = self.netlist.node(node).rate;
+        *rates.iter().find(|rate| **rate >= own).unwrap_or(&rates[rates.len() - 1])
+    }
+
+    /// True for a delay, whose word in its own stage is a register.
+    #[must_use]
+    pub fn is_state(&self, node: NodeId) -> bool {
+        matches!(self.netlist.node(node).op, Op::Delay { .. })
+    }
+
     /// The phase whose last edge a hold register loads at.
     ///
     /// # Panics
@@ -388,10 +424,24 @@ impl Rtl {
         }
     }
 
-    /// Valid bits: one for each interval that a sample is under way.
+    /// Valid bits of all rates: one for each interval that a sample is under way.
     #[must_use]
     pub fn valid_bits(&self) -> u32 {
-        self.schedule.latency().div_ceil(self.schedule.interval())
+        self.schedule.timings().iter().map(|timing| self.valid_bits_of(timing)).sum()
+    }
+
+    /// Valid bits of a rate, as far as something depends on them.
+    #[must_use]
+    pub fn valid_bits_of(&self, timing: &Timing) -> u32 {
+        let fastest = timing.entry + timing.latency == self.schedule.latency();
+        let last = if fastest {
+            timing.latency
+        } else {
+            let held = self.netlist.ids().flat_map(|id| self.registers(id));
+            let held = held.filter(|register| self.holds(*register) == Some(timing.rate));
+            held.map(|register| register.stage - 1 - timing.entry).max().unwrap_or(0)
+        };
+        last.div_ceil(self.schedule.interval())
     }
 
     /// Loads, issues and outs of the units in order of time.
@@ -420,12 +470,20 @@ impl Rtl {
         events
     }
 
+    /// Bits of a delay's registers.
+    fn state_bits(&self, id: NodeId) -> u64 {
+        let node = self.netlist.node(id);
+        let Op::Delay { samples } = node.op else { return 0 };
+        u64::from(samples) * u64::from(node.format.bits())
+    }
+
     /// Bits of registers that hold data: all but valid bits and phase counter.
     pub(crate) fn data_bits(&self) -> u64 {
         let of = |id: NodeId| {
-            let copies = self.registers(id).count()
-                + usize::from(self.schedule.is_clocked(&self.netlist, id));
-            u64::from(self.netlist.node(id).format.bits()) * cast::count_of(copies)
+            // A memory's registers are its own.
+            let row = self.schedule.is_clocked(&self.netlist, id) && self.netlist.memory(id).is_none();
+            let copies = cast::count_of(self.registers(id).count()) + u64::from(row);
+            u64::from(self.netlist.node(id).format.bits()) * copies + self.state_bits(id)
         };
         let own: u64 = self.netlist.ids().map(of).sum();
         own + self.units.iter().map(|unit| unit.operand_bits() + unit.rtl.data_bits()).sum::<u64>()
@@ -461,6 +519,7 @@ impl Rtl {
                 .filter(|(_, registers)| *registers > 1)
                 .map(|(id, registers)| bits(id, registers))
                 .sum(),
+            state_bits: self.netlist.ids().map(|id| self.state_bits(id)).sum(),
             operand_bits: self.units.iter().map(Instance::operand_bits).sum(),
             unit_bits: self.units.iter().map(|unit| unit.rtl.data_bits()).sum(),
             phase_bits: u64::from(self.phase_bits()),

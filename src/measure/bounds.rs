@@ -68,6 +68,7 @@ impl BoundCheck {
     /// # Errors
     /// As [`table_figures`], or if a bound asks for a table or a parameter that isn't there.
     pub fn new(design: &Design) -> Result<Self> {
+        design.check_samples()?;
         let (bounds, inputs) = match &design.bounds {
             Bounds::Stated(bounds) => (bounds, None),
             Bounds::Within(inputs, bounds) => (bounds, Some(inputs.clone())),

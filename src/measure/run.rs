@@ -48,6 +48,7 @@ pub fn measure_on(
         );
         return Err(Error::usage(text));
     }
+    designs.iter().try_for_each(|design| design.check_samples())?;
     let mut sets: Vec<Set<'_>> = Vec::new();
     let mut compiled = Vec::new();
     let mut count = None;

@@ -3,14 +3,15 @@
 use super::choices::{Asked, Overrides, Place};
 use super::id::Owner;
 use super::{
-    Meaning, Netlist, Node, NodeId, Output, Part, Quantity, Scope, ScopeId, Table, TableId,
+    Meaning, Memory, Netlist, Node, NodeId, Output, Part, Quantity, Rate, Scope, ScopeId, Table,
+    TableId,
 };
 use crate::base::cast;
 use crate::base::error::{Error, Operation, Result};
 use crate::base::{escape, name};
 use crate::netlist::op::{FormatProblem, Op};
 use crate::number::format::{Format, Overflow, Round};
-use crate::number::real::{Expr, Graph, Term, TermId};
+use crate::number::real::{Expr, Graph};
 use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::panic::Location;
@@ -269,6 +270,7 @@ impl Builder {
             name: None,
             scope: self.scope,
             quantity: Quantity::Number,
+            rate: Rate::default(),
             meaning: None,
             real: None,
         });
@@ -352,6 +354,20 @@ impl Builder {
     pub fn turns(&mut self, id: NodeId) -> NodeId {
         if self.owned("turns", id) {
             self.netlist.nodes[id.index()].quantity = Quantity::Turns;
+        }
+        id
+    }
+
+    /// Says how often an input port takes a new word.
+    #[track_caller]
+    pub fn rate(&mut self, id: NodeId, rate: Rate) -> NodeId {
+        if self.owned("rate", id) {
+            if self.netlist.node(id).op == Op::Input {
+                self.netlist.nodes[id.index()].rate = rate;
+            } else {
+                let problem = "only ports are given a rate: a node has the fastest of its operands'";
+                self.misuse(self.described(id), problem);
+            }
         }
         id
     }
@@ -463,6 +479,19 @@ impl Builder {
             }
         }
         TableId { owner: self.owner, number: cast::id_of(index) }
+    }
+
+    /// Adds a memory, whose words are [bound](Netlist::bind) when the netlist is simulated, from names and formats of its
+    /// columns. It is [read](Builder::read) like a table; in hardware, words come `latency` cycles after the address.
+    #[track_caller]
+    pub fn memory(
+        &mut self,
+        name: &str,
+        addr_bits: u32,
+        columns: &[(&str, Format)],
+        latency: u32,
+    ) -> TableId {
+        self.table(Table::memory(name, addr_bits, columns, latency))
     }
 
     /// The format of a table's result: the recipe's, or what the table's name is [overridden](Overrides) with. Whoever
@@ -622,6 +651,12 @@ impl Builder {
         self.push(op, &[address], None)
     }
 
+    /// `a` of the sample so many before this one, of those that were taken; 0 where there was none since the reset.
+    #[track_caller]
+    pub fn delay(&mut self, a: NodeId, samples: u32) -> NodeId {
+        if samples == 0 { a } else { self.push(Op::Delay { samples }, &[a], None) }
+    }
+
     /// The residue of `a` modulo the span of `format`.
     #[track_caller]
     pub fn modulo(&mut self, a: NodeId, format: Format) -> NodeId {
@@ -690,10 +725,6 @@ impl Builder {
             reals: Graph::default(),
             choices: Vec::new(),
         };
-        let mut ports = (0..old.inputs.len())
-            .map(|port| netlist.reals.add(Term::Variable(cast::id_of(port))))
-            .collect::<Vec<TermId>>()
-            .into_iter();
         // Ports have their names first: whatever else is called so gets a number.
         let mut names: BTreeSet<(ScopeId, String)> = BTreeSet::new();
         for id in &old.inputs {
@@ -714,19 +745,10 @@ impl Builder {
                 });
                 *table = new;
             }
-            let real = |id: &NodeId| {
-                let node: Option<&Node> = netlist.nodes.get(id.index());
-                node.expect("bug: a meaning names a node that no output needs").real
-            };
-            node.real = if node.op == Op::Input {
-                ports.next()
-            } else if let Some(Meaning { expr, of }) = &node.meaning {
-                let of: Option<Vec<TermId>> = of.iter().map(real).collect();
-                of.map(|of| netlist.reals.insert(expr, &of))
-            } else {
-                let of: Option<Vec<TermId>> = node.operands.iter().map(real).collect();
-                of.and_then(|of| node.op.reading(&mut netlist.reals, &of, node.format))
-            };
+            let rates = node.operands.iter().map(|id| netlist.nodes[id.index()].rate);
+            if node.op != Op::Input {
+                node.rate = rates.max().unwrap_or(Rate::Scene);
+            }
             if node.op != Op::Input
                 && let Some(name) = node.name.take()
             {
@@ -749,6 +771,8 @@ impl Builder {
             live[node.index()].then(|| Asked { node: Some(new_ids[node.index()]), ..asked })
         };
         netlist.choose(self.asked.into_iter().filter_map(new).collect());
+        netlist.read_reals();
+        netlist.check_delays()?;
         netlist.verify();
         Ok(netlist)
     }
@@ -813,26 +837,24 @@ fn table_problem(table: &Table) -> Option<String> {
             Table::MAX_ADDR_BITS
         ));
     }
-    let rows = 1usize << table.addr_bits;
+    if let Some(Memory { latency }) = table.memory {
+        if !(1..=Memory::MAX_LATENCY).contains(&latency) {
+            let most = Memory::MAX_LATENCY;
+            return Some(format!("a latency of {latency} cycles: legal is 1 to {most}"));
+        }
+        if table.columns.is_empty() {
+            return Some("it has no column".to_owned());
+        }
+    }
     let mut names = BTreeSet::new();
-    table.columns.iter().find_map(|column| {
-        let (name, format) = (escape::short(&column.name), column.format);
+    let named = table.columns.iter().find_map(|column| {
+        let name = escape::short(&column.name);
         if !name::is_legal(&column.name) {
             return Some(format!("column `{name}`: a name is {}", name::RULE));
         }
-        if !names.insert(&column.name) {
-            return Some(format!("two columns are called `{name}`"));
-        }
-        if column.words.len() != rows {
-            let words = column.words.len();
-            return Some(format!(
-                "column `{name}` has {words} words and {rows} rows: one for each address"
-            ));
-        }
-        let outside = column.words.iter().position(|word| !format.contains(*word))?;
-        let (word, lo, hi) = (column.words[outside], format.min_raw(), format.max_raw());
-        Some(format!(
-            "column `{name}` has word {word} at address {outside}, outside {format} ({lo}..={hi})"
-        ))
-    })
+        (!names.insert(&column.name)).then(|| format!("two columns are called `{name}`"))
+    });
+    // A memory has no words yet.
+    let unbound = table.memory.is_some() && table.is_unbound();
+    named.or_else(|| if unbound { None } else { table.problem_with_words() })
 }

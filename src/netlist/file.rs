@@ -23,15 +23,19 @@
 //!   name is taken.
 //! - `table NAME BITS COLUMN:FORMAT…` is followed by a line of words for each of its `2^BITS` addresses; `table ID named
 //!   NAME …` where the name is taken.
+//! - `memory NAME BITS latency CYCLES COLUMN:FORMAT…` is a table whose words are bound when it is simulated; none follow.
 //! - `%N = OPERATION %OPERAND… : FORMAT` is a node. Numbers count up from 0, and operands come first. Behind the format
-//!   may stand what it measures (`turns` or `float20`), `@SCOPE.NAME` (`@SCOPE.` without a name, `@NAME` outside of all
+//!   may stand what it measures (`turns` or `float20`), `per RATE` for a port that doesn't take a word for each pixel,
+//!   `@SCOPE.NAME` (`@SCOPE.` without a name, `@NAME` outside of all
 //!   scopes), and `means EXPRESSION`: what it stands for on reals, of other nodes.
 //! - `output NAME = %N` is a port.
 //!
 //! What no output needs is dropped by reading. Code of functions ([`Function::with_kernel`]) isn't text: what is read
 //! has their expressions.
 
-use super::{Builder, Column, Meaning, Netlist, NodeId, Part, Quantity, ScopeId, Table, TableId};
+use super::{
+    Builder, Column, Meaning, Memory, Netlist, NodeId, Part, Quantity, Rate, ScopeId, Table, TableId,
+};
 use crate::base::cast;
 use crate::base::error::{Error, Result};
 use crate::base::{escape, name};
@@ -99,12 +103,17 @@ impl Netlist {
         }
         let ids = unique(self.tables.iter().map(|table| table.name.as_str()), &|_| false);
         for (id, table) in ids.iter().zip(&self.tables) {
-            let _ = write!(text, "table {}{}", heading(id, &table.name), table.addr_bits);
+            let kind = if table.memory.is_some() { "memory" } else { "table" };
+            let _ = write!(text, "{kind} {}{}", heading(id, &table.name), table.addr_bits);
+            if let Some(Memory { latency }) = table.memory {
+                let _ = write!(text, " latency {latency}");
+            }
             for column in &table.columns {
                 let _ = write!(text, " {}:{}", column.name, column.format);
             }
             text.push('\n');
-            for row in 0..1usize << table.addr_bits {
+            let rows = if table.memory.is_some() { 0 } else { 1usize << table.addr_bits };
+            for row in 0..rows {
                 for (i, column) in table.columns.iter().enumerate() {
                     let space = if i == 0 { "  " } else { " " };
                     let _ = write!(text, "{space}{}", column.words[row]);
@@ -120,6 +129,9 @@ impl Netlist {
             let _ = write!(text, " : {}", node.format);
             if node.quantity != Quantity::Number {
                 let _ = write!(text, " {}", node.quantity.name());
+            }
+            if node.op == Op::Input && node.rate != Rate::default() {
+                let _ = write!(text, " per {}", node.rate);
             }
             if node.scope != ScopeId::ROOT || node.name.is_some() {
                 text.push_str(" @");
@@ -351,11 +363,12 @@ impl Reader {
             "scope" => self.scope(line),
             "function" => self.function(line),
             "table" => self.table(line, index),
+            "memory" => self.memory(line),
             "output" => self.output(line),
             _ if word.starts_with('%') => self.node(line, at, word),
             _ => wrong(
                 at,
-                format!("`{word}` begins no line: legal are scope, function, table, %N and output"),
+                format!("`{word}` begins no line: legal are scope, function, table, memory, %N and output"),
             ),
         }
     }
@@ -423,7 +436,8 @@ impl Reader {
             .map_err(|error| Wrong { at: start + error.at, problem: error.problem })
     }
 
-    fn table(&mut self, line: &mut Line<'_>, index: usize) -> Read<()> {
+    /// Id, name and address bits of a table or memory.
+    fn table_head<'a>(&self, line: &mut Line<'a>) -> Read<(&'a str, &'a str, u32)> {
         let (at, id, name) = line.names("the table's name")?;
         if self.tables.contains_key(id) {
             return wrong(at, format!("table `{id}` stands twice"));
@@ -435,22 +449,47 @@ impl Reader {
         if !(1..=most).contains(&addr_bits) {
             return wrong(bits_at, format!("{addr_bits} address bits: legal is 1 to {most}"));
         }
-        let mut columns: Vec<(String, Format, Vec<i64>)> = Vec::new();
+        Ok((id, name, addr_bits))
+    }
+
+    /// Names and formats of columns, to the end of the line.
+    fn columns(line: &mut Line<'_>) -> Read<Vec<(String, Format)>> {
+        let mut columns: Vec<(String, Format)> = Vec::new();
         while let Some((at, word)) = line.next() {
             let Some((name, format)) = word.split_once(':') else {
                 return wrong(at, format!("`{word}` is no column: write NAME:FORMAT"));
             };
             let name = identifier(at, name)?;
-            if columns.iter().any(|(known, ..)| known == name) {
+            if columns.iter().any(|(known, _)| known == name) {
                 return wrong(at, format!("column `{name}` stands twice"));
             }
-            columns.push((name.to_owned(), format_at(at + name.len() + 1, format)?, Vec::new()));
+            columns.push((name.to_owned(), format_at(at + name.len() + 1, format)?));
         }
         if columns.is_empty() {
             return wrong(line.at, "a table has a column: write NAME:FORMAT");
         }
+        Ok(columns)
+    }
+
+    fn table(&mut self, line: &mut Line<'_>, index: usize) -> Read<()> {
+        let (id, name, addr_bits) = self.table_head(line)?;
+        let columns = Self::columns(line)?;
+        let columns = columns.into_iter().map(|(name, format)| (name, format, Vec::new())).collect();
         let (id, name) = (id.to_owned(), name.to_owned());
         self.pending = Some(Pending { id, name, addr_bits, columns, line: index });
+        Ok(())
+    }
+
+    fn memory(&mut self, line: &mut Line<'_>) -> Read<()> {
+        let (id, name, addr_bits) = self.table_head(line)?;
+        line.expect("latency")?;
+        let latency = line.parse("a number of cycles")?;
+        let columns = Self::columns(line)?;
+        let names = columns.iter().map(|(name, _)| name.clone()).collect();
+        let columns: Vec<(&str, Format)> =
+            columns.iter().map(|(name, format)| (&name[..], *format)).collect();
+        let built = self.b().memory(name, addr_bits, &columns, latency);
+        self.tables.insert(id.to_owned(), (built, names));
         Ok(())
     }
 
@@ -475,7 +514,7 @@ impl Reader {
             .collect();
         let names = columns.iter().map(|column| column.name.clone()).collect();
         let Pending { id, name, addr_bits, .. } = Pending { columns: Vec::new(), ..table };
-        let built = self.b().table(Table { name, addr_bits, columns });
+        let built = self.b().table(Table { name, addr_bits, columns, memory: None });
         self.tables.insert(id, (built, names));
         Ok(())
     }
@@ -526,6 +565,7 @@ impl Reader {
         let op = if let Op::Slice { lo } = op { slice(op_at, lo, format)? } else { op };
 
         let (mut quantity, mut scope, mut name) = (None, ScopeId::ROOT, None);
+        let mut rate = Rate::default();
         let mut meaning: Option<(Expr, Vec<NodeId>)> = None;
         let mut name_at = 0;
         while let Some((at, word)) = line.next() {
@@ -536,6 +576,15 @@ impl Reader {
                     name = Some(identifier(at, own)?);
                     name_at = at;
                 }
+            } else if word == "per" {
+                if op != Op::Input {
+                    return wrong(at, "only ports have a rate: other nodes have that of their operands");
+                }
+                let (rate_at, word) = line.word("a rate")?;
+                let names: Vec<&str> = Rate::ALL.iter().map(|rate| rate.name()).collect();
+                let unknown =
+                    || format!("`{word}` is no rate: legal are {}", names.join(", "));
+                rate = word.parse().or_else(|_| wrong(rate_at, unknown()))?;
             } else if word == "means" {
                 meaning = Some(self.meaning(line)?);
             } else if let Some(known) = Quantity::ALL.iter().find(|known| known.name() == word) {
@@ -543,7 +592,7 @@ impl Reader {
             } else {
                 return wrong(
                     at,
-                    format!("expected turns, float20, @NAME or means, and not `{word}`"),
+                    format!("expected turns, float20, per, @NAME or means, and not `{word}`"),
                 );
             }
         }
@@ -554,7 +603,8 @@ impl Reader {
             if scope != ScopeId::ROOT {
                 return wrong(name_at, "an input is in no scope: write @NAME");
             }
-            b.input(name, format, quantity.unwrap_or_default())
+            let id = b.input(name, format, quantity.unwrap_or_default());
+            b.rate(id, rate)
         } else {
             let id = b.operation(op, &operands, format);
             let is = b.format(id);
@@ -621,6 +671,8 @@ impl Reader {
         } else if let Op::ShiftLeft { .. } = op {
             line.expect("max")?;
             Ok(Op::ShiftLeft { max: line.parse("the largest shift")? })
+        } else if let Op::Delay { .. } = op {
+            Ok(Op::Delay { samples: line.parse("a number of samples")? })
         } else if let Op::Read { .. } = op {
             self.table_column(line)
         } else if let Op::Narrow { .. } = op {

@@ -26,6 +26,8 @@ pub mod file;
 mod id;
 pub mod op;
 pub(crate) mod ranges;
+mod rate;
+mod state;
 mod table;
 mod text;
 mod wire;
@@ -35,14 +37,16 @@ pub use builder::Builder;
 pub use choices::{Choice, Overrides, with_formats};
 pub use counts::{Counts, Operators, RAM_PORTS};
 pub use id::{NodeId, ScopeId, TableId};
-pub use table::{Column, Table};
+pub use rate::Rate;
+pub use state::State;
+pub use table::{Column, Memory, Table};
 pub use wire::{Wire, Wires};
 
 use crate::base::cast;
 use crate::base::error::{Error, Result};
 use crate::netlist::op::Op;
 use crate::number::format::Format;
-use crate::number::real::{Expr, Graph, TermId, Twin};
+use crate::number::real::{Expr, Graph, Term, TermId, Twin};
 
 /// What a signal measures; says how waves and reports show it.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
@@ -71,6 +75,8 @@ pub struct Node {
     pub scope: ScopeId,
     /// What it measures.
     pub quantity: Quantity,
+    /// How often it takes a new word.
+    pub rate: Rate,
     /// What it stands for on reals, if not its operation.
     pub meaning: Option<Meaning>,
     /// Its value on reals in [`Netlist::reals`]; nothing for bits without one.
@@ -151,9 +157,13 @@ pub struct Netlist {
     choices: Vec<Choice>,
 }
 
-/// Netlists are equal that are the same datapath: which formats a recipe [chose](Netlist::choices) doesn't count.
+/// Netlists are equal that are the same datapath: which formats a recipe [chose](Netlist::choices) and what is
+/// [bound](Netlist::bind) to memories doesn't count.
 impl PartialEq for Netlist {
     fn eq(&self, other: &Self) -> bool {
+        if [self, other].iter().any(|netlist| netlist.memories().any(|memory| !memory.is_unbound())) {
+            return self.unbound() == other.unbound();
+        }
         let of = |netlist: &Self| {
             let Self { name, scopes, tables, inputs, outputs, .. } = netlist;
             (name.clone(), scopes.clone(), tables.clone(), inputs.clone(), outputs.clone())
@@ -210,6 +220,24 @@ impl Netlist {
         &self.reals
     }
 
+    /// The rates of the input ports, each once, from the slowest; there is at least one.
+    #[must_use]
+    pub fn rates(&self) -> Vec<Rate> {
+        let mut rates: Vec<Rate> = self.inputs.iter().map(|id| self.node(*id).rate).collect();
+        rates.sort_unstable();
+        rates.dedup();
+        if rates.is_empty() {
+            rates.push(Rate::default());
+        }
+        rates
+    }
+
+    /// The first node that has a word of an earlier sample: such samples can't be taken one by one.
+    #[must_use]
+    pub fn first_delay(&self) -> Option<NodeId> {
+        self.ids().find(|id| matches!(self.node(*id).op, Op::Delay { .. }))
+    }
+
     /// Input nodes in port order.
     #[must_use]
     pub fn inputs(&self) -> &[NodeId] {
@@ -258,23 +286,35 @@ impl Netlist {
         }
     }
 
-    /// Evaluates every node on words: the reference that all engines are held to.
+    /// Evaluates every node on words: the reference that all engines are held to. The sample is the first after a reset;
+    /// [`Netlist::eval_next`] takes more.
     ///
     /// Returns the word of each node and the flags of the `narrow`s that overflowed.
     ///
     /// # Errors
-    /// If `inputs` doesn't hold one word of each input's format.
+    /// If `inputs` doesn't hold one word of each input's format, or a memory has no words.
+    pub fn eval(&self, inputs: &[i64]) -> Result<(Vec<i64>, Vec<bool>)> {
+        self.eval_next(&mut State::new(self), inputs)
+    }
+
+    /// As [`Netlist::eval`], of the next sample of those that `state` has seen.
+    ///
+    /// # Errors
+    /// As [`Netlist::eval`].
     ///
     /// # Panics
-    /// Never: an operation gives words of its format.
-    pub fn eval(&self, inputs: &[i64]) -> Result<(Vec<i64>, Vec<bool>)> {
+    /// If the state is another netlist's.
+    pub fn eval_next(&self, state: &mut State, inputs: &[i64]) -> Result<(Vec<i64>, Vec<bool>)> {
         self.check_words(inputs)?;
+        self.check_bound()?;
         let mut words: Vec<i64> = Vec::with_capacity(self.nodes.len());
         let mut overflowed = Vec::with_capacity(self.nodes.len());
         let mut ports = inputs.iter();
-        for node in &self.nodes {
+        for (index, node) in self.nodes.iter().enumerate() {
             let (word, flag) = if node.op == Op::Input {
                 (*ports.next().expect("bug: counted above"), false)
+            } else if let Op::Delay { .. } = node.op {
+                (state.delayed(index, words[node.operands[0].index()]), false)
             } else {
                 let mut of = [(0, Format::FLAG); 3];
                 for (slot, id) in of.iter_mut().zip(&node.operands) {
@@ -339,6 +379,44 @@ impl Netlist {
 }
 
 impl Netlist {
+    /// Finds what each node stands for on reals.
+    fn read_reals(&mut self) {
+        let mut reals = Graph::default();
+        let mut ports = (0..self.inputs.len())
+            .map(|port| reals.add(Term::Variable(cast::id_of(port))))
+            .collect::<Vec<TermId>>()
+            .into_iter();
+        let mut found: Vec<Option<TermId>> = Vec::with_capacity(self.nodes.len());
+        for node in &self.nodes {
+            let of = |ids: &[NodeId]| ids.iter().map(|id| found[id.index()]).collect();
+            let real = if node.op == Op::Input {
+                ports.next()
+            } else if let Some(Meaning { expr, of: nodes }) = &node.meaning {
+                let of: Option<Vec<TermId>> = of(nodes);
+                of.map(|of| reals.insert(expr, &of))
+            } else {
+                let of: Option<Vec<TermId>> = of(&node.operands);
+                of.and_then(|of| self.reading(node, &mut reals, &of))
+            };
+            found.push(real);
+        }
+        for (node, real) in self.nodes.iter_mut().zip(found) {
+            node.real = real;
+        }
+        self.reals = reals;
+    }
+
+    /// What an operation is on reals.
+    fn reading(&self, node: &Node, reals: &mut Graph, of: &[TermId]) -> Option<TermId> {
+        if let Op::Read { table, column } = node.op {
+            let table = &self.tables[table.index()];
+            let column = &table.columns[cast::index_of_u32(column)];
+            let bound = table.memory.is_some() && !table.is_unbound();
+            return bound.then(|| reals.add(Term::Row(column.values(&table.name), of[0])));
+        }
+        node.op.reading(reals, of, node.format)
+    }
+
     /// Checks what every netlist promises.
     fn verify(&self) {
         for (id, node) in self.ids().zip(&self.nodes) {

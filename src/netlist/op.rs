@@ -73,6 +73,11 @@ pub enum Op {
         /// Column of the table.
         column: u32,
     },
+    /// `a` of the sample so many before, of those that were taken; 0 where there was none since the reset.
+    Delay {
+        /// How many samples, at least 1.
+        samples: u32,
+    },
     /// The residue of `a` in the node's format modulo that format's span; exact in modular
     /// arithmetic, so angles in turns use it where others would count a wrap.
     Modulo,
@@ -214,6 +219,9 @@ const READ: Op = Op::Read { table: TableId::FIRST, column: 0 };
 const NARROW: Op = Op::Narrow { round: Round::Floor, overflow: Overflow::Wrap };
 
 impl Op {
+    /// The most samples that a word is delayed by.
+    pub const MAX_DELAY: u32 = 4096;
+
     // pattern, one of its kind, name, operands, what it counts as, takes a format, looks at bits, what takes time
     #[rustfmt::skip]
     operations! {
@@ -236,6 +244,7 @@ impl Op {
         Self::LeadingZeros, Self::LeadingZeros, "leading_zeros" 1 SHIFTER, false true Logic::Tree;
         Self::ShiftLeft { max }, Self::ShiftLeft { max: 0 }, "shift_left" 2 SHIFTER, false false Logic::Shifter { max };
         Self::Read { table, .. }, READ, "read" 1 Some(Operator::Read), false true Logic::Table { table };
+        Self::Delay { .. }, Self::Delay { samples: 1 }, "delay" 1 None, false false Logic::Wires;
         Self::Modulo, Self::Modulo, "modulo" 1 None, true true Logic::Wires;
         Self::Narrow { round, overflow }, NARROW, "narrow" 1 Some(Operator::Narrow), true false Logic::Narrow { round, overflow };
         Self::Input, Self::Input, "input" 0 None, true false Logic::Wires;
@@ -379,6 +388,13 @@ impl Op {
                 )?;
                 Ok(table.columns[usize::try_from(column).expect("bug: small")].format)
             }
+            Self::Delay { samples } => {
+                expect(
+                    (1..=Self::MAX_DELAY).contains(&samples),
+                    &format!("{samples} samples: legal is 1 to {}", Self::MAX_DELAY),
+                )?;
+                Ok(of[0])
+            }
             Self::Modulo => {
                 expect(
                     asked().frac_bits() == of[0].frac_bits(),
@@ -449,6 +465,8 @@ impl Op {
                 let column = usize::try_from(column).expect("bug: small");
                 i128::from(tables[table.index()].columns[column].words[cast::index_of(of[0].0)])
             }
+            // Of a sample by itself: there was none before.
+            Self::Delay { .. } => 0,
             Self::Modulo => i128::from(out.wrap(of[0].0)),
             Self::Narrow { round, overflow } => {
                 let (raw, overflowed) = narrow(of[0].0, of[0].1.frac_bits(), out, round, overflow);
@@ -512,7 +530,8 @@ impl Op {
             | Self::Concat
             | Self::LeadingZeros
             | Self::ShiftLeft { .. }
-            | Self::Read { .. } => return None,
+            | Self::Read { .. }
+            | Self::Delay { .. } => return None,
         })
     }
 }

@@ -26,6 +26,9 @@ pub fn ranges(netlist: &Netlist, inputs: &[Words]) -> Vec<Words> {
             let inside = node.format.contains(given.lo()) && node.format.contains(given.hi());
             assert!(inside, "bug: words {given} of a port {}", node.format);
             given.clone()
+        } else if let Op::Delay { .. } = node.op {
+            // What it starts with is 0.
+            Words::of(of(0).0.intervals().iter().copied().chain([(0, 0)]))
         } else if node.op == Op::Mul && node.operands[0] == node.operands[1] {
             square(of(0).0, node.format)
         } else {
@@ -59,7 +62,7 @@ fn wide(of: &Words, shift: i32) -> impl Iterator<Item = (i128, i128)> + Clone {
 fn image(op: Op, of: &[(&Words, Format)], out: Format, tables: &[Table]) -> Words {
     let known: Option<Vec<(i64, Format)>> =
         of.iter().map(|(words, format)| words.constant().map(|raw| (raw, *format))).collect();
-    if let Some(known) = known {
+    if let Some(known) = known.filter(|_| !of_memory(op, tables)) {
         return Words::only(op.eval_raw(&known, out, tables).0);
     }
     // As `Op::eval_raw` has it: operands a and b in units of the finer one.
@@ -143,7 +146,7 @@ fn image(op: Op, of: &[(&Words, Format)], out: Format, tables: &[Table]) -> Word
                 .map(|(lo, hi)| ends([lo << least, lo << most, hi << least, hi << most]))
                 .collect()
         }
-        Op::Read { table, column } => {
+        Op::Read { table, column } if !of_memory(op, tables) => {
             let column = usize::try_from(column).expect("bug: small");
             let rows = &tables[table.index()].columns[column].words;
             let span = |(lo, hi): &(i64, i64)| {
@@ -169,10 +172,16 @@ fn image(op: Op, of: &[(&Words, Format)], out: Format, tables: &[Table]) -> Word
             };
             of[0].0.intervals().iter().flat_map(narrowed).collect()
         }
-        // Never too few, until there is a rule.
+        // A memory may hold any word. Elsewhere it is never too few, until there is a rule.
         _ => vec![(out.min_raw().into(), out.max_raw().into())],
     };
     Words::in_format(&intervals, out)
+}
+
+/// True for a read whose words aren't the netlist's own.
+fn of_memory(op: Op, tables: &[Table]) -> bool {
+    let Op::Read { table, .. } = op else { return false };
+    tables[table.index()].memory.is_some()
 }
 
 fn pairs<T>(

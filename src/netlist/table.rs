@@ -1,6 +1,10 @@
-//! Read-only tables of a netlist.
+//! Tables of a netlist, whose words it has, and memories, whose words are bound when it is simulated.
 
+use super::{Netlist, NodeId};
+use crate::base::error::{Error, Result};
+use crate::netlist::op::Op;
 use crate::number::format::Format;
+use crate::number::real::Rows;
 use std::sync::Arc;
 
 /// One column of a table.
@@ -10,11 +14,19 @@ pub struct Column {
     pub name: String,
     /// Format of its words.
     pub format: Format,
-    /// One word per address.
+    /// One word per address; none in a memory until they are bound.
     pub words: Arc<[i64]>,
 }
 
-/// A read-only table: columns of words that share an address.
+impl Column {
+    /// Its words as values, for the memory that it is of.
+    pub(super) fn values(&self, memory: &str) -> Rows {
+        let values = self.words.iter().map(|word| self.format.value(*word));
+        Rows::new(format!("{memory}.{}", self.name), values)
+    }
+}
+
+/// Columns of words that share an address: a read-only table, or a memory.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Table {
     /// Name.
@@ -23,11 +35,47 @@ pub struct Table {
     pub addr_bits: u32,
     /// Its columns.
     pub columns: Vec<Column>,
+    /// What hardware knows of it if it is a memory.
+    pub memory: Option<Memory>,
+}
+
+/// What hardware knows of a memory, whose words are outside of the datapath: a map of a scene. For each address that it is
+/// read at, it has an output port for the address and an input port for each column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Memory {
+    /// Cycles from the address to the words.
+    pub latency: u32,
+}
+
+impl Memory {
+    /// The longest latency.
+    pub const MAX_LATENCY: u32 = 64;
 }
 
 impl Table {
     /// The most address bits.
     pub const MAX_ADDR_BITS: u32 = 30;
+
+    /// A memory without words, from names and formats of its columns.
+    #[must_use]
+    pub fn memory(
+        name: &str,
+        addr_bits: u32,
+        columns: &[(&str, Format)],
+        latency: u32,
+    ) -> Self {
+        let column = |(name, format): &(&str, Format)| Column {
+            name: (*name).to_owned(),
+            format: *format,
+            words: Arc::new([]),
+        };
+        Self {
+            name: name.to_owned(),
+            addr_bits,
+            columns: columns.iter().map(column).collect(),
+            memory: Some(Memory { latency }),
+        }
+    }
 
     /// Format of an address.
     ///
@@ -43,5 +91,106 @@ impl Table {
     pub fn rom_bits(&self) -> u64 {
         let row: u32 = self.columns.iter().map(|column| column.format.bits()).sum();
         u64::from(row) << self.addr_bits
+    }
+
+    /// True for a memory that no words are bound to.
+    #[must_use]
+    pub fn is_unbound(&self) -> bool {
+        self.columns.iter().any(|column| column.words.is_empty())
+    }
+
+    /// The same without words, if it is a memory.
+    fn without_words(&self) -> Self {
+        let mut table = self.clone();
+        if table.memory.is_some() {
+            table.columns.iter_mut().for_each(|column| column.words = Arc::new([]));
+        }
+        table
+    }
+}
+
+impl Netlist {
+    /// The tables whose words the netlist has.
+    pub fn roms(&self) -> impl Iterator<Item = &Table> {
+        self.tables.iter().filter(|table| table.memory.is_none())
+    }
+
+    /// The memories.
+    pub fn memories(&self) -> impl Iterator<Item = &Table> {
+        self.tables.iter().filter(|table| table.memory.is_some())
+    }
+
+    /// What hardware knows of the memory that a node reads, if it reads one.
+    #[must_use]
+    pub fn memory(&self, id: NodeId) -> Option<Memory> {
+        let Op::Read { table, .. } = self.node(id).op else { return None };
+        self.tables[table.index()].memory
+    }
+
+    /// With words for a memory: a list for each column, with a word for each address. A read then stands on reals for
+    /// the word's value at its address, rounded down, unless it [means](super::Builder::means) something else.
+    ///
+    /// # Errors
+    /// If there is no such memory, or there isn't one word of its column's format for each address.
+    pub fn bind(&self, memory: &str, columns: &[Arc<[i64]>]) -> Result<Self> {
+        let at = self.tables.iter().position(|table| table.name == memory && table.memory.is_some());
+        let Some(at) = at else {
+            let known: Vec<&str> = self.memories().map(|memory| &memory.name[..]).collect();
+            return Err(Error::unknown_memory(&self.name, memory, &known));
+        };
+        let refuse = |problem: String| Err(Error::usage(format!("memory `{memory}`: {problem}")));
+        let mut bound = self.clone();
+        let table = &mut bound.tables[at];
+        if columns.len() != table.columns.len() {
+            let names: Vec<&str> = table.columns.iter().map(|column| &column.name[..]).collect();
+            let (given, names) = (columns.len(), names.join(", "));
+            return refuse(format!("{given} columns are given: it takes one for each of {names}"));
+        }
+        for (column, words) in table.columns.iter_mut().zip(columns) {
+            column.words = Arc::clone(words);
+        }
+        if let Some(problem) = table.problem_with_words() {
+            return refuse(problem);
+        }
+        bound.read_reals();
+        Ok(bound)
+    }
+
+    /// The same with no words bound to memories.
+    #[must_use]
+    pub fn unbound(&self) -> Self {
+        let mut unbound = self.clone();
+        unbound.tables = self.tables.iter().map(Table::without_words).collect();
+        unbound.read_reals();
+        unbound
+    }
+
+    /// Refuses a memory that no words are bound to: it can't be simulated.
+    pub(crate) fn check_bound(&self) -> Result<()> {
+        match self.memories().find(|memory| memory.is_unbound()) {
+            None => Ok(()),
+            Some(memory) => Err(Error::unbound_memory(&memory.name)),
+        }
+    }
+}
+
+impl Table {
+    /// Why its words aren't one of its column's format for each address.
+    pub(super) fn problem_with_words(&self) -> Option<String> {
+        let rows = 1usize << self.addr_bits;
+        self.columns.iter().find_map(|column| {
+            let (name, format) = (&column.name, column.format);
+            if column.words.len() != rows {
+                let words = column.words.len();
+                return Some(format!(
+                    "column `{name}` has {words} words and {rows} rows: one for each address"
+                ));
+            }
+            let outside = column.words.iter().position(|word| !format.contains(*word))?;
+            let (word, lo, hi) = (column.words[outside], format.min_raw(), format.max_raw());
+            Some(format!(
+                "column `{name}` has word {word} at address {outside}, outside {format} ({lo}..={hi})"
+            ))
+        })
     }
 }

@@ -1,6 +1,6 @@
 //! A netlist as text, and as a graph for Graphviz.
 
-use super::{Netlist, Node, Quantity, ScopeId};
+use super::{Netlist, Node, Quantity, Rate, ScopeId};
 use crate::base::cast;
 use crate::netlist::op::Op;
 use std::fmt::Write as _;
@@ -14,9 +14,10 @@ impl Netlist {
         for table in &self.tables {
             let columns: Vec<String> =
                 table.columns.iter().map(|c| format!("{} {}", c.name, c.format)).collect();
+            let kind = if table.memory.is_some() { "memory" } else { "table" };
             let _ = writeln!(
                 text,
-                "  table {}[{}]: {}",
+                "  {kind} {}[{}]: {}",
                 table.name,
                 1u64 << table.addr_bits,
                 columns.join(", ")
@@ -30,6 +31,9 @@ impl Netlist {
             let _ = write!(text, " : {}", node.format);
             if node.quantity != Quantity::Number {
                 let _ = write!(text, " {}", node.quantity.name());
+            }
+            if node.op == Op::Input && node.rate != Rate::default() {
+                let _ = write!(text, " per {}", node.rate);
             }
             if node.name.is_some() {
                 let _ = write!(text, "  # {}", self.label(id));
@@ -57,6 +61,8 @@ impl Netlist {
             let columns = &self.tables[table.index()].columns;
             let column = &columns[cast::index_of_u32(column)];
             format!("{name} {}.{}", tables[table.index()], column.name)
+        } else if let Op::Delay { samples } = node.op {
+            format!("{name} {samples}")
         } else if let Op::Narrow { round, overflow } = node.op {
             format!("{name} {round} {overflow}")
         } else {

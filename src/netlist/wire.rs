@@ -1,6 +1,6 @@
 //! Nodes as values with operators.
 
-use super::{Builder, Netlist, NodeId, Overrides, Part, Quantity, Table, TableId};
+use super::{Builder, Netlist, NodeId, Overrides, Part, Quantity, Rate, Table, TableId};
 use crate::base::cast;
 use crate::base::error::Result;
 use crate::number::format::{Format, Overflow, Round};
@@ -132,6 +132,18 @@ impl Wires {
         self.0.borrow_mut().table(table)
     }
 
+    /// Adds a memory, as [`Builder::memory`].
+    #[track_caller]
+    pub fn memory(
+        &self,
+        name: &str,
+        addr_bits: u32,
+        columns: &[(&str, Format)],
+        latency: u32,
+    ) -> TableId {
+        self.0.borrow_mut().memory(name, addr_bits, columns, latency)
+    }
+
     /// The constant word `raw`.
     #[track_caller]
     pub fn word(&self, raw: i64, format: Format) -> Wire {
@@ -232,6 +244,22 @@ impl Wire {
     #[track_caller]
     pub fn narrow(&self, format: Format, round: Round, overflow: Overflow) -> Self {
         let id = self.wires.0.borrow_mut().narrow(self.id, format, round, overflow);
+        self.wires.wire(id)
+    }
+
+    /// Says how often this input port takes a new word.
+    #[must_use]
+    #[track_caller]
+    pub fn per(self, rate: Rate) -> Self {
+        self.wires.0.borrow_mut().rate(self.id, rate);
+        self
+    }
+
+    /// The word of the sample so many before, as [`Builder::delay`].
+    #[must_use]
+    #[track_caller]
+    pub fn delay(&self, samples: u32) -> Self {
+        let id = self.wires.0.borrow_mut().delay(self.id, samples);
         self.wires.wire(id)
     }
 

@@ -9,6 +9,13 @@
 //! from stages given by hand ([`Schedule::from_stages`]), from numbers of units
 //! ([`Schedule::shared`]), or from units and cycles given by hand ([`Schedule::bound`]).
 //!
+//! # Rates
+//!
+//! Ports may take words at several [rates](Rate). Stages are counted from the entry of the slowest. What is of a slow rate is
+//! computed first and held where the next faster rate enters ([`Schedule::entry`], [`Schedule::hold`]); from there its words go
+//! along with each faster sample like those of a port. So the words of a slow rate count for all samples of the faster one that
+//! come [`Timing::latency`] cycles later and after, until the next ones are held. All rates enter in phase 0.
+//!
 //! # Sharing
 //!
 //! What shares a unit, and the unit's hardware, is in [`share`]; how cycles are found in
@@ -33,7 +40,7 @@
 //! | mul | 1500 + 50 a bit of both operands |
 //! | leading_zeros, shift_left | 450 a level, log2 of the bits or places |
 //! | table read without a clock | 700 + 350 an address bit past 6 |
-//! | table read with a clock | 400 before the edge, 1800 after it |
+//! | table read with a clock, memory | 400 before the edge, 1800 after it |
 //! | register, clock to output and set-up | 500 |
 
 pub mod place;
@@ -45,7 +52,7 @@ pub use share::{Kind, Operand, Operation, Unit, UnitPort, name_of};
 use crate::base::cast;
 use crate::base::error::{Error, Result};
 use crate::netlist::op::{Logic, Op};
-use crate::netlist::{Netlist, NodeId};
+use crate::netlist::{Netlist, NodeId, Rate};
 use crate::number::format::{Narrowing, addr_bits};
 
 const REGISTER_PS: u32 = 500;
@@ -74,6 +81,8 @@ pub enum Depth {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Schedule {
     stages: Vec<u32>,
+    /// Each rate of the ports with the stage that its words enter in, from the slowest.
+    entries: Vec<(Rate, u32)>,
     latency: u32,
     period_ps: u32,
     rom: Rom,
@@ -86,6 +95,19 @@ pub struct Schedule {
     seated: Vec<Option<(usize, usize)>>,
 }
 
+/// When the words of a rate are taken, and how long until they count.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Timing {
+    /// The rate.
+    pub rate: Rate,
+    /// Stage that its words enter in.
+    pub entry: u32,
+    /// Cycles until the words of the next faster rate that they count for may enter; of the fastest, until the outputs.
+    pub latency: u32,
+    /// The fewest cycles from its words to the next.
+    pub interval: u32,
+}
+
 impl Schedule {
     /// Places nodes as early as the delay model allows.
     ///
@@ -94,6 +116,23 @@ impl Schedule {
     pub fn pipeline(netlist: &Netlist, rom: Rom, depth: Depth) -> Result<Self> {
         match depth {
             Depth::Period(period_ps) => Ok(Self::greedy(netlist, rom, period_ps)),
+            Depth::Stages(0) if netlist.memories().next().is_some() => {
+                Err(Error::parameter_value(
+                    "stages",
+                    "0",
+                    "1 or more: words of a memory come on a clock".to_owned(),
+                ))
+            }
+            Depth::Stages(0) if netlist.rates().len() > 1 => Err(Error::parameter_value(
+                "stages",
+                "0",
+                "1 or more: words of slower rates are held in registers".to_owned(),
+            )),
+            Depth::Stages(0) if netlist.first_delay().is_some() => Err(Error::parameter_value(
+                "stages",
+                "0",
+                "1 or more: a delay is made of registers".to_owned(),
+            )),
             Depth::Stages(0) if rom == Rom::Block && !netlist.tables().is_empty() => {
                 Err(Error::parameter_value(
                     "stages",
@@ -145,7 +184,8 @@ impl Schedule {
         stages: Vec<u32>,
         latency: u32,
     ) -> Result<Self> {
-        let mut schedule = Self::flat(stages, latency, 0, rom);
+        let entries = netlist.rates().into_iter().map(|rate| (rate, 0)).collect();
+        let mut schedule = Self::flat(stages, entries, latency, 0, rom);
         schedule.verify(netlist)?;
         schedule.period_ps = schedule.longest_ps(netlist) + REGISTER_PS;
         Ok(schedule)
@@ -157,18 +197,48 @@ impl Schedule {
         self.stages[id.index()]
     }
 
-    /// Stage at which a node takes its operands: one before its own for a read on a clock.
+    /// Stage at which a node takes its operands: before its own for a read on a clock.
     #[must_use]
     pub fn operand_stage(&self, netlist: &Netlist, id: NodeId) -> u32 {
-        self.stage(id) - u32::from(self.is_clocked(netlist, id))
+        self.stage(id) - self.clocks(netlist, id)
     }
 
-    /// True for a table read that takes a clock; inside a unit that is the unit's affair.
+    /// True for a read that takes a clock; inside a unit that is the unit's affair.
     #[must_use]
     pub fn is_clocked(&self, netlist: &Netlist, id: NodeId) -> bool {
-        self.rom == Rom::Block
-            && matches!(netlist.node(id).op, Op::Read { .. })
-            && self.seat(id).is_none()
+        self.clocks(netlist, id) > 0
+    }
+
+    /// Cycles that a node's word takes from its operands: none but for reads on a clock and of memories.
+    #[must_use]
+    pub fn clocks(&self, netlist: &Netlist, id: NodeId) -> u32 {
+        if self.seat(id).is_some() { 0 } else { clocks(netlist, self.rom, id) }
+    }
+
+    /// Stage in which the words of a rate enter.
+    #[must_use]
+    pub fn entry(&self, rate: Rate) -> u32 {
+        self.entries[place_of(&self.entries, rate)].1
+    }
+
+    /// Stage from which on a node's word is held for a faster rate, where the ports have one.
+    #[must_use]
+    pub fn hold(&self, netlist: &Netlist, id: NodeId) -> Option<u32> {
+        let place = place_of(&self.entries, netlist.node(id).rate);
+        self.entries.get(place + 1).map(|(_, entry)| *entry)
+    }
+
+    /// When the words of each rate are taken, from the slowest.
+    #[must_use]
+    pub fn timings(&self) -> Vec<Timing> {
+        let ends = self.entries.iter().skip(1).map(|(_, entry)| *entry).chain([self.latency]);
+        let timing = |(&(rate, entry), end): (&(Rate, u32), u32)| Timing {
+            rate,
+            entry,
+            latency: end - entry,
+            interval: self.interval,
+        };
+        self.entries.iter().zip(ends).map(timing).collect()
     }
 
     /// Cycles from inputs to outputs.
@@ -214,10 +284,17 @@ impl Schedule {
     }
 
     /// A schedule without sharing.
-    fn flat(stages: Vec<u32>, latency: u32, period_ps: u32, rom: Rom) -> Self {
+    fn flat(
+        stages: Vec<u32>,
+        entries: Vec<(Rate, u32)>,
+        latency: u32,
+        period_ps: u32,
+        rom: Rom,
+    ) -> Self {
         let seated = vec![None; stages.len()];
         Self {
             stages,
+            entries,
             latency,
             period_ps,
             rom,
@@ -230,25 +307,27 @@ impl Schedule {
 
     pub(in crate::schedule) fn greedy(netlist: &Netlist, rom: Rom, period_ps: u32) -> Self {
         let available = period_ps.saturating_sub(REGISTER_PS);
-        let mut stages: Vec<u32> = Vec::with_capacity(netlist.nodes().len());
-        let mut arrivals: Vec<u32> = Vec::with_capacity(netlist.nodes().len());
+        let mut stages = vec![0; netlist.nodes().len()];
+        let mut arrivals = vec![0; netlist.nodes().len()];
         let mut longest = 0;
-        for id in netlist.ids() {
-            let placed = Free::after(netlist, rom, available, id, |operand| {
-                (stages[operand.index()], arrivals[operand.index()])
-            });
-            longest = longest.max(placed.longest_ps);
-            stages.push(placed.stage);
-            arrivals.push(placed.arrival_ps);
+        let mut entries = Entries::new(netlist, 1);
+        while let Some(place) = entries.next(&stages) {
+            for id in netlist.ids().filter(|id| entries.of(*id) == place) {
+                let from = entries.now();
+                let placed = Free::after(netlist, rom, available, id, from, |operand| {
+                    if entries.of(operand) < place {
+                        (from, 0)
+                    } else {
+                        (stages[operand.index()], arrivals[operand.index()])
+                    }
+                });
+                longest = longest.max(placed.longest_ps);
+                stages[id.index()] = placed.stage;
+                arrivals[id.index()] = placed.arrival_ps;
+            }
         }
-        // An output port is a register: what is computed in a stage is out after it.
-        let latency = netlist
-            .outputs()
-            .iter()
-            .map(|output| stages[output.node.index()] + 1)
-            .max()
-            .unwrap_or_default();
-        Self::flat(stages, latency, longest.saturating_add(REGISTER_PS), rom)
+        let latency = entries.latency(&stages);
+        Self::flat(stages, entries.done(), latency, longest.saturating_add(REGISTER_PS), rom)
     }
 
     /// The longest path between registers.
@@ -275,6 +354,10 @@ impl Schedule {
     }
 
     fn verify(&self, netlist: &Netlist) -> Result<()> {
+        if self.entries.len() > 1 {
+            let problem = "stages by hand are for ports of one rate".to_owned();
+            return Err(Error::node(netlist.name().to_owned(), problem));
+        }
         if self.stages.len() != netlist.nodes().len() {
             let problem =
                 format!("{} stages for {} nodes", self.stages.len(), netlist.nodes().len());
@@ -283,8 +366,9 @@ impl Schedule {
         for id in netlist.ids() {
             let bad = |problem: String| Err(Error::node(netlist.label(id), problem));
             let node = netlist.node(id);
-            if self.stage(id) == 0 && self.is_clocked(netlist, id) {
-                return bad("a read on a clock can't be in stage 0".to_owned());
+            if self.stage(id) < self.clocks(netlist, id) {
+                let clocks = self.clocks(netlist, id);
+                return bad(format!("its word takes {clocks} cycles: it can't be in an earlier stage"));
             }
             if node.op == Op::Input && self.stage(id) != 0 {
                 return bad("input ports are in stage 0".to_owned());
@@ -310,6 +394,86 @@ impl Schedule {
     }
 }
 
+/// Cycles that a node with hardware of its own takes from its operands.
+fn clocks(netlist: &Netlist, rom: Rom, id: NodeId) -> u32 {
+    match netlist.memory(id) {
+        Some(memory) => memory.latency,
+        None => u32::from(rom == Rom::Block && matches!(netlist.node(id).op, Op::Read { .. })),
+    }
+}
+
+/// Place of a rate among those of the ports: what is slower than all, as constants are, is with the slowest.
+fn place_of(entries: &[(Rate, u32)], rate: Rate) -> usize {
+    entries.iter().position(|(known, _)| *known >= rate).unwrap_or(entries.len() - 1)
+}
+
+/// The rates of a netlist's ports, from the slowest, with the stages that they enter in, found one after the other.
+struct Entries<'a> {
+    netlist: &'a Netlist,
+    interval: u32,
+    rates: Vec<Rate>,
+    found: Vec<(Rate, u32)>,
+    /// Place of each node's rate.
+    of: Vec<usize>,
+    /// Nodes whose words are held for a faster rate.
+    held: Vec<bool>,
+}
+
+impl<'a> Entries<'a> {
+    fn new(netlist: &'a Netlist, interval: u32) -> Self {
+        let rates = netlist.rates();
+        let all: Vec<(Rate, u32)> = rates.iter().map(|rate| (*rate, 0)).collect();
+        let of: Vec<usize> =
+            netlist.nodes().iter().map(|node| place_of(&all, node.rate)).collect();
+        let mut held = vec![false; of.len()];
+        for id in netlist.ids() {
+            for operand in &netlist.node(id).operands {
+                held[operand.index()] |= of[operand.index()] < of[id.index()];
+            }
+        }
+        // Outputs are there for each sample of the fastest rate.
+        for output in netlist.outputs() {
+            held[output.node.index()] |= of[output.node.index()] + 1 < rates.len();
+        }
+        Self { netlist, interval, rates, found: Vec::new(), of, held }
+    }
+
+    /// Goes on to the next rate, which enters when all that is held for it is there; its place.
+    fn next(&mut self, stages: &[u32]) -> Option<usize> {
+        let place = self.found.len();
+        let rate = *self.rates.get(place)?;
+        let held = self.netlist.ids().filter(|id| {
+            let constant = matches!(self.netlist.node(*id).op, Op::Const { .. });
+            self.held[id.index()] && self.of[id.index()] < place && !constant
+        });
+        let ready = held.map(|id| stages[id.index()] + 1).max().unwrap_or(0);
+        let before = self.found.last().map_or(0, |(_, entry)| *entry);
+        self.found.push((rate, ready.max(before).next_multiple_of(self.interval)));
+        Some(place)
+    }
+
+    /// Place of a node's rate.
+    fn of(&self, id: NodeId) -> usize {
+        self.of[id.index()]
+    }
+
+    /// The stage that the latest rate enters in.
+    fn now(&self) -> u32 {
+        self.found.last().map_or(0, |(_, entry)| *entry)
+    }
+
+    /// An output port is a register: what is computed in a stage is out after it.
+    fn latency(&self, stages: &[u32]) -> u32 {
+        let outputs = self.netlist.outputs().iter();
+        let last = outputs.map(|output| stages[output.node.index()]).max().unwrap_or(0);
+        last.max(self.now()) + 1
+    }
+
+    fn done(self) -> Vec<(Rate, u32)> {
+        self.found
+    }
+}
+
 /// Where a node with hardware of its own comes.
 struct Free {
     stage: u32,
@@ -321,16 +485,17 @@ struct Free {
 
 impl Free {
     /// As early as its operands, each with its stage and arrival, and the time between registers
-    /// allow.
+    /// allow, and not before a stage.
     fn after(
         netlist: &Netlist,
         rom: Rom,
         available_ps: u32,
         id: NodeId,
+        from: u32,
         operand: impl Fn(NodeId) -> (u32, u32),
     ) -> Self {
         let node = netlist.node(id);
-        let (mut stage, mut arrival) = (0, 0);
+        let (mut stage, mut arrival) = (from, 0);
         for (s, a) in node.operands.iter().map(|id| operand(*id)) {
             if s > stage {
                 (stage, arrival) = (s, a);
@@ -338,16 +503,16 @@ impl Free {
                 arrival = arrival.max(a);
             }
         }
-        let clocked = rom == Rom::Block && matches!(node.op, Op::Read { .. });
-        let delay = if clocked { ROM_SETUP_PS } else { delay_ps(netlist, id) };
+        let clocks = clocks(netlist, rom, id);
+        let delay = if clocks > 0 { ROM_SETUP_PS } else { delay_ps(netlist, id) };
         // What starts at a register may be as slow as it is; nothing shorter can be done.
         if arrival > 0 && delay > 0 && arrival.saturating_add(delay) > available_ps {
             (stage, arrival) = (stage + 1, 0);
         }
         arrival += delay;
         let mut longest = arrival;
-        if clocked {
-            (stage, arrival) = (stage + 1, ROM_OUTPUT_PS);
+        if clocks > 0 {
+            (stage, arrival) = (stage + clocks, ROM_OUTPUT_PS);
             longest = longest.max(arrival);
         }
         Self { stage, arrival_ps: arrival, longest_ps: longest }

@@ -4,10 +4,10 @@
 //! schedule at the shortest interval that the units allow always exists.
 
 use super::share::{Hardware, Kind, Operand, Operation, Structure, Unit, operations};
-use super::{Free, REGISTER_PS, Rom, Schedule, delay_ps};
+use super::{Entries, Free, REGISTER_PS, Rom, Schedule, delay_ps};
 use crate::base::cast;
 use crate::base::error::{Error, Result};
-use crate::netlist::Netlist;
+use crate::netlist::{Netlist, Rate};
 use crate::number::format::addr_bits;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -363,6 +363,8 @@ enum Placement {
 
 struct Placed {
     stages: Vec<u32>,
+    entries: Vec<(Rate, u32)>,
+    latency: u32,
     /// Unit in its group and issue of each wanted operation.
     seats: Vec<(usize, u32)>,
     longest_ps: u32,
@@ -433,23 +435,43 @@ fn place(
     let mut seats = vec![(0usize, 0u32); wanted.len()];
     let mut longest = 0u32;
     let mut done = vec![false; nodes + wanted.len()];
-    let mut ready: BinaryHeap<(u32, Reverse<usize>)> = (0..nodes)
-        .filter(|index| item[*index] == *index && missing[*index] == 0)
-        .chain(bound.iter().map(|at| nodes + at).filter(|item| missing[*item] == 0))
-        .map(|item| (height(item), Reverse(item)))
-        .collect();
-    while let Some((_, Reverse(now))) = ready.pop() {
+    let mut entries = Entries::new(netlist, interval);
+    // All nodes of an operation have one rate.
+    let first = |item: usize| match item.checked_sub(nodes) {
+        None => netlist.id_at(item),
+        Some(at) => wanted[at].operation.nodes[0],
+    };
+    let rates = netlist.rates().len();
+    let mut ready: Vec<BinaryHeap<(u32, Reverse<usize>)>> = vec![BinaryHeap::new(); rates];
+    let items = (0..nodes).filter(|index| item[*index] == *index);
+    for item in items.chain(bound.iter().map(|at| nodes + at)) {
+        if missing[item] == 0 {
+            ready[entries.of(first(item))].push((height(item), Reverse(item)));
+        }
+    }
+    let mut place = entries.next(&stages).expect("bug: there is a rate");
+    loop {
+        let Some((_, Reverse(now))) = ready[place].pop() else {
+            match entries.next(&stages) {
+                Some(next) => place = next,
+                None => break,
+            }
+            continue;
+        };
+        let from = entries.now();
         done[now] = true;
         if let Some(at) = now.checked_sub(nodes) {
             let (operation, group) = (&wanted[at].operation, &groups[wanted[at].group]);
             let share = group.wanted.len().div_ceil(group.names.len());
-            let mut earliest = 0;
+            let mut earliest = from;
             let mut late = None;
             for (place, operand) in operation.operands.iter().enumerate() {
                 let side = operation.sides[place];
                 let registered = group.registered.get(side).copied().unwrap_or(false);
                 let first = match *operand {
-                    Operand::Constant { .. } => 0,
+                    Operand::Constant { .. } => from,
+                    // What is slower is held by now.
+                    Operand::Node(id) if entries.of(id) < place => from,
                     // The output of a unit is there from hold registers only.
                     Operand::Node(id) if item[id.index()] >= nodes => stages[id.index()] + 1,
                     Operand::Node(id) => {
@@ -495,6 +517,7 @@ fn place(
                 let side = operation.sides[place];
                 let registered = group.registered.get(side).copied().unwrap_or(false);
                 if let Operand::Node(id) = *operand
+                    && entries.of(id) == place
                     && registered
                     && stages[id.index()] + 1 == issue
                     && item[id.index()] < nodes
@@ -506,7 +529,11 @@ fn place(
                 stages[id.index()] = issue + group.latency;
             }
         } else {
-            let placed = Free::after(netlist, rom, available, netlist.id_at(now), |operand| {
+            let id = netlist.id_at(now);
+            let placed = Free::after(netlist, rom, available, id, from, |operand| {
+                if entries.of(operand) < place {
+                    return (from, 0);
+                }
                 let shared = item[operand.index()] >= nodes;
                 let arrival = if shared { 0 } else { arrivals[operand.index()] };
                 (stages[operand.index()] + u32::from(shared), arrival)
@@ -518,13 +545,17 @@ fn place(
         for user in &users[now] {
             missing[*user] -= 1;
             if missing[*user] == 0 {
-                ready.push((height(*user), Reverse(*user)));
+                ready[entries.of(first(*user))].push((height(*user), Reverse(*user)));
             }
         }
     }
+    let latency = entries.latency(&stages);
+    let entries = entries.done();
     match bound.iter().find(|at| !done[nodes + **at]) {
         Some(stuck) => Ok(Placement::Stuck(*stuck)),
-        None => Ok(Placement::Done(Placed { stages, seats, longest_ps: longest })),
+        None => {
+            Ok(Placement::Done(Placed { stages, entries, latency, seats, longest_ps: longest }))
+        }
     }
 }
 
@@ -577,15 +608,10 @@ fn finish(
             same.push(number);
         }
     }
-    let latency = netlist
-        .outputs()
-        .iter()
-        .map(|output| placed.stages[output.node.index()] + 1)
-        .max()
-        .unwrap_or_default();
     Ok(Schedule {
         stages: placed.stages,
-        latency,
+        entries: placed.entries,
+        latency: placed.latency,
         period_ps: longest.saturating_add(REGISTER_PS),
         rom,
         interval,

@@ -12,7 +12,7 @@
 //! value, so a node's word is the unit's word with its binary point moved, whichever operation
 //! sits in the unit.
 
-use super::{Rom, Schedule};
+use super::{Entries, Rom, Schedule};
 use crate::base::error::{Error, Result};
 use crate::netlist::op::Op;
 use crate::netlist::{Builder, Netlist, NodeId, Part, Quantity, ScopeId};
@@ -262,7 +262,17 @@ pub(super) fn operations(
             found
         }
     };
-    found.into_iter().filter_map(|(name, nodes)| Operation::of(netlist, name, nodes)).collect()
+    // What is outside of the datapath, or keeps a word, is no unit's; and a unit takes an operation at once.
+    let rates = Entries::new(netlist, 1);
+    let fits = |(_, nodes): &(String, Vec<NodeId>)| {
+        nodes.iter().all(|id| {
+            netlist.memory(*id).is_none()
+                && !matches!(netlist.node(*id).op, Op::Delay { .. })
+                && rates.of(*id) == rates.of(nodes[0])
+        })
+    };
+    let found = found.into_iter().filter(fits);
+    found.filter_map(|(name, nodes)| Operation::of(netlist, name, nodes)).collect()
 }
 
 /// The outermost dot product that a scope is or stands in.

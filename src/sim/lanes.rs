@@ -316,6 +316,7 @@ pub(super) fn place(netlist: &Netlist, outputs: &[NodeId], counted: &[bool]) -> 
                 whole.push(1);
             }
             Op::Read { .. } => asked[of(0)].address = true,
+            Op::Delay { .. } => whole.push(0),
             Op::Modulo => {
                 let bits = node.format.bits();
                 let (lo, hi) = words[of(0)];

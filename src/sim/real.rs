@@ -9,7 +9,7 @@ use crate::base::error::{Error, Result};
 use crate::base::simd::{Body, vectorised};
 use crate::netlist::{Netlist, NodeId};
 use crate::number::function;
-use crate::number::real::{Graph, Primitive, Term, TermId, modulo};
+use crate::number::real::{Graph, Primitive, Rows, Term, TermId, modulo};
 use crate::number::trig::Real;
 use std::collections::{HashMap, HashSet};
 
@@ -26,6 +26,8 @@ enum Kernel {
     SinCos(usize),
     /// A function with a kernel of its own.
     Call(function::Kernel),
+    /// The value of rows.
+    Row(Rows),
 }
 
 /// A netlist's reals compiled for blocks; the twin of [`Netlist::eval_reals`], bit for bit.
@@ -113,7 +115,7 @@ impl Program {
         };
         let constant = |id: TermId| match terms[id.index()] {
             Term::Constant(number) => Some(number.get()),
-            Term::Variable(_) | Term::Of(..) | Term::Call(..) => None,
+            Term::Variable(_) | Term::Of(..) | Term::Call(..) | Term::Row(..) => None,
         };
         for (at, index) in order.iter().copied().enumerate() {
             let to = columns.of(index);
@@ -130,6 +132,7 @@ impl Program {
                 Term::Call(function, _) => {
                     Kernel::Call(function.kernel().expect("bug: only such functions are terms"))
                 }
+                Term::Row(rows, _) => Kernel::Row(rows.clone()),
                 Term::Of(primitive, operands) => {
                     if *primitive == Primitive::Cos
                         && let Some((before @ Kernel::Of(Primitive::Sin), [angle, ..], _)) =
@@ -258,6 +261,11 @@ fn step(kernel: &Kernel, of: [&[f64]; 3], to: &mut [f64], other: &mut [f64]) {
         Kernel::Of(Primitive::Cos) => f64::sin_cos_turns(of[0], other, to),
         Kernel::SinCos(_) => unreachable!("bug: it has two columns"),
         Kernel::Call(kernel) => kernel(of[0], to),
+        Kernel::Row(rows) => {
+            for (to, a) in to.iter_mut().zip(of[0]) {
+                *to = rows.at(*a);
+            }
+        }
         Kernel::Of(primitive) => loops!(*primitive, of, to;
             Add, Sub, Mul, Div, Neg, Abs, Min, Max, Floor, Modulo, Sqrt, Exp2, Log2, Pow, Exponent, Sin, Cos, Asin,
             Acos, Atan, Atan2, Less, Equal, Select
@@ -295,7 +303,11 @@ fn kernel(primitive: Primitive, numbers: [Option<f64>; 3], of: &mut [usize; 3]) 
 fn beside(terms: &[Term], order: &[usize]) -> Vec<usize> {
     let wave = |index: usize| match terms[index] {
         Term::Of(primitive @ (Primitive::Sin | Primitive::Cos), [of, ..]) => Some((primitive, of)),
-        Term::Constant(_) | Term::Variable(_) | Term::Of(..) | Term::Call(..) => None,
+        Term::Constant(_)
+        | Term::Variable(_)
+        | Term::Of(..)
+        | Term::Call(..)
+        | Term::Row(..) => None,
     };
     let mut known = HashMap::new();
     for index in order.iter().copied() {

@@ -113,6 +113,7 @@ impl Cells<'_> {
             name: format!("{}{end}", self.name),
             addr_bits: self.addr_bits,
             columns: columns.clone(),
+            memory: None,
         };
         parts.iter().map(table).collect()
     }

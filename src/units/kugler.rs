@@ -209,7 +209,7 @@ fn tilt_map(b: &mut Builder, values: &Values) -> Result<TableId> {
         words: Arc::from(words),
     };
     let columns = vec![column("phi", azimuth, phis), column("theta", polar, thetas)];
-    Ok(b.table(Table { name: "tilt_map".to_owned(), addr_bits, columns }))
+    Ok(b.table(Table { name: "tilt_map".to_owned(), addr_bits, columns, memory: None }))
 }
 
 /// The top bits of an azimuth.
@@ -283,6 +283,7 @@ fn light_map(
         name: format!("{name}_map"),
         addr_bits: phi_bits + theta_bits,
         columns: vec![column],
+        memory: None,
     };
     let map = b.table(table);
     let high = azimuth_index(b, phi, phi_bits)?;

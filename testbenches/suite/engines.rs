@@ -217,7 +217,7 @@ impl Grower {
                 })
                 .collect();
             let name = format!("t{}", self.tables.len());
-            let table = Table { name, addr_bits, columns };
+            let table = Table { name, addr_bits, columns, memory: None };
             let id = self.b.table(table.clone());
             self.tables.push((id, table));
         }

@@ -673,6 +673,7 @@ fn table(name: &str, addr_bits: u32, formats: &[Format]) -> Table {
         name: name.to_owned(),
         addr_bits,
         columns: formats.iter().enumerate().map(column).collect(),
+        memory: None,
     }
 }
 
@@ -1428,7 +1429,7 @@ fn tables_that_are_too_large_are_refused() {
         let columns = (0..columns).map(column).collect();
         let mut b = Builder::new("big");
         let x = b.input("x", Format::integer(addr_bits).unwrap(), Quantity::Number);
-        let id = b.table(Table { name: "t".to_owned(), addr_bits, columns });
+        let id = b.table(Table { name: "t".to_owned(), addr_bits, columns, memory: None });
         let y = b.read(id, 0, x);
         b.output("y", y);
         let rtl = some_rtl(&Arc::new(b.build().unwrap()), 1);

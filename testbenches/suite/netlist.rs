@@ -32,6 +32,7 @@ fn square_table() -> Table {
         name: "squares".to_owned(),
         addr_bits: 3,
         columns: vec![column("square", words, "u6f3"), column("half", halves, "s5f1")],
+        memory: None,
     }
 }
 

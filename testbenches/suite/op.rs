@@ -300,7 +300,7 @@ fn constants_reads_and_narrows() {
     let columns = vec![column("up", &words), column("down", &reversed)];
     let mut b = Builder::new("reads");
     let a = b.input("a", address, Quantity::Number);
-    let table = b.table(Table { name: "rom".to_owned(), addr_bits: 3, columns });
+    let table = b.table(Table { name: "rom".to_owned(), addr_bits: 3, columns, memory: None });
     for (i, name) in ["up", "down"].into_iter().enumerate() {
         let read = b.read(table, i, a);
         assert_eq!(b.format(read), out);

@@ -281,7 +281,7 @@ fn operations() -> Vec<(&'static str, Build)> {
             let format = Format::signed(4, 1).unwrap();
             let column = Column { name: "c".to_owned(), format, words: Arc::from(words) };
             let table =
-                b.table(Table { name: "t".to_owned(), addr_bits: bits, columns: vec![column] });
+                b.table(Table { name: "t".to_owned(), addr_bits: bits, columns: vec![column], memory: None });
             Some(b.read(table, 0, of[0]))
         }),
     ]

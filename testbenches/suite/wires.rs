@@ -17,7 +17,7 @@ fn doubles() -> Table {
     let words: Vec<i64> = (0..16).map(|i| 2 * i).collect();
     let column =
         Column { name: "twice".to_owned(), format: format("u5f0"), words: Arc::from(words) };
-    Table { name: "doubles".to_owned(), addr_bits: 4, columns: vec![column] }
+    Table { name: "doubles".to_owned(), addr_bits: 4, columns: vec![column], memory: None }
 }
 
 /// Each operator is the builder's operation: the same netlist either way.

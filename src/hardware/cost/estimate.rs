@@ -148,7 +148,11 @@ impl Graph {
     fn new(module: &Module) -> Self {
         let mut graph = Self { words: vec![Vec::new(); module.words.len()], ..Self::default() };
         graph.latency = module.latency;
-        for id in &module.inputs {
+        let outside = module.memories.iter();
+        let fetched = outside.clone().flat_map(|memory| &memory.reads).flat_map(|(.., data)| data);
+        let written = outside.filter_map(|memory| memory.write.as_ref());
+        let written = written.flat_map(|write| [&write.enable, &write.address].into_iter().chain(&write.data));
+        for id in module.inputs.iter().chain(fetched).chain(written) {
             let bits = module.word(*id).bits;
             graph.words[id.index()] =
                 (0..bits).map(|_| Net::Wire(graph.wire(Source::Input))).collect();
@@ -175,7 +179,7 @@ impl Graph {
                 };
             }
         }
-        for (_, id) in &module.outputs {
+        for (_, id) in module.driven() {
             graph.outputs.extend(graph.words[id.index()].clone());
         }
         graph

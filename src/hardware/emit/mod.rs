@@ -7,7 +7,7 @@ use crate::base::error::{Error, Result};
 use crate::base::output::{self, Set};
 use crate::design::{Design, Sampler};
 use crate::hardware::hdl::testbench::{companions, vectors_file};
-use crate::hardware::hdl::{File, LANGUAGES, Language, Module, Options, Tables};
+use crate::hardware::hdl::{File, LANGUAGES, Language, Memories, Module, Options, Tables};
 use crate::hardware::rtl::Rtl;
 use crate::measure::{self, Basis, BoundCheck, Inputs};
 use crate::schedule::Rom;
@@ -27,6 +27,8 @@ pub struct Settings {
     pub name: Option<String>,
     /// Where tables stand; by their number if `None`.
     pub tables: Option<Tables>,
+    /// Where memories are.
+    pub memories: Memories,
     /// Languages.
     pub languages: Vec<&'static dyn Language>,
     /// Random vectors after the hard cases.
@@ -44,6 +46,7 @@ impl Default for Settings {
         Self {
             name: None,
             tables: None,
+            memories: Memories::default(),
             languages: LANGUAGES.to_vec(),
             random: 1000,
             seed: 1,
@@ -74,9 +77,15 @@ impl Package {
     /// # Errors
     /// If the pipeline can't be built, the name can't be one, or the module would be too large.
     pub fn new(design: &Design, settings: &Settings) -> Result<Self> {
+        design.netlist.check_bound()?;
         let rtl = Arc::new(design.rtl()?);
         let header = header(design, &rtl, settings.figures)?;
-        let options = Options { name: settings.name.clone(), tables: settings.tables, header };
+        let options = Options {
+            name: settings.name.clone(),
+            tables: settings.tables,
+            memories: settings.memories,
+            header,
+        };
         let module = Module::new(&rtl, &options)?;
         let most = settings.hard_per_group.unwrap_or(usize::MAX);
         let vectors = Vectors::new(design, most, settings.random, settings.seed);
@@ -144,7 +153,7 @@ fn header(design: &Design, rtl: &Rtl, figures: bool) -> Result<Vec<String>> {
     let parameters = design.values.told().map(|(name, value)| format!("{name}={value}"));
     lines.extend(wrapped("  ", parameters));
     let rom = match schedule.rom() {
-        _ if rtl.netlist().tables().is_empty() => "no tables",
+        _ if rtl.netlist().roms().next().is_none() => "no tables",
         Rom::Block => "tables read on the clock",
         Rom::Distributed => "tables read without a clock",
     };
@@ -156,9 +165,18 @@ fn header(design: &Design, rtl: &Rtl, figures: bool) -> Result<Vec<String>> {
             format!("latency {}, interval {interval}; {rom}", cycles(latency))
         }
     });
+    let timings = schedule.timings();
+    for pair in timings.windows(2) {
+        lines.push(format!(
+            "words of rate {} count for those of rate {} that come {} later and after",
+            pair[0].rate,
+            pair[1].rate,
+            cycles(pair[0].latency)
+        ));
+    }
     // No error can be told of bits without a value on reals.
     let judged = design.judged();
-    if figures && judged.iter().all(|id| design.netlist.node(*id).real.is_some()) {
+    if figures && !design.is_filled() && judged.iter().all(|id| design.netlist.node(*id).real.is_some()) {
         lines.extend(error_figures(design)?);
     }
     Ok(lines)

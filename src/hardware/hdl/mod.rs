@@ -16,8 +16,8 @@ mod vhdl;
 pub use language::Language;
 pub use lower::{AUTO_INLINE_ROWS, INLINE_ROWS, Options, TABLE_BITS, WORDS};
 pub use module::{
-    Bit, Bitwise, Driver, Expr, File, Item, Module, Next, Operand, Port, Register, RomTable, Stage,
-    Tables, Valid, View, Word, WordId,
+    Bit, Bitwise, Driver, Expr, File, Item, Memories, MemoryPorts, Module, Next, Operand, Port,
+    Register, RomTable, Stage, Tables, Valid, View, Word, WordId, WritePort,
 };
 pub use verilog::{Verilog, proof};
 pub use vhdl::Vhdl;

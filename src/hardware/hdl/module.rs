@@ -2,6 +2,7 @@
 
 use crate::base::cast;
 use crate::hardware::rtl::Signal;
+use crate::netlist::Rate;
 use crate::number::format::Format;
 use std::collections::BTreeMap;
 
@@ -194,7 +195,7 @@ pub enum Item {
 }
 
 /// What drives a register.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Register {
     /// Its word.
     pub word: WordId,
@@ -202,9 +203,14 @@ pub struct Register {
     pub next: Next,
     /// The flag that it takes it under; at each edge if `None`.
     pub load: Option<Bit>,
+    /// The valid bit that it takes it under besides, if it takes data only.
+    pub valid: Option<String>,
     /// True if the reset clears it.
     pub reset: bool,
 }
+
+/// Flag and valid bit that registers take their words under.
+pub(super) type Enable = (Option<Bit>, Option<String>);
 
 /// A valid bit, which the reset clears.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -228,8 +234,8 @@ pub struct Stage {
     pub items: Vec<Item>,
     /// Registers that take their words at its end.
     pub registers: Vec<Register>,
-    /// The valid bit beside them.
-    pub valid: Option<Valid>,
+    /// The valid bits beside them: one for each rate that has samples on their way here.
+    pub valid: Vec<Valid>,
 }
 
 impl Stage {
@@ -240,23 +246,70 @@ impl Stage {
         self.declared.is_empty()
             && !self.items.iter().any(statement)
             && self.registers.is_empty()
-            && self.valid.is_none()
+            && self.valid.is_empty()
     }
 
     /// Registers in groups that take their words under the same flag, in the order of their first.
-    pub(super) fn groups(&self) -> Vec<(Option<Bit>, Vec<&Register>)> {
-        let mut groups: Vec<(Option<Bit>, Vec<&Register>)> = Vec::new();
+    pub(super) fn groups(&self) -> Vec<(Enable, Vec<&Register>)> {
+        let mut groups: Vec<(Enable, Vec<&Register>)> = Vec::new();
         for register in self.registers.iter().filter(|register| !register.reset) {
-            match groups.iter_mut().find(|(load, _)| *load == register.load) {
+            let enable = register.enable();
+            match groups.iter_mut().find(|(known, _)| *known == enable) {
                 Some((_, group)) => group.push(register),
-                None => groups.push((register.load, vec![register])),
+                None => groups.push((enable, vec![register])),
             }
         }
         groups
     }
 }
 
-/// A read-only table; a row is its columns side by side.
+impl Register {
+    /// What it takes its word under.
+    pub(super) fn enable(&self) -> Enable {
+        (self.load, self.valid.clone())
+    }
+}
+
+/// Where the words of memories stand.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Memories {
+    /// Outside of the module: an address port and data ports for each address that is read at.
+    #[default]
+    Ports,
+    /// In the module: a RAM with a write port.
+    Ram,
+}
+
+impl Memories {
+    /// Names on the command line.
+    pub const ALL: &'static [(Self, &'static str)] = &[(Self::Ports, "ports"), (Self::Ram, "ram")];
+}
+
+/// A memory of a module.
+#[derive(Clone, Debug)]
+pub struct MemoryPorts {
+    /// Its rows, of the columns that are read; they have the words that are bound to it.
+    pub table: RomTable,
+    /// Cycles from the address to the words.
+    pub latency: u32,
+    /// Where it is outside: address port, the word behind it, and data ports by column.
+    pub reads: Vec<(String, WordId, Vec<WordId>)>,
+    /// Where it is a RAM: its write port.
+    pub write: Option<WritePort>,
+}
+
+/// The write port of a RAM: it takes a row at each clock edge, whether the pipeline stands still or not.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct WritePort {
+    /// One bit: a row is written.
+    pub enable: WordId,
+    /// Its address.
+    pub address: WordId,
+    /// Its words by column.
+    pub data: Vec<WordId>,
+}
+
+/// A table; a row is its columns side by side.
 #[derive(Clone, Debug)]
 pub struct RomTable {
     /// Name of the array.
@@ -273,6 +326,8 @@ pub struct RomTable {
     /// [`RAM_PORTS`](crate::netlist::RAM_PORTS), and synthesisers take long and much memory to find
     /// how many they need.
     pub copy_of: Option<usize>,
+    /// The write port of one that is a RAM, which has no words at the start.
+    pub write: Option<WritePort>,
 }
 
 impl RomTable {
@@ -328,12 +383,24 @@ pub struct Module {
     pub words: Vec<Word>,
     /// Input ports.
     pub inputs: Vec<WordId>,
+    /// Rate of each.
+    pub input_rates: Vec<Rate>,
     /// Output ports: name, and the word behind it, which may be the port itself.
     pub outputs: Vec<(String, WordId)>,
     /// Tables.
     pub tables: Vec<RomTable>,
     /// Where their words stand.
     pub tables_in: Tables,
+    /// Memories.
+    pub memories: Vec<MemoryPorts>,
+    /// Slower rates than the fastest: the stage that their words enter in, and the port of their valid bit.
+    pub rates: Vec<(Rate, u32, String)>,
+    /// Which of those valid bits nothing depends on.
+    pub(super) idle_rates: Vec<String>,
+    /// Stage that the words of the fastest rate enter in.
+    pub entry: u32,
+    /// True if registers keep words from one sample to the next.
+    pub has_state: bool,
     /// Stages from the inputs on; one more than there are registers in a row. A time-shared
     /// module has others before and after them.
     pub stages: Vec<Stage>,
@@ -423,6 +490,13 @@ impl Module {
             ports.push(bit("ce", false, "the pipeline stands still without"));
         }
         ports.push(bit("valid_in", false, ""));
+        for (rate, entry, name) in &self.rates {
+            let comment = format!(
+                "words of rate {rate} are data: they count for what comes {} cycles later",
+                self.entry - entry
+            );
+            ports.push(Port { name, is_output: false, word: None, comment });
+        }
         if self.ready.is_some() {
             ports.push(bit(READY, true, "inputs are taken at this edge"));
         }
@@ -431,7 +505,34 @@ impl Module {
         ports.push(bit("valid_out", true, ""));
         let outputs = self.outputs.iter();
         ports.extend(outputs.map(|(name, id)| port(name.as_str(), true, self.word(*id))));
+        for memory in &self.memories {
+            let title = &memory.table.title;
+            for (name, address, data) in &memory.reads {
+                let comment = format!("{title}: data {} cycles later", memory.latency);
+                let word = Some(self.word(*address));
+                ports.push(Port { name, is_output: true, word, comment });
+                ports.extend(data.iter().map(|id| self.word(*id)).map(|word| port(&word.name, false, word)));
+            }
+            if let Some(WritePort { enable, address, data }) = &memory.write {
+                let mut input = |id: &WordId, comment: String| {
+                    let word = self.word(*id);
+                    ports.push(Port { name: &word.name, is_output: false, word: Some(word), comment });
+                };
+                input(enable, format!("{title}: writes a row, also while the pipeline stands still"));
+                input(address, String::new());
+                for (id, column) in data.iter().zip(&memory.table.columns) {
+                    input(id, column.format.to_string());
+                }
+            }
+        }
         ports
+    }
+
+    /// Output ports with the words that drive them: outputs, and addresses of memories.
+    pub fn driven(&self) -> impl Iterator<Item = (&str, WordId)> {
+        let addresses = self.memories.iter().flat_map(|memory| &memory.reads);
+        let addresses = addresses.map(|(name, word, _)| (name.as_str(), *word));
+        self.outputs.iter().map(|(name, word)| (name.as_str(), *word)).chain(addresses)
     }
 
     /// The word of a signal, if the module has one.
@@ -473,9 +574,16 @@ impl Module {
         self.originals().map(file).collect()
     }
 
-    /// Tables without their copies.
+    /// Tables without their copies and without RAMs.
     fn originals(&self) -> impl Iterator<Item = &RomTable> {
-        self.tables.iter().filter(|table| table.copy_of.is_none())
+        self.tables.iter().filter(|table| table.copy_of.is_none() && table.write.is_none())
+    }
+
+    /// True if a testbench reaches it through a bench, which stands for what is outside: memories, or the source of words of
+    /// slow rates.
+    #[must_use]
+    pub fn takes_bench(&self) -> bool {
+        !self.memories.is_empty() || !self.rates.is_empty()
     }
 }
 

@@ -2,7 +2,7 @@
 //! ports, latency and names.
 
 use super::language::Language;
-use super::module::{File, Module, Word};
+use super::module::{File, MemoryPorts, Module, Word, WordId};
 use crate::number::format::Format;
 use minijinja::{Environment, UndefinedBehavior, context};
 use serde::Serialize;
@@ -25,6 +25,49 @@ struct Port {
     top: u32,
     low: u32,
     slice: String,
+    /// Stage that it enters in.
+    entry: u32,
+}
+
+/// A slower rate as templates see it.
+#[derive(Debug, Serialize)]
+struct Rate {
+    name: &'static str,
+    entry: u32,
+    /// Port of its valid bit.
+    port: String,
+    /// Ports of this rate and of slower ones, and their bits.
+    ports: Vec<String>,
+    bits: u32,
+}
+
+/// A memory as templates see it.
+#[derive(Debug, Serialize)]
+struct Memory {
+    title: String,
+    file: String,
+    addr_bits: u32,
+    row_bits: u32,
+    /// The last address.
+    last: u64,
+    latency: u32,
+    reads: Vec<Read>,
+    write: Option<Write>,
+}
+
+/// Ports for the words at an address.
+#[derive(Debug, Serialize)]
+struct Read {
+    address: String,
+    data: Vec<Port>,
+}
+
+/// The write port of a RAM.
+#[derive(Debug, Serialize)]
+struct Write {
+    enable: String,
+    address: String,
+    data: Vec<Port>,
 }
 
 fn ports<'a>(
@@ -46,9 +89,82 @@ fn ports<'a>(
             top,
             low,
             slice: format!("[{top}:{low}]"),
+            entry: 0,
         }
     };
     (words.iter().map(port).collect(), all_bits)
+}
+
+fn memories(module: &Module, shape: &dyn Fn(&Word) -> String) -> Vec<Memory> {
+    let data = |ids: &[WordId]| {
+        let words = ids.iter().map(|id| (module.word(*id).name.as_str(), module.word(*id)));
+        ports(words, shape).0
+    };
+    let name = |id: &WordId| module.word(*id).name.clone();
+    let memory = |memory: &MemoryPorts| Memory {
+        title: memory.table.title.clone(),
+        file: module.table_file(&memory.table),
+        addr_bits: memory.table.addr_bits,
+        row_bits: memory.table.row_bits,
+        last: memory.table.len() - 1,
+        latency: memory.latency,
+        reads: memory
+            .reads
+            .iter()
+            .map(|(address, _, words)| Read { address: address.clone(), data: data(words) })
+            .collect(),
+        write: memory.write.as_ref().map(|write| Write {
+            enable: name(&write.enable),
+            address: name(&write.address),
+            data: data(&write.data),
+        }),
+    };
+    module.memories.iter().map(memory).collect()
+}
+
+fn rates(module: &Module) -> Vec<Rate> {
+    let rate = |(rate, entry, port): &(crate::netlist::Rate, u32, String)| {
+        let ports = module.inputs.iter().zip(&module.input_rates);
+        let ports: Vec<&Word> =
+            ports.filter(|(_, of)| *of <= rate).map(|(id, _)| module.word(*id)).collect();
+        Rate {
+            name: rate.name(),
+            entry: *entry,
+            port: port.clone(),
+            bits: ports.iter().map(|word| word.bits).sum(),
+            ports: ports.iter().map(|word| word.name.clone()).collect(),
+        }
+    };
+    module.rates.iter().map(rate).collect()
+}
+
+/// Name of what testbenches are for: the module, or the bench around it.
+#[must_use]
+pub fn top_name(module: &Module) -> String {
+    if module.takes_bench() { format!("{}_bench", module.name) } else { module.name.clone() }
+}
+
+/// The bench around a module in a language, if it takes one.
+pub(super) fn bench(
+    module: &Module,
+    extension: &str,
+    template: &str,
+    shape: &dyn Fn(&Word) -> String,
+) -> Option<File> {
+    let name = format!("{}.{extension}", top_name(module));
+    module.takes_bench().then(|| File { name, text: render(template, module, 0, shape) })
+}
+
+/// The files with the rows of memories.
+fn memory_files(module: &Module) -> impl Iterator<Item = File> {
+    module.memories.iter().map(|memory| {
+        let mut text = String::new();
+        for row in memory.table.rows() {
+            text.push_str(&row);
+            text.push('\n');
+        }
+        File { name: module.table_file(&memory.table), text }
+    })
 }
 
 /// Name of the file with vectors.
@@ -86,10 +202,22 @@ pub(super) fn render(
     environment.set_keep_trailing_newline(true);
     let inputs = module.inputs.iter().map(|id| (module.word(*id).name.as_str(), module.word(*id)));
     let outputs = module.outputs.iter().map(|(name, id)| (name.as_str(), module.word(*id)));
-    let (inputs, input_bits) = ports(inputs, shape);
+    let (mut inputs, input_bits) = ports(inputs, shape);
+    for (port, rate) in inputs.iter_mut().zip(&module.input_rates) {
+        let slow = module.rates.iter().find(|(known, ..)| known == rate);
+        port.entry = slow.map_or(module.entry, |(_, entry, _)| *entry);
+    }
     let (outputs, output_bits) = ports(outputs, shape);
+    let written = module.memories.iter().filter(|memory| memory.write.is_some());
     let context = context! {
         name => module.name,
+        top => top_name(module),
+        bench => module.takes_bench(),
+        entry => module.entry,
+        rates => rates(module),
+        memories => memories(module, shape),
+        state => module.has_state,
+        resets => written.map(|memory| memory.table.len()).max().unwrap_or(1),
         header => module.header,
         title => module.header.first(),
         latency => module.latency,
@@ -111,6 +239,7 @@ pub fn companions(module: &Module, languages: &[&dyn Language], vectors: u64) ->
     let name = &module.name;
     let mut files: Vec<File> =
         languages.iter().flat_map(|language| language.companions(module, vectors)).collect();
+    files.extend(memory_files(module));
     let mut list = String::new();
     for language in languages {
         let _ = writeln!(list, "{name}.{}", language.extension());

@@ -5,8 +5,8 @@
 
 use super::language::{Language, ROWS_A_LINE, rom_attributes};
 use super::module::{
-    Bit, Bitwise, Driver, Expr, File, Item, Module, Next, Operand, READY, Register, RomTable,
-    Stage, Tables, Valid, View, Word, WordId,
+    Bit, Bitwise, Driver, Enable, Expr, File, Item, Module, Next, Operand, READY, Register,
+    RomTable, Stage, Tables, Valid, View, Word, WordId, WritePort,
 };
 use super::testbench;
 use crate::base::cast;
@@ -34,13 +34,16 @@ impl Language for Verilog {
         let testbench = include_str!("templates/testbench.v");
         let text = testbench::render(testbench, module, vectors, &shape);
         let plain = |suffix, template| testbench::companion(module, suffix, template, vectors);
-        vec![
+        let bench = testbench::bench(module, "v", include_str!("templates/bench.v"), &shape);
+        let mut files = Vec::from_iter(bench);
+        files.extend([
             File { name: format!("{}_tb.v", module.name), text },
             plain("_harness.cpp", include_str!("templates/harness.cpp")),
             plain("_icarus.mk", include_str!("templates/icarus.mk")),
             plain("_verilator.mk", include_str!("templates/verilator.mk")),
             plain(".ys", include_str!("templates/yosys.ys")),
-        ]
+        ]);
+        files
     }
 
     fn module(&self, module: &Module) -> String {
@@ -78,9 +81,9 @@ impl Language for Verilog {
             registers(module, stage, &declared, &mut text);
         }
         text.push('\n');
-        for (port, id) in &module.outputs {
-            let word = module.word(*id);
-            if word.name != *port {
+        for (port, id) in module.driven() {
+            let word = module.word(id);
+            if word.name != port {
                 let _ = writeln!(text, "    assign {port} = {};", word.name);
             }
         }
@@ -149,11 +152,12 @@ fn ports(module: &Module, text: &mut String) {
 }
 
 fn rom(module: &Module, table: &RomTable, text: &mut String) {
-    let RomTable { name, title, addr_bits, row_bits, columns, copy_of } = table;
+    let RomTable { name, title, addr_bits, row_bits, columns, copy_of, write } = table;
     let columns: Vec<String> =
         columns.iter().map(|column| format!("{} {}", column.name, column.format)).collect();
     let copy = if copy_of.is_some() { "a copy of " } else { "" };
-    let _ = writeln!(text, "\n    // {copy}table {title}: {}", columns.join(", "));
+    let kind = if write.is_some() { "memory" } else { "table" };
+    let _ = writeln!(text, "\n    // {copy}{kind} {title}: {}", columns.join(", "));
     let attributes: Vec<String> = rom_attributes(module.block_rom)
         .iter()
         .map(|(attribute, value)| format!("{attribute} = \"{value}\""))
@@ -161,6 +165,18 @@ fn rom(module: &Module, table: &RomTable, text: &mut String) {
     let attributes = attributes.join(", ");
     let range = if *row_bits == 1 { String::new() } else { format!("[{}:0] ", row_bits - 1) };
     let last = table.len() - 1;
+    if let Some(WritePort { enable, address, data }) = write {
+        let name_of = |id: &WordId| module.word(*id).name.clone();
+        let row: Vec<String> = data.iter().map(name_of).collect();
+        let (enable, address) = (name_of(enable), name_of(address));
+        let _ = writeln!(text, "    reg {range}{name} [0:{last}];");
+        let _ = writeln!(
+            text,
+            "    always @(posedge clk)\n        if ({enable}) {name}[{address}] <= {{{}}};",
+            row.join(", ")
+        );
+        return;
+    }
     if module.tables_in == Tables::Case {
         let _ = writeln!(text, "    function {range}{name};");
         let _ = writeln!(text, "        input [{}:0] address;", addr_bits - 1);
@@ -207,7 +223,7 @@ fn declarations(module: &Module, stage: &Stage, text: &mut String) {
 
 /// Registers between a stage and the next, and the valid bit.
 fn registers(module: &Module, stage: &Stage, declared: &BTreeSet<WordId>, text: &mut String) {
-    if stage.registers.is_empty() && stage.valid.is_none() {
+    if stage.registers.is_empty() && stage.valid.is_empty() {
         return;
     }
     text.push('\n');
@@ -218,16 +234,17 @@ fn registers(module: &Module, stage: &Stage, declared: &BTreeSet<WordId>, text: 
         }
     }
     let printer = Printer { module };
-    let enable = |load: &Option<Bit>| match load {
-        Some(flag) => format!("ce & {}", printer.bit(*flag)),
-        None => "ce".to_owned(),
+    let enable = |(load, valid): &Enable| {
+        let flag = load.map(|flag| format!(" & {}", printer.bit(flag))).unwrap_or_default();
+        let valid = valid.as_ref().map(|valid| format!(" & {valid}")).unwrap_or_default();
+        format!("ce{flag}{valid}")
     };
     let taken = |next: &Next| match next {
         Next::Word(from) => module.word(*from).name.clone(),
         Next::Read(table, address) => printer.read(*table, *address),
     };
-    for (load, group) in stage.groups() {
-        let _ = writeln!(text, "    always @(posedge clk)\n        if ({}) begin", enable(&load));
+    for (under, group) in stage.groups() {
+        let _ = writeln!(text, "    always @(posedge clk)\n        if ({}) begin", enable(&under));
         for register in group {
             let name = &module.word(register.word).name;
             let _ = writeln!(text, "            {name} <= {};", taken(&register.next));
@@ -241,27 +258,30 @@ fn registers(module: &Module, stage: &Stage, declared: &BTreeSet<WordId>, text: 
             "    always @(posedge clk)\n        if (rst) {0} <= {1};\n        else if ({2}) {0} <= {3};",
             word.name,
             literal(0, word.bits),
-            enable(&register.load),
+            enable(&register.enable()),
             taken(&register.next)
         );
     }
-    let Some(Valid { from, to, load }) = &stage.valid else { return };
-    let _ = writeln!(
-        text,
-        "    reg {to};\n    always @(posedge clk)\n        if (rst) {to} <= 1'b0;\n        else if ({}) {to} <= {from};",
-        enable(load)
-    );
-    if *to == module.valid.0 {
-        let _ = match module.valid.1 {
-            None => writeln!(text, "    assign valid_out = {to};"),
-            Some(flag) => writeln!(text, "    assign valid_out = {to} & {};", printer.bit(flag)),
-        };
+    for Valid { from, to, load } in &stage.valid {
+        let _ = writeln!(
+            text,
+            "    reg {to};\n    always @(posedge clk)\n        if (rst) {to} <= 1'b0;\n        else if ({}) {to} <= {from};",
+            enable(&(*load, None))
+        );
+        if *to == module.valid.0 {
+            let _ = match module.valid.1 {
+                None => writeln!(text, "    assign valid_out = {to};"),
+                Some(flag) => {
+                    writeln!(text, "    assign valid_out = {to} & {};", printer.bit(flag))
+                }
+            };
+        }
     }
 }
 
 /// Names every bit that is dropped on purpose, so that no tool has to warn of it.
 fn unused(module: &Module, text: &mut String) {
-    let mut parts = Vec::new();
+    let mut parts = module.idle_rates.clone();
     for word in &module.words {
         let mut bit = 0;
         while bit < word.bits {
@@ -311,9 +331,9 @@ impl Printer<'_> {
     }
 
     fn read(&self, table: usize, address: WordId) -> String {
-        let name = &self.module.tables[table].name;
+        let RomTable { name, write, .. } = &self.module.tables[table];
         let address = self.name(address);
-        if self.module.tables_in == Tables::Case {
+        if self.module.tables_in == Tables::Case && write.is_none() {
             format!("{name}({address})")
         } else {
             format!("{name}[{address}]")

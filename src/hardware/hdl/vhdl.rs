@@ -6,8 +6,8 @@
 
 use super::language::{Language, ROWS_A_LINE, rom_attributes};
 use super::module::{
-    Bit, Bitwise, Driver, Expr, File, Item, Module, Next, Operand, READY, Register, RomTable,
-    Stage, Tables, Valid, View, Word, WordId,
+    Bit, Bitwise, Driver, Enable, Expr, File, Item, Module, Next, Operand, READY, Register,
+    RomTable, Stage, Tables, Valid, View, Word, WordId, WritePort,
 };
 use super::testbench;
 use crate::base::cast;
@@ -38,10 +38,13 @@ impl Language for Vhdl {
         let testbench = include_str!("templates/testbench.vhd");
         let text = testbench::render(testbench, module, vectors, &shape);
         let makefile = include_str!("templates/ghdl.mk");
-        vec![
+        let bench = testbench::bench(module, "vhd", include_str!("templates/bench.vhd"), &shape);
+        let mut files = Vec::from_iter(bench);
+        files.extend([
             File { name: format!("{}_tb.vhd", module.name), text },
             testbench::companion(module, "_ghdl.mk", makefile, vectors),
-        ]
+        ]);
+        files
     }
 
     fn module(&self, module: &Module) -> String {
@@ -53,6 +56,9 @@ impl Language for Vhdl {
         let _ = writeln!(text, "\narchitecture rtl of {} is", module.name);
         declarations(module, &mut text);
         text.push_str("begin\n");
+        for table in &module.tables {
+            writes(module, table, &mut text);
+        }
         for stage in &module.stages {
             let _ = writeln!(text, "\n    -- ---- {} ----", stage.title);
             for item in &stage.items {
@@ -71,9 +77,9 @@ impl Language for Vhdl {
             registers(module, stage, &mut text);
         }
         text.push('\n');
-        for (port, id) in &module.outputs {
-            let word = module.word(*id);
-            if word.name != *port {
+        for (port, id) in module.driven() {
+            let word = module.word(id);
+            if word.name != port {
                 let _ = writeln!(text, "    {port} <= {};", word.name);
             }
         }
@@ -108,9 +114,13 @@ fn noted(text: &str) -> String {
     if text.is_empty() { String::new() } else { format!(" -- {text}") }
 }
 
+fn has_roms(module: &Module) -> bool {
+    module.tables.iter().any(|table| table.write.is_none())
+}
+
 fn ports(module: &Module, text: &mut String) {
     text.push_str("library ieee;\nuse ieee.std_logic_1164.all;\nuse ieee.numeric_std.all;\n");
-    if !module.tables.is_empty() && module.tables_in == Tables::Files {
+    if has_roms(module) && module.tables_in == Tables::Files {
         text.push_str("use std.textio.all;\n");
     }
     let _ = writeln!(text, "\nentity {} is\n    port (", module.name);
@@ -128,7 +138,7 @@ fn ports(module: &Module, text: &mut String) {
 }
 
 fn declarations(module: &Module, text: &mut String) {
-    if !module.tables.is_empty() && module.tables_in != Tables::Case {
+    if has_roms(module) && module.tables_in != Tables::Case {
         for (attribute, _) in rom_attributes(module.block_rom) {
             let _ = writeln!(text, "    attribute {attribute} : string;");
         }
@@ -174,7 +184,7 @@ fn declarations(module: &Module, text: &mut String) {
                 declare(text, *word);
             }
         }
-        if let Some(valid) = &stage.valid {
+        for valid in &stage.valid {
             let _ = writeln!(text, "    signal {} : std_logic;", valid.to);
         }
     }
@@ -183,28 +193,38 @@ fn declarations(module: &Module, text: &mut String) {
 /// The wanted name, or a longer one if a word has it: to hide a word would be a warning.
 fn own_name(module: &Module, wanted: &str) -> String {
     let words = module.words.iter().map(|word| &word.name);
-    let outputs = module.outputs.iter().map(|(name, _)| name);
-    let tables = module.tables.iter().map(|table| &table.name);
-    let taken: BTreeSet<&String> = words.chain(outputs).chain(tables).collect();
+    let outputs = module.driven().map(|(name, _)| name);
+    let tables = module.tables.iter().map(|table| table.name.as_str());
+    let words = words.map(String::as_str);
+    let taken: BTreeSet<&str> = words.chain(outputs).chain(tables).collect();
     let mut name = wanted.to_owned();
-    while taken.contains(&name) {
+    while taken.contains(&name[..]) {
         name.push_str("_l");
     }
     name
 }
 
 fn rom(module: &Module, table: &RomTable, text: &mut String) {
-    let RomTable { name, title, addr_bits, row_bits, columns, copy_of } = table;
+    let RomTable { name, title, addr_bits, row_bits, columns, copy_of, write } = table;
     let columns: Vec<String> =
         columns.iter().map(|column| format!("{} {}", column.name, column.format)).collect();
     let copy = if copy_of.is_some() { "a copy of " } else { "" };
-    let _ = writeln!(text, "\n    -- {copy}table {title}: {}", columns.join(", "));
+    let kind = if write.is_some() { "memory" } else { "table" };
+    let _ = writeln!(text, "\n    -- {copy}{kind} {title}: {}", columns.join(", "));
     let row_of = |digits: &str| {
         if *row_bits == 1 { format!("\"{digits}\"") } else { format!("{row_bits}x\"{digits}\"") }
     };
     let (top, last) = (row_bits - 1, table.len() - 1);
     let own = |wanted: &str| own_name(module, wanted);
     let address = own("address");
+    if write.is_some() {
+        let rows = own(&format!("{name}_rows"));
+        let _ = writeln!(
+            text,
+            "    type {rows} is array (0 to {last}) of unsigned({top} downto 0);\n    signal {name} : {rows} := (others => (others => '0'));"
+        );
+        return;
+    }
     if module.tables_in == Tables::Case {
         let top = addr_bits - 1;
         let _ = write!(
@@ -263,31 +283,57 @@ fn rom(module: &Module, table: &RomTable, text: &mut String) {
     }
 }
 
-/// Registers between a stage and the next, and the valid bit.
+/// The write port of a RAM.
+fn writes(module: &Module, table: &RomTable, text: &mut String) {
+    let Some(WritePort { enable, address, data }) = &table.write else { return };
+    let name_of = |id: &WordId| &module.word(*id).name[..];
+    let row: Vec<String> = data.iter().map(|id| format!("unsigned({})", name_of(id))).collect();
+    let _ = write!(
+        text,
+        "
+    process (clk)
+    begin
+        if rising_edge(clk) then
+            if {} = \"1\" then
+                {}(to_integer({})) <= {};
+            end if;
+        end if;
+    end process;
+",
+        name_of(enable),
+        table.name,
+        name_of(address),
+        row.join(" & ")
+    );
+}
+
+/// Registers between a stage and the next, and the valid bits.
 fn registers(module: &Module, stage: &Stage, text: &mut String) {
-    if stage.registers.is_empty() && stage.valid.is_none() {
+    if stage.registers.is_empty() && stage.valid.is_empty() {
         return;
     }
     text.push_str("\n    process (clk)\n    begin\n        if rising_edge(clk) then\n");
     let printer = Printer { module };
-    let enable = |load: &Option<Bit>| match load {
-        Some(flag) => format!("ce = '1' and {} = '1'", printer.bit(*flag)),
-        None => "ce = '1'".to_owned(),
+    let enable = |(load, valid): &Enable| {
+        let is_set = |name: String| format!(" and {name} = '1'");
+        let flag = load.map(|flag| is_set(printer.bit(flag))).unwrap_or_default();
+        let valid = valid.clone().map(is_set).unwrap_or_default();
+        format!("ce = '1'{flag}{valid}")
     };
     let taken = |next: &Next| match next {
         Next::Word(from) => module.word(*from).name.clone(),
         Next::Read(table, address) => printer.read_on_clock(*table, *address),
     };
-    for (load, group) in stage.groups() {
-        let _ = writeln!(text, "            if {} then", enable(&load));
+    for (under, group) in stage.groups() {
+        let _ = writeln!(text, "            if {} then", enable(&under));
         for register in group {
             let name = &module.word(register.word).name;
             let _ = writeln!(text, "                {name} <= {};", taken(&register.next));
         }
         text.push_str("            end if;\n");
     }
-    let mut cleared = |to: &str, zero: &str, load: &Option<Bit>, from: &str| {
-        let enable = enable(load);
+    let mut cleared = |to: &str, zero: &str, under: &Enable, from: &str| {
+        let enable = enable(under);
         let _ = write!(
             text,
             "            if rst = '1' then
@@ -300,10 +346,10 @@ fn registers(module: &Module, stage: &Stage, text: &mut String) {
     };
     for register in stage.registers.iter().filter(|register| register.reset) {
         let name = &module.word(register.word).name;
-        cleared(name, "(others => '0')", &register.load, &taken(&register.next));
+        cleared(name, "(others => '0')", &register.enable(), &taken(&register.next));
     }
-    if let Some(Valid { from, to, load }) = &stage.valid {
-        cleared(to, "'0'", load, from);
+    for Valid { from, to, load } in &stage.valid {
+        cleared(to, "'0'", &(*load, None), from);
     }
     text.push_str("        end if;\n    end process;\n");
 }
@@ -329,9 +375,9 @@ struct Printer<'a> {
 impl Printer<'_> {
     /// A row for a register: what a block RAM's own register takes.
     fn read_on_clock(&self, table: usize, address: WordId) -> String {
-        let RomTable { name, addr_bits, .. } = &self.module.tables[table];
+        let RomTable { name, addr_bits, write, .. } = &self.module.tables[table];
         let address = self.operand(whole(address, *addr_bits), false);
-        if self.module.tables_in == Tables::Case {
+        if self.module.tables_in == Tables::Case && write.is_none() {
             format!("{name}({address})")
         } else {
             format!("{name}(to_integer({address}))")

@@ -5,7 +5,7 @@ use crate::base::outside::{self, Tool};
 use crate::design::Design;
 use crate::hardware::emit::Package;
 use crate::hardware::emit::vectors::Vectors;
-use crate::hardware::hdl::Tables;
+use crate::hardware::hdl::{Memories, Tables};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -106,6 +106,8 @@ pub struct Request {
     pub seed: u64,
     /// Where tables stand; by their number if `None`.
     pub tables: Option<Tables>,
+    /// Where memories are.
+    pub memories: Memories,
     /// Longest run of a tool.
     pub limit: Duration,
     /// Largest memory of each process of a tool, in bytes.
@@ -123,6 +125,7 @@ impl Default for Request {
             vectors: None,
             seed: 1,
             tables: None,
+            memories: Memories::default(),
             limit: Duration::from_secs(600),
             memory_bytes: outside::default_memory_bytes(),
             proof_limit: Duration::from_secs(60),

@@ -24,6 +24,7 @@ pub fn verify(design: &Design, request: &Request, progress: &dyn Fn(&Row)) -> Re
     let folder = scratch.path();
     let settings = Settings {
         tables: request.tables,
+        memories: request.memories,
         random: request.vectors.unwrap_or(SLOW_VECTORS),
         seed: request.seed,
         figures: false,

@@ -9,7 +9,7 @@ use crate::base::outside::{self, End, Limits, Outcome};
 use crate::design::{Design, Kind, Role, Value};
 use crate::hardware::emit::vectors::Vectors;
 use crate::hardware::hdl::proof;
-use crate::hardware::hdl::testbench::reference_name;
+use crate::hardware::hdl::testbench::{reference_name, top_name};
 use crate::hardware::hdl::{File, Module, Options, Tables, Verilog};
 use crate::hardware::rtl::Rtl;
 use crate::schedule::{Depth, Rom, Schedule};
@@ -173,23 +173,40 @@ fn random(job: &Job<'_>, simulator: Simulator) -> u64 {
     job.request.vectors.unwrap_or(simulator.default_vectors())
 }
 
+/// The files of a module with its bench, if it takes one.
+fn sources(job: &Job<'_>, extension: &str) -> Vec<String> {
+    let module = &job.package.module;
+    let bench = module.takes_bench().then(|| top_name(module));
+    let names = [module.name.clone()].into_iter().chain(bench);
+    names.map(|name| format!("{name}.{extension}")).collect()
+}
+
 fn icarus(job: &Job<'_>, row: &mut Row) -> Ended {
     let name = &job.package.module.name;
-    let (module, testbench) = (format!("{name}.v"), format!("{name}_tb.v"));
+    let (sources, testbench) = (sources(job, "v"), format!("{name}_tb.v"));
     let program = format!("{name}_tb.vvp");
-    step(job, "iverilog", &["-g2005", "-Wall", "-o", &program, &module, &testbench])?;
+    let mut arguments = vec!["-g2005", "-Wall", "-o", &program];
+    arguments.extend(sources.iter().map(String::as_str));
+    arguments.push(&testbench);
+    step(job, "iverilog", &arguments)?;
     let outcome = run_step(job, "vvp", &["-n", &program])?;
     judged(job, row, &outcome, "vvp", job.vectors(random(job, Simulator::Icarus)))
 }
 
 fn verilator(job: &Job<'_>, row: &mut Row) -> Ended {
     let name = &job.package.module.name;
-    let (module, harness) = (format!("{name}.v"), format!("{name}_harness.cpp"));
-    let (objects, makefile) = (format!("obj_{name}"), format!("V{name}.mk"));
-    let top = format!("V{name}");
+    let (sources, harness) = (sources(job, "v"), format!("{name}_harness.cpp"));
+    let module = top_name(&job.package.module);
+    let (objects, makefile) = (format!("obj_{name}"), format!("V{module}.mk"));
+    let top = format!("V{module}");
     // Building takes longer than running: -O1.
-    let translate = ["--cc", "--exe", "-Wall", "--Mdir", &objects, "-CFLAGS", "-O1"];
-    step(job, "verilator", &[&translate[..], &[&module, &harness]].concat())?;
+    let mut translate = vec!["--cc", "--exe", "-Wall", "--Mdir", &objects, "-CFLAGS", "-O1"];
+    if sources.len() > 1 {
+        translate.extend(["--top-module", &module]);
+    }
+    translate.extend(sources.iter().map(String::as_str));
+    translate.push(&harness);
+    step(job, "verilator", &translate)?;
     // Its makefile would add -Os, which undoes that. What g++ thinks of its code is no warning
     // of ours.
     let flags = ["OPT_FAST=", "OPT_SLOW=", "OPT_GLOBAL="];
@@ -210,9 +227,12 @@ fn verilator(job: &Job<'_>, row: &mut Row) -> Ended {
 
 fn ghdl(job: &Job<'_>, row: &mut Row) -> Ended {
     let name = &job.package.module.name;
-    let (module, testbench) = (format!("{name}.vhd"), format!("{name}_tb.vhd"));
+    let (sources, testbench) = (sources(job, "vhd"), format!("{name}_tb.vhd"));
     let top = format!("{name}_tb");
-    step(job, "ghdl", &["-a", "--std=08", &module, &testbench])?;
+    let mut arguments = vec!["-a", "--std=08"];
+    arguments.extend(sources.iter().map(String::as_str));
+    arguments.push(&testbench);
+    step(job, "ghdl", &arguments)?;
     step(job, "ghdl", &["-e", "--std=08", &top])?;
     let outcome = run_step(job, "ghdl", &["-r", "--std=08", &top])?;
     judged(job, row, &outcome, "ghdl", job.vectors(random(job, Simulator::Ghdl)))
@@ -221,6 +241,20 @@ fn ghdl(job: &Job<'_>, row: &mut Row) -> Ended {
 fn yosys(job: &Job<'_>) -> Ended {
     let script = format!("{}.ys", job.package.module.name);
     step(job, "yosys", &["-q", &script])?;
+    let netlist = &job.design.netlist;
+    let why = if netlist.memories().next().is_some() {
+        Some("words of a memory come from outside")
+    } else if netlist.rates().len() > 1 {
+        Some("words of slow rates come before the others")
+    } else if netlist.first_delay().is_some() {
+        Some("words come from earlier samples")
+    } else {
+        None
+    };
+    if let Some(why) = why {
+        let text = format!("no latch; not proved: {why}, and a combinational reference has none of that");
+        return Ok(Verdict::Unproved(text));
+    }
     let time = job.request.proof_limit.min(job.request.limit);
     let limits = Limits { time, ..limits(job) };
     for proof in Proof::all(job.design).map_err(could_not)? {

@@ -10,7 +10,9 @@ use crate::base::error::{Error, Result};
 use crate::base::output;
 use crate::hardware::cycle::Cycle;
 use crate::hardware::rtl::{Rtl, Signal};
+use crate::netlist::{Netlist, Rate};
 use crate::number::format::Format;
+use crate::schedule::Schedule;
 use std::io::{self, Write};
 use std::path::Path;
 use std::sync::Arc;
@@ -86,11 +88,10 @@ impl Wave<'_> {
         let mut codes = Codes::declare(&mut writer, self, &cycle, oldest)?;
         let mut lines = Lines::new(to);
 
-        let idle = vec![0; netlist.inputs().len()];
+        let mut stimulus = Stimulus::new(netlist, self.rtl.schedule(), samples);
         for at in 0..end {
-            let number = usize::try_from(at / interval).ok().filter(|_| cycle.ready());
-            let sample = number.and_then(|number| samples.get(number));
-            cycle.settle(sample.unwrap_or(&idle), sample.is_some()).map_err(io::Error::other)?;
+            let (words, data) = stimulus.at(at, cycle.ready());
+            cycle.settle_rates(words, |rate| data[rate]).map_err(io::Error::other)?;
             if at >= window.start {
                 lines.timestamp(at * self.period_ps)?;
                 let first = at == window.start;
@@ -117,11 +118,63 @@ impl Wave<'_> {
     }
 }
 
+/// What goes into the ports in each cycle. Words of each rate come with the sample that they belong to, as much later as
+/// their rate enters, and slower ones are data where they change.
+struct Stimulus<'a> {
+    samples: &'a [Vec<i64>],
+    interval: u64,
+    /// By rate: the cycle that it enters in, and the ports of that rate and of slower ones.
+    rates: Vec<(u64, Vec<usize>)>,
+    /// Place of the rate of each port.
+    rate_of: Vec<usize>,
+    words: Vec<i64>,
+    data: Vec<bool>,
+}
+
+impl<'a> Stimulus<'a> {
+    fn new(netlist: &Netlist, schedule: &Schedule, samples: &'a [Vec<i64>]) -> Self {
+        let timings = schedule.timings();
+        let rates: Vec<Rate> = netlist.inputs().iter().map(|id| netlist.node(*id).rate).collect();
+        let up_to = |rate: Rate| (0..rates.len()).filter(|port| rates[*port] <= rate).collect();
+        let place = |own: &Rate| timings.iter().position(|timing| timing.rate == *own);
+        Self {
+            samples,
+            interval: schedule.interval().into(),
+            rates: timings.iter().map(|timing| (timing.entry.into(), up_to(timing.rate))).collect(),
+            rate_of: rates.iter().map(|own| place(own).expect("bug: it is of a port")).collect(),
+            words: vec![0; rates.len()],
+            data: vec![false; timings.len()],
+        }
+    }
+
+    /// Words of the ports in a cycle, and which rates have data.
+    fn at(&mut self, cycle: u64, ready: bool) -> (&[i64], &[bool]) {
+        let fastest = self.rates.len() - 1;
+        for (rate, (entry, ports)) in self.rates.iter().enumerate() {
+            let number = cycle.checked_sub(*entry).map(|cycles| cycles / self.interval);
+            let number = number.and_then(|number| usize::try_from(number).ok()).filter(|_| ready);
+            let sample = number.and_then(|number| self.samples.get(number));
+            let before = number.and_then(|n| n.checked_sub(1)).and_then(|n| self.samples.get(n));
+            let is_new = |sample: &Vec<i64>| {
+                rate == fastest
+                    || before.is_none_or(|before| ports.iter().any(|port| before[*port] != sample[*port]))
+            };
+            self.data[rate] = sample.is_some_and(is_new);
+            for port in ports.iter().filter(|port| self.rate_of[**port] == rate) {
+                self.words[*port] = sample.map_or(0, |words| words[*port]);
+            }
+        }
+        (&self.words, &self.data)
+    }
+}
+
 /// Identifiers and last values of the signals.
 struct Codes<'a> {
     clk: Code,
     rst: Code,
     valid_in: Shown,
+    /// Of slower rates, from the slowest.
+    valid_slow: Vec<Shown>,
     valid_out: Shown,
     words: Vec<Word>,
     twins: Twins<'a>,
@@ -150,6 +203,12 @@ impl<'a> Codes<'a> {
         writer.add_module(netlist.name())?;
         let (clk, rst) = (writer.add_wire(1, "clk")?.into(), writer.add_wire(1, "rst")?.into());
         let valid_in = Shown::new(writer.add_wire(1, "valid_in")?, 1);
+        let mut valid_slow = Vec::new();
+        let timings = schedule.timings();
+        for timing in &timings[..timings.len() - 1] {
+            let name = format!("valid_{}", timing.rate);
+            valid_slow.push(Shown::new(writer.add_wire(1, &name)?, 1));
+        }
         let valid_out = Shown::new(writer.add_wire(1, "valid_out")?, 1);
         let units = UnitCodes::declare(writer, &wave.rtl, &wave.table, cycle)?;
         let mut order: Vec<&Trace> = wave.traces.iter().collect();
@@ -200,7 +259,7 @@ impl<'a> Codes<'a> {
         writer.upscope()?;
         writer.enddefinitions()?;
         let twins = Twins::new(wave.design, &wave.rtl, cycle, twins, angles, oldest);
-        Ok(Self { clk, rst, valid_in, valid_out, words, twins, units })
+        Ok(Self { clk, rst, valid_in, valid_slow, valid_out, words, twins, units })
     }
 
     /// Writes what changed after a rising edge.
@@ -211,7 +270,10 @@ impl<'a> Codes<'a> {
         samples: &[Vec<i64>],
         cycle: &Cycle,
     ) -> io::Result<()> {
-        self.valid_in.change(lines, cycle.is_data(0).into())?;
+        for (rate, valid) in self.valid_slow.iter_mut().enumerate() {
+            valid.change(lines, cycle.takes(rate).into())?;
+        }
+        self.valid_in.change(lines, cycle.takes(self.valid_slow.len()).into())?;
         self.valid_out.change(lines, cycle.is_data(rtl.schedule().latency()).into())?;
         let (words, edges, phase) = (cycle.words(), cycle.edges(), cycle.phase());
         for word in &mut self.words {

@@ -63,7 +63,7 @@ struct UnitCode {
     inside: Option<Text>,
     out: Text,
     /// By phase: what can be loaded at its end, and the stage whose data it is.
-    loads: Vec<Vec<(u32, String)>>,
+    loads: Vec<Vec<(usize, u32, String)>>,
     /// By operation: what it is at its issue, and what it gives.
     formulas: Vec<String>,
     results: Vec<String>,
@@ -159,7 +159,7 @@ impl UnitCode {
             inside: texts.remove("inside"),
             out: texts.remove("out").expect("bug: every unit has it"),
             loads: (0..rtl.schedule().interval())
-                .map(|phase| loads(rtl, number, names, phase))
+                .map(|phase| loads(rtl, number, names, phase, cycle))
                 .collect(),
             formulas: names.iter().map(formula).collect(),
             results: names.iter().map(|name| tight(&name.result)).collect(),
@@ -176,7 +176,8 @@ impl UnitCode {
     fn change(&mut self, lines: &mut Lines<'_>, number: usize, cycle: &Cycle) -> io::Result<()> {
         if let Some(load) = &mut self.load {
             let loads = self.loads[cast::index_of_u32(cycle.phase())].iter();
-            let mut now = loads.filter(|(stage, _)| cycle.valid(*stage)).map(|(_, text)| text);
+            let sits = |(rate, stage, _): &&(usize, u32, String)| cycle.valid(*rate, *stage);
+            let mut now = loads.filter(sits).map(|(.., text)| text);
             load.change(lines, now.next().map_or(NONE, String::as_str))?;
         }
         let sits = |stage| cycle.sits(number, stage);
@@ -201,9 +202,15 @@ impl UnitCode {
     }
 }
 
-/// What operand registers of a unit can take at the end of a phase: the stage whose data it is,
+/// What operand registers of a unit can take at the end of a phase: the rate and the stage whose data it is,
 /// and the operands' names.
-fn loads(rtl: &Rtl, number: usize, names: &[Name], phase: u32) -> Vec<(u32, String)> {
+fn loads(
+    rtl: &Rtl,
+    number: usize,
+    names: &[Name],
+    phase: u32,
+    cycle: &Cycle,
+) -> Vec<(usize, u32, String)> {
     let unit = &rtl.units()[number];
     let operations = rtl.operations(number).iter().enumerate();
     let loads = operations.filter_map(|(at, operation)| {
@@ -219,7 +226,7 @@ fn loads(rtl: &Rtl, number: usize, names: &[Name], phase: u32) -> Vec<(u32, Stri
             .filter(|(side, name)| takes(*side) && !name.is_empty())
             .map(|(_, name)| tight(name));
         let text = sides.collect::<Vec<String>>().join(",");
-        (rtl.schedule().phase(stage) == phase && !text.is_empty()).then_some((stage, text))
+        (rtl.schedule().phase(stage) == phase && !text.is_empty()).then(|| (cycle.rate_of(operation.nodes[0]), stage, text))
     });
     loads.collect()
 }

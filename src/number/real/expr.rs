@@ -1,6 +1,7 @@
 //! Terms, graphs of them, expressions, and functions, which are expressions with a name.
 
 use super::primitive::Primitive;
+use super::rows::Rows;
 use crate::base::{cast, escape, name};
 use std::collections::HashMap;
 use std::fmt;
@@ -63,6 +64,8 @@ pub enum Term {
     Of(Primitive, [TermId; 3]),
     /// A named function of an earlier term. In a graph, only one with a kernel of its own: others are what they are made of.
     Call(Function, TermId),
+    /// The value of rows at an earlier term.
+    Row(Rows, TermId),
 }
 
 impl Term {
@@ -72,7 +75,7 @@ impl Term {
         match self {
             Self::Constant(_) | Self::Variable(_) => &[],
             Self::Of(primitive, of) => &of[..primitive.arity()],
-            Self::Call(_, of) => std::slice::from_ref(of),
+            Self::Call(_, of) | Self::Row(_, of) => std::slice::from_ref(of),
         }
     }
 }
@@ -167,6 +170,7 @@ impl Graph {
                     self.of(*primitive, &of)
                 }
                 Term::Call(function, of) => call(self, function, at[of.index()]),
+                Term::Row(rows, of) => self.add(Term::Row(rows.clone(), at[of.index()])),
             };
             at.push(id);
         }
@@ -279,7 +283,7 @@ impl Expr {
     pub(crate) fn problem_with_calls(&self) -> Option<String> {
         let called = |term: &Term| match term {
             Term::Call(function, _) => function.problem(),
-            Term::Constant(_) | Term::Variable(_) | Term::Of(..) => None,
+            Term::Constant(_) | Term::Variable(_) | Term::Of(..) | Term::Row(..) => None,
         };
         // Too large comes first: then nothing else is gone through.
         self.problem().or_else(|| self.0.iter().find_map(called))
@@ -293,7 +297,7 @@ impl Expr {
             let below = term.operands().iter().map(|id| depths[id.index()]).max().unwrap_or(0);
             let own = match term {
                 Term::Call(function, _) => function.0.extent,
-                Term::Constant(_) | Term::Variable(_) | Term::Of(..) => {
+                Term::Constant(_) | Term::Variable(_) | Term::Of(..) | Term::Row(..) => {
                     Extent { terms: 1, depth: 1 }
                 }
             };
@@ -308,7 +312,7 @@ impl Expr {
     pub fn arity(&self) -> usize {
         let number = |term: &Term| match term {
             Term::Variable(number) => cast::index_of_u32(*number) + 1,
-            Term::Constant(_) | Term::Of(..) | Term::Call(..) => 0,
+            Term::Constant(_) | Term::Of(..) | Term::Call(..) | Term::Row(..) => 0,
         };
         self.0.iter().map(number).max().unwrap_or(0)
     }
@@ -454,6 +458,9 @@ pub trait Reading {
     /// A primitive of as many values as it takes; the rest are any.
     fn of(&self, primitive: Primitive, of: [&Self::Value; 3]) -> Self::Value;
 
+    /// The value of rows at a value.
+    fn row(&self, rows: &Rows, of: &Self::Value) -> Self::Value;
+
     /// A named function: its kernel where the reading has one, else its expression.
     fn call(&self, function: &Function, of: &Self::Value) -> Self::Value
     where
@@ -477,6 +484,7 @@ fn values<R: Reading>(terms: &[Term], reading: &R, variables: &[R::Value]) -> Ve
                 reading.of(*primitive, [operand(0), operand(1), operand(2)])
             }
             Term::Call(function, of) => reading.call(function, &values[of.index()]),
+            Term::Row(rows, of) => reading.row(rows, &values[of.index()]),
         };
         values.push(value);
     }

@@ -2,6 +2,7 @@
 
 use super::expr::Reading;
 use super::primitive::Primitive;
+use super::rows::Rows;
 use super::scalar::Scalar;
 use std::ops::{Add, Mul};
 
@@ -215,6 +216,10 @@ impl Reading for Outward {
 
     fn constant(&self, value: f64) -> Interval {
         value.into()
+    }
+
+    fn row(&self, rows: &Rows, of: &Interval) -> Interval {
+        rows.between(*of)
     }
 
     fn of(&self, primitive: Primitive, [a, b, c]: [&Interval; 3]) -> Interval {

@@ -11,12 +11,13 @@
 //!
 //! Angles are in turns, so that their reduction is exact: the sine of ½ is 0 and not 1.2e-16.
 //!
-//! A [`Function`] is an expression of one variable with a name.
+//! A [`Function`] is an expression of one variable with a name; [`Rows`] are one that is told by its values.
 
 mod expr;
 mod interval;
 mod precise;
 mod primitive;
+mod rows;
 mod scalar;
 #[cfg(test)]
 mod tests;
@@ -26,6 +27,7 @@ pub use expr::{Expr, Function, Graph, Kernel, Number, Reading, Term, TermId};
 pub use interval::{Interval, Outward};
 pub use precise::{Big, Precise};
 pub use primitive::Primitive;
+pub use rows::Rows;
 pub use scalar::{Scalar, Twin, cos_turns, sin_turns};
 pub use text::ParseError;
 

@@ -2,6 +2,7 @@
 
 use super::expr::Reading;
 use super::primitive::Primitive;
+use super::rows::Rows;
 use dashu_float::FBig;
 use dashu_float::ops::{Abs, SquareRoot};
 use dashu_float::round::mode::HalfEven;
@@ -143,6 +144,11 @@ impl Reading for Precise {
 
     fn constant(&self, value: f64) -> Option<Big> {
         self.exact(value).map(Big)
+    }
+
+    fn row(&self, rows: &Rows, of: &Option<Big>) -> Option<Big> {
+        let at = Big(of.as_ref()?.0.floor()).nearest();
+        self.constant(rows.at(at))
     }
 
     fn of(&self, primitive: Primitive, of: [&Option<Big>; 3]) -> Option<Big> {

@@ -2,6 +2,7 @@
 
 use super::expr::{Expr, Function, Reading};
 use super::primitive::Primitive;
+use super::rows::Rows;
 use crate::base::cast;
 use std::f64::consts::TAU;
 
@@ -18,6 +19,10 @@ impl Reading for Twin {
 
     fn of(&self, primitive: Primitive, [a, b, c]: [&f64; 3]) -> f64 {
         primitive.twin(*a, *b, *c)
+    }
+
+    fn row(&self, rows: &Rows, of: &f64) -> f64 {
+        rows.at(*of)
     }
 
     fn call(&self, function: &Function, of: &f64) -> f64 {
@@ -46,6 +51,10 @@ impl Reading for Scalar {
 
     fn constant(&self, value: f64) -> f64 {
         value
+    }
+
+    fn row(&self, rows: &Rows, of: &f64) -> f64 {
+        rows.at(*of)
     }
 
     fn of(&self, primitive: Primitive, [a, b, c]: [&f64; 3]) -> f64 {

@@ -107,6 +107,7 @@ impl Writer<'_> {
             }
             Term::Of(primitive, _) => primitive.name().to_owned(),
             Term::Call(function, _) => (self.function)(function),
+            Term::Row(rows, _) => rows.name().to_owned(),
         };
         self.text.push_str(&name);
         for (i, id) in term.operands().iter().enumerate() {

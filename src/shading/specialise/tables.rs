@@ -101,7 +101,7 @@ impl Group {
             let words = rows.iter().map(|row| words[cast::index_of(*row)]).collect();
             Column { name: name.clone(), format: *format, words }
         };
-        Table { name, addr_bits, columns: self.columns.iter().map(column).collect() }
+        Table { name, addr_bits, columns: self.columns.iter().map(column).collect(), memory: None }
     }
 }
 

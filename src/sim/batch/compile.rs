@@ -96,6 +96,8 @@ impl Program {
                 results: ports(netlist, outputs),
                 outputs: Vec::new(),
                 narrows: Vec::new(),
+                delays: Vec::new(),
+                unbound: netlist.memories().find(|table| table.is_unbound()).map(|t| t.name.clone()),
                 repeated: 0,
                 repeats: repeats.to_vec(),
             },
@@ -338,7 +340,10 @@ impl Compiler<'_> {
         }
         let mut operands: Vec<usize> =
             (0..node.operands.len()).map(|i| self.operand(index, i)).collect();
-        let action = if let Op::Slice { lo } = node.op {
+        let action = if let Op::Delay { samples } = node.op {
+            self.program.delays.push(samples);
+            Action::Delay { line: self.program.delays.len() - 1 }
+        } else if let Op::Slice { lo } = node.op {
             let first = self.operand(index, 0);
             let limit = Limit::Slice { bits: node.format.bits() };
             if self.fused_into[first] {
@@ -476,6 +481,7 @@ impl Compiler<'_> {
             | Op::Mul
             | Op::Shift { .. }
             | Op::Read { .. }
+            | Op::Delay { .. }
             | Op::Narrow { .. } => {
                 panic!("bug: {} has no kernel of its own", node.op.name())
             }

@@ -92,7 +92,8 @@ impl Compiler<'_> {
         }
         let (mut first, mut rest) = (Vec::new(), Vec::new());
         for instruction in take(&mut self.instructions) {
-            let all = instruction.of[..instruction.operands].iter().all(|column| repeats[*column]);
+            let all = instruction.of[..instruction.operands].iter().all(|column| repeats[*column])
+                && !matches!(instruction.action, Action::Delay { .. });
             repeats[instruction.to.slot] = all;
             if let Action::ReadPair { second, .. } = instruction.action {
                 repeats[second] = all;

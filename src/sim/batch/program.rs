@@ -27,6 +27,8 @@ pub(super) enum Action {
     Convert { zero: bool },
     /// A table's words; which of those of the result's width.
     Read { table: usize },
+    /// The words of earlier samples; `line` says of which delay.
+    Delay { line: usize },
     /// Two tables' words at one address; the second goes to `second`.
     ReadPair { table: usize, second: usize },
 }
@@ -75,6 +77,10 @@ pub struct Program {
     pub(super) results: Vec<Port>,
     /// The `narrow` nodes, in the order of the counters.
     pub(super) narrows: Vec<NodeId>,
+    /// How many samples each delay is of.
+    pub(super) delays: Vec<u32>,
+    /// A memory that no words are bound to.
+    pub(super) unbound: Option<String>,
     /// The first instructions give the same words in each block of a run, so many of them.
     pub(super) repeated: usize,
     /// Which ports hold the same words in each block of a run.

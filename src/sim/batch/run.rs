@@ -4,12 +4,14 @@ use super::program::{BLOCK, Column, Port, Program};
 use super::step::run_block;
 use super::store::{Lanes, Store, columns, fill};
 use super::word::{Inside, Word};
+use crate::base::cast;
 use crate::base::error::{Error, Result};
 use crate::base::simd::{Body, Features, prefetch, vectorised_for};
 use crate::netlist::{Netlist, NodeId};
 use crate::number::format::Overflow;
 use crate::sim::kernels::Lane;
 use crate::sim::lanes::Width;
+use std::collections::VecDeque;
 
 impl Program {
     /// Makes a runner with columns of its own.
@@ -27,6 +29,7 @@ impl Program {
             lanes16: columns(self.slots[0]),
             lanes32: columns(self.slots[1]),
             lanes64: columns(self.slots[2]),
+            delays: self.delays.iter().map(|samples| line(*samples)).collect(),
         };
         for (column, raw) in &self.constants {
             match column.width {
@@ -45,7 +48,12 @@ impl Program {
     }
 }
 
-/// Columns for one thread.
+/// A delay after a reset.
+fn line(samples: u32) -> VecDeque<i64> {
+    vec![0; cast::index_of_u32(samples)].into()
+}
+
+/// Columns for one thread. A run goes on with the samples after those of the run before.
 #[derive(Debug)]
 pub struct Runner {
     store: Store,
@@ -102,6 +110,9 @@ impl Runner {
         outputs: &mut [Vec<O>],
         checked: bool,
     ) -> Result<()> {
+        if let Some(memory) = &program.unbound {
+            return Err(Error::unbound_memory(memory));
+        }
         let count = check_columns(program, inputs, outputs)?;
         for column in outputs.iter_mut() {
             column.resize(count, O::default());
@@ -140,6 +151,13 @@ impl Runner {
             start += len;
         }
         Ok(())
+    }
+
+    /// Forgets earlier samples, as a reset does.
+    pub fn reset(&mut self, program: &Program) {
+        for (under_way, samples) in self.store.delays.iter_mut().zip(&program.delays) {
+            *under_way = line(*samples);
+        }
     }
 
     /// How often each `narrow` overflowed so far, in the order of [`Program::narrows`].

@@ -98,6 +98,17 @@ fn step<L: Stored>(
         Action::Read { .. } | Action::ReadPair { .. } => {
             read_pass(program, instruction, store, len)
         }
+        Action::Delay { line } => {
+            assert!(width == L::WIDTH, "bug: a word and the one before have one lane");
+            let mut to = take_column::<L>(store, slot);
+            let mut under_way = std::mem::take(&mut store.delays[line]);
+            for (to, word) in to.0[..len].iter_mut().zip(operands::<L>(instruction, store, len)[0]) {
+                under_way.push_back(word.raw());
+                *to = L::of(under_way.pop_front().unwrap_or_default());
+            }
+            store.delays[line] = under_way;
+            L::columns(store)[slot] = Some(to);
+        }
     }
 }
 
@@ -185,7 +196,10 @@ fn read<A: Stored, L: Stored>(
             let words = &L::tables(program).single[table];
             kernels::read(words, operands::<A>(instruction, store, len)[0], &mut to.0[..len]);
         }
-        Action::Kernel(_) | Action::WideProduct(_) | Action::Convert { .. } => {
+        Action::Kernel(_)
+        | Action::WideProduct(_)
+        | Action::Convert { .. }
+        | Action::Delay { .. } => {
             unreachable!("bug: a read")
         }
     }

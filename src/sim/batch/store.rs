@@ -3,6 +3,7 @@
 use super::program::{BLOCK, Program, Tables};
 use crate::base::simd::Features;
 use crate::sim::kernels::Lane;
+use std::collections::VecDeque;
 
 /// A block's lanes, from the start of a cache line: a vector across two lines costs two accesses.
 #[derive(Debug)]
@@ -28,6 +29,8 @@ pub(super) struct Store {
     pub(super) lanes16: Columns<i16>,
     pub(super) lanes32: Columns<i32>,
     pub(super) lanes64: Columns<i64>,
+    /// The words under way in each delay, the oldest first.
+    pub(super) delays: Vec<VecDeque<i64>>,
 }
 
 /// Lanes whose columns a [`Store`] has.

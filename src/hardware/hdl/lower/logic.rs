@@ -1,7 +1,9 @@
 //! The logic of a node.
 
 use super::words::Lowering;
-use crate::hardware::hdl::module::{Bit, Bitwise, Driver, Expr, Item, Operand, View, WordId};
+use crate::hardware::hdl::module::{
+    Bit, Bitwise, Driver, Expr, Item, Next, Operand, Register, View, WordId,
+};
 use crate::hardware::rtl::Signal;
 use crate::netlist::NodeId;
 use crate::netlist::op::Op;
@@ -21,10 +23,34 @@ impl Lowering {
         let stage = self.at.rtl.schedule().stage(id);
         let signal = Signal { node: id, stage };
         let wanted = self.flat_name(signal);
+        if let Op::Delay { samples } = node.op {
+            self.delay(id, &wanted, samples);
+            return;
+        }
         let word = self.node_word(&wanted, out, Driver::Logic);
         self.at.signals.insert(signal, word);
         let expr = self.expr(id, word);
         self.assign(word, expr);
+    }
+
+    /// The registers of a delay, which take a word when the sample is data.
+    fn delay(&mut self, id: NodeId, name: &str, samples: u32) {
+        let rtl = Arc::clone(&self.at.rtl);
+        let stage = rtl.schedule().stage(id);
+        let (load, valid) = (self.load(rtl.schedule().phase(stage)), self.module.valid.0.clone());
+        let mut from = self.operand(id, 0);
+        for number in 1..=samples {
+            let wanted =
+                if number < samples { format!("{name}_d{number}") } else { name.to_owned() };
+            let word = self.node_word(&wanted, rtl.netlist().node(id).format, Driver::Register);
+            self.use_bits(from, 0, u32::MAX);
+            self.module.stages[self.stage].declared.push(word);
+            let (next, valid) = (Next::Word(from), Some(valid.clone()));
+            let register = Register { word, next, load, valid, reset: true };
+            self.module.stages[self.stage].registers.push(register);
+            from = word;
+        }
+        self.at.signals.insert(Signal { node: id, stage }, from);
     }
 
     /// Logic of a node; helpers that it takes come first.
@@ -114,6 +140,10 @@ impl Lowering {
                     count = self.plain(word, "count", kept_bits, kept);
                 }
                 Expr::ShiftLeft(a, count)
+            }
+            Op::Delay { .. } => unreachable!("bug: a delay is registers"),
+            Op::Read { .. } if let Some(word) = self.fetched(id) => {
+                Expr::Copy(self.resized(word, bits))
             }
             Op::Read { table, column } => {
                 let address = self.address(id);

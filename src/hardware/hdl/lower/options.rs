@@ -1,7 +1,7 @@
 //! What may be asked of a module, and how large one may be.
 
 use crate::base::error::{Error, Result};
-use crate::hardware::hdl::module::Tables;
+use crate::hardware::hdl::module::{Memories, Tables};
 use crate::hardware::hdl::names;
 use crate::hardware::rtl::Rtl;
 
@@ -21,6 +21,8 @@ pub struct Options {
     pub name: Option<String>,
     /// Where the words of tables stand; by their number if `None`.
     pub tables: Option<Tables>,
+    /// Where the words of memories stand.
+    pub memories: Memories,
     /// Lines for the head of each file: parameters, figures.
     pub header: Vec<String>,
 }
@@ -44,11 +46,11 @@ pub(super) fn refuse_size(what: &str, given: u64, limit: u64, remedy: &str) -> E
 
 /// Bits in the tables of a netlist, in words that fit any table.
 fn rom_bits(rtl: &Rtl) -> u64 {
-    rtl.netlist().tables().iter().map(crate::netlist::Table::rom_bits).sum()
+    rtl.netlist().roms().map(crate::netlist::Table::rom_bits).sum()
 }
 
 fn rows(rtl: &Rtl) -> u64 {
-    rtl.netlist().tables().iter().map(|table| 1u64 << table.addr_bits).sum()
+    rtl.netlist().roms().map(|table| 1u64 << table.addr_bits).sum()
 }
 
 /// Where a module's table rows go, and whether it is small enough.

@@ -37,6 +37,7 @@ impl Lowering {
             word: phase,
             next: Next::Word(next),
             load: None,
+            valid: None,
             reset: true,
         });
         let ready = self.flags[&vec![0]];

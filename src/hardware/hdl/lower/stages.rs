@@ -10,9 +10,9 @@ use crate::hardware::hdl::module::{
 };
 use crate::hardware::hdl::names::Names;
 use crate::hardware::rtl::{Port, Rtl, Signal, Source};
-use crate::netlist::TableId;
+use crate::netlist::{NodeId, Rate, TableId};
 use crate::netlist::op::Op;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 impl Module {
@@ -41,8 +41,15 @@ impl Module {
         }
         let clocked = |rtl: &Rtl| {
             let netlist = rtl.netlist();
-            netlist.ids().any(|id| rtl.schedule().is_clocked(netlist, id))
+            let of_table = |id: &NodeId| netlist.memory(*id).is_none();
+            netlist.ids().filter(of_table).any(|id| rtl.schedule().is_clocked(netlist, id))
         };
+        let mut timings = rtl.schedule().timings();
+        let fastest = timings.pop().expect("bug: there is a rate");
+        let rates: Vec<(Rate, u32, String)> = timings
+            .iter()
+            .map(|timing| (timing.rate, timing.entry, names.take(&format!("valid_{}", timing.rate))))
+            .collect();
         let mut lowering = Lowering {
             at: Context {
                 rtl: Arc::clone(rtl),
@@ -57,6 +64,9 @@ impl Module {
             columns: BTreeMap::new(),
             flags: BTreeMap::new(),
             ports: BTreeMap::new(),
+            memories: options.memories,
+            reads: BTreeMap::new(),
+            valids: rates.iter().map(|(rate, _, name)| (*rate, name.clone())).collect(),
             module: Module {
                 name,
                 header: options.header.clone(),
@@ -65,9 +75,15 @@ impl Module {
                 block_rom: clocked(rtl) || rtl.units().iter().any(|unit| clocked(&unit.rtl)),
                 words: Vec::new(),
                 inputs: Vec::new(),
+                input_rates: netlist.inputs().iter().map(|id| netlist.node(*id).rate).collect(),
                 outputs: Vec::new(),
                 tables: Vec::new(),
                 tables_in,
+                memories: Vec::new(),
+                rates,
+                idle_rates: Vec::new(),
+                entry: fastest.entry,
+                has_state: netlist.first_delay().is_some(),
                 stages: Vec::new(),
                 ready: None,
                 valid: ("valid_in".to_owned(), None),
@@ -76,6 +92,7 @@ impl Module {
             },
         };
         lowering.ports();
+        lowering.memory_ports();
         let roms = lowering.tables();
         lowering.phases();
         lowering.declarations();
@@ -93,7 +110,7 @@ impl Lowering {
         let rtl = Arc::clone(&self.at.rtl);
         let netlist = rtl.netlist();
         for id in netlist.inputs() {
-            let signal = Signal { node: *id, stage: 0 };
+            let signal = Signal { node: *id, stage: rtl.schedule().stage(*id) };
             let wanted = rtl.local_name(signal);
             let format = netlist.node(*id).format;
             let word = self.node_word(&wanted, format, Driver::Input);
@@ -269,13 +286,14 @@ impl Lowering {
             self.use_bits(flag.word, flag.bit, 1);
         }
         let next = Next::Word(next);
-        let register = Register { word: register, next, load, reset: false };
-        self.module.stages[self.stage].registers.push(register);
-        register.word
+        let entry = Register { word: register, next, load, valid: None, reset: false };
+        self.module.stages[self.stage].registers.push(entry);
+        register
     }
 
     fn finish(&mut self) {
         let netlist = Arc::clone(self.at.rtl.netlist());
+        self.memory_addresses();
         for (port, output) in netlist.outputs().iter().enumerate() {
             let word = self.at.signals[&self.at.rtl.output(output.node)];
             self.module.outputs[port].1 = word;
@@ -285,6 +303,12 @@ impl Lowering {
         if self.module.interval > 1 {
             self.module.stages.retain(|stage| !stage.is_empty());
         }
+        let holds = |rate: Rate| {
+            let mut registers = netlist.ids().flat_map(|id| self.at.rtl.registers(id));
+            registers.any(|register| self.at.rtl.holds(register) == Some(rate))
+        };
+        let idle = self.module.rates.iter().filter(|(rate, ..)| !holds(*rate));
+        self.module.idle_rates = idle.map(|(.., name)| name.clone()).collect();
         self.module.signals = std::mem::take(&mut self.at.signals);
         if !self.module.renamed.is_empty() {
             let why = "renamed, since a language or another word has the name:";
@@ -305,10 +329,17 @@ impl Lowering {
             }
         }
         // Registers at the end of this stage.
+        let mut moved = BTreeSet::new();
         for id in netlist.ids() {
-            let clocked = schedule.is_clocked(netlist, id);
-            if clocked && schedule.stage(id) == stage + 1 {
+            let clocked = schedule.is_clocked(netlist, id) && self.fetched(id).is_none();
+            let first = schedule.operand_stage(netlist, id);
+            if clocked && first == stage {
                 self.row_register(id);
+            } else if clocked
+                && (first..schedule.stage(id)).contains(&stage)
+                && moved.insert((self.address(id), schedule.stage(id)))
+            {
+                self.later_row(id);
             }
             for register in rtl.registers(id).filter(|register| register.stage == stage + 1) {
                 let from = self.at.signals[&rtl.held(register)];
@@ -324,18 +355,36 @@ impl Lowering {
                 };
                 self.use_bits(from, 0, u32::MAX);
                 let load = self.load(rtl.load_phase(register));
+                let holds = rtl.holds(register);
+                let of = |(rate, name): &(Rate, String)| (Some(*rate) == holds).then(|| name.clone());
+                let valid = self.valids.iter().find_map(of);
                 let next = Next::Word(from);
-                let register = Register { word, next, load, reset: false };
+                let register = Register { word, next, load, valid, reset: false };
                 self.module.stages[self.stage].registers.push(register);
             }
         }
-        // A valid bit beside them, one for each interval; units have none.
-        let valid = self.at.prefix.is_empty() && stage < schedule.latency();
-        if valid && schedule.phase(stage) == 0 {
+        // Valid bits beside them, one for each interval; units have none.
+        if !self.at.prefix.is_empty() || schedule.phase(stage) != 0 {
+            return;
+        }
+        for timing in schedule.timings() {
+            let Some(place) = self.valids.iter().position(|(rate, _)| *rate == timing.rate) else {
+                continue;
+            };
+            let Some(after) = stage.checked_sub(timing.entry) else { continue };
+            if after / schedule.interval() >= rtl.valid_bits_of(&timing) {
+                continue;
+            }
+            let to = self.names.take(&format!("valid_{}_s{}", timing.rate, stage + 1));
+            let from = std::mem::replace(&mut self.valids[place].1, to.clone());
+            let load = self.load(0);
+            self.module.stages[self.stage].valid.push(Valid { from, to, load });
+        }
+        if (self.module.entry..schedule.latency()).contains(&stage) {
             let to = valid_bit(cast::index_of_u32(stage) + 1);
             let from = std::mem::replace(&mut self.module.valid.0, to.clone());
             let load = self.load(0);
-            self.module.stages[self.stage].valid = Some(Valid { from, to, load });
+            self.module.stages[self.stage].valid.push(Valid { from, to, load });
             if stage + schedule.interval() >= schedule.latency() {
                 self.module.valid.1 = self.load(schedule.phase(schedule.latency()));
             }

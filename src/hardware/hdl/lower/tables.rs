@@ -1,11 +1,14 @@
 //! Tables, their copies and the rows that are read of them.
 
 use super::words::Lowering;
-use crate::hardware::hdl::module::{Driver, Next, Register, RomTable, Tables, WordId};
+use crate::base::cast;
+use crate::hardware::hdl::module::{
+    Driver, Memories, MemoryPorts, Next, Register, RomTable, Tables, WordId, WritePort, new_word_id,
+};
 use crate::hardware::hdl::names::Names;
 use crate::hardware::rtl::Signal;
 use crate::netlist::op::Op;
-use crate::netlist::{NodeId, RAM_PORTS, Table, TableId};
+use crate::netlist::{Column, Memory, NodeId, RAM_PORTS, Table, TableId};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -20,7 +23,9 @@ impl Lowering {
             let netlist = rtl.netlist();
             let mut own: BTreeMap<TableId, BTreeSet<u32>> = BTreeMap::new();
             for id in netlist.ids().filter(|id| rtl.is_free(*id)) {
-                if let Op::Read { table, column } = netlist.node(id).op {
+                if let Op::Read { table, column } = netlist.node(id).op
+                    && (self.memories == Memories::Ram || netlist.memory(id).is_none())
+                {
                     own.entry(table).or_default().insert(column);
                 }
             }
@@ -49,27 +54,123 @@ impl Lowering {
                 self.columns.insert((at, *column), lo);
             }
             let title = titles.take(&table.name);
-            let name = self.names.take(&format!("{title}_rom"));
-            let wanted = format!("{}_rom", table.name);
+            let kind = if table.memory.is_some() { "ram" } else { "rom" };
+            let name = self.names.take(&format!("{title}_{kind}"));
+            let wanted = format!("{}_{kind}", table.name);
             if name != wanted {
                 self.module.renamed.push((wanted, name.clone()));
             }
-            self.module.tables.push(RomTable {
-                name,
-                title,
-                addr_bits: table.addr_bits,
-                row_bits,
-                columns: columns.iter().map(|c| table.columns[index(*c)].clone()).collect(),
-                copy_of: None,
-            });
+            let columns: Vec<_> = columns.iter().map(|c| table.columns[index(*c)].clone()).collect();
+            let addr_bits = table.addr_bits;
+            let (copy_of, write) = (None, None);
+            let mut rows = RomTable { name, title, addr_bits, row_bits, columns, copy_of, write };
+            if let Some(Memory { latency }) = table.memory {
+                let write = self.write_port(&table, &rows);
+                rows.write = Some(write.clone());
+                let (table, write) = (rows.clone(), Some(write));
+                let reads = Vec::new();
+                self.module.memories.push(MemoryPorts { table, latency, reads, write });
+            }
+            self.module.tables.push(rows);
         }
         all
+    }
+
+    /// Ports that a RAM is written through.
+    fn write_port(&mut self, memory: &Table, rows: &RomTable) -> WritePort {
+        let name = &memory.name;
+        let enable = self.word(&format!("{name}_we"), 1, false, 0, Driver::Input);
+        let address = memory.address_format();
+        let address = self.node_word(&format!("{name}_waddr"), address, Driver::Input);
+        let column = |column: &Column| {
+            self.node_word(&format!("{name}_w_{}", column.name), column.format, Driver::Input)
+        };
+        let data: Vec<WordId> = rows.columns.iter().map(column).collect();
+        for word in [enable, address].iter().chain(&data) {
+            self.use_bits(*word, 0, u32::MAX);
+        }
+        WritePort { enable, address, data }
+    }
+
+    /// Ports of the memories that are outside: for each address that one is read at, the address and a word for each column.
+    pub(super) fn memory_ports(&mut self) {
+        let rtl = Arc::clone(&self.at.rtl);
+        let netlist = rtl.netlist();
+        if self.memories == Memories::Ram {
+            return;
+        }
+        let mut read: BTreeMap<TableId, BTreeSet<u32>> = BTreeMap::new();
+        for id in netlist.ids().filter(|id| netlist.memory(*id).is_some()) {
+            if let Op::Read { table, column } = netlist.node(id).op {
+                read.entry(table).or_default().insert(column);
+            }
+        }
+        let mut titles = Names::default();
+        for (id, columns) in read {
+            let memory = &netlist.tables()[id.index()];
+            let column = |column: &u32| memory.columns[cast::index_of_u32(*column)].clone();
+            let rows: Vec<Column> = columns.iter().map(column).collect();
+            let title = titles.take(&memory.name);
+            let table = RomTable {
+                name: title.clone(),
+                title,
+                addr_bits: memory.addr_bits,
+                row_bits: rows.iter().map(|column| column.format.bits()).sum(),
+                columns: rows,
+                copy_of: None,
+                write: None,
+            };
+            let latency = memory.memory.map_or(0, |memory| memory.latency);
+            let place = self.module.memories.len();
+            let (reads, write) = (Vec::new(), None);
+            self.module.memories.push(MemoryPorts { table, latency, reads, write });
+            for node in netlist.ids().filter(|node| netlist.memory(*node).is_some()) {
+                let Op::Read { table, .. } = netlist.node(node).op else { continue };
+                let key = (id, self.address(node), rtl.schedule().stage(node));
+                if table != id || self.reads.contains_key(&key) {
+                    continue;
+                }
+                let address = self.take(&format!("{}_addr", memory.name));
+                let data = columns.iter().map(|number| {
+                    let Column { name, format, .. } = column(number);
+                    let wanted = format!("{}_{name}", memory.name);
+                    (*number, self.node_word(&wanted, format, Driver::Input))
+                });
+                let data: BTreeMap<u32, WordId> = data.collect();
+                let words = data.values().copied().collect();
+                // The word behind the address is known later.
+                self.module.memories[place].reads.push((address, new_word_id(0), words));
+                let read = self.module.memories[place].reads.len() - 1;
+                self.reads.insert(key, (place, read, data));
+            }
+        }
+    }
+
+    /// The word at a port of a memory outside.
+    pub(super) fn fetched(&self, read: NodeId) -> Option<WordId> {
+        let netlist = self.at.rtl.netlist();
+        let Op::Read { table, column } = netlist.node(read).op else { return None };
+        netlist.memory(read)?;
+        let key = (table, self.address(read), self.at.rtl.schedule().stage(read));
+        Some(self.reads.get(&key)?.2[&column])
+    }
+
+    /// Drives the address ports of memories outside.
+    pub(super) fn memory_addresses(&mut self) {
+        for ((_, address, _), (place, read, _)) in std::mem::take(&mut self.reads) {
+            let word = self.at.signals[&address];
+            self.module.memories[place].reads[read].1 = word;
+            self.use_bits(word, 0, u32::MAX);
+        }
     }
 
     /// The table or its copy that one more port on the clock reads.
     fn port_of(&mut self, rom: usize) -> usize {
         let (ports, latest) = self.ports.entry(rom).or_insert((0, rom));
-        if *ports > 0 && *ports % RAM_PORTS == 0 && self.module.tables_in != Tables::Case {
+        // The other port of a RAM writes.
+        let most = if self.module.tables[rom].write.is_some() { 1 } else { RAM_PORTS };
+        let in_case = self.module.tables_in == Tables::Case && self.module.tables[rom].write.is_none();
+        if *ports > 0 && *ports % most == 0 && !in_case {
             let name = self.names.take(&self.module.tables[rom].name);
             let copy = RomTable { name, copy_of: Some(rom), ..self.module.tables[rom].clone() };
             *latest = self.module.tables.len();
@@ -96,9 +197,25 @@ impl Lowering {
         let row = self.row_word(rom, Driver::Register);
         self.use_bits(from, 0, u32::MAX);
         let next = Next::Read(self.port_of(rom), from);
-        let register = Register { word: row, next, load: None, reset: false };
-        self.module.stages[self.stage].registers.push(register);
+        self.register(row, next);
         self.at.rows.insert(key, row);
+    }
+
+    /// The register after that of a RAM's row, where its words take more than one clock.
+    pub(super) fn later_row(&mut self, read: NodeId) {
+        let Op::Read { table, .. } = self.at.rtl.netlist().node(read).op else { return };
+        let key = (table, self.address(read), self.at.rtl.schedule().stage(read));
+        let before = self.at.rows[&key];
+        let row = self.row_word(self.at.roms[&table], Driver::Register);
+        self.use_bits(before, 0, u32::MAX);
+        self.register(row, Next::Word(before));
+        self.at.rows.insert(key, row);
+    }
+
+    /// A register that takes a word at each edge.
+    fn register(&mut self, word: WordId, next: Next) {
+        let register = Register { word, next, load: None, valid: None, reset: false };
+        self.module.stages[self.stage].registers.push(register);
     }
 
     pub(super) fn row_word(&mut self, rom: usize, driver: Driver) -> WordId {

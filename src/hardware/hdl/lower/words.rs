@@ -1,11 +1,11 @@
 //! The words of a module as they are made: names, helpers, and which bits are used.
 
 use crate::hardware::hdl::module::{
-    Bit, Driver, Expr, Item, Module, Operand, View, Word, WordId, new_word_id,
+    Bit, Driver, Expr, Item, Memories, Module, Operand, View, Word, WordId, new_word_id,
 };
 use crate::hardware::hdl::names::Names;
 use crate::hardware::rtl::{Rtl, Signal};
-use crate::netlist::{NodeId, TableId};
+use crate::netlist::{NodeId, Rate, TableId};
 use crate::number::format::Format;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -37,6 +37,12 @@ pub(super) struct Lowering {
     pub(super) flags: BTreeMap<Vec<u32>, Bit>,
     /// Ports so far on the clock by table, and the copy that the latest is at.
     pub(super) ports: BTreeMap<usize, (u64, usize)>,
+    /// Where memories are.
+    pub(super) memories: Memories,
+    /// Reads of memories outside, by table, address and stage: places of the memory and of its read, and words by column.
+    pub(super) reads: BTreeMap<(TableId, Signal, u32), (usize, usize, BTreeMap<u32, WordId>)>,
+    /// Valid bits of slower rates, from the slowest: the one that the latest stage has.
+    pub(super) valids: Vec<(Rate, String)>,
 }
 
 impl Lowering {

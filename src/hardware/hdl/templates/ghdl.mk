@@ -13,7 +13,7 @@ run: ghdl_{{ name }}/work-obj08.cf{{ " $(TABLES)" if tables }}
 	ghdl -r $(GHDL) {{ name }}_tb
 wave: ghdl_{{ name }}/work-obj08.cf{{ " $(TABLES)" if tables }}
 	ghdl -r $(GHDL) {{ name }}_tb --vcd={{ name }}_tb.vcd
-ghdl_{{ name }}/work-obj08.cf: $(HDL)/{{ name }}.vhd {{ name }}_tb.vhd
+ghdl_{{ name }}/work-obj08.cf: $(HDL)/{{ name }}.vhd {{ top ~ ".vhd " if bench }}{{ name }}_tb.vhd
 	rm -rf ghdl_{{ name }}
 	mkdir ghdl_{{ name }}
 	ghdl -a $(GHDL) $^

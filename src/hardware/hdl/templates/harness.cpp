@@ -4,7 +4,7 @@
 // Verilator's harness of {{ name }}: feeds vectors from a file, or from the standard input if
 // there is none, with stalls and gaps now and then and a reset in mid-stream, and compares every
 // bit of every output and the latency. The last line says PASS or FAIL; the status is 0 or 1.
-#include "V{{ name }}.h"
+#include "V{{ top }}.h"
 #include "verilated.h"
 #include <cinttypes>
 #include <cstdint>
@@ -84,7 +84,7 @@ int main(int argc, char** argv) {
         return 1;
     }
     VerilatedContext context;
-    V{{ name }} dut{&context};
+    V{{ top }} dut{&context};
     Vectors vectors(file);
 
     // What should come out, moving beside the pipeline; the newest at `head`.
@@ -97,16 +97,26 @@ int main(int argc, char** argv) {
 {%- endif %}
     uint64_t sent = 0, checked = 0, mismatches = 0;
     uint64_t random = 0x9e3779b97f4a7c15u;
-    bool more = true, cut = false, reset_done = kLatency == 0;
+    bool more = true, cut = false, reset_done = {{ "true;  // it would forget words of earlier samples" if state else "kLatency == 0;" }}
 {%- if latency > 0 %}
 
     dut.rst = 1;
     dut.ce = 0;
     dut.valid_in = 0;
+{%- if resets > 1 %}
+    // As long as it takes to write memories.
+    for (int cycle = 0; cycle < {{ resets }}; ++cycle) {
+        dut.clk = 0;
+        dut.eval();
+        dut.clk = 1;
+        dut.eval();
+    }
+{%- else %}
     dut.clk = 0;
     dut.eval();
     dut.clk = 1;
     dut.eval();
+{%- endif %}
     dut.rst = 0;
 {%- endif %}
 

@@ -11,7 +11,7 @@ run: {{ name }}_tb.vvp{{ " $(TABLES)" if tables }}
 	vvp -n $<
 wave: {{ name }}_tb.vvp{{ " $(TABLES)" if tables }}
 	vvp -n $< +vcd
-{{ name }}_tb.vvp: $(HDL)/{{ name }}.v {{ name }}_tb.v
+{{ name }}_tb.vvp: $(HDL)/{{ name }}.v {{ top ~ ".v " if bench }}{{ name }}_tb.v
 	iverilog -g2005 -Wall -o $@ $^
 {%- if tables %}
 ifneq ($(HDL),.)

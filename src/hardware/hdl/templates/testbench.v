@@ -3,7 +3,7 @@
 //
 // Self-checking testbench of {{ name }}. It reads {{ vectors }}: per line the words of the
 // inputs, then of the expected outputs, in hexadecimal. First all vectors go straight through,
-// one {% if interval > 1 %}each {{ interval }} cycles, when it is ready, and between them what isn't to be taken{% else %}a cycle{% endif %}; then, after a reset in mid-stream, the first {{ again }} go again with stalls and
+// one {% if interval > 1 %}each {{ interval }} cycles, when it is ready, and between them what isn't to be taken{% else %}a cycle{% endif %}; then, {% if state %}from a reset on{% else %}after a reset in mid-stream{% endif %}, the first {{ again }} go again with stalls and
 // gaps. Every bit of every output and the latency are compared. The last line says PASS or
 // FAIL, and a failure ends with a status that isn't 0. With +vcd it writes {{ name }}_tb.vcd.
 module {{ name }}_tb;
@@ -30,7 +30,7 @@ module {{ name }}_tb;
     wire {{ port.shape }}port_{{ port.name }};
 {%- endfor %}
 
-    {{ name }} dut (
+    {{ top }} dut (
 {%- if latency > 0 %}
         .clk(clk), .rst(rst), .ce(ce),
 {%- endif %}
@@ -54,6 +54,9 @@ module {{ name }}_tb;
 {%- if interval > 1 %}
     integer phase; // as the module should count it
 {%- endif %}
+{%- if resets > 1 %}
+    integer resets; // cycles under reset that are left: memories are written
+{%- endif %}
     reg [31:0] lfsr; // decides on stalls and gaps
 {%- for port in inputs + outputs %}
     reg {{ port.shape }}next_{{ port.name }};
@@ -71,6 +74,9 @@ module {{ name }}_tb;
         passed = 0;
 {%- if interval > 1 %}
         phase = 0;
+{%- endif %}
+{%- if resets > 1 %}
+        resets = {{ resets }};
 {%- endif %}
         stalls = 1'b0;
         started = 1'b0; // nothing is known before the first edge under reset
@@ -93,7 +99,7 @@ module {{ name }}_tb;
             sent = 0;
             checked = 0;
             more = 1'b1;
-            reset_done = 1'b0;
+            reset_done = 1'b{{ 1 if state else 0 }};{{ " // it would forget words of earlier samples" if state }}
             file = $fopen("{{ vectors }}", "r");
             if (file == 0) begin
                 $display("FAIL: {{ vectors }} can't be read");
@@ -197,13 +203,21 @@ module {{ name }}_tb;
             for (i = 1; i <= LATENCY; i = i + 1) if (valid[i]) checked = checked + 1;
         end
         move_on;
+{%- if resets > 1 %}
+        if (resets > 1) resets = resets - 1;
+        else drive;
+{%- else %}
         drive;
+{%- endif %}
         started = 1'b1;
         if (!more && checked == sent) begin
             $fclose(file);
             if (!stalls) begin
                 passed = checked;
                 stalls = 1'b1;
+{%- if state %}
+                rst <= 1'b1;
+{%- endif %}
                 open_vectors;
             end else finish;
         end

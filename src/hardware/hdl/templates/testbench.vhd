@@ -3,7 +3,7 @@
 --
 -- Self-checking testbench of {{ name }}. It reads {{ vectors }}: per line the words of the
 -- inputs, then of the expected outputs, in hexadecimal. First all vectors go straight through,
--- one {% if interval > 1 %}each {{ interval }} cycles, when it is ready, and between them what isn't to be taken{% else %}a cycle{% endif %}; then, after a reset in mid-stream, the first {{ again }} go again with stalls and
+-- one {% if interval > 1 %}each {{ interval }} cycles, when it is ready, and between them what isn't to be taken{% else %}a cycle{% endif %}; then, {% if state %}from a reset on{% else %}after a reset in mid-stream{% endif %}, the first {{ again }} go again with stalls and
 -- gaps. Every bit of every output and the latency are compared. The last line says PASS or
 -- FAIL, and a failure ends with a status that isn't 0, of which GHDL says a line more. With
 -- --vcd=FILE, GHDL writes waves.
@@ -50,7 +50,7 @@ architecture test of {{ name }}_tb is
         return digits;
     end function;
 begin
-    dut : entity work.{{ name }}
+    dut : entity work.{{ top }}
         port map (
 {%- if latency > 0 %}
             clk => clk, rst => rst, ce => ce,
@@ -84,6 +84,9 @@ begin
         variable phase : natural := 0; -- as the module should count it
         variable should_be_ready : std_logic;
 {%- endif %}
+{%- if resets > 1 %}
+        variable resets : natural := {{ resets }}; -- cycles under reset that are left: memories are written
+{%- endif %}
         variable lfsr : unsigned(31 downto 0) := 32x"2545f491"; -- decides on stalls and gaps
 {%- for port in inputs + outputs %}
         variable next_{{ port.name }} : std_logic_vector({{ port.bits - 1 }} downto 0) := (others => '0');
@@ -108,7 +111,7 @@ begin
             sent := 0;
             checked := 0;
             more := true;
-            reset_done := false;
+            reset_done := {{ "true" if state else "false" }};{{ " -- it would forget words of earlier samples" if state }}
             file_open(status, vectors, "{{ vectors }}", read_mode);
             if status /= open_ok then
                 print("FAIL: {{ vectors }} can't be read");
@@ -272,13 +275,24 @@ begin
                 end loop;
             end if;
             move_on;
+{%- if resets > 1 %}
+            if resets > 1 then
+                resets := resets - 1;
+            else
+                drive;
+            end if;
+{%- else %}
             drive;
+{%- endif %}
             started := true;
             if not more and checked = sent then
                 file_close(vectors);
                 if not stalls then
                     passed := checked;
                     stalls := true;
+{%- if state %}
+                    rst <= '1';
+{%- endif %}
                     open_vectors;
                 else
                     finish;

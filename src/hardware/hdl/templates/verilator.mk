@@ -6,11 +6,11 @@ HDL ?= .
 TABLES = {{ tables | join(" ") }}
 {%- endif %}
 .PHONY: run clean
-run: obj_{{ name }}/V{{ name }}{{ " $(TABLES)" if tables }}
-	obj_{{ name }}/V{{ name }} {{ vectors }}
+run: obj_{{ name }}/V{{ top }}{{ " $(TABLES)" if tables }}
+	obj_{{ name }}/V{{ top }} {{ vectors }}
 # Verilator would add -Os, which undoes -O2.
-obj_{{ name }}/V{{ name }}: $(HDL)/{{ name }}.v {{ name }}_harness.cpp
-	verilator --cc --exe --build -Wall --Mdir obj_{{ name }} -CFLAGS "-O2" \
+obj_{{ name }}/V{{ top }}: $(HDL)/{{ name }}.v {{ top ~ ".v " if bench }}{{ name }}_harness.cpp
+	verilator --cc --exe --build -Wall {{ "--top-module " ~ top ~ " " if bench }}--Mdir obj_{{ name }} -CFLAGS "-O2" \
 	    -MAKEFLAGS "OPT_FAST= OPT_SLOW= OPT_GLOBAL=" $^
 {%- if tables %}
 ifneq ($(HDL),.)

@@ -1,0 +1,140 @@
+//! Words for memories, from files.
+
+use super::{Design, Values};
+use crate::base::cast;
+use crate::base::error::{Error, Result};
+use crate::base::{escape, input};
+use crate::netlist::{Column, Netlist, Table};
+use rand_core::{RngCore, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+use std::path::Path;
+use std::sync::Arc;
+
+/// The most bytes of a file of words.
+const MAX_BYTES: u64 = 1 << 30;
+
+/// Words of a memory from a file: a table in CSV with a heading for each column and a line of words for each address.
+#[derive(Clone, Debug)]
+pub(super) struct MemoryFile {
+    columns: Vec<(String, Arc<[i64]>)>,
+}
+
+impl MemoryFile {
+    pub(super) fn read(path: &Path) -> Result<Self> {
+        let bytes = input::read(input::open_regular(path)?, path, MAX_BYTES)?;
+        let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(&bytes[..]);
+        let malformed = |error: csv::Error| {
+            let line = error.position().map_or(1, csv::Position::line);
+            Error::line(path, line, error.to_string())
+        };
+        let names: Vec<String> =
+            reader.headers().map_err(malformed)?.iter().map(str::to_owned).collect();
+        let mut columns: Vec<Vec<i64>> = vec![Vec::new(); names.len()];
+        let mut record = csv::StringRecord::new();
+        while reader.read_record(&mut record).map_err(malformed)? {
+            let line = record.position().map_or(1, csv::Position::line);
+            for ((name, column), field) in names.iter().zip(&mut columns).zip(&record) {
+                let word = field.parse().map_err(|_| {
+                    let field = escape::short(field);
+                    Error::csv(path, line, Some(name), format!("`{field}` is no word: it is a whole number"))
+                })?;
+                column.push(word);
+            }
+        }
+        let columns = columns.into_iter().map(Arc::from);
+        Ok(Self { columns: names.into_iter().zip(columns).collect() })
+    }
+
+    /// Its words in the order of a memory's columns.
+    fn words(&self, memory: &Table) -> Result<Vec<Arc<[i64]>>> {
+        let of = |column: &Column| {
+            let known = self.columns.iter().find(|(name, _)| *name == column.name);
+            known.map(|(_, words)| Arc::clone(words)).ok_or_else(|| {
+                let names: Vec<&str> = self.columns.iter().map(|(name, _)| &name[..]).collect();
+                Error::usage(format!(
+                    "memory `{}`: its file has no column `{}`: there are {}",
+                    memory.name,
+                    column.name,
+                    names.join(", ")
+                ))
+            })
+        };
+        memory.columns.iter().map(of).collect()
+    }
+}
+
+impl Values {
+    /// A netlist with the words that were set for its memories.
+    ///
+    /// # Errors
+    /// If it has no memory of a name, or a file's words don't fit it.
+    pub(super) fn bound(&self, netlist: &Netlist) -> Result<Netlist> {
+        let mut bound = netlist.clone();
+        for (name, file) in self.memory_files() {
+            let memory = netlist.memories().find(|memory| memory.name == name).ok_or_else(|| {
+                let known: Vec<&str> = netlist.memories().map(|memory| &memory.name[..]).collect();
+                Error::unknown_memory(netlist.name(), name, &known)
+            })?;
+            bound = bound.bind(name, &file.words(memory)?)?;
+        }
+        Ok(bound)
+    }
+}
+
+impl Design {
+    /// Sets the words of a memory, a list for each column, for where no others are set by `memory.NAME=FILE`.
+    #[must_use]
+    pub fn memory(mut self, name: &str, columns: &[Arc<[i64]>]) -> Self {
+        if self.values.memory_files().all(|(known, _)| known != name) {
+            match self.netlist.bind(name, columns) {
+                Ok(bound) => self.netlist = Arc::new(bound),
+                Err(wrong) => {
+                    self.made.wrong.get_or_insert(wrong);
+                }
+            }
+        }
+        self
+    }
+
+    /// Binds random words to memories that have none, so that hardware can be held to the engine; their names.
+    pub(crate) fn fill_memories(&mut self) -> Vec<String> {
+        let mut netlist = (*self.netlist).clone();
+        let mut rng = Pcg64Mcg::seed_from_u64(1);
+        let mut filled = Vec::new();
+        for memory in self.netlist.memories().filter(|memory| memory.is_unbound()) {
+            let mut word = |column: &Column| {
+                column.format.wrap(cast::word_of_bits(rng.next_u64() >> 1))
+            };
+            let rows = 0..1u64 << memory.addr_bits;
+            let columns: Vec<Arc<[i64]>> = memory
+                .columns
+                .iter()
+                .map(|column| rows.clone().map(|_| word(column)).collect())
+                .collect();
+            netlist = netlist.bind(&memory.name, &columns).expect("bug: words are of their formats");
+            filled.push(memory.name.clone());
+        }
+        self.made.filled |= !filled.is_empty();
+        self.netlist = Arc::new(netlist);
+        filled
+    }
+
+    /// True if a memory has random words: then no error means anything.
+    pub(crate) fn is_filled(&self) -> bool {
+        self.made.filled
+    }
+
+    /// Refuses what can't be judged sample by sample.
+    pub(crate) fn check_samples(&self) -> Result<()> {
+        self.netlist.check_bound()?;
+        match self.netlist.first_delay() {
+            None => Ok(()),
+            Some(id) => Err(Error::node(
+                self.netlist.label(id),
+                "it has the words of earlier samples, so errors can't be told of samples by themselves: `eval`, `wave`, \
+                 `hdl` and `verify` take them in order"
+                    .to_owned(),
+            )),
+        }
+    }
+}

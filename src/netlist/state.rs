@@ -1,0 +1,54 @@
+//! Words that netlists carry from one sample to the next.
+
+use super::{Netlist, NodeId, Rate};
+use crate::base::cast;
+use crate::base::error::{Error, Result};
+use crate::netlist::op::Op;
+use std::collections::{BTreeMap, VecDeque};
+
+/// What a netlist keeps of the samples that it has seen: the words under way in each `delay`.
+#[derive(Clone, Debug)]
+pub struct State {
+    /// By position of the node, oldest words first.
+    words: BTreeMap<usize, VecDeque<i64>>,
+}
+
+impl State {
+    /// After a reset.
+    #[must_use]
+    pub fn new(netlist: &Netlist) -> Self {
+        let delays = netlist.nodes().iter().enumerate().filter_map(|(index, node)| {
+            let Op::Delay { samples } = node.op else { return None };
+            Some((index, VecDeque::from(vec![0; cast::index_of_u32(samples)])))
+        });
+        Self { words: delays.collect() }
+    }
+
+    /// What comes out of a delay when a word goes in.
+    pub(super) fn delayed(&mut self, index: usize, word: i64) -> i64 {
+        let words = self.words.get_mut(&index).expect("bug: the state is another netlist's");
+        words.push_back(word);
+        words.pop_front().expect("bug: a delay holds a word")
+    }
+}
+
+impl Netlist {
+    /// Refuses a delay at a slower rate than the netlist's fastest: which of its words were taken is not told by samples.
+    pub(super) fn check_delays(&self) -> Result<()> {
+        let fastest = *self.rates().last().expect("bug: there is one");
+        let slow = |id: &NodeId| {
+            let node = self.node(*id);
+            matches!(node.op, Op::Delay { .. }) && (Rate::Scene..fastest).contains(&node.rate)
+        };
+        match self.ids().find(slow) {
+            None => Ok(()),
+            Some(id) => Err(Error::node(
+                self.label(id),
+                format!(
+                    "a delay counts samples of the fastest rate, here {fastest}, and its operand has the rate {}",
+                    self.node(id).rate
+                ),
+            )),
+        }
+    }
+}
