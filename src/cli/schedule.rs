@@ -7,7 +7,7 @@ use crate::base::json;
 use crate::design::Design;
 use crate::hardware::rtl::{HardwareCounts, Rtl};
 use crate::hardware::timetable::Timetable;
-use crate::netlist::Counts;
+use crate::netlist::{Counts, Rate};
 use clap::Args;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -54,6 +54,48 @@ pub(super) fn told(counts: &Counts) -> String {
     let some = operators(counts).into_iter().filter(|(_, count)| *count > 0);
     let text: Vec<String> = some.map(|(name, count)| format!("{count} {name}")).collect();
     if text.is_empty() { "wires".to_owned() } else { text.join(", ") }
+}
+
+/// When words of each rate are taken, where ports have several rates.
+pub(super) fn rates(rtl: &Rtl) -> String {
+    let timings = rtl.schedule().timings();
+    if timings.len() < 2 {
+        return String::new();
+    }
+    let ports = |rate: Rate| {
+        let netlist = rtl.netlist();
+        let ports = netlist.inputs().iter().enumerate();
+        let ports = ports.filter(|(_, id)| netlist.node(**id).rate == rate);
+        ports.map(|(port, _)| netlist.input_name(port)).collect::<Vec<_>>().join(", ")
+    };
+    let rows: Vec<Vec<String>> = timings
+        .iter()
+        .map(|timing| {
+            vec![
+                timing.rate.to_string(),
+                ports(timing.rate),
+                timing.entry.to_string(),
+                timing.latency.to_string(),
+                timing.interval.to_string(),
+            ]
+        })
+        .collect();
+    let mut text = String::from(
+        "\nrates, in cycles: words of a slow rate count for what comes at the next rate a latency later and after\n",
+    );
+    text.push_str(&text::table(&["rate", "ports", ">entry", ">latency", ">interval"], &rows));
+    text
+}
+
+pub(super) fn rates_json(rtl: &Rtl) -> Value {
+    let timings = rtl.schedule().timings().into_iter();
+    let json = timings.map(|timing| {
+        json!({
+            "rate": timing.rate.name(), "entry_cycle": timing.entry,
+            "latency_cycles": timing.latency, "interval_cycles": timing.interval,
+        })
+    });
+    Value::Array(json.collect())
 }
 
 /// Chains of hold registers, the longest first: name, registers, bits of each.
@@ -106,6 +148,7 @@ fn as_text(design: &Design, rtl: &Rtl, table: &Timetable) -> String {
             schedule.interval(),
             schedule.latency()
         );
+        text.push_str(&rates(rtl));
         return text;
     }
     let rows = table.rows.iter().enumerate().map(|(cycle, cells)| {
@@ -126,6 +169,7 @@ fn as_text(design: &Design, rtl: &Rtl, table: &Timetable) -> String {
         rtl.valid_bits(),
         schedule.period_ps()
     );
+    text.push_str(&rates(rtl));
     text.push_str("\nunits\n");
     let rows: Vec<Vec<String>> = units(rtl, table, &counts)
         .into_iter()
@@ -269,6 +313,7 @@ fn as_json(design: &Design, rtl: &Rtl, table: &Timetable) -> Value {
             "interval_cycles": schedule.interval(),
             "shortest_interval_cycles": schedule.shortest_interval(),
             "latency_cycles": schedule.latency(),
+            "rates": rates_json(rtl),
             "model_period_ps": schedule.period_ps(),
             "table": {"units": table.titles, "rows": table.rows},
             "units": units,

@@ -5,33 +5,38 @@ use crate::base::error::Result;
 use crate::base::json;
 use crate::design::Design;
 use crate::measure;
-use crate::netlist::{Netlist, Operators};
+use crate::netlist::{Netlist, Node, Operators, Rate, Table};
 use crate::schedule::stage_sizes;
 use crate::table::figures::TableFigures;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 use std::sync::Arc;
 
-fn ports(netlist: &Netlist) -> (Vec<Vec<String>>, Value) {
-    let inputs = netlist.inputs().iter().enumerate().map(|(i, id)| {
-        let node = netlist.node(*id);
-        ("in", netlist.input_name(i).to_owned(), node.format, node.quantity.name())
-    });
-    let outputs = netlist.outputs().iter().map(|output| {
-        let node = netlist.node(output.node);
-        ("out", output.name.clone(), node.format, node.quantity.name())
-    });
-    let all: Vec<_> = inputs.chain(outputs).collect();
-    let rows = all
-        .iter()
-        .map(|(way, name, format, quantity)| {
-            vec![(*way).to_owned(), name.clone(), format.to_string(), (*quantity).to_owned()]
-        })
-        .collect();
-    let json = all.iter().map(|(way, name, format, quantity)| {
-        json!({"direction": way, "name": name, "format": format.to_string(), "quantity": quantity})
-    });
-    (rows, Value::Array(json.collect()))
+/// Ports as a table, and as JSON; with rates where there are others than the usual one.
+fn ports(netlist: &Netlist) -> (String, Value) {
+    let inputs = netlist.inputs().iter().enumerate();
+    let inputs = inputs.map(|(port, id)| ("in", netlist.input_name(port), netlist.node(*id)));
+    let outputs = netlist.outputs().iter();
+    let outputs = outputs.map(|output| ("out", &output.name[..], netlist.node(output.node)));
+    let rates = netlist.rates();
+    let fastest = rates[rates.len() - 1];
+    // An output is there for each sample.
+    let rate = |way: &str, node: &Node| if way == "in" { node.rate } else { fastest };
+    let (mut rows, mut json) = (Vec::new(), Vec::new());
+    for (way, name, node) in inputs.chain(outputs) {
+        let (format, quantity) = (node.format.to_string(), node.quantity.name());
+        let rate = rate(way, node).name();
+        rows.push(vec![way.to_owned(), name.to_owned(), format.clone(), quantity.to_owned()]);
+        if rates != [Rate::default()] {
+            rows.last_mut().expect("bug: pushed above").push(rate.to_owned());
+        }
+        json.push(json!({
+            "direction": way, "name": name, "format": format, "quantity": quantity, "rate": rate,
+        }));
+    }
+    let headings = ["", "name", "format", "quantity", "rate"];
+    let columns = rows.first().map_or(0, Vec::len);
+    (table(&headings[..columns], &rows), Value::Array(json))
 }
 
 /// Exact statistics of every table scheme that can be gone through.
@@ -43,6 +48,22 @@ fn tables(design: &Design) -> Result<Vec<TableFigures>> {
     Ok(all)
 }
 
+fn columns_of(table: &Table) -> String {
+    let columns = table.columns.iter().map(|column| format!("{} {}", column.name, column.format));
+    columns.collect::<Vec<_>>().join(", ")
+}
+
+fn memory_row(memory: &Table) -> Vec<String> {
+    vec![
+        memory.name.clone(),
+        (1u64 << memory.addr_bits).to_string(),
+        memory.rom_bits().to_string(),
+        columns_of(memory),
+        memory.memory.map_or(0, |memory| memory.latency).to_string(),
+        if memory.is_unbound() { "none" } else { "bound" }.to_owned(),
+    ]
+}
+
 pub(super) fn show(design: &Design) -> Result<String> {
     let netlist = &design.netlist;
     let rtl = Arc::new(design.rtl()?);
@@ -50,7 +71,7 @@ pub(super) fn show(design: &Design) -> Result<String> {
     let unit = design.values.unit();
     let mut text = format!("{}: {}\n", unit.name, unit.summary);
     let _ = writeln!(text, "  {}\n\nports", parameter_line(&design.values));
-    text.push_str(&table(&["", "name", "format", "quantity"], &ports(netlist).0));
+    text.push_str(&ports(netlist).0);
 
     let operators = |name: &str, o: Operators| {
         let counts = [
@@ -104,17 +125,27 @@ pub(super) fn show(design: &Design) -> Result<String> {
         counts.tables, counts.reads, counts.ports, counts.rom_bits, counts.rom_bits_dual_port
     );
     let mut rows = Vec::new();
-    for t in netlist.tables() {
-        let columns: Vec<String> =
-            t.columns.iter().map(|column| format!("{} {}", column.name, column.format)).collect();
+    for t in netlist.roms() {
         rows.push(vec![
             t.name.clone(),
             (1u64 << t.addr_bits).to_string(),
             t.rom_bits().to_string(),
-            columns.join(", "),
+            columns_of(t),
         ]);
     }
     text.push_str(&table(&["name", ">entries", ">bits", "columns"], &rows));
+    if counts.memories > 0 {
+        let _ = writeln!(
+            text,
+            "\nmemories, whose words -p memory.NAME=FILE.csv binds: {}; ports {}; {} bits",
+            counts.memories, counts.memory_ports, counts.memory_bits
+        );
+        let rows: Vec<Vec<String>> = netlist.memories().map(memory_row).collect();
+        text.push_str(&table(
+            &["name", ">entries", ">bits", "columns", ">latency in cycles", "words"],
+            &rows,
+        ));
+    }
 
     let figures = tables(design)?;
     if !figures.is_empty() {
@@ -176,6 +207,7 @@ pub(super) fn show(design: &Design) -> Result<String> {
         schedule.period_ps(),
         design.values.get("period_ps"),
     );
+    text.push_str(&super::schedule::rates(&rtl));
     let sizes: Vec<String> =
         stage_sizes(netlist, schedule).iter().map(ToString::to_string).collect();
     let _ = writeln!(text, "  nodes per stage: {}", sizes.join(" "));
@@ -200,13 +232,19 @@ pub(super) fn show_json(design: &Design) -> Result<Value> {
     let netlist = &design.netlist;
     let rtl = Arc::new(design.rtl()?);
     let schedule = rtl.schedule();
-    let table = |t: &crate::netlist::Table| {
+    let table = |t: &Table| {
         let columns: Vec<Value> = t
             .columns
             .iter()
             .map(|column| json!({"name": column.name, "format": column.format.to_string()}))
             .collect();
         json!({"name": t.name, "entries": 1u64 << t.addr_bits, "rom_bits": t.rom_bits(), "columns": columns})
+    };
+    let memory = |t: &Table| {
+        let mut json = table(t);
+        json["latency_cycles"] = t.memory.map_or(0, |memory| memory.latency).into();
+        json["bound"] = (!t.is_unbound()).into();
+        json
     };
     let format = |choice: &crate::netlist::Choice| json!({"node": choice.name, "format": choice.format.to_string(), "set": choice.overridden});
     let node = |id| {
@@ -226,12 +264,14 @@ pub(super) fn show_json(design: &Design) -> Result<Value> {
             "parameters": parameters(&design.values),
             "ports": ports(netlist).1,
             "counts": netlist.counts(),
-            "tables": netlist.tables().iter().map(table).collect::<Vec<_>>(),
+            "tables": netlist.roms().map(table).collect::<Vec<_>>(),
+            "memories": netlist.memories().map(memory).collect::<Vec<_>>(),
             "table_schemes": tables(design)?,
             "formats": netlist.choices().iter().map(format).collect::<Vec<_>>(),
             "pipeline": {
                 "latency_cycles": schedule.latency(),
                 "interval_cycles": schedule.interval(),
+                "rates": super::schedule::rates_json(&rtl),
                 "flip_flops": rtl.register_bits(),
                 "model_period_ps": schedule.period_ps(),
                 "rom": schedule.rom().to_string(),

@@ -36,7 +36,12 @@ impl MemoryFile {
             for ((name, column), field) in names.iter().zip(&mut columns).zip(&record) {
                 let word = field.parse().map_err(|_| {
                     let field = escape::short(field);
-                    Error::csv(path, line, Some(name), format!("`{field}` is no word: it is a whole number"))
+                    Error::csv(
+                        path,
+                        line,
+                        Some(name),
+                        format!("`{field}` is no word: it is a whole number"),
+                    )
                 })?;
                 column.push(word);
             }
@@ -71,10 +76,12 @@ impl Values {
     pub(super) fn bound(&self, netlist: &Netlist) -> Result<Netlist> {
         let mut bound = netlist.clone();
         for (name, file) in self.memory_files() {
-            let memory = netlist.memories().find(|memory| memory.name == name).ok_or_else(|| {
-                let known: Vec<&str> = netlist.memories().map(|memory| &memory.name[..]).collect();
-                Error::unknown_memory(netlist.name(), name, &known)
-            })?;
+            let memory =
+                netlist.memories().find(|memory| memory.name == name).ok_or_else(|| {
+                    let known: Vec<&str> =
+                        netlist.memories().map(|memory| &memory.name[..]).collect();
+                    Error::unknown_memory(netlist.name(), name, &known)
+                })?;
             bound = bound.bind(name, &file.words(memory)?)?;
         }
         Ok(bound)
@@ -102,16 +109,16 @@ impl Design {
         let mut rng = Pcg64Mcg::seed_from_u64(1);
         let mut filled = Vec::new();
         for memory in self.netlist.memories().filter(|memory| memory.is_unbound()) {
-            let mut word = |column: &Column| {
-                column.format.wrap(cast::word_of_bits(rng.next_u64() >> 1))
-            };
+            let mut word =
+                |column: &Column| column.format.wrap(cast::word_of_bits(rng.next_u64() >> 1));
             let rows = 0..1u64 << memory.addr_bits;
             let columns: Vec<Arc<[i64]>> = memory
                 .columns
                 .iter()
                 .map(|column| rows.clone().map(|_| word(column)).collect())
                 .collect();
-            netlist = netlist.bind(&memory.name, &columns).expect("bug: words are of their formats");
+            netlist =
+                netlist.bind(&memory.name, &columns).expect("bug: words are of their formats");
             filled.push(memory.name.clone());
         }
         self.made.filled |= !filled.is_empty();

@@ -353,7 +353,9 @@ impl Values {
 
     /// Words that were set for memories, by their names.
     pub(super) fn memory_files(&self) -> impl Iterator<Item = (&str, &MemoryFile)> {
-        self.memories.iter().map(|(key, _, file)| (key.strip_prefix(MEMORY).unwrap_or_default(), &**file))
+        self.memories
+            .iter()
+            .map(|(key, _, file)| (key.strip_prefix(MEMORY).unwrap_or_default(), &**file))
     }
 
     /// A builder for the netlist, which gives nodes the formats that were set. Recipes start with it.

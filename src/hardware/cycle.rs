@@ -325,11 +325,8 @@ impl Cycle {
             input: false,
             bits: vec![false; cast::index_of_u32(rtl.valid_bits_of(timing))],
         });
-        let control = Control {
-            rates: valid.collect(),
-            phase: 0,
-            interval: rtl.schedule().interval(),
-        };
+        let control =
+            Control { rates: valid.collect(), phase: 0, interval: rtl.schedule().interval() };
         let program = Arc::new(Program::new(rtl, &inside));
         let words = program.start.clone();
         Self { program, words, control, units, edges: 0, forbidden: None, taken: Vec::new() }

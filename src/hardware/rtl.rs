@@ -143,7 +143,7 @@ pub struct HardwareCounts {
     /// Those of them in chains of two and more: delay FIFOs.
     pub fifo_bits: u64,
     /// Bits of the registers of delays, which keep words from one sample to the next.
-    #[serde(skip_serializing_if = "is_zero")]
+    #[serde(skip_serializing_if = "crate::netlist::is_zero")]
     pub state_bits: u64,
     /// Bits of operand registers at the ports of units.
     pub operand_bits: u64,
@@ -156,12 +156,6 @@ pub struct HardwareCounts {
     /// Multiplexers before units as choices between two words, in bits: a case more than one
     /// at a port of b bits counts b.
     pub multiplexer_bits: u64,
-}
-
-/// For counts that most hardware has none of.
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde gives references")]
-fn is_zero(count: &u64) -> bool {
-    *count == 0
 }
 
 /// What happens to an operation in a cycle of its sample.
@@ -481,7 +475,8 @@ impl Rtl {
     pub(crate) fn data_bits(&self) -> u64 {
         let of = |id: NodeId| {
             // A memory's registers are its own.
-            let row = self.schedule.is_clocked(&self.netlist, id) && self.netlist.memory(id).is_none();
+            let row =
+                self.schedule.is_clocked(&self.netlist, id) && self.netlist.memory(id).is_none();
             let copies = cast::count_of(self.registers(id).count()) + u64::from(row);
             u64::from(self.netlist.node(id).format.bits()) * copies + self.state_bits(id)
         };

@@ -365,7 +365,8 @@ impl Builder {
             if self.netlist.node(id).op == Op::Input {
                 self.netlist.nodes[id.index()].rate = rate;
             } else {
-                let problem = "only ports are given a rate: a node has the fastest of its operands'";
+                let problem =
+                    "only ports are given a rate: a node has the fastest of its operands'";
                 self.misuse(self.described(id), problem);
             }
         }

@@ -55,6 +55,21 @@ pub struct Counts {
     pub rom_bits: u64,
     /// Stored bits when each table is copied until two ports a copy suffice.
     pub rom_bits_dual_port: u64,
+    /// Distinct memories; the other counts of tables are without them.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub memories: u64,
+    /// Memory ports: pairs of memory and address.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub memory_ports: u64,
+    /// Stored bits of all memories.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub memory_bits: u64,
+}
+
+/// For counts that most netlists have none of.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde gives references")]
+pub(crate) fn is_zero(count: &u64) -> bool {
+    *count == 0
 }
 
 impl Netlist {
@@ -89,6 +104,9 @@ impl Netlist {
             ports: 0,
             rom_bits: 0,
             rom_bits_dual_port: 0,
+            memories: 0,
+            memory_ports: 0,
+            memory_bits: 0,
         };
         let mut tables: Vec<(&Table, BTreeSet<(usize, NodeId)>)> = Vec::new();
         let mut parts: BTreeSet<(usize, ScopeId)> = BTreeSet::new();
@@ -121,7 +139,7 @@ impl Netlist {
                 Some(Operator::Multiplexer) => operators.multiplexers += 1,
                 Some(Operator::Shifter) => operators.shifters += 1,
                 Some(Operator::Narrow) => operators.narrows += 1,
-                Some(Operator::Read) => counts.reads += 1,
+                Some(Operator::Read) => counts.reads += u64::from(netlist.memory(id).is_none()),
             }
             if let Op::Narrow { round, overflow } = node.op {
                 let from = netlist.node(node.operands[0]).format;
@@ -139,6 +157,12 @@ impl Netlist {
         }
         for (table, at) in tables {
             let ports = cast::count_of(at.len());
+            if table.memory.is_some() {
+                counts.memories += 1;
+                counts.memory_ports += ports;
+                counts.memory_bits += table.rom_bits();
+                continue;
+            }
             counts.tables += 1;
             counts.rom_bits += table.rom_bits();
             counts.ports += ports;

@@ -34,7 +34,8 @@
 //! has their expressions.
 
 use super::{
-    Builder, Column, Meaning, Memory, Netlist, NodeId, Part, Quantity, Rate, ScopeId, Table, TableId,
+    Builder, Column, Meaning, Memory, Netlist, NodeId, Part, Quantity, Rate, ScopeId, Table,
+    TableId,
 };
 use crate::base::cast;
 use crate::base::error::{Error, Result};
@@ -368,7 +369,9 @@ impl Reader {
             _ if word.starts_with('%') => self.node(line, at, word),
             _ => wrong(
                 at,
-                format!("`{word}` begins no line: legal are scope, function, table, memory, %N and output"),
+                format!(
+                    "`{word}` begins no line: legal are scope, function, table, memory, %N and output"
+                ),
             ),
         }
     }
@@ -474,7 +477,8 @@ impl Reader {
     fn table(&mut self, line: &mut Line<'_>, index: usize) -> Read<()> {
         let (id, name, addr_bits) = self.table_head(line)?;
         let columns = Self::columns(line)?;
-        let columns = columns.into_iter().map(|(name, format)| (name, format, Vec::new())).collect();
+        let columns =
+            columns.into_iter().map(|(name, format)| (name, format, Vec::new())).collect();
         let (id, name) = (id.to_owned(), name.to_owned());
         self.pending = Some(Pending { id, name, addr_bits, columns, line: index });
         Ok(())
@@ -578,12 +582,14 @@ impl Reader {
                 }
             } else if word == "per" {
                 if op != Op::Input {
-                    return wrong(at, "only ports have a rate: other nodes have that of their operands");
+                    return wrong(
+                        at,
+                        "only ports have a rate: other nodes have that of their operands",
+                    );
                 }
                 let (rate_at, word) = line.word("a rate")?;
                 let names: Vec<&str> = Rate::ALL.iter().map(|rate| rate.name()).collect();
-                let unknown =
-                    || format!("`{word}` is no rate: legal are {}", names.join(", "));
+                let unknown = || format!("`{word}` is no rate: legal are {}", names.join(", "));
                 rate = word.parse().or_else(|_| wrong(rate_at, unknown()))?;
             } else if word == "means" {
                 meaning = Some(self.meaning(line)?);

@@ -35,6 +35,7 @@ pub(crate) mod words;
 
 pub use builder::Builder;
 pub use choices::{Choice, Overrides, with_formats};
+pub(crate) use counts::is_zero;
 pub use counts::{Counts, Operators, RAM_PORTS};
 pub use id::{NodeId, ScopeId, TableId};
 pub use rate::Rate;
@@ -161,7 +162,8 @@ pub struct Netlist {
 /// [bound](Netlist::bind) to memories doesn't count.
 impl PartialEq for Netlist {
     fn eq(&self, other: &Self) -> bool {
-        if [self, other].iter().any(|netlist| netlist.memories().any(|memory| !memory.is_unbound())) {
+        if [self, other].iter().any(|netlist| netlist.memories().any(|memory| !memory.is_unbound()))
+        {
             return self.unbound() == other.unbound();
         }
         let of = |netlist: &Self| {

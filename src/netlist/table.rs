@@ -58,12 +58,7 @@ impl Table {
 
     /// A memory without words, from names and formats of its columns.
     #[must_use]
-    pub fn memory(
-        name: &str,
-        addr_bits: u32,
-        columns: &[(&str, Format)],
-        latency: u32,
-    ) -> Self {
+    pub fn memory(name: &str, addr_bits: u32, columns: &[(&str, Format)], latency: u32) -> Self {
         let column = |(name, format): &(&str, Format)| Column {
             name: (*name).to_owned(),
             format: *format,
@@ -133,7 +128,8 @@ impl Netlist {
     /// # Errors
     /// If there is no such memory, or there isn't one word of its column's format for each address.
     pub fn bind(&self, memory: &str, columns: &[Arc<[i64]>]) -> Result<Self> {
-        let at = self.tables.iter().position(|table| table.name == memory && table.memory.is_some());
+        let at =
+            self.tables.iter().position(|table| table.name == memory && table.memory.is_some());
         let Some(at) = at else {
             let known: Vec<&str> = self.memories().map(|memory| &memory.name[..]).collect();
             return Err(Error::unknown_memory(&self.name, memory, &known));

@@ -116,13 +116,11 @@ impl Schedule {
     pub fn pipeline(netlist: &Netlist, rom: Rom, depth: Depth) -> Result<Self> {
         match depth {
             Depth::Period(period_ps) => Ok(Self::greedy(netlist, rom, period_ps)),
-            Depth::Stages(0) if netlist.memories().next().is_some() => {
-                Err(Error::parameter_value(
-                    "stages",
-                    "0",
-                    "1 or more: words of a memory come on a clock".to_owned(),
-                ))
-            }
+            Depth::Stages(0) if netlist.memories().next().is_some() => Err(Error::parameter_value(
+                "stages",
+                "0",
+                "1 or more: words of a memory come on a clock".to_owned(),
+            )),
             Depth::Stages(0) if netlist.rates().len() > 1 => Err(Error::parameter_value(
                 "stages",
                 "0",
@@ -368,7 +366,9 @@ impl Schedule {
             let node = netlist.node(id);
             if self.stage(id) < self.clocks(netlist, id) {
                 let clocks = self.clocks(netlist, id);
-                return bad(format!("its word takes {clocks} cycles: it can't be in an earlier stage"));
+                return bad(format!(
+                    "its word takes {clocks} cycles: it can't be in an earlier stage"
+                ));
             }
             if node.op == Op::Input && self.stage(id) != 0 {
                 return bad("input ports are in stage 0".to_owned());
@@ -423,8 +423,7 @@ impl<'a> Entries<'a> {
     fn new(netlist: &'a Netlist, interval: u32) -> Self {
         let rates = netlist.rates();
         let all: Vec<(Rate, u32)> = rates.iter().map(|rate| (*rate, 0)).collect();
-        let of: Vec<usize> =
-            netlist.nodes().iter().map(|node| place_of(&all, node.rate)).collect();
+        let of: Vec<usize> = netlist.nodes().iter().map(|node| place_of(&all, node.rate)).collect();
         let mut held = vec![false; of.len()];
         for id in netlist.ids() {
             for operand in &netlist.node(id).operands {

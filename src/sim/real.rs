@@ -303,11 +303,9 @@ fn kernel(primitive: Primitive, numbers: [Option<f64>; 3], of: &mut [usize; 3]) 
 fn beside(terms: &[Term], order: &[usize]) -> Vec<usize> {
     let wave = |index: usize| match terms[index] {
         Term::Of(primitive @ (Primitive::Sin | Primitive::Cos), [of, ..]) => Some((primitive, of)),
-        Term::Constant(_)
-        | Term::Variable(_)
-        | Term::Of(..)
-        | Term::Call(..)
-        | Term::Row(..) => None,
+        Term::Constant(_) | Term::Variable(_) | Term::Of(..) | Term::Call(..) | Term::Row(..) => {
+            None
+        }
     };
     let mut known = HashMap::new();
     for index in order.iter().copied() {

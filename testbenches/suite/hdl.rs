@@ -470,7 +470,8 @@ pub(crate) fn little() -> Arc<Rtl> {
     // No two rows are equal.
     let words = (0..16i64).map(|i| 37 * i + 1).collect();
     let column = Column { name: "c".to_owned(), format, words };
-    let t = b.table(Table { name: "t".to_owned(), addr_bits: 4, columns: vec![column], memory: None });
+    let t =
+        b.table(Table { name: "t".to_owned(), addr_bits: 4, columns: vec![column], memory: None });
     let address = b.slice(z, 8, 4);
     let read = b.read(t, 0, address);
     let sum = b.add(x, read);

@@ -116,7 +116,12 @@ fn tables_without_a_clock_take_no_block_ram_from_either_language() {
     let words: Arc<[i64]> = (0..512).map(|x: i64| (x * x * 7 + x) % 512).collect();
     let mut b = Builder::new("squares");
     let column = Column { name: "square".to_owned(), format, words };
-    let id = b.table(Table { name: "squares".to_owned(), addr_bits: 9, columns: vec![column], memory: None });
+    let id = b.table(Table {
+        name: "squares".to_owned(),
+        addr_bits: 9,
+        columns: vec![column],
+        memory: None,
+    });
     for port in ["x", "z"] {
         let address = b.input(port, format, Quantity::Number);
         let other = b.input(&format!("{port}_mask"), format, Quantity::Number);
@@ -193,7 +198,8 @@ fn any_name_is_a_word_in_ghdl() {
     let address = b.slice(sum, 0, 3);
     b.name(address, "x_rom_rows");
     let column = Column { name: "c".to_owned(), format, words: (-4..4).collect() };
-    let table = b.table(Table { name: "x".to_owned(), addr_bits: 3, columns: vec![column], memory: None });
+    let table =
+        b.table(Table { name: "x".to_owned(), addr_bits: 3, columns: vec![column], memory: None });
     let read = b.read(table, 0, address);
     b.name(read, "x_rom_file");
     let product = b.mul(read, read);

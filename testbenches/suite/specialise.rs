@@ -280,8 +280,12 @@ fn operations() -> Vec<(&'static str, Build)> {
             let words: Vec<i64> = (0..1i64 << bits).map(|i| (i * 5) % 7 - 3).collect();
             let format = Format::signed(4, 1).unwrap();
             let column = Column { name: "c".to_owned(), format, words: Arc::from(words) };
-            let table =
-                b.table(Table { name: "t".to_owned(), addr_bits: bits, columns: vec![column], memory: None });
+            let table = b.table(Table {
+                name: "t".to_owned(),
+                addr_bits: bits,
+                columns: vec![column],
+                memory: None,
+            });
             Some(b.read(table, 0, of[0]))
         }),
     ]

@@ -41,6 +41,10 @@ pub fn estimate(rtl: &Arc<Rtl>, target: Target) -> Result<Cost> {
 /// # Errors
 /// If it is time-shared: the rules know no registers with an enable, and no circles through them.
 pub fn of_module(module: &Module, target: Target) -> Result<Cost> {
+    if module.has_state {
+        let text = "registers of delays aren't estimated: `fixpath cost` asks Yosys";
+        return Err(Error::usage(text.to_owned()));
+    }
     if module.stages.iter().any(|stage| !stage.declared.is_empty()) {
         let text = "time-shared hardware isn't estimated: `fixpath cost` asks Yosys";
         return Err(Error::usage(text.to_owned()));
@@ -151,7 +155,8 @@ impl Graph {
         let outside = module.memories.iter();
         let fetched = outside.clone().flat_map(|memory| &memory.reads).flat_map(|(.., data)| data);
         let written = outside.filter_map(|memory| memory.write.as_ref());
-        let written = written.flat_map(|write| [&write.enable, &write.address].into_iter().chain(&write.data));
+        let written = written
+            .flat_map(|write| [&write.enable, &write.address].into_iter().chain(&write.data));
         for id in module.inputs.iter().chain(fetched).chain(written) {
             let bits = module.word(*id).bits;
             graph.words[id.index()] =

@@ -24,7 +24,7 @@ pub use estimate::{estimate, of_module};
 use crate::base::error::{Error, Result};
 use crate::base::output::{Scratch, write_text};
 use crate::base::outside::{self, Limits, Outcome, Tool};
-use crate::hardware::hdl::{Module, Verilog};
+use crate::hardware::hdl::{Module, Port, Verilog};
 use estimate::{Adds, Dsp, Rules, Sum};
 use serde::Serialize;
 use serde_json::Value;
@@ -379,9 +379,19 @@ fn failed(name: &str, outcome: &Outcome) -> Error {
 
 /// The unit between shift registers.
 fn bench(module: &Module) -> String {
-    let inputs: u32 = module.inputs.iter().map(|id| module.word(*id).bits).sum::<u32>() + 1;
-    let outputs: u32 = module.outputs.iter().map(|(_, id)| module.word(*id).bits).sum::<u32>() + 1;
-    let (top_in, top_out) = (inputs - 1, outputs - 1);
+    // A control bit is one; what the bench has by name isn't shifted.
+    let bits = |port: &Port<'_>| port.word.map_or(1, |word| word.bits);
+    let ports = module.ports();
+    let shifted = |is_output: bool| -> Vec<(&str, u32)> {
+        let own = ["clk", "rst", "ce", "valid_in", "valid_out"];
+        let is_own =
+            |port: &&Port<'_>| own.contains(&port.name) || port.word.is_none() && port.is_output;
+        let ports = ports.iter().filter(|port| port.is_output == is_output && !is_own(port));
+        ports.map(|port| (port.name, bits(port))).collect()
+    };
+    let (inputs, outputs) = (shifted(false), shifted(true));
+    let top = |ports: &[(&str, u32)]| ports.iter().map(|(_, bits)| bits).sum::<u32>();
+    let (top_in, top_out) = (top(&inputs), top(&outputs));
     let mut text = format!(
         "module {BENCH} (input wire clk, input wire rst, input wire ce, input wire d, output wire q);\n    \
          reg [{top_in}:0] given;\n    always @(posedge clk) given <= {{given, d}};\n    \
@@ -395,20 +405,13 @@ fn bench(module: &Module) -> String {
         text.push_str("        .clk(clk), .rst(rst), .ce(ce),\n");
     }
     let _ = write!(text, "        .valid_in(given[0]), .valid_out(made[0])");
-    let ports = |text: &mut String, names: Vec<(&str, u32)>, word: &str| {
+    for (ports, word) in [(inputs, "given"), (outputs, "made")] {
         let mut lo = 1;
-        for (name, bits) in names {
+        for (name, bits) in ports {
             let _ = write!(text, ",\n        .{name}({word}[{}:{lo}])", lo + bits - 1);
             lo += bits;
         }
-    };
-    let named = |id| {
-        let word = module.word(id);
-        (word.name.as_str(), word.bits)
-    };
-    ports(&mut text, module.inputs.iter().map(|id| named(*id)).collect(), "given");
-    let outputs = module.outputs.iter().map(|(name, id)| (name.as_str(), module.word(*id).bits));
-    ports(&mut text, outputs.collect(), "made");
+    }
     text.push_str("\n    );\nendmodule\n");
     text
 }

@@ -7,7 +7,7 @@ use crate::base::error::{Error, Result};
 use crate::base::output::{self, Set};
 use crate::design::{Design, Sampler};
 use crate::hardware::hdl::testbench::{companions, vectors_file};
-use crate::hardware::hdl::{File, LANGUAGES, Language, Memories, Module, Options, Tables};
+use crate::hardware::hdl::{File, LANGUAGES, Language, Memories, Module, Options, Tables, cycles};
 use crate::hardware::rtl::Rtl;
 use crate::measure::{self, Basis, BoundCheck, Inputs};
 use crate::schedule::Rom;
@@ -157,7 +157,6 @@ fn header(design: &Design, rtl: &Rtl, figures: bool) -> Result<Vec<String>> {
         Rom::Block => "tables read on the clock",
         Rom::Distributed => "tables read without a clock",
     };
-    let cycles = |n: u32| format!("{n} cycle{}", if n == 1 { "" } else { "s" });
     lines.push(match schedule.latency() {
         0 => format!("combinational; {rom}"),
         latency => {
@@ -176,7 +175,10 @@ fn header(design: &Design, rtl: &Rtl, figures: bool) -> Result<Vec<String>> {
     }
     // No error can be told of bits without a value on reals.
     let judged = design.judged();
-    if figures && !design.is_filled() && judged.iter().all(|id| design.netlist.node(*id).real.is_some()) {
+    if figures
+        && !design.is_filled()
+        && judged.iter().all(|id| design.netlist.node(*id).real.is_some())
+    {
         lines.extend(error_figures(design)?);
     }
     Ok(lines)

@@ -12,6 +12,8 @@ use std::sync::Arc;
 
 /// Vectors per block.
 const BLOCK: usize = 1 << 12;
+/// Words of a slow rate stay for so many samples of the next faster one.
+const HELD: u64 = 5;
 /// Of so many random words, one is at or next to an end of its format or at 0.
 const EXTREME_SHARE: u64 = 16;
 
@@ -29,6 +31,10 @@ pub struct Vectors {
     given: u64,
     inputs: Vec<Vec<i64>>,
     outputs: Vec<Vec<i64>>,
+    /// By port, for how many vectors a random word stays.
+    stays: Vec<u64>,
+    /// The latest words.
+    words: Vec<i64>,
 }
 
 impl Vectors {
@@ -51,7 +57,14 @@ impl Vectors {
     pub fn of_netlist(netlist: &Arc<Netlist>, hard: Vec<Vec<i64>>, random: u64, seed: u64) -> Self {
         let ports: Vec<NodeId> = netlist.outputs().iter().map(|output| output.node).collect();
         let program = Program::compile(netlist, &ports);
+        let rates = netlist.rates();
+        let stays = |id: &NodeId| {
+            let rate = netlist.node(*id).rate;
+            rates.iter().filter(|known| **known > rate).fold(1, |stays, _| stays * HELD)
+        };
         Self {
+            stays: netlist.inputs().iter().map(stays).collect(),
+            words: vec![0; netlist.inputs().len()],
             runner: program.runner(),
             program,
             hard,
@@ -82,8 +95,10 @@ impl Vectors {
         for _ in 0..count {
             let hard = usize::try_from(self.given).ok().and_then(|at| self.hard.get(at));
             for (port, id) in self.netlist.inputs().iter().enumerate() {
+                let drawn = self.given.saturating_sub(cast::count_of(self.hard.len()));
                 let word = match hard {
                     Some(words) => words[port],
+                    None if !drawn.is_multiple_of(self.stays[port]) => self.words[port],
                     None => {
                         let format = self.netlist.node(*id).format;
                         let bits = self.rng.next_u64();
@@ -99,13 +114,14 @@ impl Vectors {
                         }
                     }
                 };
+                self.words[port] = word;
                 self.inputs[port].push(word);
             }
             self.given += 1;
         }
         let columns: Vec<&[i64]> = self.inputs.iter().map(Vec::as_slice).collect();
         let ran = self.runner.run(&self.program, &columns, &mut self.outputs);
-        ran.expect("bug: words are of their ports' formats");
+        ran.expect("bug: words are of their ports' formats, and memories were asked for");
         true
     }
 
@@ -113,6 +129,9 @@ impl Vectors {
     ///
     /// # Errors
     /// If `to` can't be written.
+    ///
+    /// # Panics
+    /// If no words are bound to a memory of the netlist.
     pub fn write(&mut self, to: &mut dyn Write) -> io::Result<()> {
         let netlist = Arc::clone(&self.netlist);
         let formats: Vec<_> = netlist
@@ -135,8 +154,10 @@ impl Vectors {
     }
 
     /// Input and output words of one vector, counted from 0.
+    ///
+    /// # Panics
+    /// As [`Vectors::write`].
     #[must_use]
-    #[expect(clippy::missing_panics_doc, reason = "rows of a block are few")]
     pub fn vector(mut self, number: u64) -> Option<(Vec<i64>, Vec<i64>)> {
         loop {
             let start = self.given;

@@ -15,6 +15,7 @@ mod vhdl;
 
 pub use language::Language;
 pub use lower::{AUTO_INLINE_ROWS, INLINE_ROWS, Options, TABLE_BITS, WORDS};
+pub(crate) use module::cycles;
 pub use module::{
     Bit, Bitwise, Driver, Expr, File, Item, Memories, MemoryPorts, Module, Next, Operand, Port,
     Register, RomTable, Stage, Tables, Valid, View, Word, WordId, WritePort,

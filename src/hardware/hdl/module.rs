@@ -436,6 +436,11 @@ impl Port<'_> {
     }
 }
 
+/// A number of cycles in words.
+pub(crate) fn cycles(count: u32) -> String {
+    format!("{count} cycle{}", if count == 1 { "" } else { "s" })
+}
+
 /// Port that says when a time-shared module takes its inputs.
 pub(super) const READY: &str = "ready";
 
@@ -492,8 +497,8 @@ impl Module {
         ports.push(bit("valid_in", false, ""));
         for (rate, entry, name) in &self.rates {
             let comment = format!(
-                "words of rate {rate} are data: they count for what comes {} cycles later",
-                self.entry - entry
+                "words of rate {rate} are data: they count for what comes {} later",
+                cycles(self.entry - entry)
             );
             ports.push(Port { name, is_output: false, word: None, comment });
         }
@@ -508,17 +513,27 @@ impl Module {
         for memory in &self.memories {
             let title = &memory.table.title;
             for (name, address, data) in &memory.reads {
-                let comment = format!("{title}: data {} cycles later", memory.latency);
+                let comment = format!("{title}: data {} later", cycles(memory.latency));
                 let word = Some(self.word(*address));
                 ports.push(Port { name, is_output: true, word, comment });
-                ports.extend(data.iter().map(|id| self.word(*id)).map(|word| port(&word.name, false, word)));
+                ports.extend(
+                    data.iter().map(|id| self.word(*id)).map(|word| port(&word.name, false, word)),
+                );
             }
             if let Some(WritePort { enable, address, data }) = &memory.write {
                 let mut input = |id: &WordId, comment: String| {
                     let word = self.word(*id);
-                    ports.push(Port { name: &word.name, is_output: false, word: Some(word), comment });
+                    ports.push(Port {
+                        name: &word.name,
+                        is_output: false,
+                        word: Some(word),
+                        comment,
+                    });
                 };
-                input(enable, format!("{title}: writes a row, also while the pipeline stands still"));
+                input(
+                    enable,
+                    format!("{title}: writes a row, also while the pipeline stands still"),
+                );
                 input(address, String::new());
                 for (id, column) in data.iter().zip(&memory.table.columns) {
                     input(id, column.format.to_string());

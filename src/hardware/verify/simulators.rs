@@ -252,7 +252,8 @@ fn yosys(job: &Job<'_>) -> Ended {
         None
     };
     if let Some(why) = why {
-        let text = format!("no latch; not proved: {why}, and a combinational reference has none of that");
+        let text =
+            format!("no latch; not proved: {why}, and a combinational reference has none of that");
         return Ok(Verdict::Unproved(text));
     }
     let time = job.request.proof_limit.min(job.request.limit);

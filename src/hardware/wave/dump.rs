@@ -157,7 +157,9 @@ impl<'a> Stimulus<'a> {
             let before = number.and_then(|n| n.checked_sub(1)).and_then(|n| self.samples.get(n));
             let is_new = |sample: &Vec<i64>| {
                 rate == fastest
-                    || before.is_none_or(|before| ports.iter().any(|port| before[*port] != sample[*port]))
+                    || before.is_none_or(|before| {
+                        ports.iter().any(|port| before[*port] != sample[*port])
+                    })
             };
             self.data[rate] = sample.is_some_and(is_new);
             for port in ports.iter().filter(|port| self.rate_of[**port] == rate) {

@@ -226,7 +226,8 @@ fn loads(
             .filter(|(side, name)| takes(*side) && !name.is_empty())
             .map(|(_, name)| tight(name));
         let text = sides.collect::<Vec<String>>().join(",");
-        (rtl.schedule().phase(stage) == phase && !text.is_empty()).then(|| (cycle.rate_of(operation.nodes[0]), stage, text))
+        (rtl.schedule().phase(stage) == phase && !text.is_empty())
+            .then(|| (cycle.rate_of(operation.nodes[0]), stage, text))
     });
     loads.collect()
 }

@@ -80,9 +80,12 @@ impl fmt::Debug for Rows {
 
 impl PartialEq for Rows {
     fn eq(&self, other: &Self) -> bool {
-        let bits = |rows: &Self| rows.0.values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
+        let bits =
+            |rows: &Self| rows.0.values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
         Arc::ptr_eq(&self.0, &other.0)
-            || self.0.hash == other.0.hash && self.0.name == other.0.name && bits(self) == bits(other)
+            || self.0.hash == other.0.hash
+                && self.0.name == other.0.name
+                && bits(self) == bits(other)
     }
 }
 

@@ -51,6 +51,9 @@ impl<'a> Rebuild<'a> {
         let node = self.old.node(id);
         self.b.enter(ScopeId::ROOT);
         let new = self.b.input(name, node.format, node.quantity);
+        if node.op == Op::Input {
+            self.b.rate(new, node.rate);
+        }
         self.inputs.push(source);
         self.new[id.index()] = Some(new);
     }

@@ -122,8 +122,11 @@ fn of_table(table: &Table, column: u32) -> &Column {
 /// bits count with a copy for every two ports.
 fn groups(netlist: &Netlist, words: &[Words]) -> BTreeMap<TableId, Vec<Group>> {
     let mut ports: BTreeMap<TableId, BTreeMap<NodeId, BTreeSet<u32>>> = BTreeMap::new();
-    for node in netlist.nodes() {
-        if let Op::Read { table, column } = node.op {
+    for (id, node) in netlist.ids().zip(netlist.nodes()) {
+        // The words of a memory aren't the datapath's to cut.
+        if let Op::Read { table, column } = node.op
+            && netlist.memory(id).is_none()
+        {
             ports.entry(table).or_default().entry(node.operands[0]).or_default().insert(column);
         }
     }
@@ -201,7 +204,9 @@ pub(super) fn cut(part: &Reduced, words: &[Words]) -> (Reduced, Vec<TableCut>) {
         });
     }
     for id in netlist.ids() {
-        if let Op::Read { table, column } = netlist.node(id).op {
+        if let Op::Read { table, column } = netlist.node(id).op
+            && netlist.memory(id).is_none()
+        {
             let (table, columns) = &reads[&(table, netlist.node(id).operands[0])];
             let column = columns.iter().position(|known| *known == column);
             new.read(id, *table, cast::id_of(column.expect("bug: it is read")));

@@ -97,7 +97,10 @@ impl Program {
                 outputs: Vec::new(),
                 narrows: Vec::new(),
                 delays: Vec::new(),
-                unbound: netlist.memories().find(|table| table.is_unbound()).map(|t| t.name.clone()),
+                unbound: netlist
+                    .memories()
+                    .find(|table| table.is_unbound())
+                    .map(|t| t.name.clone()),
                 repeated: 0,
                 repeats: repeats.to_vec(),
             },

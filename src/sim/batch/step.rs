@@ -102,7 +102,8 @@ fn step<L: Stored>(
             assert!(width == L::WIDTH, "bug: a word and the one before have one lane");
             let mut to = take_column::<L>(store, slot);
             let mut under_way = std::mem::take(&mut store.delays[line]);
-            for (to, word) in to.0[..len].iter_mut().zip(operands::<L>(instruction, store, len)[0]) {
+            for (to, word) in to.0[..len].iter_mut().zip(operands::<L>(instruction, store, len)[0])
+            {
                 under_way.push_back(word.raw());
                 *to = L::of(under_way.pop_front().unwrap_or_default());
             }

@@ -10,8 +10,8 @@ use crate::hardware::hdl::module::{
 };
 use crate::hardware::hdl::names::Names;
 use crate::hardware::rtl::{Port, Rtl, Signal, Source};
-use crate::netlist::{NodeId, Rate, TableId};
 use crate::netlist::op::Op;
+use crate::netlist::{NodeId, Rate, TableId};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -48,7 +48,9 @@ impl Module {
         let fastest = timings.pop().expect("bug: there is a rate");
         let rates: Vec<(Rate, u32, String)> = timings
             .iter()
-            .map(|timing| (timing.rate, timing.entry, names.take(&format!("valid_{}", timing.rate))))
+            .map(|timing| {
+                (timing.rate, timing.entry, names.take(&format!("valid_{}", timing.rate)))
+            })
             .collect();
         let mut lowering = Lowering {
             at: Context {
@@ -356,7 +358,8 @@ impl Lowering {
                 self.use_bits(from, 0, u32::MAX);
                 let load = self.load(rtl.load_phase(register));
                 let holds = rtl.holds(register);
-                let of = |(rate, name): &(Rate, String)| (Some(*rate) == holds).then(|| name.clone());
+                let of =
+                    |(rate, name): &(Rate, String)| (Some(*rate) == holds).then(|| name.clone());
                 let valid = self.valids.iter().find_map(of);
                 let next = Next::Word(from);
                 let register = Register { word, next, load, valid, reset: false };

@@ -60,7 +60,8 @@ impl Lowering {
             if name != wanted {
                 self.module.renamed.push((wanted, name.clone()));
             }
-            let columns: Vec<_> = columns.iter().map(|c| table.columns[index(*c)].clone()).collect();
+            let columns: Vec<_> =
+                columns.iter().map(|c| table.columns[index(*c)].clone()).collect();
             let addr_bits = table.addr_bits;
             let (copy_of, write) = (None, None);
             let mut rows = RomTable { name, title, addr_bits, row_bits, columns, copy_of, write };
@@ -169,7 +170,8 @@ impl Lowering {
         let (ports, latest) = self.ports.entry(rom).or_insert((0, rom));
         // The other port of a RAM writes.
         let most = if self.module.tables[rom].write.is_some() { 1 } else { RAM_PORTS };
-        let in_case = self.module.tables_in == Tables::Case && self.module.tables[rom].write.is_none();
+        let in_case =
+            self.module.tables_in == Tables::Case && self.module.tables[rom].write.is_none();
         if *ports > 0 && *ports % most == 0 && !in_case {
             let name = self.names.take(&self.module.tables[rom].name);
             let copy = RomTable { name, copy_of: Some(rom), ..self.module.tables[rom].clone() };

@@ -4,7 +4,7 @@
 -- {{ name }} with what is outside of it, for its testbench: ports are those of a module with one rate and
 -- without memories. Names between backslashes are the bench's own.
 {%- for rate in rates %}
--- Words of rate {{ rate.name }} go in {{ entry - rate.entry }} cycles before the pixel that they came with, when they differ from
+-- Words of rate {{ rate.name }} go in {{ entry - rate.entry }} cycle{{ "s" if entry - rate.entry != 1 }} before the pixel that they came with, when they differ from
 -- those before.
 {%- endfor %}
 {%- for memory in memories %}
