@@ -1,8 +1,7 @@
 //! Words that netlists carry from one sample to the next.
 
-use super::{Netlist, NodeId, Rate};
+use super::Netlist;
 use crate::base::cast;
-use crate::base::error::{Error, Result};
 use crate::netlist::op::Op;
 use std::collections::{BTreeMap, VecDeque};
 
@@ -29,26 +28,5 @@ impl State {
         let words = self.words.get_mut(&index).expect("bug: the state is another netlist's");
         words.push_back(word);
         words.pop_front().expect("bug: a delay holds a word")
-    }
-}
-
-impl Netlist {
-    /// Refuses a delay at a slower rate than the netlist's fastest: which of its words were taken is not told by samples.
-    pub(super) fn check_delays(&self) -> Result<()> {
-        let fastest = *self.rates().last().expect("bug: there is one");
-        let slow = |id: &NodeId| {
-            let node = self.node(*id);
-            matches!(node.op, Op::Delay { .. }) && (Rate::Scene..fastest).contains(&node.rate)
-        };
-        match self.ids().find(slow) {
-            None => Ok(()),
-            Some(id) => Err(Error::node(
-                self.label(id),
-                format!(
-                    "a delay counts samples of the fastest rate, here {fastest}, and its operand has the rate {}",
-                    self.node(id).rate
-                ),
-            )),
-        }
     }
 }

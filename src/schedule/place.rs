@@ -449,11 +449,11 @@ fn place(
             ready[entries.of(first(item))].push((height(item), Reverse(item)));
         }
     }
-    let mut place = entries.next(&stages).expect("bug: there is a rate");
+    let mut rate = entries.next(&stages).expect("bug: there is a rate");
     loop {
-        let Some((_, Reverse(now))) = ready[place].pop() else {
+        let Some((_, Reverse(now))) = ready[rate].pop() else {
             match entries.next(&stages) {
-                Some(next) => place = next,
+                Some(next) => rate = next,
                 None => break,
             }
             continue;
@@ -471,7 +471,7 @@ fn place(
                 let first = match *operand {
                     Operand::Constant { .. } => from,
                     // What is slower is held by now.
-                    Operand::Node(id) if entries.of(id) < place => from,
+                    Operand::Node(id) if entries.of(id) < rate => from,
                     // The output of a unit is there from hold registers only.
                     Operand::Node(id) if item[id.index()] >= nodes => stages[id.index()] + 1,
                     Operand::Node(id) => {
@@ -517,7 +517,7 @@ fn place(
                 let side = operation.sides[place];
                 let registered = group.registered.get(side).copied().unwrap_or(false);
                 if let Operand::Node(id) = *operand
-                    && entries.of(id) == place
+                    && entries.of(id) == rate
                     && registered
                     && stages[id.index()] + 1 == issue
                     && item[id.index()] < nodes
@@ -531,7 +531,7 @@ fn place(
         } else {
             let id = netlist.id_at(now);
             let placed = Free::after(netlist, rom, available, id, from, |operand| {
-                if entries.of(operand) < place {
+                if entries.of(operand) < rate {
                     return (from, 0);
                 }
                 let shared = item[operand.index()] >= nodes;

@@ -2,7 +2,7 @@
 
 use fixpath::format::{Format, Overflow, Round};
 use fixpath::function::Function;
-use fixpath::netlist::{Builder, Column, Netlist, NodeId, Quantity, Table, TableId};
+use fixpath::netlist::{Builder, Column, Netlist, NodeId, Quantity, Rate, State, Table, TableId};
 use fixpath::op::Op;
 use fixpath::real::{Expr, Primitive};
 use fixpath::sim::batch::{BLOCK, Features, Program};
@@ -76,13 +76,27 @@ pub(crate) fn random_netlist_within(seed: u64, operations: usize, max_bits: u32)
     grow(Random::new(seed), operations, max_bits)
 }
 
+/// As [`random_netlist`] with memories, which have words, delays, and half of the time ports of several rates.
+pub(crate) fn random_machine(seed: u64) -> Netlist {
+    let mut random = Random::new(seed ^ 0x3a5e);
+    let max_bits = random.pick(&[6, 12, 16, 31, 33]);
+    grow_with(random, 4 + (seed % 41) as usize, max_bits, true)
+}
+
 fn grow(random: Random, operations: usize, max_bits: u32) -> Netlist {
+    grow_with(random, operations, max_bits, false)
+}
+
+fn grow_with(mut random: Random, operations: usize, max_bits: u32, machine: bool) -> Netlist {
     let mut grower = Grower {
+        has_rates: machine && random.chance(50),
         random,
         b: Builder::new("random"),
         max_bits,
+        machine,
         nodes: Vec::new(),
         tables: Vec::new(),
+        memories: Vec::new(),
         ports: Vec::new(),
     };
     for _ in 0..=grower.random.below(4) {
@@ -92,7 +106,7 @@ fn grow(random: Random, operations: usize, max_bits: u32) -> Netlist {
         // Ports may come late, when columns have been given back.
         if grower.random.chance(3) { grower.input() } else { grower.operation() }
     }
-    let Grower { mut random, mut b, nodes, .. } = grower;
+    let Grower { mut random, mut b, nodes, memories, .. } = grower;
     // Every node should matter: the last few, and some from anywhere.
     let mut outputs = vec![nodes[nodes.len() - 1]];
     for _ in 0..random.below(6) {
@@ -102,15 +116,22 @@ fn grow(random: Random, operations: usize, max_bits: u32) -> Netlist {
     for (i, node) in outputs.into_iter().enumerate() {
         b.output(&format!("out{i}"), node);
     }
-    b.build().expect("the generator checks every operation first")
+    let netlist = b.build().expect("the generator checks every operation first");
+    let bound = memories.iter().filter(|(name, _)| netlist.memories().any(|m| m.name == *name));
+    bound.fold(netlist.clone(), |netlist, (name, words)| netlist.bind(name, words).unwrap())
 }
 
 struct Grower {
     random: Random,
     b: Builder,
     max_bits: u32,
+    /// With memories and delays.
+    machine: bool,
+    has_rates: bool,
     nodes: Vec<NodeId>,
     tables: Vec<(TableId, Table)>,
+    /// Words for memories.
+    memories: Vec<(String, Vec<Arc<[i64]>>)>,
     ports: Vec<NodeId>,
 }
 
@@ -133,6 +154,10 @@ impl Grower {
         let format = self.format();
         let name = format!("in{}", self.ports.len());
         let node = self.b.input(&name, format, Quantity::Number);
+        if self.has_rates {
+            let rate = self.random.pick(Rate::ALL);
+            self.b.rate(node, rate);
+        }
         self.ports.push(node);
         self.nodes.push(node);
     }
@@ -217,7 +242,15 @@ impl Grower {
                 })
                 .collect();
             let name = format!("t{}", self.tables.len());
-            let table = Table { name, addr_bits, columns, memory: None };
+            let mut table = Table { name, addr_bits, columns, memory: None };
+            if self.machine && self.random.chance(60) {
+                let words = table.columns.iter().map(|column| Arc::clone(&column.words)).collect();
+                self.memories.push((table.name.clone(), words));
+                let columns: Vec<(&str, Format)> =
+                    table.columns.iter().map(|c| (&c.name[..], c.format)).collect();
+                let latency = 1 + self.random.below(4) as u32;
+                table = Table::memory(&table.name, addr_bits, &columns, latency);
+            }
             let id = self.b.table(table.clone());
             self.tables.push((id, table));
         }
@@ -294,8 +327,12 @@ impl Grower {
                 let frac = self.b.format(node).frac_bits();
                 self.b.modulo(node, Format::new(to.is_signed(), to.bits(), frac).unwrap())
             }
+            Op::Delay { .. } if self.machine => {
+                let (node, samples) = (self.any(), self.random.pick(&[1, 1, 2, 3, 40]));
+                self.b.delay(node, samples)
+            }
             // Ports come by themselves; in their place comes what all else needs.
-            Op::Narrow { .. } | Op::Input => {
+            Op::Narrow { .. } | Op::Input | Op::Delay { .. } => {
                 let (node, format) = (self.any(), self.format());
                 self.narrow_to(node, format)
             }
@@ -398,9 +435,10 @@ pub(crate) fn check(netlist: &Netlist, seed: u64, count: usize) -> Result<(), St
     let ports: Vec<NodeId> = netlist.outputs().iter().map(|output| output.node).collect();
     let mut expected = vec![Vec::with_capacity(count); all.len()];
     let mut flags = vec![0u64; all.len()];
+    let mut state = State::new(netlist);
     for sample in 0..count {
         let inputs: Vec<i64> = columns.iter().map(|column| column[sample]).collect();
-        let (words, overflowed) = netlist.eval(&inputs).unwrap();
+        let (words, overflowed) = netlist.eval_next(&mut state, &inputs).unwrap();
         for (column, word) in expected.iter_mut().zip(words) {
             column.push(word);
         }
@@ -429,7 +467,7 @@ pub(crate) fn check(netlist: &Netlist, seed: u64, count: usize) -> Result<(), St
                 return Err(format!("{features:?}: overflows {:?}", runner.overflows()));
             }
         }
-        // In two parts with one runner: nothing of the first may stay but the counts.
+        // In two parts with one runner: nothing of the first may stay but the counts and what delays hold.
         let mut runner = program.runner();
         let mut given = vec![vec![77; 3]; outputs.len()];
         for range in [0..count / 2, count / 2..count] {
@@ -440,6 +478,14 @@ pub(crate) fn check(netlist: &Netlist, seed: u64, count: usize) -> Result<(), St
             }
         }
         let halves = runner.overflows().to_vec();
+        runner.reset(&program);
+        let start = part(&columns, 0..count / 3);
+        runner.run(&program, &views(&start), &mut given).unwrap();
+        for (id, column) in outputs.iter().zip(&given) {
+            let should = &expected[id.index()][..count / 3];
+            compare(netlist, *id, column, should, |is, should| is == should)
+                .map_err(|text| format!("after a reset: {text}"))?;
+        }
         let mut runner = program.runner();
         runner.run(&program, &views(&columns), &mut given).unwrap();
         for (id, column) in outputs.iter().zip(&given) {
@@ -522,6 +568,13 @@ fn check_reals(
 }
 
 #[test]
+fn engines_agree_with_the_reference_on_memories_and_delays() {
+    for seed in 0..200 {
+        check(&random_machine(seed), seed, 2 * BLOCK + 300).unwrap();
+    }
+}
+
+#[test]
 fn engines_agree_with_the_reference_on_random_netlists() {
     let config = Config { cases: 400, failure_persistence: None, ..Config::default() };
     let rng = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
@@ -541,6 +594,9 @@ fn engines_agree_with_the_reference_on_random_netlists() {
 fn what_repeats_is_computed_once() {
     for seed in 0..150 {
         check_repeats(&random_netlist(seed), seed);
+    }
+    for seed in 0..60 {
+        check_repeats(&random_machine(seed), seed);
     }
 }
 
@@ -578,6 +634,7 @@ fn check_repeats(netlist: &Netlist, seed: u64) {
     for _ in 0..2 {
         let mut given = vec![Vec::new(); outputs.len()];
         let before = runner.overflows().to_vec();
+        runner.reset(&once);
         runner.run(&once, &views(&columns), &mut given).unwrap();
         assert_eq!(given, should, "{repeats:?}\n{}", netlist.to_text());
         let counted: Vec<u64> =
@@ -617,8 +674,7 @@ fn random_netlists_have_every_operation_and_width() {
     let mut modes = std::collections::BTreeSet::new();
     let mut widths = std::collections::BTreeSet::new();
     let mut late_inputs = 0;
-    for seed in 0..300 {
-        let netlist = random_netlist(seed);
+    for netlist in (0..300).map(random_netlist).chain((0..300).map(random_machine)) {
         for (i, node) in netlist.nodes().iter().enumerate() {
             *seen.entry(node.op.name()).or_insert(0) += 1;
             widths.insert(node.format.bits());

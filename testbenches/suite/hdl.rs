@@ -45,7 +45,18 @@ pub(crate) fn emit_with(
     random: u64,
     folder: &Path,
 ) -> Module {
-    let options = Options { name: None, tables, header: vec!["a netlist under test".to_owned()] };
+    emit_options(rtl, Options { tables, ..Options::default() }, first, random, folder)
+}
+
+/// As [`emit_with`], with more to choose.
+pub(crate) fn emit_options(
+    rtl: &Arc<Rtl>,
+    options: Options,
+    first: Vec<Vec<i64>>,
+    random: u64,
+    folder: &Path,
+) -> Module {
+    let options = Options { header: vec!["a netlist under test".to_owned()], ..options };
     let module = Module::new(rtl, &options).unwrap();
     let mut stream = Vectors::of_netlist(rtl.netlist(), first, random, 7);
     let mut files: Vec<_> = LANGUAGES.iter().map(|language| module.file(*language)).collect();
@@ -67,7 +78,7 @@ pub(crate) fn emit(rtl: &Arc<Rtl>, tables: Option<Tables>, vectors: u64, folder:
 
 pub(crate) const PLACES: [Option<Tables>; 3] = [None, Some(Tables::Files), Some(Tables::Case)];
 
-fn place(seed: u64) -> Option<Tables> {
+pub(crate) fn place(seed: u64) -> Option<Tables> {
     PLACES[(seed % 3) as usize]
 }
 
@@ -106,7 +117,7 @@ fn give_up(folder: TempDir, what: &str, ended: &Ended) -> ! {
 }
 
 /// A run that should pass, without a word on the stream of warnings.
-fn passes(folder: TempDir, make: &str, vectors: u64, what: &str) -> TempDir {
+pub(crate) fn passes(folder: TempDir, make: &str, vectors: u64, what: &str) -> TempDir {
     let ended = tool(folder.path(), "make", &["-s", "-f", make]);
     let quiet = ended.stderr.is_empty();
     if !ended.well || !quiet || ended.last() != format!("PASS {vectors} vectors") {
@@ -116,12 +127,16 @@ fn passes(folder: TempDir, make: &str, vectors: u64, what: &str) -> TempDir {
 }
 
 /// Verilator's and Yosys's opinion: none.
-fn lints(folder: TempDir, module: &Module, allowed: &[&str], what: &str) {
+pub(crate) fn lints(folder: TempDir, module: &Module, allowed: &[&str], what: &str) {
     let name = &module.name;
-    let file = format!("{name}.v");
-    let mut arguments = vec!["--lint-only", "-Wall"];
+    let (file, top) = (format!("{name}.v"), testbench::top_name(module));
+    let bench = format!("{top}.v");
+    let mut arguments = vec!["--lint-only", "-Wall", "--top-module", &top];
     arguments.extend(allowed);
     arguments.push(&file);
+    if top != *name {
+        arguments.push(&bench);
+    }
     let verilator = tool(folder.path(), "verilator", &arguments);
     if !verilator.well || !verilator.stdout.is_empty() || !verilator.stderr.is_empty() {
         give_up(folder, &format!("{what}: verilator"), &verilator);

@@ -23,7 +23,7 @@ fn ghdl(folder: &Path, name: &str) -> Output {
 }
 
 /// Runs a folder's testbench: it says that all is well, and nothing else.
-fn check(folder: tempfile::TempDir, name: &str, vectors: u64, what: &str) {
+pub(crate) fn check(folder: tempfile::TempDir, name: &str, vectors: u64, what: &str) {
     let output = ghdl(folder.path(), name);
     let stdout = String::from_utf8_lossy(&output.stdout);
     let stderr = String::from_utf8_lossy(&output.stderr);

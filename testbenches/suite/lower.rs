@@ -232,16 +232,17 @@ impl<'a> Machine<'a> {
         let mut words = Vec::new();
         let mut rows = Vec::new();
         for register in self.module.stages.iter().flat_map(|stage| &stage.registers) {
-            let Register { word, next, load, reset: cleared } = *register;
+            let Register { word, next, load, ref valid, reset: cleared } = *register;
+            let is_data = valid.as_ref().is_none_or(|valid| self.valid.get(valid) == Some(&true));
             match next {
                 _ if cleared && reset => words.push((word, 0)),
-                _ if !loads(load) => {}
+                _ if !(loads(load) && is_data) => {}
                 Next::Word(from) => words.push((word, self.whole(from))),
                 Next::Read(table, address) => rows.push((word, self.row(table, address))),
             }
         }
         let mut valid = Vec::new();
-        for bit in self.module.stages.iter().filter_map(|stage| stage.valid.as_ref()) {
+        for bit in self.module.stages.iter().flat_map(|stage| &stage.valid) {
             if reset {
                 valid.push((bit.to.clone(), false));
             } else if loads(bit.load) {
@@ -1077,7 +1078,7 @@ fn check_promises(rtl: &Arc<Rtl>, module: &Module) {
         .step_by(module.interval as usize)
         .map(|stage| format!("valid_s{stage}"))
         .collect();
-    let bits = module.stages.iter().filter_map(|stage| stage.valid.as_ref());
+    let bits = module.stages.iter().flat_map(|stage| &stage.valid);
     assert_eq!(bits.map(|valid| valid.to.clone()).collect::<Vec<_>>(), valids);
     assert_eq!(valids.len(), rtl.valid_bits() as usize);
     taken.extend(valids.iter().map(String::as_str));
@@ -1146,7 +1147,7 @@ fn check_promises(rtl: &Arc<Rtl>, module: &Module) {
             }
             define(*word, &mut defined, &[Driver::Register, Driver::OutputRegister]);
         }
-        if let Some(flag) = stage.valid.as_ref().and_then(|valid| valid.load) {
+        for flag in stage.valid.iter().filter_map(|valid| valid.load) {
             use_bits((flag.word, flag.bit, 1), &known);
         }
     }

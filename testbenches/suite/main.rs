@@ -28,6 +28,7 @@ mod ladder;
 mod layers;
 mod lower;
 mod lut;
+mod machines;
 mod netlist;
 mod op;
 mod own_units;

@@ -848,8 +848,8 @@ fn files_of_units_are_read_back() {
 
 #[test]
 fn files_of_random_netlists_are_read_back() {
-    for seed in 0..300 {
-        let netlist = crate::engines::random_netlist(seed);
+    let machines = (0..300).map(crate::engines::random_machine);
+    for netlist in (0..300).map(crate::engines::random_netlist).chain(machines) {
         let text = netlist.to_file();
         let again = read(&text).unwrap_or_else(|error| panic!("{error}\n{text}"));
         assert!(again == netlist, "{text}\n{}", again.to_file());
