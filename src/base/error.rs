@@ -204,6 +204,15 @@ impl Error {
         Self(Box::new(Kind::UnknownPart { netlist: netlist.to_owned(), what, hint, known: listed }))
     }
 
+    pub(crate) fn earlier_samples(node: String) -> Self {
+        Self::node(
+            node,
+            "it has the words of earlier samples, so errors can't be told of samples by themselves: `eval`, `wave`, `hdl` \
+             and `verify` take them in order"
+                .to_owned(),
+        )
+    }
+
     pub(crate) fn unbound_memory(name: &str) -> Self {
         Self::usage(format!(
             "no words are bound to memory `{name}`: bind them with -p memory.{name}=FILE.csv, or by `Netlist::bind`"

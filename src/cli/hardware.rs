@@ -106,11 +106,14 @@ impl MemoriesArg {
 }
 
 /// A design whose memories have words to be verified with: random ones where none are bound.
-pub(super) fn with_memories(mut design: Design) -> Design {
-    for name in design.fill_memories() {
+///
+/// # Errors
+/// If one has too many.
+pub(super) fn with_memories(mut design: Design) -> Result<Design> {
+    for name in design.fill_memories()? {
         note(&format!("no words are bound to memory `{name}`: vectors are for random ones"));
     }
-    design
+    Ok(design)
 }
 
 /// Writes the files; returns what to tell.
@@ -133,7 +136,7 @@ pub(super) fn run(args: &HdlArgs) -> Result<String> {
         seed: args.seed.unwrap_or(1),
         ..Settings::default()
     };
-    let mut package = Package::new(&with_memories(args.unit.design()?), &settings)?;
+    let mut package = Package::new(&with_memories(args.unit.design()?)?, &settings)?;
     let count = package.vectors.count();
     package.write(&args.out)?;
     Ok(told(&package, count, &args.out))

@@ -113,9 +113,12 @@ fn fifos(rtl: &Rtl) -> Vec<(String, usize, u32)> {
 /// For each set of units: kind, units, operations, interval, and with one more the shortest
 /// interval of them and of everything.
 fn one_more(rtl: &Rtl) -> Vec<(&'static str, usize, usize, u32, u32, u32)> {
-    let loads = rtl.schedule().loads();
+    let loads = &rtl.schedule().loads();
     let others = |at: usize| {
-        let others = loads.iter().enumerate().filter(move |(other, _)| *other != at);
+        let same = move |(other, load): &(usize, &crate::schedule::Load)| {
+            *other != at && load.rate == loads[at].rate
+        };
+        let others = loads.iter().enumerate().filter(same);
         others.map(|(_, load)| load.interval()).max().unwrap_or(1)
     };
     let row = |(at, load): (usize, &crate::schedule::Load)| {
@@ -178,7 +181,7 @@ fn as_text(design: &Design, rtl: &Rtl, table: &Timetable) -> String {
                 u.name.clone(),
                 if u.title == u.name { String::new() } else { u.title },
                 u.latency.to_string(),
-                format!("{} of {}", u.operations, schedule.interval()),
+                format!("{} of {}", u.operations, u.interval),
                 format!("{:.0} %", 100.0 * u.used),
                 u.operand_bits.to_string(),
                 u.unit_bits.to_string(),
@@ -218,10 +221,15 @@ fn as_text(design: &Design, rtl: &Rtl, table: &Timetable) -> String {
     let _ = writeln!(text, "\nhardware: {}", told(&counts.operators));
     let _ = writeln!(
         text,
-        "  {} flip-flops: {} in hold registers ({} of them in delay FIFOs), {} in operand registers, {} inside units, {} for the phase, the rest valid bits and reads on a clock; {} multiplexer bits before units",
+        "  {} flip-flops: {} in hold registers ({} of them in delay FIFOs), {}{} in operand registers, {} inside units, {} for the phase, the rest valid bits and reads on a clock; {} multiplexer bits before units",
         counts.register_bits,
         counts.hold_bits,
         counts.fifo_bits,
+        if counts.state_bits > 0 {
+            format!("{} in delays, ", counts.state_bits)
+        } else {
+            String::new()
+        },
         counts.operand_bits,
         counts.unit_bits,
         counts.phase_bits,
@@ -245,6 +253,7 @@ struct UnitLine {
     kind: &'static str,
     latency: u32,
     operations: usize,
+    interval: u32,
     /// Share of the phases in which an operation is issued.
     used: f64,
     operand_bits: u64,
@@ -261,7 +270,8 @@ fn units(rtl: &Rtl, table: &Timetable, counts: &HardwareCounts) -> Vec<UnitLine>
             kind: unit.kind.name(),
             latency: unit.rtl.schedule().latency(),
             operations,
-            used: crate::base::cast::f64_of_len(operations) / f64::from(rtl.schedule().interval()),
+            interval: unit.interval,
+            used: crate::base::cast::f64_of_len(operations) / f64::from(unit.interval),
             operand_bits: unit.operand_bits(),
             unit_bits: unit.rtl.data_bits(),
             operators: told(&counts.units[&unit.name]),

@@ -76,7 +76,7 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(String, Result<bool>)> {
         keep: args.keep.clone(),
         ..Request::default()
     };
-    let design = with_memories(args.unit.design()?);
+    let design = with_memories(args.unit.design()?)?;
     // What was asked for by name has to be there, before anything runs.
     if !args.with.is_empty() {
         for simulator in &request.simulators {

@@ -1,6 +1,7 @@
 //! A netlist as a unit, without a golden model of its own.
 
 use super::{Bounds, Design, Golden, Unit};
+use crate::netlist::op::Op;
 use crate::netlist::{Netlist, NodeId};
 use crate::number::format::{Format, Overflow, Round, quantize};
 use crate::sim::real::Program;
@@ -55,6 +56,12 @@ fn on_reals(netlist: Arc<Netlist>) -> Golden<f64> {
 /// Fills the columns of outputs without a value on reals with the values of their words; those of earlier samples aren't
 /// known here.
 fn by_words(netlist: &Netlist, outputs: &[NodeId], inputs: &[&[f64]], columns: &mut [Vec<f64>]) {
+    // What is behind a delay depends on samples that aren't known here.
+    let mut known: Vec<bool> = Vec::with_capacity(netlist.nodes().len());
+    for node in netlist.nodes() {
+        let of = node.operands.iter().all(|id| known[id.index()]);
+        known.push(of && !matches!(node.op, Op::Delay { .. }));
+    }
     let formats: Vec<Format> = netlist.inputs().iter().map(|id| netlist.node(*id).format).collect();
     for sample in 0..columns.first().map_or(0, Vec::len) {
         let word = |(format, column): (&Format, &&[f64])| {
@@ -63,12 +70,11 @@ fn by_words(netlist: &Netlist, outputs: &[NodeId], inputs: &[&[f64]], columns: &
         };
         let words: Vec<i64> = formats.iter().zip(inputs).map(word).collect();
         let Ok((words, _)) = netlist.eval(&words) else { continue };
-        let known = netlist.first_delay().is_none();
         for (id, column) in outputs.iter().zip(columns.iter_mut()) {
             let node = netlist.node(*id);
             if node.real.is_none() {
                 let value = node.format.value(words[id.index()]);
-                column[sample] = if known { value } else { f64::NAN };
+                column[sample] = if known[id.index()] { value } else { f64::NAN };
             }
         }
     }

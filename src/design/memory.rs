@@ -11,7 +11,9 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// The most bytes of a file of words.
-const MAX_BYTES: u64 = 1 << 30;
+const MAX_BYTES: u64 = 1 << 32;
+/// The most bits of a memory that gets random words.
+const RANDOM_BITS: u64 = 1 << 28;
 
 /// Words of a memory from a file: a table in CSV with a heading for each column and a line of words for each address.
 #[derive(Clone, Debug)]
@@ -29,6 +31,20 @@ impl MemoryFile {
         };
         let names: Vec<String> =
             reader.headers().map_err(malformed)?.iter().map(str::to_owned).collect();
+        if names.is_empty() {
+            let problem =
+                "it is empty: a line of headings comes first, then one of words for each address";
+            return Err(Error::file(path, problem.to_owned()));
+        }
+        if let Some((_, twice)) =
+            names.iter().enumerate().find(|(at, name)| names[..*at].contains(name))
+        {
+            return Err(Error::line(
+                path,
+                1,
+                format!("two columns are called `{}`", escape::short(twice)),
+            ));
+        }
         let mut columns: Vec<Vec<i64>> = vec![Vec::new(); names.len()];
         let mut record = csv::StringRecord::new();
         while reader.read_record(&mut record).map_err(malformed)? {
@@ -104,11 +120,22 @@ impl Design {
     }
 
     /// Binds random words to memories that have none, so that hardware can be held to the engine; their names.
-    pub(crate) fn fill_memories(&mut self) -> Vec<String> {
+    ///
+    /// # Errors
+    /// If there are too many to be made up.
+    pub(crate) fn fill_memories(&mut self) -> Result<Vec<String>> {
         let mut netlist = (*self.netlist).clone();
         let mut rng = Pcg64Mcg::seed_from_u64(1);
         let mut filled = Vec::new();
         for memory in self.netlist.memories().filter(|memory| memory.is_unbound()) {
+            if memory.rom_bits() > RANDOM_BITS {
+                return Err(Error::usage(format!(
+                    "memory `{}` has {} bits, and up to {RANDOM_BITS} are made up: bind words with -p memory.{}=FILE.csv",
+                    memory.name,
+                    memory.rom_bits(),
+                    memory.name
+                )));
+            }
             let mut word =
                 |column: &Column| column.format.wrap(cast::word_of_bits(rng.next_u64() >> 1));
             let rows = 0..1u64 << memory.addr_bits;
@@ -123,7 +150,7 @@ impl Design {
         }
         self.made.filled |= !filled.is_empty();
         self.netlist = Arc::new(netlist);
-        filled
+        Ok(filled)
     }
 
     /// True if a memory has random words: then no error means anything.
@@ -136,12 +163,7 @@ impl Design {
         self.netlist.check_bound()?;
         match self.netlist.first_delay() {
             None => Ok(()),
-            Some(id) => Err(Error::node(
-                self.netlist.label(id),
-                "it has the words of earlier samples, so errors can't be told of samples by themselves: `eval`, `wave`, \
-                 `hdl` and `verify` take them in order"
-                    .to_owned(),
-            )),
+            Some(id) => Err(Error::earlier_samples(self.netlist.label(id))),
         }
     }
 }

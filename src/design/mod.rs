@@ -336,7 +336,7 @@ impl Design {
         let read = all.filter(|(_, (_, read))| **read).map(|(at, (value, _))| (at, value.clone()));
         let ports: Vec<String> =
             InputPorts::new(&self.netlist).names().map(str::to_owned).collect();
-        (read.collect::<Vec<_>>(), self.golden_columns(), ports, self.values.by_name())
+        (read.collect::<Vec<_>>(), self.golden_columns(), ports, self.values.memory_paths())
     }
 
     /// Whether what is drawn depends on the formats of the ports, too.

@@ -311,6 +311,10 @@ impl Values {
             return Ok(());
         }
         if name.starts_with(MEMORY) {
+            if text.is_empty() {
+                let legal = "the path of a file in CSV".to_owned();
+                return Err(Error::parameter_value(&escape::short(name), text, legal));
+            }
             let file = Arc::new(MemoryFile::read(Path::new(text))?);
             self.memories.retain(|(known, ..)| known != name);
             self.memories.push((name.to_owned(), Value::Choice(text.to_owned().into()), file));
@@ -346,9 +350,9 @@ impl Values {
         formats.chain(self.memories.iter().map(|(key, value, _)| (key.as_str(), value)))
     }
 
-    /// The same for keys of designs that share golden values.
-    pub(super) fn by_name(&self) -> Vec<(String, Value)> {
-        self.named().map(|(key, value)| (key.to_owned(), value.clone())).collect()
+    /// Files that were set for memories.
+    pub(super) fn memory_paths(&self) -> Vec<(String, Value)> {
+        self.memories.iter().map(|(key, value, _)| (key.clone(), value.clone())).collect()
     }
 
     /// Words that were set for memories, by their names.

@@ -43,7 +43,7 @@ struct Control {
     /// By rate, from the slowest.
     rates: Vec<Valid>,
     phase: u32,
-    interval: u32,
+    phases: u32,
 }
 
 /// Which samples of a rate are data.
@@ -51,6 +51,7 @@ struct Control {
 struct Valid {
     /// Stage that the rate's words enter in.
     entry: u32,
+    interval: u32,
     /// The valid input, and what the valid bits hold.
     input: bool,
     bits: Vec<bool>,
@@ -145,23 +146,24 @@ struct Taken {
 }
 
 impl Control {
-    fn ready(&self) -> bool {
-        self.phase == 0
+    fn ready(&self, rate: usize) -> bool {
+        self.phase.is_multiple_of(self.rates[rate].interval)
     }
 
     fn valid(&self, rate: usize, stage: u32) -> bool {
-        let Valid { entry, input, bits } = &self.rates[rate];
+        let Valid { entry, interval, input, bits } = &self.rates[rate];
         match stage.checked_sub(entry + 1) {
             None => *input && stage == *entry,
             Some(before) => {
-                let bit = before / self.interval;
+                let bit = before / interval;
                 bits.get(cast::index_of_u32(bit)).copied().unwrap_or(false)
             }
         }
     }
 
     fn is_data(&self, rate: usize, stage: u32) -> bool {
-        self.valid(rate, stage) && stage % self.interval == self.phase
+        let interval = self.rates[rate].interval;
+        self.valid(rate, stage) && stage % interval == self.phase % interval
     }
 
     fn fastest(&self) -> usize {
@@ -198,7 +200,7 @@ impl Program {
             steps: Vec::new(),
             units: Vec::new(),
             results: Vec::new(),
-            moves: vec![Vec::new(); cast::index_of_u32(schedule.interval())],
+            moves: vec![Vec::new(); cast::index_of_u32(schedule.phases())],
             delays: Vec::new(),
             rates: netlist.ids().map(place).collect(),
             unbound: netlist.memories().find(|m| m.is_unbound()).map(|m| m.name.clone()),
@@ -207,14 +209,14 @@ impl Program {
         for id in netlist.ids() {
             let (node, own) = (netlist.node(id), program.own[id.index()]);
             // From the last: each takes its word before the one before it has another.
-            let mut edge: Vec<Move> = Vec::new();
-            for (number, register) in rtl.registers(id).enumerate() {
+            let registers: Vec<Signal> = rtl.registers(id).collect();
+            for (number, register) in registers.into_iter().enumerate().rev() {
                 let (to, from) = (own + number + 1, own + number);
                 let when = rtl.holds(register).map(|_| (place(id), register.stage - 1));
-                edge.insert(0, Move { to, from, when });
+                for phase in rtl.load_phases(register) {
+                    program.moves[cast::index_of_u32(phase)].push(Move { to, from, when });
+                }
             }
-            let phase = schedule.phase(schedule.stage(id));
-            program.moves[cast::index_of_u32(phase)].extend(edge);
             let mut to = own;
             for _ in 0..schedule.clocks(netlist, id) {
                 // A read takes a word at every edge.
@@ -273,17 +275,17 @@ impl Program {
             Source::Signal(signal) => (*case, self.slot(signal)),
             Source::Constant { raw, .. } => (*case, self.constant(raw)),
         };
-        let phases = 0..rtl.schedule().interval();
+        let (phases, interval) = (0..rtl.schedule().phases(), rtl.units()[unit].interval);
         let mut at = |phase: u32| -> Vec<Option<(Case, usize)>> {
             let ports = rtl.units()[unit].ports.iter().map(|port| {
                 let idle = (!port.registered).then_some(&port.cases[0]);
-                port.case(phase).or(idle).map(&mut feed)
+                port.case(phase % interval).or(idle).map(&mut feed)
             });
             ports.collect()
         };
         let issued = |phase: u32| {
-            let operations = rtl.operations(unit).iter();
-            operations.map(|o| rtl.schedule().phase(o.issue)).position(|issue| issue == phase)
+            let mut operations = rtl.operations(unit).iter();
+            operations.position(|operation| operation.issue % interval == phase % interval)
         };
         Feeds { ports: phases.clone().map(&mut at).collect(), issued: phases.map(issued).collect() }
     }
@@ -295,11 +297,12 @@ impl Program {
     }
 
     fn slot(&self, signal: Signal) -> usize {
-        let (own, schedule) = (self.own[signal.node.index()], self.rtl.schedule());
-        match signal.stage.checked_sub(schedule.stage(signal.node) + 1) {
-            None => own,
-            Some(after) => own + 1 + cast::index_of_u32(after / schedule.interval()),
+        let own = self.own[signal.node.index()];
+        if signal.stage == self.rtl.schedule().stage(signal.node) {
+            return own;
         }
+        let number = self.rtl.registers(signal.node).position(|register| register == signal);
+        own + 1 + number.expect("bug: a register of the node")
     }
 }
 
@@ -322,11 +325,11 @@ impl Cycle {
         let timings = rtl.schedule().timings();
         let valid = timings.iter().map(|timing| Valid {
             entry: timing.entry,
+            interval: timing.interval,
             input: false,
             bits: vec![false; cast::index_of_u32(rtl.valid_bits_of(timing))],
         });
-        let control =
-            Control { rates: valid.collect(), phase: 0, interval: rtl.schedule().interval() };
+        let control = Control { rates: valid.collect(), phase: 0, phases: rtl.schedule().phases() };
         let program = Arc::new(Program::new(rtl, &inside));
         let words = program.start.clone();
         Self { program, words, control, units, edges: 0, forbidden: None, taken: Vec::new() }
@@ -356,9 +359,9 @@ impl Cycle {
     /// As [`Cycle::settle_rates`], of words that are in their formats.
     fn follow(&mut self, inputs: &[i64], valid: impl Fn(usize) -> bool) {
         let Self { program, words, control, units, forbidden, .. } = self;
-        let ready = control.ready();
+        let phase = control.phase;
         for (place, rate) in control.rates.iter_mut().enumerate() {
-            rate.input = valid(place) && ready;
+            rate.input = valid(place) && phase.is_multiple_of(rate.interval);
         }
         for (slot, word) in program.inputs.iter().zip(inputs) {
             words[*slot] = *word;
@@ -412,15 +415,15 @@ impl Cycle {
                 }
             }
         }
-        let ready = control.ready();
-        for Valid { input, bits, .. } in &mut control.rates {
-            if ready && !bits.is_empty() {
+        let phase = control.phase;
+        for Valid { input, bits, interval, .. } in &mut control.rates {
+            if phase.is_multiple_of(*interval) && !bits.is_empty() {
                 bits.rotate_right(1);
                 bits[0] = *input;
             }
             *input = false;
         }
-        control.phase = (control.phase + 1) % control.interval;
+        control.phase = (control.phase + 1) % control.phases;
         *edges += 1;
     }
 
@@ -440,16 +443,22 @@ impl Cycle {
         }
     }
 
-    /// The phase: cycles modulo the interval.
+    /// The phase: cycles modulo the number of phases.
     #[must_use]
     pub fn phase(&self) -> u32 {
         self.control.phase
     }
 
-    /// True in the phase in which inputs are taken.
+    /// True in a phase in which inputs of the fastest rate are taken.
     #[must_use]
     pub fn ready(&self) -> bool {
-        self.control.ready()
+        self.control.ready(self.control.fastest())
+    }
+
+    /// True in a phase in which inputs of a rate of the ports, counted from the slowest, are taken.
+    #[must_use]
+    pub fn ready_of(&self, rate: usize) -> bool {
+        self.control.ready(rate)
     }
 
     /// The operation of valid data that sits in a stage of a unit; stage 0 is the issue and the

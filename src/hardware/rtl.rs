@@ -3,19 +3,20 @@
 //! A [`Signal`] is a node's word as it is seen in a stage. In its own stage it is the node's own
 //! logic; later it is a *hold register*. With an interval of I cycles, hold register k of a node
 //! in stage s takes its word at the edge that ends stage s + kI and keeps it for I cycles: it is
-//! seen in stages s + 1 + kI to s + (k + 1)I, and is named by the first of them. With I = 1 that
+//! seen in stages s + 1 + kI to s + (k + 1)I, and is named by the first of them. (Where a faster rate enters, a register of its
+//! own begins, and from there on I is that rate's.) With I = 1 that
 //! is a shift register, and with more samples under way than one it is the delay FIFO. The cycle
 //! simulator, the waves and the emitted hardware all read this, so they can't disagree.
 //!
 //! # How the hardware of a schedule with an interval is put together
 //!
-//! * **Phase.** A counter of [`Rtl::phase_bits`] bits runs 0 to I - 1 and around, from reset on.
-//!   Inputs are taken in phase 0 only (that is `ready`), and what belongs to stage s happens in
-//!   phase s modulo I ([`Schedule::phase`](crate::schedule::Schedule::phase)).
+//! * **Phase.** A counter of [`Rtl::phase_bits`] bits runs through the phases and around, from reset on. Inputs are taken
+//!   in phases that are 0 modulo I only (that is `ready`), and what belongs to stage s happens in those that are s modulo I
+//!   ([`Schedule::phases_of`](crate::schedule::Schedule::phases_of)), where I is the interval of its rate.
 //! * **Free nodes** ([`Rtl::is_free`]) are logic as in a flat pipeline; operands are the signals
 //!   of [`Rtl::operand`]. Their words mean something in the phase of their stage.
-//! * **Hold registers** ([`Rtl::registers`]) load at the edge that ends the phase
-//!   [`Rtl::load_phase`], from [`Rtl::held`]. The output register of a free read on a clock has no
+//! * **Hold registers** ([`Rtl::registers`]) load at the edges that end the phases
+//!   [`Rtl::load_phases`], from [`Rtl::held`]. The output register of a free read on a clock has no
 //!   enable; it is the read itself, and its word is held like any other.
 //! * **Units** ([`Rtl::units`]) are flat pipelines of their own ([`Instance::rtl`]: interval 1, no
 //!   enables), on hull formats. Each port gets, by phase, one of its [`Case`]s, extended to the
@@ -29,8 +30,8 @@
 //! * **Rates.** The words of a slow rate are held where the next faster rate enters: the register of
 //!   [`Rtl::holds`] loads only when its sample is data. Each rate has valid bits of its own.
 //! * **Memories** are outside, and stand still with the pipeline: a read's word is there so many cycles after its address.
-//! * **Valid.** Bit k of [`Rtl::valid_bits`] loads at the edges that end phase 0, bit 0 from
-//!   `valid_in`, the others from the bit before. Stage s > 0 holds data where bit (s - 1) / I is
+//! * **Valid.** Bit k of a rate's valid bits loads at the edges at which its inputs are taken, bit 0 from
+//!   `valid_in`, the others from the bit before. Stage s > 0 after its entry holds data where bit (s - 1) / I is
 //!   set; `valid_out` is that for the latency, in the latency's phase: one cycle for each sample.
 
 use crate::base::cast;
@@ -69,6 +70,8 @@ pub struct Instance {
     pub name: String,
     /// What it is.
     pub kind: Kind,
+    /// Cycles from one sample of its operations' rate to the next: cases are for phases modulo that.
+    pub interval: u32,
     /// Its own hardware: flat, on hull formats; port i of [`Instance::ports`] is input i, and
     /// [`UnitOutput::output`] counts its outputs.
     pub rtl: Arc<Rtl>,
@@ -251,13 +254,19 @@ impl Rtl {
                     Operand::Constant { raw, format } => (Source::Constant { raw, format }, format),
                 };
                 let left = (format.frac_bits() - from.frac_bits()).unsigned_abs();
-                Some(Case { phase: self.schedule.phase(stage), operation: at, source, left })
+                Some(Case { phase: stage % unit.interval, operation: at, source, left })
             });
             let mut cases: Vec<Case> = cases.collect();
             cases.sort_by_key(|case| case.phase);
             Port { format, side: port.side, place: port.place, registered: port.registered, cases }
         });
-        Instance { name: unit.name.clone(), kind: unit.kind, ports: ports.collect(), rtl: hardware }
+        Instance {
+            name: unit.name.clone(),
+            kind: unit.kind,
+            interval: unit.interval,
+            ports: ports.collect(),
+            rtl: hardware,
+        }
     }
 
     /// True if the operand is in the port's register already: the operation of the same sample
@@ -265,7 +274,7 @@ impl Rtl {
     fn is_loaded(&self, unit: &Unit, at: usize, place: usize) -> bool {
         let now = &unit.operations[at];
         // The one with the latest issue before this one, in this sample or an earlier one.
-        let interval = self.schedule.interval();
+        let interval = unit.interval;
         let before = unit.operations.iter().min_by_key(|other| {
             let ago = (now.issue + interval - other.issue % interval - 1) % interval;
             ago % interval
@@ -301,10 +310,10 @@ impl Rtl {
         &self.schedule.units()[unit].operations
     }
 
-    /// Bits of the phase counter; 0 with an interval of 1.
+    /// Bits of the phase counter; 0 with one phase.
     #[must_use]
     pub fn phase_bits(&self) -> u32 {
-        addr_bits(u64::from(self.schedule.interval()))
+        addr_bits(u64::from(self.schedule.phases()))
     }
 
     /// True if a node has logic of its own, and is not inside a unit.
@@ -322,19 +331,25 @@ impl Rtl {
 
     /// Hold registers of a node, in order of their stages. The output register of a read on a
     /// clock is not among them: it is the read itself.
-    pub fn registers(&self, node: NodeId) -> impl Iterator<Item = Signal> + use<> {
-        let first = self.schedule.stage(node) + 1;
-        let step = cast::index_of(i64::from(self.schedule.interval()));
-        (first..=self.last[node.index()]).step_by(step).map(move |stage| Signal { node, stage })
+    pub fn registers(&self, node: NodeId) -> impl Iterator<Item = Signal> + '_ {
+        let last = self.last[node.index()];
+        let first = Some(self.schedule.stage(node) + 1);
+        let stages =
+            std::iter::successors(first, move |stage| Some(self.next_register(node, *stage)));
+        stages.take_while(move |stage| *stage <= last).map(move |stage| Signal { node, stage })
+    }
+
+    /// Stage of the register after one: an interval later, or where a faster rate enters.
+    fn next_register(&self, node: NodeId, stage: u32) -> u32 {
+        let (interval, until) = self.schedule.pace(&self.netlist, node, stage);
+        until.map_or(stage + interval, |until| until.min(stage + interval))
     }
 
     /// The rate whose words a hold register keeps for faster ones: it loads when that rate's sample is data.
     #[must_use]
     pub fn holds(&self, register: Signal) -> Option<Rate> {
         let stage = self.schedule.hold(&self.netlist, register.node)?;
-        let holds = register.stage > self.schedule.stage(register.node)
-            && self.seen(register.node, stage) == register;
-        holds.then(|| self.rate(register.node))
+        (register.stage == stage).then(|| self.rate(register.node))
     }
 
     /// The rate of a node among those of the ports.
@@ -350,14 +365,15 @@ impl Rtl {
         matches!(self.netlist.node(node).op, Op::Delay { .. })
     }
 
-    /// The phase whose last edge a hold register loads at.
+    /// The phases at whose last edges a hold register loads.
     ///
     /// # Panics
     /// If the signal is no register.
-    #[must_use]
-    pub fn load_phase(&self, register: Signal) -> u32 {
+    pub fn load_phases(&self, register: Signal) -> impl Iterator<Item = u32> + use<> {
         assert!(register.stage > self.schedule.stage(register.node), "bug: no register");
-        self.schedule.phase(register.stage - 1)
+        let before = register.stage - 1;
+        let (interval, _) = self.schedule.pace(&self.netlist, register.node, before);
+        self.schedule.phases_of(before, interval)
     }
 
     /// What a hold register loads: the node's own word, or the register before it.
@@ -366,22 +382,32 @@ impl Rtl {
     /// If the signal is no register.
     #[must_use]
     pub fn held(&self, register: Signal) -> Signal {
-        let own = self.schedule.stage(register.node);
-        assert!(register.stage > own, "bug: no register");
-        let before = register.stage.saturating_sub(self.schedule.interval());
-        Signal { node: register.node, stage: before.max(own) }
+        assert!(register.stage > self.schedule.stage(register.node), "bug: no register");
+        self.seen(register.node, register.stage - 1)
     }
 
     /// The signal of a node's word in a stage from its own on; constants are seen at their own.
+    ///
+    /// # Panics
+    /// If the stage is before the node's own.
     #[must_use]
     pub fn seen(&self, node: NodeId, stage: u32) -> Signal {
         let own = self.schedule.stage(node);
         if stage == own || matches!(self.netlist.node(node).op, Op::Const { .. }) {
             return Signal { node, stage: own };
         }
-        let interval = self.schedule.interval();
-        let register = (stage - own - 1) / interval;
-        Signal { node, stage: own + 1 + register * interval }
+        assert!(stage > own, "bug: a word is seen from its stage on");
+        let mut register = own + 1;
+        loop {
+            // Within one pace, registers are an interval apart.
+            let (interval, until) = self.schedule.pace(&self.netlist, node, register);
+            let reached = until.map_or(stage, |until| stage.min(until - 1));
+            register += (reached - register) / interval * interval;
+            match until {
+                Some(until) if until <= stage => register = until,
+                Some(_) | None => return Signal { node, stage: register },
+            }
+        }
     }
 
     /// The signal that a free `user` takes its operand from.
@@ -435,7 +461,7 @@ impl Rtl {
             let held = held.filter(|register| self.holds(*register) == Some(timing.rate));
             held.map(|register| register.stage - 1 - timing.entry).max().unwrap_or(0)
         };
-        last.div_ceil(self.schedule.interval())
+        last.div_ceil(timing.interval)
     }
 
     /// Loads, issues and outs of the units in order of time.

@@ -69,6 +69,14 @@ impl Cone {
                 }
             }
         }
+        for id in netlist.ids().filter(|id| inside[id.index()]) {
+            if let Op::Delay { .. } = nodes[id.index()].op {
+                return Err(Error::earlier_samples(netlist.label(id)));
+            }
+            if let Some(memory) = netlist.read_of(id).filter(|table| table.is_unbound()) {
+                return Err(Error::unbound_memory(&memory.name));
+            }
+        }
         let dependents = |port: usize| {
             let mut reached = vec![false; nodes.len()];
             reached[netlist.inputs()[port].index()] = true;

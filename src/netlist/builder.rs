@@ -470,6 +470,14 @@ impl Builder {
     pub fn table(&mut self, table: Table) -> TableId {
         let known = self.netlist.tables.iter().position(|known| *known == table);
         let index = known.unwrap_or(self.netlist.tables.len());
+        let taken = self.netlist.memories().any(|memory| memory.name == table.name);
+        if known.is_none() && table.memory.is_some() && taken {
+            let name = escape::short(&table.name);
+            self.misuse(
+                format!("memory `{name}`"),
+                "another memory has this name, and words are bound by it: give one of them another",
+            );
+        }
         if known.is_none() {
             match table_problem(&table) {
                 None => self.netlist.tables.push(table),

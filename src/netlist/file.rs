@@ -569,7 +569,7 @@ impl Reader {
         let op = if let Op::Slice { lo } = op { slice(op_at, lo, format)? } else { op };
 
         let (mut quantity, mut scope, mut name) = (None, ScopeId::ROOT, None);
-        let mut rate = Rate::default();
+        let (mut rate, mut has_rate) = (Rate::default(), false);
         let mut meaning: Option<(Expr, Vec<NodeId>)> = None;
         let mut name_at = 0;
         while let Some((at, word)) = line.next() {
@@ -581,6 +581,9 @@ impl Reader {
                     name_at = at;
                 }
             } else if word == "per" {
+                if std::mem::replace(&mut has_rate, true) {
+                    return wrong(at, "a port has one rate");
+                }
                 if op != Op::Input {
                     return wrong(
                         at,

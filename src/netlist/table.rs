@@ -115,11 +115,17 @@ impl Netlist {
         self.tables.iter().filter(|table| table.memory.is_some())
     }
 
+    /// The table or memory that a node reads, if it reads one.
+    #[must_use]
+    pub fn read_of(&self, id: NodeId) -> Option<&Table> {
+        let Op::Read { table, .. } = self.node(id).op else { return None };
+        Some(&self.tables[table.index()])
+    }
+
     /// What hardware knows of the memory that a node reads, if it reads one.
     #[must_use]
     pub fn memory(&self, id: NodeId) -> Option<Memory> {
-        let Op::Read { table, .. } = self.node(id).op else { return None };
-        self.tables[table.index()].memory
+        self.read_of(id)?.memory
     }
 
     /// With words for a memory: a list for each column, with a word for each address. A read then stands on reals for

@@ -14,7 +14,8 @@
 //! Ports may take words at several [rates](Rate). Stages are counted from the entry of the slowest. What is of a slow rate is
 //! computed first and held where the next faster rate enters ([`Schedule::entry`], [`Schedule::hold`]); from there its words go
 //! along with each faster sample like those of a port. So the words of a slow rate count for all samples of the faster one that
-//! come [`Timing::latency`] cycles later and after, until the next ones are held. All rates enter in phase 0.
+//! come [`Timing::latency`] cycles later and after, until the next ones are held. Each rate has an interval of its own, a
+//! multiple of that of the next faster one, so that operations of a slow rate share units over a longer time.
 //!
 //! # Sharing
 //!
@@ -81,18 +82,26 @@ pub enum Depth {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Schedule {
     stages: Vec<u32>,
-    /// Each rate of the ports with the stage that its words enter in, from the slowest.
-    entries: Vec<(Rate, u32)>,
+    /// The rates of the ports, from the slowest.
+    entries: Vec<Entry>,
     latency: u32,
     period_ps: u32,
     rom: Rom,
-    /// Cycles from one sample to the next.
-    interval: u32,
     units: Vec<Unit>,
     /// Units with the same number serve operations of one structure.
     same: Vec<usize>,
     /// Unit and operation that each node is in.
     seated: Vec<Option<(usize, usize)>>,
+}
+
+/// A rate of the ports.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(in crate::schedule) struct Entry {
+    rate: Rate,
+    /// Stage that its words enter in.
+    stage: u32,
+    /// Cycles from one sample to the next.
+    interval: u32,
 }
 
 /// When the words of a rate are taken, and how long until they count.
@@ -149,10 +158,17 @@ impl Schedule {
                     return Err(Error::parameter_value(
                         "stages",
                         &stages.to_string(),
-                        format!(
-                            "{} or more: so many reads on a clock follow each other",
-                            most.latency
-                        ),
+                        if netlist.rates().len() > 1 || netlist.memories().next().is_some() {
+                            let least = most.latency;
+                            format!(
+                                "{least} or more: reads on a clock, memories and held words take so many"
+                            )
+                        } else {
+                            format!(
+                                "{} or more: so many reads on a clock follow each other",
+                                most.latency
+                            )
+                        },
                     ));
                 }
                 // The shortest period that this latency reaches; longer periods never need more stages.
@@ -182,7 +198,8 @@ impl Schedule {
         stages: Vec<u32>,
         latency: u32,
     ) -> Result<Self> {
-        let entries = netlist.rates().into_iter().map(|rate| (rate, 0)).collect();
+        let entry = |rate| Entry { rate, stage: 0, interval: 1 };
+        let entries = netlist.rates().into_iter().map(entry).collect();
         let mut schedule = Self::flat(stages, entries, latency, 0, rom);
         schedule.verify(netlist)?;
         schedule.period_ps = schedule.longest_ps(netlist) + REGISTER_PS;
@@ -216,25 +233,42 @@ impl Schedule {
     /// Stage in which the words of a rate enter.
     #[must_use]
     pub fn entry(&self, rate: Rate) -> u32 {
-        self.entries[place_of(&self.entries, rate)].1
+        self.entries[self.place_of(rate)].stage
     }
 
     /// Stage from which on a node's word is held for a faster rate, where the ports have one.
     #[must_use]
     pub fn hold(&self, netlist: &Netlist, id: NodeId) -> Option<u32> {
-        let place = place_of(&self.entries, netlist.node(id).rate);
-        self.entries.get(place + 1).map(|(_, entry)| *entry)
+        let place = self.place_of(netlist.node(id).rate);
+        self.entries.get(place + 1).map(|entry| entry.stage)
+    }
+
+    /// Place among the rates of the ports; what is slower than all, as constants are, is with the slowest.
+    fn place_of(&self, rate: Rate) -> usize {
+        let rates: Vec<Rate> = self.entries.iter().map(|entry| entry.rate).collect();
+        place_in(&rates, rate)
+    }
+
+    /// From a stage of a node on, the interval that its words go along with, until the stage given beside it: there a
+    /// faster rate enters.
+    #[must_use]
+    pub fn pace(&self, netlist: &Netlist, id: NodeId, stage: u32) -> (u32, Option<u32>) {
+        let own = self.place_of(netlist.node(id).rate);
+        let faster = self.entries.iter().skip(own + 1);
+        let entered = faster.clone().take_while(|entry| entry.stage <= stage).last();
+        let until = faster.map(|entry| entry.stage).find(|entry| *entry > stage);
+        (entered.unwrap_or(&self.entries[own]).interval, until)
     }
 
     /// When the words of each rate are taken, from the slowest.
     #[must_use]
     pub fn timings(&self) -> Vec<Timing> {
-        let ends = self.entries.iter().skip(1).map(|(_, entry)| *entry).chain([self.latency]);
-        let timing = |(&(rate, entry), end): (&(Rate, u32), u32)| Timing {
+        let ends = self.entries.iter().skip(1).map(|entry| entry.stage).chain([self.latency]);
+        let timing = |(&Entry { rate, stage, interval }, end): (&Entry, u32)| Timing {
             rate,
-            entry,
-            latency: end - entry,
-            interval: self.interval,
+            entry: stage,
+            latency: end - stage,
+            interval,
         };
         self.entries.iter().zip(ends).map(timing).collect()
     }
@@ -257,16 +291,28 @@ impl Schedule {
         self.rom
     }
 
-    /// Cycles from one sample to the next.
+    /// Cycles from one sample of the fastest rate to the next.
     #[must_use]
     pub fn interval(&self) -> u32 {
-        self.interval
+        self.entries.last().map_or(1, |entry| entry.interval)
     }
 
-    /// The phase of a stage: cycles modulo the interval.
+    /// The interval of a node's rate.
     #[must_use]
-    pub fn phase(&self, stage: u32) -> u32 {
-        stage % self.interval
+    pub fn interval_of(&self, netlist: &Netlist, id: NodeId) -> u32 {
+        self.entries[self.place_of(netlist.node(id).rate)].interval
+    }
+
+    /// Number of phases: cycles from one sample of the slowest rate to the next.
+    #[must_use]
+    pub fn phases(&self) -> u32 {
+        self.entries.first().map_or(1, |entry| entry.interval)
+    }
+
+    /// The phases in which a stage has a sample of a rate with this interval.
+    pub fn phases_of(&self, stage: u32, interval: u32) -> impl Iterator<Item = u32> + use<> {
+        let step = cast::index_of(i64::from(interval));
+        (stage % interval..self.phases()).step_by(step)
     }
 
     /// The units that operations share.
@@ -282,13 +328,7 @@ impl Schedule {
     }
 
     /// A schedule without sharing.
-    fn flat(
-        stages: Vec<u32>,
-        entries: Vec<(Rate, u32)>,
-        latency: u32,
-        period_ps: u32,
-        rom: Rom,
-    ) -> Self {
+    fn flat(stages: Vec<u32>, entries: Vec<Entry>, latency: u32, period_ps: u32, rom: Rom) -> Self {
         let seated = vec![None; stages.len()];
         Self {
             stages,
@@ -296,7 +336,6 @@ impl Schedule {
             latency,
             period_ps,
             rom,
-            interval: 1,
             units: Vec::new(),
             same: Vec::new(),
             seated,
@@ -308,7 +347,7 @@ impl Schedule {
         let mut stages = vec![0; netlist.nodes().len()];
         let mut arrivals = vec![0; netlist.nodes().len()];
         let mut longest = 0;
-        let mut entries = Entries::new(netlist, 1);
+        let mut entries = Entries::new(netlist, vec![1; netlist.rates().len()]);
         while let Some(place) = entries.next(&stages) {
             for id in netlist.ids().filter(|id| entries.of(*id) == place) {
                 let from = entries.now();
@@ -402,17 +441,23 @@ fn clocks(netlist: &Netlist, rom: Rom, id: NodeId) -> u32 {
     }
 }
 
-/// Place of a rate among those of the ports: what is slower than all, as constants are, is with the slowest.
-fn place_of(entries: &[(Rate, u32)], rate: Rate) -> usize {
-    entries.iter().position(|(known, _)| *known >= rate).unwrap_or(entries.len() - 1)
+/// Place of a rate among those of the ports, from the slowest.
+fn place_in(rates: &[Rate], rate: Rate) -> usize {
+    rates.iter().position(|known| *known >= rate).unwrap_or(rates.len() - 1)
+}
+
+/// Place of each node's rate among those of the ports.
+fn places(netlist: &Netlist) -> Vec<usize> {
+    let rates = netlist.rates();
+    netlist.nodes().iter().map(|node| place_in(&rates, node.rate)).collect()
 }
 
 /// The rates of a netlist's ports, from the slowest, with the stages that they enter in, found one after the other.
 struct Entries<'a> {
     netlist: &'a Netlist,
-    interval: u32,
     rates: Vec<Rate>,
-    found: Vec<(Rate, u32)>,
+    intervals: Vec<u32>,
+    found: Vec<Entry>,
     /// Place of each node's rate.
     of: Vec<usize>,
     /// Nodes whose words are held for a faster rate.
@@ -420,10 +465,9 @@ struct Entries<'a> {
 }
 
 impl<'a> Entries<'a> {
-    fn new(netlist: &'a Netlist, interval: u32) -> Self {
-        let rates = netlist.rates();
-        let all: Vec<(Rate, u32)> = rates.iter().map(|rate| (*rate, 0)).collect();
-        let of: Vec<usize> = netlist.nodes().iter().map(|node| place_of(&all, node.rate)).collect();
+    /// With the interval of each rate.
+    fn new(netlist: &'a Netlist, intervals: Vec<u32>) -> Self {
+        let (rates, of) = (netlist.rates(), places(netlist));
         let mut held = vec![false; of.len()];
         for id in netlist.ids() {
             for operand in &netlist.node(id).operands {
@@ -434,7 +478,7 @@ impl<'a> Entries<'a> {
         for output in netlist.outputs() {
             held[output.node.index()] |= of[output.node.index()] + 1 < rates.len();
         }
-        Self { netlist, interval, rates, found: Vec::new(), of, held }
+        Self { netlist, rates, intervals, found: Vec::new(), of, held }
     }
 
     /// Goes on to the next rate, which enters when all that is held for it is there; its place.
@@ -446,8 +490,9 @@ impl<'a> Entries<'a> {
             self.held[id.index()] && self.of[id.index()] < place && !constant
         });
         let ready = held.map(|id| stages[id.index()] + 1).max().unwrap_or(0);
-        let before = self.found.last().map_or(0, |(_, entry)| *entry);
-        self.found.push((rate, ready.max(before).next_multiple_of(self.interval)));
+        let interval = self.intervals[place];
+        let stage = ready.max(self.now()).next_multiple_of(interval);
+        self.found.push(Entry { rate, stage, interval });
         Some(place)
     }
 
@@ -458,7 +503,7 @@ impl<'a> Entries<'a> {
 
     /// The stage that the latest rate enters in.
     fn now(&self) -> u32 {
-        self.found.last().map_or(0, |(_, entry)| *entry)
+        self.found.last().map_or(0, |entry| entry.stage)
     }
 
     /// An output port is a register: what is computed in a stage is out after it.
@@ -468,7 +513,7 @@ impl<'a> Entries<'a> {
         last.max(self.now()) + 1
     }
 
-    fn done(self) -> Vec<(Rate, u32)> {
+    fn done(self) -> Vec<Entry> {
         self.found
     }
 }

@@ -4,7 +4,7 @@
 //! schedule at the shortest interval that the units allow always exists.
 
 use super::share::{Hardware, Kind, Operand, Operation, Structure, Unit, operations};
-use super::{Entries, Free, REGISTER_PS, Rom, Schedule, delay_ps};
+use super::{Entries, Entry, Free, REGISTER_PS, Rom, Schedule, delay_ps, places};
 use crate::base::cast;
 use crate::base::error::{Error, Result};
 use crate::netlist::{Netlist, Rate};
@@ -30,7 +30,8 @@ pub struct Share {
 pub struct Plan {
     /// What is shared; all else has hardware of its own.
     pub shares: Vec<Share>,
-    /// Cycles from one sample to the next; as few as the units allow if `None`.
+    /// Cycles from one sample of the fastest rate to the next; as few as the units allow if `None`. Slower ones take as
+    /// few as theirs allow.
     pub interval: Option<u32>,
 }
 
@@ -84,6 +85,8 @@ pub struct BoundOperation {
 /// Operations of one structure with the units that serve them.
 struct Group {
     kind: Kind,
+    /// Place of their rate among those of the ports.
+    rate: usize,
     structure: Structure,
     wanted: Vec<usize>,
     names: Vec<String>,
@@ -102,6 +105,8 @@ struct Wanted {
 pub struct Load {
     /// What they are.
     pub kind: Kind,
+    /// Their rate.
+    pub rate: Rate,
     /// Names of the operations.
     pub operations: Vec<String>,
     /// Names of the units.
@@ -138,14 +143,18 @@ impl Schedule {
         let kinds: Vec<Kind> = plan.shares.iter().map(|share| share.kind).collect();
         let mut groups: Vec<Group> = Vec::new();
         let mut wanted: Vec<Wanted> = Vec::new();
+        let rates = places(netlist);
         for share in &plan.shares {
             let start = groups.len();
             for (operation, structure) in operations(netlist, share.kind, &kinds) {
-                let known = groups[start..].iter().position(|g| g.structure.fits(&structure));
+                let rate = rates[operation.nodes[0].index()];
+                let fits = |g: &Group| g.rate == rate && g.structure.fits(&structure);
+                let known = groups[start..].iter().position(fits);
                 let group = known.map_or(groups.len(), |at| start + at);
                 if known.is_none() {
                     groups.push(Group {
                         kind: share.kind,
+                        rate,
                         structure: structure.clone(),
                         wanted: Vec::new(),
                         names: Vec::new(),
@@ -180,16 +189,11 @@ impl Schedule {
             let fixed = share.and_then(|share| share.latency);
             group.latency = latency_of(netlist, rom, period_ps, group, &wanted, fixed)?;
         }
-        let loads = loads_of(&groups, &wanted);
-        let shortest = loads.iter().map(Load::interval).max().unwrap_or(1);
-        let interval = plan.interval.unwrap_or(shortest);
-        if let Some(load) = loads.iter().find(|load| load.interval() > interval) {
-            return Err(too_short(load, interval));
-        }
+        let intervals = intervals(netlist, &groups, &wanted, plan.interval)?;
         loop {
-            let stuck = match place(netlist, rom, period_ps, interval, &groups, &wanted)? {
+            let stuck = match place(netlist, rom, period_ps, &intervals, &groups, &wanted)? {
                 Placement::Done(placed) => {
-                    return finish(netlist, rom, interval, &groups, wanted, placed);
+                    return finish(netlist, rom, &groups, wanted, placed);
                 }
                 Placement::Stuck(operation) => operation,
             };
@@ -207,6 +211,7 @@ impl Schedule {
         let mut groups: Vec<Group> = Vec::new();
         let mut wanted: Vec<Wanted> = Vec::new();
         let kinds: Vec<Kind> = binding.units.iter().map(|unit| unit.kind).collect();
+        let rates = places(netlist);
         for (number, unit) in binding.units.iter().enumerate() {
             let refuse = |problem: String| Err(Error::node(unit.name.clone(), problem));
             let there = operations(netlist, unit.kind, &kinds);
@@ -223,6 +228,7 @@ impl Schedule {
                 };
                 let group = group.get_or_insert_with(|| Group {
                     kind: unit.kind,
+                    rate: rates[operation.nodes[0].index()],
                     structure: structure.clone(),
                     wanted: Vec::new(),
                     names: vec![unit.name.clone()],
@@ -246,15 +252,9 @@ impl Schedule {
             group.latency = latency_of(netlist, rom, period_ps, &group, &wanted, unit.latency)?;
             groups.push(group);
         }
-        if let Some(load) =
-            loads_of(&groups, &wanted).iter().find(|load| load.interval() > binding.interval)
-        {
-            return Err(too_short(load, binding.interval));
-        }
-        match place(netlist, rom, period_ps, binding.interval, &groups, &wanted)? {
-            Placement::Done(placed) => {
-                finish(netlist, rom, binding.interval, &groups, wanted, placed)
-            }
+        let intervals = intervals(netlist, &groups, &wanted, Some(binding.interval))?;
+        match place(netlist, rom, period_ps, &intervals, &groups, &wanted)? {
+            Placement::Done(placed) => finish(netlist, rom, &groups, wanted, placed),
             Placement::Stuck(at) => Err(Error::node(
                 wanted[at].operation.name.clone(),
                 "can't be done in one go: something outside stands between its nodes".to_owned(),
@@ -278,6 +278,7 @@ impl Schedule {
                     at,
                     Load {
                         kind: unit.kind,
+                        rate: unit.rate,
                         operations: names.collect(),
                         units: vec![unit.name.clone()],
                     },
@@ -287,10 +288,13 @@ impl Schedule {
         loads.into_iter().map(|(_, load)| load).collect()
     }
 
-    /// The shortest interval that its units allow.
+    /// The shortest interval that its units allow for the fastest rate.
     #[must_use]
     pub fn shortest_interval(&self) -> u32 {
-        self.loads().iter().map(Load::interval).max().unwrap_or(1)
+        let fastest = self.entries.last().map(|entry| entry.rate);
+        let loads = self.loads();
+        let own = loads.iter().filter(|load| Some(load.rate) == fastest);
+        own.map(Load::interval).max().unwrap_or(1)
     }
 }
 
@@ -315,8 +319,34 @@ fn too_short(load: &Load, interval: u32) -> Error {
     Error::parameter_value("interval", &interval.to_string(), text)
 }
 
-fn loads_of(groups: &[Group], wanted: &[Wanted]) -> Vec<Load> {
+/// The interval of each rate, from the slowest: as asked for the fastest, as short as units allow for the others.
+fn intervals(
+    netlist: &Netlist,
+    groups: &[Group],
+    wanted: &[Wanted],
+    asked: Option<u32>,
+) -> Result<Vec<u32>> {
+    let rates = netlist.rates();
+    let loads = loads_of(&rates, groups, wanted);
+    let of = |rate: Rate| loads.iter().filter(move |load| load.rate == rate);
+    let mut intervals = vec![1; rates.len()];
+    for (place, rate) in rates.iter().enumerate().rev() {
+        let shortest = of(*rate).map(Load::interval).max().unwrap_or(1);
+        intervals[place] = match (intervals.get(place + 1), asked) {
+            (Some(faster), _) => shortest.max(*faster).next_multiple_of(*faster),
+            (None, Some(asked)) => asked,
+            (None, None) => shortest,
+        };
+        if let Some(load) = of(*rate).find(|load| load.interval() > intervals[place]) {
+            return Err(too_short(load, intervals[place]));
+        }
+    }
+    Ok(intervals)
+}
+
+fn loads_of(rates: &[Rate], groups: &[Group], wanted: &[Wanted]) -> Vec<Load> {
     let load = |group: &Group| Load {
+        rate: rates[group.rate],
         kind: group.kind,
         operations: group.wanted.iter().map(|at| wanted[*at].operation.name.clone()).collect(),
         units: group.names.clone(),
@@ -363,7 +393,7 @@ enum Placement {
 
 struct Placed {
     stages: Vec<u32>,
-    entries: Vec<(Rate, u32)>,
+    entries: Vec<Entry>,
     latency: u32,
     /// Unit in its group and issue of each wanted operation.
     seats: Vec<(usize, u32)>,
@@ -374,7 +404,7 @@ fn place(
     netlist: &Netlist,
     rom: Rom,
     period_ps: u32,
-    interval: u32,
+    intervals: &[u32],
     groups: &[Group],
     wanted: &[Wanted],
 ) -> Result<Placement> {
@@ -413,17 +443,23 @@ fn place(
             ids.map(|id| heights[id.index()]).max().unwrap_or(0)
         }
     };
-    let width = cast::index_of(i64::from(interval));
-    let mut taken: Vec<Vec<Vec<Option<usize>>>> =
-        groups.iter().map(|group| vec![vec![None; width]; group.names.len()]).collect();
-    let phase = |cycle: u32| cast::index_of(i64::from(cycle % interval));
+    let interval = |group: usize| intervals[groups[group].rate];
+    let of_group = |group: usize| {
+        let width = cast::index_of(i64::from(interval(group)));
+        vec![vec![None; width]; groups[group].names.len()]
+    };
+    let mut taken: Vec<Vec<Vec<Option<usize>>>> = (0..groups.len()).map(of_group).collect();
+    let phase = |group: usize, cycle: u32| cast::index_of(i64::from(cycle % interval(group)));
     for at in &bound {
         if let Some(issue) = wanted[*at].fixed {
-            let slot = &mut taken[wanted[*at].group][0][phase(issue)];
+            let group = wanted[*at].group;
+            let slot = &mut taken[group][0][phase(group, issue)];
             if let Some(other) = slot.replace(*at) {
                 let problem = format!(
                     "sits in {} at the phase of `{}`: {} cycles later it starts anew",
-                    groups[wanted[*at].group].names[0], wanted[other].operation.name, interval
+                    groups[group].names[0],
+                    wanted[other].operation.name,
+                    interval(group)
                 );
                 return Err(Error::node(wanted[*at].operation.name.clone(), problem));
             }
@@ -435,7 +471,7 @@ fn place(
     let mut seats = vec![(0usize, 0u32); wanted.len()];
     let mut longest = 0u32;
     let mut done = vec![false; nodes + wanted.len()];
-    let mut entries = Entries::new(netlist, interval);
+    let mut entries = Entries::new(netlist, intervals.to_vec());
     // All nodes of an operation have one rate.
     let first = |item: usize| match item.checked_sub(nodes) {
         None => netlist.id_at(item),
@@ -461,7 +497,8 @@ fn place(
         let from = entries.now();
         done[now] = true;
         if let Some(at) = now.checked_sub(nodes) {
-            let (operation, group) = (&wanted[at].operation, &groups[wanted[at].group]);
+            let number = wanted[at].group;
+            let (operation, group) = (&wanted[at].operation, &groups[number]);
             let share = group.wanted.len().div_ceil(group.names.len());
             let mut earliest = from;
             let mut late = None;
@@ -487,7 +524,7 @@ fn place(
                 }
             }
             let free = |unit: usize, issue: u32| {
-                taken[wanted[at].group][unit][phase(issue)].is_none_or(|known| known == at)
+                taken[number][unit][phase(number, issue)].is_none_or(|known| known == at)
             };
             let (unit, issue) = match wanted[at].fixed {
                 Some(issue) if issue < earliest => {
@@ -504,14 +541,14 @@ fn place(
                     return Err(Error::node(operation.name.clone(), problem));
                 }
                 Some(issue) => (0, issue),
-                None => (earliest..earliest + interval)
+                None => (earliest..earliest + interval(number))
                     .find_map(|issue| {
                         let unit = (0..group.names.len()).find(|unit| free(*unit, issue));
                         unit.map(|unit| (unit, issue))
                     })
                     .expect("bug: the interval has a phase for each operation"),
             };
-            taken[wanted[at].group][unit][phase(issue)] = Some(at);
+            taken[number][unit][phase(number, issue)] = Some(at);
             seats[at] = (unit, issue);
             for (place, operand) in operation.operands.iter().enumerate() {
                 let side = operation.sides[place];
@@ -563,7 +600,6 @@ fn place(
 fn finish(
     netlist: &Netlist,
     rom: Rom,
-    interval: u32,
     groups: &[Group],
     wanted: Vec<Wanted>,
     placed: Placed,
@@ -595,9 +631,12 @@ fn finish(
                     seated[id.index()] = Some((units.len(), at));
                 }
             }
+            let Entry { rate, interval, .. } = placed.entries[group.rate];
             units.push(Unit {
                 name: name.clone(),
                 kind: group.kind,
+                rate,
+                interval,
                 netlist: hardware.netlist,
                 pipeline,
                 ports: hardware.ports,
@@ -614,7 +653,6 @@ fn finish(
         latency: placed.latency,
         period_ps: longest.saturating_add(REGISTER_PS),
         rom,
-        interval,
         units,
         same,
         seated,

@@ -12,10 +12,10 @@
 //! value, so a node's word is the unit's word with its binary point moved, whichever operation
 //! sits in the unit.
 
-use super::{Entries, Rom, Schedule};
+use super::{Rom, Schedule, places};
 use crate::base::error::{Error, Result};
 use crate::netlist::op::Op;
-use crate::netlist::{Builder, Netlist, NodeId, Part, Quantity, ScopeId};
+use crate::netlist::{Builder, Netlist, NodeId, Part, Quantity, Rate, ScopeId};
 use crate::number::format::Format;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -263,12 +263,12 @@ pub(super) fn operations(
         }
     };
     // What is outside of the datapath, or keeps a word, is no unit's; and a unit takes an operation at once.
-    let rates = Entries::new(netlist, 1);
+    let rates = places(netlist);
     let fits = |(_, nodes): &(String, Vec<NodeId>)| {
         nodes.iter().all(|id| {
             netlist.memory(*id).is_none()
                 && !matches!(netlist.node(*id).op, Op::Delay { .. })
-                && rates.of(*id) == rates.of(nodes[0])
+                && rates[id.index()] == rates[nodes[0].index()]
         })
     };
     let found = found.into_iter().filter(fits);
@@ -319,6 +319,10 @@ pub struct Unit {
     pub name: String,
     /// What it is.
     pub kind: Kind,
+    /// The rate of its operations.
+    pub rate: Rate,
+    /// Cycles from one sample of that rate to the next.
+    pub interval: u32,
     /// Its nodes on hull formats: inputs are its ports, outputs are what operations export.
     pub netlist: Arc<Netlist>,
     /// Stages of those nodes, from the issue on; its latency is the unit's.

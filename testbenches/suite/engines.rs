@@ -89,7 +89,10 @@ fn grow(random: Random, operations: usize, max_bits: u32) -> Netlist {
 
 fn grow_with(mut random: Random, operations: usize, max_bits: u32, machine: bool) -> Netlist {
     let mut grower = Grower {
-        has_rates: machine && random.chance(50),
+        rates: match machine && random.chance(50) {
+            true => (0..1 + random.below(3)).map(|_| random.pick(Rate::ALL)).collect(),
+            false => vec![Rate::default()],
+        },
         random,
         b: Builder::new("random"),
         max_bits,
@@ -127,7 +130,8 @@ struct Grower {
     max_bits: u32,
     /// With memories and delays.
     machine: bool,
-    has_rates: bool,
+    /// Those of ports.
+    rates: Vec<Rate>,
     nodes: Vec<NodeId>,
     tables: Vec<(TableId, Table)>,
     /// Words for memories.
@@ -154,8 +158,8 @@ impl Grower {
         let format = self.format();
         let name = format!("in{}", self.ports.len());
         let node = self.b.input(&name, format, Quantity::Number);
-        if self.has_rates {
-            let rate = self.random.pick(Rate::ALL);
+        if self.machine {
+            let rate = self.random.pick(&self.rates);
             self.b.rate(node, rate);
         }
         self.ports.push(node);

@@ -70,6 +70,8 @@ enum Source {
     /// Bit of a part of its own.
     Part(usize),
     Flop(Net),
+    /// A flip-flop that keeps its bit for as long as it is told to.
+    Held(Net),
 }
 
 /// Tells gates on the same bits apart.
@@ -123,7 +125,7 @@ struct Graph {
     /// Bits of each word, once it is driven.
     words: Vec<Vec<Net>>,
     outputs: Vec<Net>,
-    latency: u32,
+    valid_bits: u64,
 }
 
 /// A row's bits, where those that are the same in all rows aren't read.
@@ -151,7 +153,8 @@ fn index(bits: u32) -> usize {
 impl Graph {
     fn new(module: &Module) -> Self {
         let mut graph = Self { words: vec![Vec::new(); module.words.len()], ..Self::default() };
-        graph.latency = module.latency;
+        let valid = module.stages.iter().map(|stage| stage.valid.len());
+        graph.valid_bits = cast::count_of(valid.sum());
         let outside = module.memories.iter();
         let fetched = outside.clone().flat_map(|memory| &memory.reads).flat_map(|(.., data)| data);
         let written = outside.filter_map(|memory| memory.write.as_ref());
@@ -168,8 +171,13 @@ impl Graph {
                     graph.words[id.index()] = graph.expr(module, *id, expr);
                 }
             }
-            for Register { word: id, next, .. } in &stage.registers {
+            for Register { word: id, next, valid, .. } in &stage.registers {
                 graph.words[id.index()] = match next {
+                    // It keeps its word: no chain of registers goes through it.
+                    Next::Word(from) if valid.is_some() => {
+                        let from = graph.words[from.index()].clone();
+                        from.into_iter().map(|net| graph.held(net)).collect()
+                    }
                     Next::Word(from) => {
                         let from = graph.words[from.index()].clone();
                         from.into_iter().map(|net| graph.flop(net)).collect()
@@ -209,6 +217,13 @@ impl Graph {
         match net {
             Net::Zero | Net::One => net,
             Net::Wire(_) => self.shared(Source::Flop(net)),
+        }
+    }
+
+    fn held(&mut self, net: Net) -> Net {
+        match net {
+            Net::Zero | Net::One => net,
+            Net::Wire(_) => Net::Wire(self.wire(Source::Held(net))),
         }
     }
 
@@ -496,7 +511,7 @@ impl<'a> Count<'a> {
             match &graph.sources[wire] {
                 Source::Input => {}
                 Source::Gate(nets, _) => nets.iter().for_each(|net| all.take(*net)),
-                Source::Flop(net) => all.take(*net),
+                Source::Flop(net) | Source::Held(net) => all.take(*net),
                 // Its highest live bit comes first, and says what it needs.
                 Source::Part(part) if !done[*part] => {
                     done[*part] = true;
@@ -684,7 +699,11 @@ impl<'a> Count<'a> {
             .collect();
         let input = |wire: usize| match self.graph.sources[wire] {
             Source::Flop(Net::Wire(from)) => from,
-            Source::Input | Source::Gate(..) | Source::Part(_) | Source::Flop(_) => {
+            Source::Input
+            | Source::Gate(..)
+            | Source::Part(_)
+            | Source::Flop(_)
+            | Source::Held(_) => {
                 unreachable!("bug: a flip-flop of a wire")
             }
         };
@@ -750,9 +769,10 @@ impl<'a> Count<'a> {
                 }
             }
         }
-        let data = cast::count_of(flops.difference(&gone).count());
-        // One valid bit a stage.
-        (data + u64::from(self.graph.latency), delays)
+        let held = (0..self.graph.sources.len()).filter(|wire| self.live[*wire]);
+        let held = held.filter(|wire| matches!(self.graph.sources[*wire], Source::Held(_))).count();
+        let data = cast::count_of(flops.difference(&gone).count() + held);
+        (data + self.graph.valid_bits, delays)
     }
 
     fn block_rams(&self) -> u64 {

@@ -177,6 +177,7 @@ fn header(design: &Design, rtl: &Rtl, figures: bool) -> Result<Vec<String>> {
     let judged = design.judged();
     if figures
         && !design.is_filled()
+        && design.netlist.first_delay().is_none()
         && judged.iter().all(|id| design.netlist.node(*id).real.is_some())
     {
         lines.extend(error_figures(design)?);

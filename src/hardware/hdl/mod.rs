@@ -18,7 +18,7 @@ pub use lower::{AUTO_INLINE_ROWS, INLINE_ROWS, Options, TABLE_BITS, WORDS};
 pub(crate) use module::cycles;
 pub use module::{
     Bit, Bitwise, Driver, Expr, File, Item, Memories, MemoryPorts, Module, Next, Operand, Port,
-    Register, RomTable, Stage, Tables, Valid, View, Word, WordId, WritePort,
+    Register, RomTable, SlowRate, Stage, Tables, Valid, View, Word, WordId, WritePort,
 };
 pub use verilog::{Verilog, proof};
 pub use vhdl::Vhdl;

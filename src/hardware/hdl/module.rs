@@ -280,9 +280,19 @@ pub enum Memories {
     Ram,
 }
 
-impl Memories {
-    /// Names on the command line.
-    pub const ALL: &'static [(Self, &'static str)] = &[(Self::Ports, "ports"), (Self::Ram, "ram")];
+/// A rate of ports that is slower than the fastest.
+#[derive(Clone, Debug)]
+pub struct SlowRate {
+    /// The rate.
+    pub rate: Rate,
+    /// Stage that its words enter in.
+    pub entry: u32,
+    /// Cycles from its words to the next.
+    pub interval: u32,
+    /// Port of its valid bit.
+    pub valid: String,
+    /// Port that says when its words are taken, and its flag, where it isn't that of the next faster rate.
+    pub ready: Option<(String, Bit)>,
 }
 
 /// A memory of a module.
@@ -375,8 +385,10 @@ pub struct Module {
     pub header: Vec<String>,
     /// Cycles from inputs to outputs; 0 is combinational, without clock, reset and enable.
     pub latency: u32,
-    /// Cycles from one vector to the next; with more than one there is an output `ready`.
+    /// Cycles from one vector of the fastest rate to the next; with more than one there is an output `ready`.
     pub interval: u32,
+    /// Cycles from one vector of the slowest rate to the next.
+    pub phases: u32,
     /// True if tables are read on the clock.
     pub block_rom: bool,
     /// All words.
@@ -393,8 +405,8 @@ pub struct Module {
     pub tables_in: Tables,
     /// Memories.
     pub memories: Vec<MemoryPorts>,
-    /// Slower rates than the fastest: the stage that their words enter in, and the port of their valid bit.
-    pub rates: Vec<(Rate, u32, String)>,
+    /// Slower rates than the fastest, from the slowest.
+    pub rates: Vec<SlowRate>,
     /// Which of those valid bits nothing depends on.
     pub(super) idle_rates: Vec<String>,
     /// Stage that the words of the fastest rate enter in.
@@ -487,20 +499,24 @@ impl Module {
         let mut ports = Vec::new();
         if self.latency > 0 {
             ports.push(bit("clk", false, ""));
-            let clears = match self.ready {
-                Some(_) => "clears the valid bits and the phase",
-                None => "clears the valid bits",
+            let clears = match (self.phases, self.has_state) {
+                (1, false) => "clears the valid bits",
+                (1, true) => "clears the valid bits and delays",
+                (_, false) => "clears the valid bits and the phase",
+                (_, true) => "clears the valid bits, delays and the phase",
             };
             ports.push(bit("rst", false, clears));
             ports.push(bit("ce", false, "the pipeline stands still without"));
         }
         ports.push(bit("valid_in", false, ""));
-        for (rate, entry, name) in &self.rates {
-            let comment = format!(
-                "words of rate {rate} are data: they count for what comes {} later",
-                cycles(self.entry - entry)
-            );
-            ports.push(Port { name, is_output: false, word: None, comment });
+        for SlowRate { rate, entry, valid, ready, .. } in &self.rates {
+            let later = cycles(self.entry - entry);
+            let comment =
+                format!("words of rate {rate} are data: they count for what comes {later} later");
+            ports.push(Port { name: valid, is_output: false, word: None, comment });
+            if let Some((name, _)) = ready {
+                ports.push(bit(name, true, "they are taken at this edge"));
+            }
         }
         if self.ready.is_some() {
             ports.push(bit(READY, true, "inputs are taken at this edge"));
@@ -513,7 +529,9 @@ impl Module {
         for memory in &self.memories {
             let title = &memory.table.title;
             for (name, address, data) in &memory.reads {
-                let comment = format!("{title}: data {} later", cycles(memory.latency));
+                let later = cycles(memory.latency);
+                let comment =
+                    format!("{title}: its words come {later} later; it stands still without ce");
                 let word = Some(self.word(*address));
                 ports.push(Port { name, is_output: true, word, comment });
                 ports.extend(
@@ -541,6 +559,13 @@ impl Module {
             }
         }
         ports
+    }
+
+    /// Flags that say when words are taken: ports, and what drives them.
+    pub(super) fn readies(&self) -> impl Iterator<Item = (&str, Bit)> {
+        let slow = self.rates.iter().filter_map(|rate| rate.ready.as_ref());
+        let slow = slow.map(|(port, flag)| (port.as_str(), *flag));
+        self.ready.map(|flag| (READY, flag)).into_iter().chain(slow)
     }
 
     /// Output ports with the words that drive them: outputs, and addresses of memories.

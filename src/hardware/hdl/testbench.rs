@@ -2,7 +2,7 @@
 //! ports, latency and names.
 
 use super::language::Language;
-use super::module::{File, MemoryPorts, Module, Word, WordId};
+use super::module::{File, MemoryPorts, Module, SlowRate, Word, WordId};
 use crate::number::format::Format;
 use minijinja::{Environment, UndefinedBehavior, context};
 use serde::Serialize;
@@ -36,6 +36,10 @@ struct Rate {
     entry: u32,
     /// Port of its valid bit.
     port: String,
+    /// Port that says when its words are taken.
+    ready: Option<String>,
+    /// True if that is when words of all rates are.
+    is_all: bool,
     /// Ports of this rate and of slower ones, and their bits.
     ports: Vec<String>,
     bits: u32,
@@ -123,14 +127,16 @@ fn memories(module: &Module, shape: &dyn Fn(&Word) -> String) -> Vec<Memory> {
 }
 
 fn rates(module: &Module) -> Vec<Rate> {
-    let rate = |(rate, entry, port): &(crate::netlist::Rate, u32, String)| {
+    let rate = |slow: &SlowRate| {
         let ports = module.inputs.iter().zip(&module.input_rates);
         let ports: Vec<&Word> =
-            ports.filter(|(_, of)| *of <= rate).map(|(id, _)| module.word(*id)).collect();
+            ports.filter(|(_, of)| **of <= slow.rate).map(|(id, _)| module.word(*id)).collect();
         Rate {
-            name: rate.name(),
-            entry: *entry,
-            port: port.clone(),
+            name: slow.rate.name(),
+            entry: slow.entry,
+            port: slow.valid.clone(),
+            ready: slow.ready.as_ref().map(|(port, _)| port.clone()),
+            is_all: slow.interval == module.phases,
             bits: ports.iter().map(|word| word.bits).sum(),
             ports: ports.iter().map(|word| word.name.clone()).collect(),
         }
@@ -141,7 +147,12 @@ fn rates(module: &Module) -> Vec<Rate> {
 /// Name of what testbenches are for: the module, or the bench around it.
 #[must_use]
 pub fn top_name(module: &Module) -> String {
-    if module.takes_bench() { format!("{}_bench", module.name) } else { module.name.clone() }
+    if module.takes_bench() { bench_name(&module.name) } else { module.name.clone() }
+}
+
+/// Name of the bench around a module.
+pub(super) fn bench_name(module: &str) -> String {
+    format!("{module}_bench")
 }
 
 /// The bench around a module in a language, if it takes one.
@@ -204,8 +215,8 @@ pub(super) fn render(
     let outputs = module.outputs.iter().map(|(name, id)| (name.as_str(), module.word(*id)));
     let (mut inputs, input_bits) = ports(inputs, shape);
     for (port, rate) in inputs.iter_mut().zip(&module.input_rates) {
-        let slow = module.rates.iter().find(|(known, ..)| known == rate);
-        port.entry = slow.map_or(module.entry, |(_, entry, _)| *entry);
+        let slow = module.rates.iter().find(|slow| slow.rate == *rate);
+        port.entry = slow.map_or(module.entry, |slow| slow.entry);
     }
     let (outputs, output_bits) = ports(outputs, shape);
     let written = module.memories.iter().filter(|memory| memory.write.is_some());
@@ -221,7 +232,9 @@ pub(super) fn render(
         header => module.header,
         title => module.header.first(),
         latency => module.latency,
-        interval => module.interval,
+        // A vector has words of all rates.
+        interval => module.phases,
+        unit_interval => module.interval,
         reference => reference_name(module),
         vectors => vectors_file(module),
         tables => module.table_file_names(),

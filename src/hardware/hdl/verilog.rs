@@ -5,8 +5,8 @@
 
 use super::language::{Language, ROWS_A_LINE, rom_attributes};
 use super::module::{
-    Bit, Bitwise, Driver, Enable, Expr, File, Item, Module, Next, Operand, READY, Register,
-    RomTable, Stage, Tables, Valid, View, Word, WordId, WritePort,
+    Bit, Bitwise, Driver, Enable, Expr, File, Item, Module, Next, Operand, Register, RomTable,
+    Stage, Tables, Valid, View, Word, WordId, WritePort,
 };
 use super::testbench;
 use crate::base::cast;
@@ -90,8 +90,8 @@ impl Language for Verilog {
         if module.latency == 0 {
             text.push_str("    assign valid_out = valid_in;\n");
         }
-        if let Some(ready) = module.ready {
-            let _ = writeln!(text, "    assign {READY} = {};", Printer { module }.bit(ready));
+        for (port, flag) in module.readies() {
+            let _ = writeln!(text, "    assign {port} = {};", Printer { module }.bit(flag));
         }
         unused(module, &mut text);
         text.push_str("endmodule\n");

@@ -6,8 +6,8 @@
 
 use super::language::{Language, ROWS_A_LINE, rom_attributes};
 use super::module::{
-    Bit, Bitwise, Driver, Enable, Expr, File, Item, Module, Next, Operand, READY, Register,
-    RomTable, Stage, Tables, Valid, View, Word, WordId, WritePort,
+    Bit, Bitwise, Driver, Enable, Expr, File, Item, Module, Next, Operand, Register, RomTable,
+    Stage, Tables, Valid, View, Word, WordId, WritePort,
 };
 use super::testbench;
 use crate::base::cast;
@@ -84,8 +84,8 @@ impl Language for Vhdl {
             }
         }
         let printer = Printer { module };
-        if let Some(ready) = module.ready {
-            let _ = writeln!(text, "    {READY} <= {};", printer.bit(ready));
+        for (port, flag) in module.readies() {
+            let _ = writeln!(text, "    {port} <= {};", printer.bit(flag));
         }
         let valid = &module.valid.0;
         let _ = match module.valid.1 {

@@ -243,7 +243,7 @@ fn yosys(job: &Job<'_>) -> Ended {
     step(job, "yosys", &["-q", &script])?;
     let netlist = &job.design.netlist;
     let why = if netlist.memories().next().is_some() {
-        Some("words of a memory come from outside")
+        Some("words of a memory are written from outside")
     } else if netlist.rates().len() > 1 {
         Some("words of slow rates come before the others")
     } else if netlist.first_delay().is_some() {

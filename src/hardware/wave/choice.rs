@@ -3,12 +3,13 @@
 use super::trace::{AngleTrace, Trace, Twin, full_name};
 use crate::base::cast;
 use crate::base::error::{Error, Result};
+use crate::base::name;
 use crate::design::{Design, Group};
 use crate::hardware::rtl::{Rtl, Signal};
 use crate::hardware::timetable::Timetable;
 use crate::measure::angle_quantities;
-use crate::netlist::NodeId;
 use crate::netlist::op::Op;
+use crate::netlist::{NodeId, Rate};
 use std::collections::BTreeSet;
 use std::ops::Range;
 use std::sync::Arc;
@@ -46,6 +47,7 @@ impl<'a> Wave<'a> {
     /// If a pattern matches none, or the pipeline can't be built.
     #[expect(clippy::missing_panics_doc, reason = "period_ps always has a value")]
     pub fn new(design: &'a Design, options: Options) -> Result<Self> {
+        design.netlist.check_bound()?;
         let rtl = Arc::new(design.rtl()?);
         let mut traces = all_traces(&rtl, &options);
         let mut angles = all_angles(design, &rtl);
@@ -86,6 +88,15 @@ impl<'a> Wave<'a> {
         &self.rtl
     }
 
+    /// Names of the valid bits of slower rates than the fastest, from the slowest.
+    pub(super) fn slow_valids(&self) -> Vec<String> {
+        let taken: BTreeSet<String> = self.traces.iter().map(full_name).collect();
+        let rates = self.rtl.netlist().rates();
+        let slow = &rates[..rates.len() - 1];
+        let named = |rate: &Rate| name::numbered(&format!("valid_{rate}"), |n| !taken.contains(n));
+        slow.iter().map(named).collect()
+    }
+
     /// Number of signals.
     #[must_use]
     pub fn len(&self) -> usize {
@@ -101,7 +112,7 @@ impl<'a> Wave<'a> {
     /// Cycles until the last of so many samples is out.
     #[must_use]
     pub fn cycles(&self, samples: usize) -> u64 {
-        let interval = u64::from(self.rtl.schedule().interval());
+        let interval = u64::from(self.rtl.schedule().phases());
         let last = cast::count_of(samples).saturating_sub(1) * interval;
         last + u64::from(self.rtl.schedule().latency()) + u64::from(samples > 0)
     }
@@ -160,7 +171,7 @@ fn all_traces(rtl: &Rtl, options: &Options) -> Vec<Trace> {
         if own_twins {
             traces.push(trace(own, path.clone(), name, None));
         }
-        let shown = match (options.all, rtl.schedule().interval()) {
+        let shown = match (options.all, rtl.schedule().phases()) {
             (true, _) => usize::MAX,
             (false, 1) => usize::from(!own_twins),
             (false, _) => 1,

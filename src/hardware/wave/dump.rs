@@ -19,7 +19,8 @@ use std::sync::Arc;
 use vcd::{TimescaleUnit, VarType};
 
 impl Wave<'_> {
-    /// Simulates one sample per interval and writes the VCD; runs on until the last result is out.
+    /// Simulates one sample for all phases, which is one per interval where all ports have one rate, and writes the VCD; runs
+    /// on until the last result is out.
     ///
     /// # Errors
     /// If `to` can't be written; `path` names it. If a `narrow` under overflow mode `error`
@@ -63,7 +64,7 @@ impl Wave<'_> {
     ) -> io::Result<Cycle> {
         let netlist = self.rtl.netlist();
         let (latency, interval) =
-            (self.rtl.schedule().latency(), u64::from(self.rtl.schedule().interval()));
+            (self.rtl.schedule().latency(), u64::from(self.rtl.schedule().phases()));
         let total = self.cycles(samples.len());
         let window = self.options.cycles.clone().unwrap_or(0..total);
         let end = total.min(window.end);
@@ -90,7 +91,7 @@ impl Wave<'_> {
 
         let mut stimulus = Stimulus::new(netlist, self.rtl.schedule(), samples);
         for at in 0..end {
-            let (words, data) = stimulus.at(at, cycle.ready());
+            let (words, data) = stimulus.at(at);
             cycle.settle_rates(words, |rate| data[rate]).map_err(io::Error::other)?;
             if at >= window.start {
                 lines.timestamp(at * self.period_ps)?;
@@ -139,7 +140,7 @@ impl<'a> Stimulus<'a> {
         let place = |own: &Rate| timings.iter().position(|timing| timing.rate == *own);
         Self {
             samples,
-            interval: schedule.interval().into(),
+            interval: schedule.phases().into(),
             rates: timings.iter().map(|timing| (timing.entry.into(), up_to(timing.rate))).collect(),
             rate_of: rates.iter().map(|own| place(own).expect("bug: it is of a port")).collect(),
             words: vec![0; rates.len()],
@@ -148,11 +149,11 @@ impl<'a> Stimulus<'a> {
     }
 
     /// Words of the ports in a cycle, and which rates have data.
-    fn at(&mut self, cycle: u64, ready: bool) -> (&[i64], &[bool]) {
+    fn at(&mut self, cycle: u64) -> (&[i64], &[bool]) {
         let fastest = self.rates.len() - 1;
         for (rate, (entry, ports)) in self.rates.iter().enumerate() {
-            let number = cycle.checked_sub(*entry).map(|cycles| cycles / self.interval);
-            let number = number.and_then(|number| usize::try_from(number).ok()).filter(|_| ready);
+            let since = cycle.checked_sub(*entry).filter(|since| since % self.interval == 0);
+            let number = since.and_then(|since| usize::try_from(since / self.interval).ok());
             let sample = number.and_then(|number| self.samples.get(number));
             let before = number.and_then(|n| n.checked_sub(1)).and_then(|n| self.samples.get(n));
             let is_new = |sample: &Vec<i64>| {
@@ -206,9 +207,7 @@ impl<'a> Codes<'a> {
         let (clk, rst) = (writer.add_wire(1, "clk")?.into(), writer.add_wire(1, "rst")?.into());
         let valid_in = Shown::new(writer.add_wire(1, "valid_in")?, 1);
         let mut valid_slow = Vec::new();
-        let timings = schedule.timings();
-        for timing in &timings[..timings.len() - 1] {
-            let name = format!("valid_{}", timing.rate);
+        for name in wave.slow_valids() {
             valid_slow.push(Shown::new(writer.add_wire(1, &name)?, 1));
         }
         let valid_out = Shown::new(writer.add_wire(1, "valid_out")?, 1);
@@ -240,7 +239,7 @@ impl<'a> Codes<'a> {
                     format,
                     slot: cycle.slot(trace.signal),
                     stage: stage.into(),
-                    phase: (stage == schedule.stage(node)).then(|| schedule.phase(stage)),
+                    phase: (stage == schedule.stage(node)).then(|| stage % schedule.phases()),
                 });
             }
             let mut codes = Vec::new();

@@ -36,12 +36,16 @@ impl Wave<'_> {
             "[sst_width] {TREE_WIDTH}\n[signals_width] {NAMES_WIDTH}\n[sst_expanded] 0\n[treeopen] {unit}."
         )?;
         let schedule = self.rtl.schedule();
-        let cycles = f64::from(schedule.latency() + FIRST_SAMPLES * schedule.interval());
+        let cycles = f64::from(schedule.latency() + FIRST_SAMPLES * schedule.phases());
         let width = (WAVES_WIDTH / cycles).min(CYCLE_WIDTH);
         // GTKWave draws 2^-zoom units of time in 200 pixels.
         let zoom = -libm::log2(cast::f64_of_count(self.period_ps) * 200.0 / width);
         writeln!(to, "*{zoom:.6} 0 {}", "-1 ".repeat(26).trim_end())?;
-        writeln!(to, "@28\n{unit}.clk\n{unit}.rst\n{unit}.valid_in\n{unit}.valid_out")?;
+        writeln!(to, "@28\n{unit}.clk\n{unit}.rst")?;
+        for name in self.slow_valids() {
+            writeln!(to, "{unit}.{name}")?;
+        }
+        writeln!(to, "{unit}.valid_in\n{unit}.valid_out")?;
         self.write_units(to)?;
         let is_input = |trace: &Trace| netlist.node(trace.signal.node).op == Op::Input;
         self.write_group("input ports", is_input, to)?;
@@ -54,7 +58,7 @@ impl Wave<'_> {
         let latency = self.rtl.schedule().latency();
         let title = format!("output ports, {latency} cycles later");
         self.write_group(&title, |trace| trace.port.is_some(), to)?;
-        let shared = self.rtl.schedule().interval() > 1;
+        let shared = self.rtl.schedule().phases() > 1;
         let is_held = |trace: &Trace| {
             shared && trace.signal.stage > self.rtl.schedule().stage(trace.signal.node)
         };

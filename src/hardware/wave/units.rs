@@ -158,7 +158,7 @@ impl UnitCode {
             issue: texts.remove("issue").expect("bug: every unit has it"),
             inside: texts.remove("inside"),
             out: texts.remove("out").expect("bug: every unit has it"),
-            loads: (0..rtl.schedule().interval())
+            loads: (0..rtl.schedule().phases())
                 .map(|phase| loads(rtl, number, names, phase, cycle))
                 .collect(),
             formulas: names.iter().map(formula).collect(),
@@ -219,14 +219,14 @@ fn loads(
             let ports = unit.ports.iter().filter(|port| port.registered && port.side == side);
             ports
                 .flat_map(|port| &port.cases)
-                .any(|case| case.operation == at && case.phase == phase)
+                .any(|case| case.operation == at && case.phase == phase % unit.interval)
         };
         let sides = names[at].operands.iter().enumerate();
         let sides = sides
             .filter(|(side, name)| takes(*side) && !name.is_empty())
             .map(|(_, name)| tight(name));
         let text = sides.collect::<Vec<String>>().join(",");
-        (rtl.schedule().phase(stage) == phase && !text.is_empty())
+        (stage % unit.interval == phase % unit.interval && !text.is_empty())
             .then(|| (cycle.rate_of(operation.nodes[0]), stage, text))
     });
     loads.collect()

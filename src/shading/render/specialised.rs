@@ -356,11 +356,7 @@ pub fn specialise_to(scene: &Scene, pipeline: &Pipeline) -> Result<Vec<Specialis
         let port = |(at, known): (usize, &Known)| SeenPort {
             port: netlist.input_name(at).to_owned(),
             words: known.words.to_string(),
-            rate: match known.rate {
-                Rate::Scene => "scene",
-                Rate::Face => "face",
-                Rate::Pixel => "pixel",
-            },
+            rate: known.rate.name(),
         };
         stages.push(SpecialisedStage {
             material,

@@ -1,18 +1,8 @@
 //! What is known of an input.
 
+use crate::netlist::Rate;
 use crate::netlist::words::Words;
 use crate::number::format::Format;
-
-/// How often an input changes.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
-pub enum Rate {
-    /// It is constant over the whole scene.
-    Scene,
-    /// It is constant over each flat face.
-    Face,
-    /// It changes with every sample.
-    Pixel,
-}
 
 /// What is known of an input.
 #[derive(Clone, PartialEq, Eq, Debug)]

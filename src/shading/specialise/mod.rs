@@ -23,9 +23,10 @@ mod split;
 mod tables;
 mod whole;
 
+pub use crate::netlist::Rate;
 pub use crate::netlist::ranges::ranges;
 pub use crate::netlist::words::Words;
-pub use known::{Known, Rate};
+pub use known::Known;
 pub use reduced::{Reduced, Source};
 pub use report::{Folded, Hoisted, PartReport, Report, Specialised};
 pub use tables::{CutTable, TableCut};

@@ -1,11 +1,10 @@
 //! A datapath in two: once per face, and for every sample.
 
-use super::known::Rate;
 use super::rebuild::{self, Rebuild};
 use super::reduced::{Reduced, Source};
 use super::report::Hoisted;
-use crate::netlist::NodeId;
 use crate::netlist::op::Op;
+use crate::netlist::{NodeId, Rate};
 use std::collections::BTreeSet;
 
 /// A datapath in two.
@@ -27,6 +26,8 @@ pub(super) fn split(whole: &Reduced, rates: &[Rate]) -> Option<Halves> {
     let mut per_pixel = Vec::with_capacity(netlist.nodes().len());
     for node in netlist.nodes() {
         let own = node.op == Op::Input && ports.next() == Some(&Rate::Pixel);
+        // A delay counts samples.
+        let own = own || matches!(node.op, Op::Delay { .. });
         per_pixel.push(own || node.operands.iter().any(|id| per_pixel[id.index()]));
     }
     let mut crosses = vec![false; netlist.nodes().len()];

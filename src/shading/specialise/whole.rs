@@ -1,11 +1,12 @@
 //! A netlist cut down, and what that saves.
 
-use super::known::{Known, Rate};
+use super::known::Known;
 use super::reduced::{Reduced, Source};
 use super::report::{PartReport, Report, Specialised};
 use super::simplify::{Tally, simplify};
 use super::split::split;
 use super::tables;
+use crate::netlist::Rate;
 use crate::netlist::ranges::ranges;
 use crate::netlist::words::Words;
 use crate::netlist::{Netlist, NodeId};

@@ -97,10 +97,7 @@ impl Program {
                 outputs: Vec::new(),
                 narrows: Vec::new(),
                 delays: Vec::new(),
-                unbound: netlist
-                    .memories()
-                    .find(|table| table.is_unbound())
-                    .map(|t| t.name.clone()),
+                unbound: None,
                 repeated: 0,
                 repeats: repeats.to_vec(),
             },
@@ -494,6 +491,11 @@ impl Compiler<'_> {
     /// A read, with a later one at the same address if there is one.
     fn read(&mut self, index: usize) {
         let nodes = self.netlist.nodes();
+        let read =
+            self.netlist.read_of(self.netlist.id_at(index)).filter(|table| table.is_unbound());
+        if let Some(memory) = read {
+            self.program.unbound.get_or_insert_with(|| memory.name.clone());
+        }
         let Placed { width, .. } = self.placed[index];
         let address = self.operand(index, 0);
         let lanes = self.placed[address].width;

@@ -79,7 +79,7 @@ pub struct Program {
     pub(super) narrows: Vec<NodeId>,
     /// How many samples each delay is of.
     pub(super) delays: Vec<u32>,
-    /// A memory that no words are bound to.
+    /// A memory that is read and that no words are bound to.
     pub(super) unbound: Option<String>,
     /// The first instructions give the same words in each block of a run, so many of them.
     pub(super) repeated: usize,

@@ -37,7 +37,8 @@ impl Lowering {
     fn delay(&mut self, id: NodeId, name: &str, samples: u32) {
         let rtl = Arc::clone(&self.at.rtl);
         let stage = rtl.schedule().stage(id);
-        let (load, valid) = (self.load(rtl.schedule().phase(stage)), self.module.valid.0.clone());
+        let phases = rtl.schedule().phases_of(stage, rtl.schedule().interval());
+        let (load, valid) = (self.load(phases), self.module.valid.0.clone());
         let mut from = self.operand(id, 0);
         for number in 1..=samples {
             let wanted =

@@ -54,7 +54,12 @@ fn rows(rtl: &Rtl) -> u64 {
 }
 
 /// Where a module's table rows go, and whether it is small enough.
-pub(super) fn place_tables(rtl: &Rtl, asked: Option<Tables>) -> Result<Tables> {
+pub(super) fn place_tables(rtl: &Rtl, asked: Option<Tables>, memories: Memories) -> Result<Tables> {
+    let ram_bits: u64 = rtl.netlist().memories().map(crate::netlist::Table::rom_bits).sum();
+    if memories == Memories::Ram && ram_bits > TABLE_BITS {
+        let remedy = "leave memories outside, at ports";
+        return Err(refuse_size("bits of RAM", ram_bits, TABLE_BITS, remedy));
+    }
     let (rows, bits) = (rows(rtl), rom_bits(rtl));
     if bits > TABLE_BITS {
         return Err(refuse_size("table bits", bits, TABLE_BITS, "take smaller tables"));

@@ -2,14 +2,14 @@
 
 use super::words::Lowering;
 use crate::base::cast;
-use crate::hardware::hdl::module::{Bit, Bitwise, Driver, Expr, Next, Operand, Register};
+use crate::hardware::hdl::module::{Bit, Bitwise, Driver, Expr, Next, Operand, Register, SlowRate};
 use std::collections::BTreeSet;
 
 impl Lowering {
     /// The phase counter, where there is more than one phase.
     pub(super) fn phases(&mut self) {
-        let interval = self.module.interval;
-        if interval == 1 {
+        let count = self.module.phases;
+        if count == 1 {
             return;
         }
         self.open("phase".to_owned());
@@ -19,8 +19,8 @@ impl Lowering {
         let literal = |number: u32| Operand::Literal { pattern: number.into(), bits };
         let more = Expr::Add(self.resized(phase, bits), literal(1));
         let mut next = self.plain(phase, "more", bits, more);
-        if !interval.is_power_of_two() {
-            let last = Expr::Equal(self.resized(phase, bits), literal(interval - 1));
+        if !count.is_power_of_two() {
+            let last = Expr::Equal(self.resized(phase, bits), literal(count - 1));
             let last = self.flag(phase, "last", last);
             let cases = vec![(last, literal(0))];
             let around = Expr::Choose { cases, default: self.resized(next, bits) };
@@ -40,26 +40,64 @@ impl Lowering {
             valid: None,
             reset: true,
         });
-        let ready = self.flags[&vec![0]];
-        self.use_bits(ready.word, ready.bit, 1);
-        self.module.ready = Some(ready);
+        self.module.ready = self.ready(self.module.interval);
+        for place in 0..self.module.rates.len() {
+            // What takes words as often as the next faster rate is ready with that.
+            let faster =
+                self.module.rates.get(place + 1).map_or(self.module.interval, |r| r.interval);
+            let SlowRate { rate, interval, .. } = self.module.rates[place];
+            if interval > faster {
+                let port = self.names.take(&format!("ready_{rate}"));
+                let flag = self.ready(interval).expect("bug: it has phases between");
+                self.module.rates[place].ready = Some((port, flag));
+            }
+        }
     }
 
-    /// Phases that something depends on.
+    /// The flag of the phases in which words of a rate with this interval are taken.
+    fn ready(&mut self, interval: u32) -> Option<Bit> {
+        let phases: Vec<u32> = self.at.rtl.schedule().phases_of(0, interval).collect();
+        let flag = self.during(&phases)?;
+        self.use_bits(flag.word, flag.bit, 1);
+        Some(flag)
+    }
+
+    /// Phases that something depends on which isn't there in all of them.
     fn phases_at_work(&self) -> BTreeSet<u32> {
-        let rtl = &self.at.rtl;
-        let loads = rtl.netlist().ids().flat_map(|id| rtl.registers(id));
-        let ports = rtl.units().iter().flat_map(|unit| &unit.ports);
-        let several = ports.filter(|port| port.registered || port.cases.len() > 1);
-        let mut phases: BTreeSet<u32> = loads.map(|register| rtl.load_phase(register)).collect();
-        phases.extend(several.flat_map(|port| port.cases.iter().map(|case| case.phase)));
-        phases.extend([0, rtl.schedule().phase(rtl.schedule().latency())]);
+        let (rtl, schedule) = (&self.at.rtl, self.at.rtl.schedule());
+        let mut phases = BTreeSet::new();
+        let mut some = |among: Vec<u32>| {
+            if among.len() < cast::index_of_u32(schedule.phases()) {
+                phases.extend(among);
+            }
+        };
+        for register in rtl.netlist().ids().flat_map(|id| rtl.registers(id)) {
+            some(rtl.load_phases(register).collect());
+        }
+        for unit in rtl.units() {
+            for port in &unit.ports {
+                if port.registered || port.cases.len() > 1 {
+                    let cases = port.cases.iter();
+                    cases.for_each(|case| {
+                        some(schedule.phases_of(case.phase, unit.interval).collect())
+                    });
+                }
+            }
+        }
+        for timing in schedule.timings() {
+            some(schedule.phases_of(0, timing.interval).collect());
+        }
+        for stage in rtl.netlist().ids().filter(|id| rtl.is_state(*id)).map(|id| schedule.stage(id))
+        {
+            some(schedule.phases_of(stage, schedule.interval()).collect());
+        }
+        some(schedule.phases_of(schedule.latency(), schedule.interval()).collect());
         phases
     }
 
     /// The flag of some phases in ascending order; none if they are all that there are.
     pub(super) fn during(&mut self, phases: &[u32]) -> Option<Bit> {
-        if phases.len() == cast::index_of_u32(self.module.interval) {
+        if phases.len() == cast::index_of_u32(self.module.phases) {
             return None;
         }
         if let Some(flag) = self.flags.get(phases) {
@@ -77,11 +115,11 @@ impl Lowering {
         Some(flag)
     }
 
-    /// The flag of a phase at whose end something happens.
-    pub(super) fn load(&mut self, phase: u32) -> Option<Bit> {
+    /// The flag of phases at whose end something happens.
+    pub(super) fn load(&mut self, phases: impl Iterator<Item = u32>) -> Option<Bit> {
         // The inside of a unit works in every phase.
-        let flat = self.at.rtl.schedule().interval() == 1;
-        let flag = if flat { None } else { self.during(&[phase]) };
+        let flat = self.at.rtl.schedule().phases() == 1;
+        let flag = if flat { None } else { self.during(&phases.collect::<Vec<_>>()) };
         if let Some(flag) = flag {
             self.use_bits(flag.word, flag.bit, 1);
         }

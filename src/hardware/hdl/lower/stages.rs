@@ -5,13 +5,15 @@ use super::words::{Context, Lowering};
 use crate::base::cast;
 use crate::base::error::{Error, Result};
 use crate::hardware::hdl::module::{
-    Driver, Expr, Module, Next, Operand, READY, Register, Stage, Valid, View, WordId, new_word_id,
-    valid_bit,
+    Driver, Expr, Module, Next, Operand, READY, Register, SlowRate, Stage, Valid, View, WordId,
+    new_word_id, valid_bit,
 };
 use crate::hardware::hdl::names::Names;
+use crate::hardware::hdl::testbench::bench_name;
 use crate::hardware::rtl::{Port, Rtl, Signal, Source};
 use crate::netlist::op::Op;
 use crate::netlist::{NodeId, Rate, TableId};
+use crate::schedule::Timing;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -31,13 +33,16 @@ impl Module {
                 format!("`{name}` is a port of the module: choose another name for the module");
             return Err(Error::usage(text));
         }
-        let tables_in = place_tables(rtl, options.tables)?;
+        let tables_in = place_tables(rtl, options.tables, options.memories)?;
         let latency = rtl.schedule().latency();
         let interval = rtl.schedule().interval();
         let mut names = Names::default();
         names.take(&name);
         if interval > 1 {
             names.take(READY);
+        }
+        if netlist.memories().next().is_some() || netlist.rates().len() > 1 {
+            names.take(&bench_name(&name));
         }
         let clocked = |rtl: &Rtl| {
             let netlist = rtl.netlist();
@@ -46,12 +51,14 @@ impl Module {
         };
         let mut timings = rtl.schedule().timings();
         let fastest = timings.pop().expect("bug: there is a rate");
-        let rates: Vec<(Rate, u32, String)> = timings
-            .iter()
-            .map(|timing| {
-                (timing.rate, timing.entry, names.take(&format!("valid_{}", timing.rate)))
-            })
-            .collect();
+        let slow = |timing: &Timing| SlowRate {
+            rate: timing.rate,
+            entry: timing.entry,
+            interval: timing.interval,
+            valid: names.take(&format!("valid_{}", timing.rate)),
+            ready: None,
+        };
+        let rates: Vec<SlowRate> = timings.iter().map(slow).collect();
         let mut lowering = Lowering {
             at: Context {
                 rtl: Arc::clone(rtl),
@@ -61,6 +68,7 @@ impl Module {
                 rows: BTreeMap::new(),
             },
             names,
+            titles: Names::default(),
             stage: 0,
             scope: String::new(),
             columns: BTreeMap::new(),
@@ -68,12 +76,13 @@ impl Module {
             ports: BTreeMap::new(),
             memories: options.memories,
             reads: BTreeMap::new(),
-            valids: rates.iter().map(|(rate, _, name)| (*rate, name.clone())).collect(),
+            valids: rates.iter().map(|slow| (slow.rate, slow.valid.clone())).collect(),
             module: Module {
                 name,
                 header: options.header.clone(),
                 latency,
                 interval,
+                phases: rtl.schedule().phases(),
                 block_rom: clocked(rtl) || rtl.units().iter().any(|unit| clocked(&unit.rtl)),
                 words: Vec::new(),
                 inputs: Vec::new(),
@@ -204,7 +213,7 @@ impl Lowering {
             .ports
             .iter()
             .enumerate()
-            .map(|(at, port)| self.port(&format!("{}_in{at}", unit.name), port))
+            .map(|(at, port)| self.port(&format!("{}_in{at}", unit.name), port, unit.interval))
             .collect();
         let inside = Context {
             rtl: Arc::clone(&unit.rtl),
@@ -238,8 +247,8 @@ impl Lowering {
         Ok(())
     }
 
-    /// The word at a port of a unit: of what it takes in each phase.
-    fn port(&mut self, name: &str, port: &Port) -> WordId {
+    /// The word at a port of a unit: of what it takes in each phase of its interval.
+    fn port(&mut self, name: &str, port: &Port, interval: u32) -> WordId {
         let operands: Vec<Operand> = port
             .cases
             .iter()
@@ -266,7 +275,13 @@ impl Lowering {
         }
         let default = choices.remove(0).0;
         let mut cases = Vec::new();
+        let schedule = self.at.rtl.schedule().clone();
+        let expanded = |phases: &[u32]| -> Vec<u32> {
+            let all = phases.iter().flat_map(|phase| schedule.phases_of(*phase, interval));
+            all.collect::<BTreeSet<u32>>().into_iter().collect()
+        };
         for (operand, phases) in choices {
+            let phases = expanded(&phases);
             let flag = self.during(&phases).expect("bug: the first has a phase too");
             cases.push((flag, operand));
         }
@@ -281,9 +296,8 @@ impl Lowering {
         let next = self.node_word(&format!("{name}_next"), port.format, Driver::Logic);
         self.assign(next, expr);
         self.use_bits(next, 0, u32::MAX);
-        let mut phases: Vec<u32> = port.cases.iter().map(|case| case.phase).collect();
-        phases.dedup();
-        let load = self.during(&phases);
+        let phases: Vec<u32> = port.cases.iter().map(|case| case.phase).collect();
+        let load = self.during(&expanded(&phases));
         if let Some(flag) = load {
             self.use_bits(flag.word, flag.bit, 1);
         }
@@ -302,15 +316,15 @@ impl Lowering {
             self.use_bits(word, 0, u32::MAX);
         }
         // Of phases that nothing happens in no flag is left, and of stages no title.
-        if self.module.interval > 1 {
+        if self.module.phases > 1 {
             self.module.stages.retain(|stage| !stage.is_empty());
         }
         let holds = |rate: Rate| {
             let mut registers = netlist.ids().flat_map(|id| self.at.rtl.registers(id));
             registers.any(|register| self.at.rtl.holds(register) == Some(rate))
         };
-        let idle = self.module.rates.iter().filter(|(rate, ..)| !holds(*rate));
-        self.module.idle_rates = idle.map(|(.., name)| name.clone()).collect();
+        let idle = self.module.rates.iter().filter(|slow| !holds(slow.rate));
+        self.module.idle_rates = idle.map(|slow| slow.valid.clone()).collect();
         self.module.signals = std::mem::take(&mut self.at.signals);
         if !self.module.renamed.is_empty() {
             let why = "renamed, since a language or another word has the name:";
@@ -356,7 +370,7 @@ impl Lowering {
                     }
                 };
                 self.use_bits(from, 0, u32::MAX);
-                let load = self.load(rtl.load_phase(register));
+                let load = self.load(rtl.load_phases(register));
                 let holds = rtl.holds(register);
                 let of =
                     |(rate, name): &(Rate, String)| (Some(*rate) == holds).then(|| name.clone());
@@ -367,29 +381,31 @@ impl Lowering {
             }
         }
         // Valid bits beside them, one for each interval; units have none.
-        if !self.at.prefix.is_empty() || schedule.phase(stage) != 0 {
+        if !self.at.prefix.is_empty() {
             return;
         }
         for timing in schedule.timings() {
-            let Some(place) = self.valids.iter().position(|(rate, _)| *rate == timing.rate) else {
-                continue;
-            };
             let Some(after) = stage.checked_sub(timing.entry) else { continue };
-            if after / schedule.interval() >= rtl.valid_bits_of(&timing) {
+            let number = after / timing.interval;
+            if !after.is_multiple_of(timing.interval) || number >= rtl.valid_bits_of(&timing) {
                 continue;
             }
-            let to = self.names.take(&format!("valid_{}_s{}", timing.rate, stage + 1));
-            let from = std::mem::replace(&mut self.valids[place].1, to.clone());
-            let load = self.load(0);
+            let slow = self.valids.iter().position(|(rate, _)| *rate == timing.rate);
+            let (to, from) = match slow {
+                Some(place) => {
+                    let to = self.names.take(&format!("valid_{}_s{}", timing.rate, stage + 1));
+                    (to.clone(), std::mem::replace(&mut self.valids[place].1, to))
+                }
+                None => {
+                    let to = valid_bit(cast::index_of_u32(stage) + 1);
+                    (to.clone(), std::mem::replace(&mut self.module.valid.0, to))
+                }
+            };
+            let load = self.load(schedule.phases_of(0, timing.interval));
             self.module.stages[self.stage].valid.push(Valid { from, to, load });
-        }
-        if (self.module.entry..schedule.latency()).contains(&stage) {
-            let to = valid_bit(cast::index_of_u32(stage) + 1);
-            let from = std::mem::replace(&mut self.module.valid.0, to.clone());
-            let load = self.load(0);
-            self.module.stages[self.stage].valid.push(Valid { from, to, load });
-            if stage + schedule.interval() >= schedule.latency() {
-                self.module.valid.1 = self.load(schedule.phase(schedule.latency()));
+            if slow.is_none() && stage + timing.interval >= schedule.latency() {
+                let out = schedule.phases_of(schedule.latency(), timing.interval);
+                self.module.valid.1 = self.load(out);
             }
         }
     }

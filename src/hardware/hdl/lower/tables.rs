@@ -5,7 +5,6 @@ use crate::base::cast;
 use crate::hardware::hdl::module::{
     Driver, Memories, MemoryPorts, Next, Register, RomTable, Tables, WordId, WritePort, new_word_id,
 };
-use crate::hardware::hdl::names::Names;
 use crate::hardware::rtl::Signal;
 use crate::netlist::op::Op;
 use crate::netlist::{Column, Memory, NodeId, RAM_PORTS, Table, TableId};
@@ -42,8 +41,6 @@ impl Lowering {
             }
             all.push(roms);
         }
-        // Files are named by titles, so no two tables may share one.
-        let mut titles = Names::default();
         for (at, (table, columns)) in read.into_iter().enumerate() {
             let index = |column: u32| usize::try_from(column).expect("bug: small");
             let formats = columns.iter().map(|c| table.columns[index(*c)].format.bits());
@@ -53,7 +50,7 @@ impl Lowering {
                 lo -= table.columns[index(*column)].format.bits();
                 self.columns.insert((at, *column), lo);
             }
-            let title = titles.take(&table.name);
+            let title = self.titles.take(&table.name);
             let kind = if table.memory.is_some() { "ram" } else { "rom" };
             let name = self.names.take(&format!("{title}_{kind}"));
             let wanted = format!("{}_{kind}", table.name);
@@ -106,12 +103,11 @@ impl Lowering {
                 read.entry(table).or_default().insert(column);
             }
         }
-        let mut titles = Names::default();
         for (id, columns) in read {
             let memory = &netlist.tables()[id.index()];
             let column = |column: &u32| memory.columns[cast::index_of_u32(*column)].clone();
             let rows: Vec<Column> = columns.iter().map(column).collect();
-            let title = titles.take(&memory.name);
+            let title = self.titles.take(&memory.name);
             let table = RomTable {
                 name: title.clone(),
                 title,
@@ -131,17 +127,21 @@ impl Lowering {
                 if table != id || self.reads.contains_key(&key) {
                     continue;
                 }
-                let address = self.take(&format!("{}_addr", memory.name));
+                let number = self.module.memories[place].reads.len() + 1;
+                let name = match number {
+                    1 => memory.name.clone(),
+                    _ => format!("{}_{number}", memory.name),
+                };
+                let address = self.take(&format!("{name}_addr"));
                 let data = columns.iter().map(|number| {
-                    let Column { name, format, .. } = column(number);
-                    let wanted = format!("{}_{name}", memory.name);
-                    (*number, self.node_word(&wanted, format, Driver::Input))
+                    let Column { name: own, format, .. } = column(number);
+                    (*number, self.node_word(&format!("{name}_{own}"), format, Driver::Input))
                 });
                 let data: BTreeMap<u32, WordId> = data.collect();
                 let words = data.values().copied().collect();
                 // The word behind the address is known later.
                 self.module.memories[place].reads.push((address, new_word_id(0), words));
-                let read = self.module.memories[place].reads.len() - 1;
+                let read = number - 1;
                 self.reads.insert(key, (place, read, data));
             }
         }

@@ -26,6 +26,8 @@ pub(super) struct Context {
 pub(super) struct Lowering {
     pub(super) at: Context,
     pub(super) names: Names,
+    /// Names that tables and memories have in files: no two are the same.
+    pub(super) titles: Names,
     pub(super) module: Module,
     /// Stage that statements go to.
     pub(super) stage: usize,

@@ -4,7 +4,7 @@
 // {{ name }} with what is outside of it, for its testbenches: ports are those of a module with one rate and
 // without memories. Names in capitals are the bench's own.
 {%- for rate in rates %}
-// Words of rate {{ rate.name }} go in {{ entry - rate.entry }} cycle{{ "s" if entry - rate.entry != 1 }} before the pixel that they came with, when they differ from
+// Words of rate {{ rate.name }} go in {{ entry - rate.entry }} cycle{{ "s" if entry - rate.entry != 1 }} before the sample of the fastest rate that they came with, when they differ from
 // those before.
 {%- endfor %}
 {%- for memory in memories %}
@@ -87,15 +87,24 @@ module {{ top }} (
 {%- endfor %}
 {%- endfor %}
 {%- endfor %}
+{%- for rate in rates if rate.ready and not rate.is_all %}
+    wire READY_unused_{{ rate.name }};
+{%- endfor %}
+{%- if unit_interval > 1 and unit_interval < interval %}
+    wire READY_unused;
+{%- endif %}
 
-    {{ name }} dut (
+    {{ name }} DUT (
         .clk(clk), .rst(rst), .ce(ce),
         .valid_in({{ "VALID_" ~ entry if entry > 0 else "TAKEN" }}), .valid_out(valid_out)
 {%- for rate in rates %},
         .{{ rate.port }}(VALID_{{ rate.name }}_{{ rate.entry }})
+{%- if rate.ready %},
+        .{{ rate.ready }}({{ "ready" if rate.is_all else "READY_unused_" ~ rate.name }})
+{%- endif %}
 {%- endfor %}
-{%- if interval > 1 %},
-        .ready(ready)
+{%- if unit_interval > 1 %},
+        .ready({{ "ready" if unit_interval == interval else "READY_unused" }})
 {%- endif %}
 {%- for port in inputs -%}
         ,

@@ -4,7 +4,7 @@
 -- {{ name }} with what is outside of it, for its testbench: ports are those of a module with one rate and
 -- without memories. Names between backslashes are the bench's own.
 {%- for rate in rates %}
--- Words of rate {{ rate.name }} go in {{ entry - rate.entry }} cycle{{ "s" if entry - rate.entry != 1 }} before the pixel that they came with, when they differ from
+-- Words of rate {{ rate.name }} go in {{ entry - rate.entry }} cycle{{ "s" if entry - rate.entry != 1 }} before the sample of the fastest rate that they came with, when they differ from
 -- those before.
 {%- endfor %}
 {%- for memory in memories %}
@@ -165,15 +165,18 @@ begin
 {%- endfor %}
 {%- endfor %}
 
-    dut : entity work.{{ name }}
+    \dut\ : entity work.{{ name }}
         port map (
             clk => clk, rst => rst, ce => ce,
             valid_in => {{ "\\valid\\(" ~ entry ~ ")" if entry > 0 else "\\taken\\" }}, valid_out => valid_out
 {%- for rate in rates %},
             {{ rate.port }} => {{ "\\valid " ~ rate.name ~ "\\(" ~ rate.entry ~ ")" if rate.entry > 0 else "\\changed " ~ rate.name ~ "\\" }}
+{%- if rate.ready %},
+            {{ rate.ready }} => {{ "\\ready\\" if rate.is_all else "open" }}
+{%- endif %}
 {%- endfor %}
-{%- if interval > 1 %},
-            ready => \ready\
+{%- if unit_interval > 1 %},
+            ready => {{ "\\ready\\" if unit_interval == interval else "open" }}
 {%- endif %}
 {%- for port in inputs -%}
             ,
