@@ -169,7 +169,7 @@ fn as_text(design: &Design, rtl: &Rtl, table: &Timetable) -> String {
         schedule.interval(),
         schedule.shortest_interval(),
         schedule.latency(),
-        rtl.valid_bits(),
+        rtl.valid_bits_of(&schedule.fastest()),
         schedule.period_ps()
     );
     text.push_str(&rates(rtl));

@@ -756,11 +756,11 @@ impl Builder {
                 *table = new;
             }
             let rates = node.operands.iter().map(|id| netlist.nodes[id.index()].rate);
-            match node.op {
-                Op::Input => {}
+            if let Op::Delay { .. } = node.op {
                 // It counts samples.
-                Op::Delay { .. } => node.rate = fastest,
-                _ => node.rate = rates.max().unwrap_or(Rate::Scene),
+                node.rate = fastest;
+            } else if node.op != Op::Input {
+                node.rate = rates.max().unwrap_or(Rate::Scene);
             }
             if node.op != Op::Input
                 && let Some(name) = node.name.take()

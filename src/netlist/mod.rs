@@ -11,6 +11,11 @@
 //! and single _ between them, up to 64 in all. So they are legal in Verilog, VHDL, C++ and waves. What is a keyword
 //! there is renamed where hardware is written; only a module can't be called by one.
 //!
+//! # Past one sample
+//! A [memory](Builder::memory) is read like a table, and its words are [bound](Netlist::bind) when it is simulated. A port
+//! has a [`Rate`]: what comes once for a face is computed once for it. A [delay](Builder::delay) has the word of an earlier
+//! sample, which a [`State`] keeps for [`Netlist::eval_next`].
+//!
 //! # Wrong use
 //! Nothing that is asked of a [`Builder`] panics: it keeps the first mistake, with the place in the code that made it
 //! ([`Error::caller`](crate::base::error::Error::caller)), and [`Builder::build`] gives it back. [`Wires`] are nodes with operators

@@ -260,6 +260,13 @@ impl Schedule {
         (entered.unwrap_or(&self.entries[own]).interval, until)
     }
 
+    /// When the words of the fastest rate are taken.
+    #[must_use]
+    pub fn fastest(&self) -> Timing {
+        let mut timings = self.timings();
+        timings.swap_remove(timings.len() - 1)
+    }
+
     /// When the words of each rate are taken, from the slowest.
     #[must_use]
     pub fn timings(&self) -> Vec<Timing> {

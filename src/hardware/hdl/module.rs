@@ -511,8 +511,9 @@ impl Module {
         ports.push(bit("valid_in", false, ""));
         for SlowRate { rate, entry, valid, ready, .. } in &self.rates {
             let later = cycles(self.entry - entry);
-            let comment =
-                format!("words of rate {rate} are data: they count for what comes {later} later");
+            let comment = format!(
+                "words of rate {rate} are data: they count for those at valid_in {later} later"
+            );
             ports.push(Port { name: valid, is_output: false, word: None, comment });
             if let Some((name, _)) = ready {
                 ports.push(bit(name, true, "they are taken at this edge"));

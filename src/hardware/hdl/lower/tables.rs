@@ -1,6 +1,6 @@
 //! Tables, their copies and the rows that are read of them.
 
-use super::words::Lowering;
+use super::words::{Fetch, Lowering};
 use crate::base::cast;
 use crate::hardware::hdl::module::{
     Driver, Memories, MemoryPorts, Next, Register, RomTable, Tables, WordId, WritePort, new_word_id,
@@ -142,7 +142,7 @@ impl Lowering {
                 // The word behind the address is known later.
                 self.module.memories[place].reads.push((address, new_word_id(0), words));
                 let read = number - 1;
-                self.reads.insert(key, (place, read, data));
+                self.reads.insert(key, Fetch { memory: place, read, data });
             }
         }
     }
@@ -153,14 +153,14 @@ impl Lowering {
         let Op::Read { table, column } = netlist.node(read).op else { return None };
         netlist.memory(read)?;
         let key = (table, self.address(read), self.at.rtl.schedule().stage(read));
-        Some(self.reads.get(&key)?.2[&column])
+        Some(self.reads.get(&key)?.data[&column])
     }
 
     /// Drives the address ports of memories outside.
     pub(super) fn memory_addresses(&mut self) {
-        for ((_, address, _), (place, read, _)) in std::mem::take(&mut self.reads) {
+        for ((_, address, _), Fetch { memory, read, .. }) in std::mem::take(&mut self.reads) {
             let word = self.at.signals[&address];
-            self.module.memories[place].reads[read].1 = word;
+            self.module.memories[memory].reads[read].1 = word;
             self.use_bits(word, 0, u32::MAX);
         }
     }

@@ -23,6 +23,15 @@ pub(super) struct Context {
     pub(super) rows: BTreeMap<(TableId, Signal, u32), WordId>,
 }
 
+/// A read of a memory outside.
+pub(super) struct Fetch {
+    /// Position of the memory in the module, and of the read in the memory.
+    pub(super) memory: usize,
+    pub(super) read: usize,
+    /// Words by column.
+    pub(super) data: BTreeMap<u32, WordId>,
+}
+
 pub(super) struct Lowering {
     pub(super) at: Context,
     pub(super) names: Names,
@@ -41,8 +50,8 @@ pub(super) struct Lowering {
     pub(super) ports: BTreeMap<usize, (u64, usize)>,
     /// Where memories are.
     pub(super) memories: Memories,
-    /// Reads of memories outside, by table, address and stage: places of the memory and of its read, and words by column.
-    pub(super) reads: BTreeMap<(TableId, Signal, u32), (usize, usize, BTreeMap<u32, WordId>)>,
+    /// Reads of memories outside, by table, address and stage.
+    pub(super) reads: BTreeMap<(TableId, Signal, u32), Fetch>,
     /// Valid bits of slower rates, from the slowest: the one that the latest stage has.
     pub(super) valids: Vec<(Rate, String)>,
 }
