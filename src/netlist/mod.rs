@@ -29,6 +29,7 @@ mod choices;
 mod counts;
 pub mod file;
 mod id;
+mod memory;
 pub mod op;
 pub(crate) mod ranges;
 mod rate;

@@ -1,8 +1,5 @@
 //! Tables of a netlist, whose words it has, and memories, whose words are bound when it is simulated.
 
-use super::{Netlist, NodeId};
-use crate::base::error::{Error, Result};
-use crate::netlist::op::Op;
 use crate::number::format::Format;
 use crate::number::real::Rows;
 use std::sync::Arc;
@@ -95,84 +92,12 @@ impl Table {
     }
 
     /// The same without words, if it is a memory.
-    fn without_words(&self) -> Self {
+    pub(super) fn without_words(&self) -> Self {
         let mut table = self.clone();
         if table.memory.is_some() {
             table.columns.iter_mut().for_each(|column| column.words = Arc::new([]));
         }
         table
-    }
-}
-
-impl Netlist {
-    /// The tables whose words the netlist has.
-    pub fn roms(&self) -> impl Iterator<Item = &Table> {
-        self.tables.iter().filter(|table| table.memory.is_none())
-    }
-
-    /// The memories.
-    pub fn memories(&self) -> impl Iterator<Item = &Table> {
-        self.tables.iter().filter(|table| table.memory.is_some())
-    }
-
-    /// The table or memory that a node reads, if it reads one.
-    #[must_use]
-    pub fn read_of(&self, id: NodeId) -> Option<&Table> {
-        let Op::Read { table, .. } = self.node(id).op else { return None };
-        Some(&self.tables[table.index()])
-    }
-
-    /// What hardware knows of the memory that a node reads, if it reads one.
-    #[must_use]
-    pub fn memory(&self, id: NodeId) -> Option<Memory> {
-        self.read_of(id)?.memory
-    }
-
-    /// With words for a memory: a list for each column, with a word for each address. A read then stands on reals for
-    /// the word's value at its address, rounded down, unless it [means](super::Builder::means) something else.
-    ///
-    /// # Errors
-    /// If there is no such memory, or there isn't one word of its column's format for each address.
-    pub fn bind(&self, memory: &str, columns: &[Arc<[i64]>]) -> Result<Self> {
-        let at =
-            self.tables.iter().position(|table| table.name == memory && table.memory.is_some());
-        let Some(at) = at else {
-            let known: Vec<&str> = self.memories().map(|memory| &memory.name[..]).collect();
-            return Err(Error::unknown_memory(&self.name, memory, &known));
-        };
-        let refuse = |problem: String| Err(Error::usage(format!("memory `{memory}`: {problem}")));
-        let mut bound = self.clone();
-        let table = &mut bound.tables[at];
-        if columns.len() != table.columns.len() {
-            let names: Vec<&str> = table.columns.iter().map(|column| &column.name[..]).collect();
-            let (given, names) = (columns.len(), names.join(", "));
-            return refuse(format!("{given} columns are given: it takes one for each of {names}"));
-        }
-        for (column, words) in table.columns.iter_mut().zip(columns) {
-            column.words = Arc::clone(words);
-        }
-        if let Some(problem) = table.problem_with_words() {
-            return refuse(problem);
-        }
-        bound.read_reals();
-        Ok(bound)
-    }
-
-    /// The same with no words bound to memories.
-    #[must_use]
-    pub fn unbound(&self) -> Self {
-        let mut unbound = self.clone();
-        unbound.tables = self.tables.iter().map(Table::without_words).collect();
-        unbound.read_reals();
-        unbound
-    }
-
-    /// Refuses a memory that no words are bound to: it can't be simulated.
-    pub(crate) fn check_bound(&self) -> Result<()> {
-        match self.memories().find(|memory| memory.is_unbound()) {
-            None => Ok(()),
-            Some(memory) => Err(Error::unbound_memory(&memory.name)),
-        }
     }
 }
 

@@ -4,6 +4,7 @@ use super::expr::Reading;
 use super::primitive::Primitive;
 use super::rows::Rows;
 use super::scalar::Scalar;
+use crate::base::cast;
 use std::ops::{Add, Mul};
 
 /// The numbers from `lo` to `hi`, both among them; ends may be infinite.
@@ -219,7 +220,18 @@ impl Reading for Outward {
     }
 
     fn row(&self, rows: &Rows, of: &Interval) -> Interval {
-        rows.between(*of)
+        // So many values are gone through; of more, all count.
+        const MOST: usize = 1 << 12;
+        let (first, last) = (of.lo.floor(), of.hi.floor());
+        let few = last - first < cast::f64_of_len(rows.count().min(MOST));
+        let (lo, hi) = rows.range();
+        // Whole numbers of more bits can't be told apart.
+        if !few || first.abs().max(last.abs()) > 2f64.powi(52) {
+            return Interval { lo, hi };
+        }
+        let steps = cast::i64_of(last - first);
+        let at = |step: i64| Interval::from(rows.at(first + cast::f64_of(step)));
+        (1..=steps).fold(at(0), |all, step| all.hull(at(step)))
     }
 
     fn of(&self, primitive: Primitive, [a, b, c]: [&Interval; 3]) -> Interval {

@@ -1,13 +1,9 @@
 //! Values at whole numbers: what a memory holds.
 
-use super::interval::Interval;
 use crate::base::cast;
 use std::fmt;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
-
-/// So many values are gone through for those over an interval; of more, all count.
-const MOST: usize = 1 << 12;
 
 /// A function of whole numbers that is told by its values from 0 on and repeats after them. Their number is a power of
 /// two. Its value at any number is that at the number rounded down.
@@ -17,8 +13,8 @@ pub struct Rows(Arc<Held>);
 struct Held {
     name: String,
     values: Vec<f64>,
-    /// Of all values.
-    range: Interval,
+    /// The least and the greatest.
+    range: (f64, f64),
     hash: u64,
 }
 
@@ -27,7 +23,9 @@ impl Rows {
     pub(crate) fn new(name: String, values: impl Iterator<Item = f64>) -> Self {
         let values: Vec<f64> = values.collect();
         assert!(values.len().is_power_of_two(), "bug: {} values", values.len());
-        let range = hull(&values);
+        let range = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), value| {
+            (lo.min(*value), hi.max(*value))
+        });
         let mut hasher = DefaultHasher::new();
         name.hash(&mut hasher);
         values.iter().for_each(|value| value.to_bits().hash(&mut hasher));
@@ -50,26 +48,17 @@ impl Rows {
         if place.is_nan() { f64::NAN } else { values[cast::index_of(cast::i64_of(place))] }
     }
 
-    /// The values at the numbers of an interval.
-    pub(super) fn between(&self, x: Interval) -> Interval {
-        let values = &self.0.values;
-        let (first, last) = (x.lo.floor(), x.hi.floor());
-        let steps = last - first;
-        // Where whole numbers can't be told apart, or are too many, any value may be meant.
-        let few = steps < cast::f64_of_len(values.len().min(MOST));
-        if !few || first.abs().max(last.abs()) > 2f64.powi(52) {
-            return self.0.range;
-        }
-        let steps = cast::i64_of(steps);
-        let all: Vec<f64> = (0..=steps).map(|step| self.at(first + cast::f64_of(step))).collect();
-        hull(&all)
+    /// How many values there are until they repeat.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.0.values.len()
     }
-}
 
-fn hull(values: &[f64]) -> Interval {
-    let lo = values.iter().copied().fold(f64::INFINITY, f64::min);
-    let hi = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    Interval { lo, hi }
+    /// The least value and the greatest.
+    #[must_use]
+    pub fn range(&self) -> (f64, f64) {
+        self.0.range
+    }
 }
 
 impl fmt::Debug for Rows {

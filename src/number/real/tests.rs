@@ -249,3 +249,37 @@ fn a_branch_that_is_not_taken_may_be_a_pole() {
     assert_eq!((at(0.0), at(4.0)), (Some(0.0), Some(0.25)));
     assert!((1.0 / &x).read(&reading, &[reading.constant(0.0)]).is_none());
 }
+
+/// Rows are read the same by every reading: rounded down, and again from the start past their end.
+#[test]
+fn rows_are_read_at_numbers_rounded_down() {
+    let values: Vec<f64> = (0..8).map(|i| f64::from(i * i % 7) - 2.5).collect();
+    let rows = Rows::new("t.c".to_owned(), values.iter().copied());
+    let at = |x: f64| values[x.floor().rem_euclid(8.0) as usize];
+    let precise = Precise::new(160);
+    for x in [-17.5, -8.0, -0.25, 0.0, 0.999, 1.0, 5.5, 7.999, 8.0, 1e15 + 3.0, -1e15 + 1.0] {
+        assert_eq!(rows.at(x), at(x), "{x}");
+        assert_eq!(Twin.row(&rows, &x), at(x));
+        assert_eq!(Scalar.row(&rows, &x), at(x));
+        let big = precise.row(&rows, &precise.constant(x)).unwrap();
+        assert_eq!(big.nearest(), at(x));
+        for width in [0.0, 0.5, 3.25, 7.0, 9.0, 1e9] {
+            let over = Outward.row(&rows, &Interval::new(x, x + width));
+            let inside = (0..40).map(|i| at(x + width * f64::from(i) / 40.0));
+            assert!(inside.into_iter().all(|value| over.contains(value)), "{x} {width}: {over:?}");
+            if width == 0.0 {
+                assert_eq!(over, Interval::from(at(x)));
+            }
+        }
+    }
+    assert!(rows.at(f64::NAN).is_nan() && rows.at(f64::INFINITY).is_nan());
+    assert_eq!(Outward.row(&rows, &Interval::ALL), Interval::new(-2.5, 1.5));
+    assert_eq!(precise.row(&rows, &None).map(|big| big.nearest()), None);
+    let mut graph = Graph::default();
+    let x = graph.add(Term::Variable(0));
+    let same = Rows::new("t.c".to_owned(), values.iter().copied());
+    let [a, b] = [rows.clone(), same].map(|rows| graph.add(Term::Row(rows, x)));
+    assert_eq!(a, b, "the same rows at the same place are one term");
+    let other = Rows::new("t.c".to_owned(), values.iter().rev().copied());
+    assert_ne!(graph.add(Term::Row(other, x)), a);
+}
