@@ -1,0 +1,116 @@
+//! The set-up of tangent-space bump mapping: from one triangle and one of its vertices to the map from
+//! object space to texture space, and the view vector and lights through it (seed 004, US 7,843,463).
+//!
+//! With edges `e1 = p1 - p0`, `e2 = p2 - p0` and those of the texture `(du1, dv1)`, `(du2, dv2)`, position
+//! changes along the axes of the texture as
+//!
+//! ```text
+//! dP/du = (dv2 e1 - dv1 e2)/det    dP/dv = (du1 e2 - du2 e1)/det    det = du1 dv2 - du2 dv1
+//! ```
+//!
+//! The tangent T is the direction of dP/du; B = N x T with the normal N of the vertex; the rows of the map are
+//! T, B, N, and a vector of the texture is their dot products with one of the object. With
+//! `frame=faceted` N isn't given: the second tangent is the direction of dP/dv and N that of their cross
+//! product. `dP/du x dP/dv = (e1 x e2)/det`, so the hardware takes the exact `e1 x e2`, and slivers, whose
+//! tangents are nearly parallel, lose nothing.
+//!
+//! Triangles are wound so that N is on the side of `e1 x e2`: counterclockwise as seen from outside,
+//! `N·(e1 x e2) > 0`. With an N on the other side, B points against dP/dv, and bumps along v are dents.
+//!
+//! # What the seed prints, and what isn't right
+//!
+//! - **Mirrored textures.** (dP/du, dP/dv, N) is right-handed where det > 0 and left-handed where det < 0. There N x T
+//!   points along -dP/dv. The seed negates the tangent there (`mirror=printed`): then B points along
+//!   dP/dv, and T along -dP/du. A map [T; N x T; N] is right-handed whatever T is, so no sign of T makes
+//!   both right: it only moves the fault from one axis to the other. Bumps along u are lit from the wrong side.
+//!   With `mirror=off` they are along v. `mirror=handed` has T = dP/du and B = sign(det) N x T: both right.
+//! - **Mirrored facets.** T x dP/dv points inward where det < 0: with `mirror=off` the facet is lit from behind. The
+//!   seed's negated tangent mends the normal, and bumps along u are wrong. `mirror=handed` takes
+//!   N = sign(det) T x dP/dv: all three right.
+//! - **"Orthonormal".** The seed calls the map so, and it isn't where T isn't at right angles to N, as with
+//!   every vertex normal that isn't the face's: then B is shorter than 1 and light leaks from N to T. With
+//!   `basis=printed` it is as printed: T as it is, B = N x T as long as it comes, of a facet dP/dv as it is.
+//!   `basis=orthonormal` takes B = N x T over its length and T = B x N, which has the direction of T's part
+//!   at right angles to N, and the length of N; of a facet B = N x T, which is the part of dP/dv at right angles to T.
+//!
+//! # Without a frame
+//!
+//! Differences and products are exact, so that "zero" is exactly zero of the given words. `degenerate` is the
+//! or of three flags: `zero_uv`, det is 0; `zero_area`, `e1 x e2` is 0; with vertex normals
+//! `parallel`, `N x (dv2 e1 - dv1 e2)` is 0. Then nothing is mirrored, and
+//!
+//! - a vertex has T along the x axis, or the y axis where |N_x| > |N_y|, and B = N x T, made orthonormal as
+//!   `basis` says: a frame that depends on N alone. With N = 0, B is 0, and so is an orthonormal T.
+//! - a facet without uv area has T along e1 (and, with `basis=printed`, e2 for dP/dv) and its own
+//!   normal; one without area has T, B, N along x, y, z.
+//!
+//! Next to zero nothing happens: bounds hold for the least det and slivers of any length, since vectors are
+//! block-normalised from exact words and N x T is taken of the exact T.
+
+mod bounds;
+mod datapath;
+mod golden;
+mod switches;
+mod triangle;
+
+use crate::design::{Param, Role, Unit};
+use crate::units::basis::{component_bits, dot_frac_bits, guard_bits};
+use crate::units::normalise::norm_bits;
+use crate::units::rsqrt::{root_addr_bits, root_frac_bits, root_scheme};
+use datapath::{MOST_INT_BITS, design};
+use switches::MOST_LIGHTS;
+
+/// The unit.
+#[must_use]
+pub fn unit() -> Unit {
+    Unit::new("tangent", "tangent-space set-up of a triangle's vertex: map, view vector and lights in texture space")
+        .source("seed 004 (US 7,843,463), with its mirroring rule and facets as printed and mended")
+        .params([
+            Param::choice("frame", ["smooth", "faceted"])
+                .role(Role::Pipeline)
+                .help("a map per vertex with its normal, or one for the triangle with a second tangent"),
+            Param::choice("mirror", ["handed", "printed", "off"])
+                .help("mirrored textures: B (of a facet N) turned, T turned as the seed has it, or nothing; \
+               errors are against the golden of the same rule"),
+            Param::choice("basis", ["orthonormal", "printed"])
+                .help("T, B, N made orthonormal, or T and N x T (of a facet dP/dv) as they are; \
+               errors are against the golden of the same rule"),
+            Param::int("lights", 1..=MOST_LIGHTS.into()).role(Role::Count).help("number of lights"),
+            Param::bits("position_int_bits", 0..=MOST_INT_BITS)
+                .default(4)
+                .help("positions are from -2^position_int_bits to 2^position_int_bits"),
+            Param::bits("position_frac_bits", 0..=23)
+                .default(11)
+                .help("fraction bits of positions; with sign and whole bits 2 to 24"),
+            Param::bits("uv_int_bits", 0..=MOST_INT_BITS)
+                .default(2)
+                .help("texture coordinates are from -2^uv_int_bits to 2^uv_int_bits"),
+            Param::bits("uv_frac_bits", 0..=23)
+                .default(13)
+                .help("fraction bits of texture coordinates; with sign and whole bits 2 to 24"),
+            component_bits(),
+            guard_bits().default(2),
+            Param::bits("vector_int_bits", 0..=20)
+                .default(1)
+                .help("view vector and lights are from -2^vector_int_bits to 2^vector_int_bits"),
+            Param::bits("vector_bits", 2..=24).default(16).help("bits of their components, signed"),
+            Param::bits("out_frac_bits", 0..=30)
+                .default(14)
+                .help("fraction bits of view vector and lights in texture space"),
+            norm_bits(),
+            dot_frac_bits(),
+            root_scheme(),
+            root_addr_bits().default(8),
+            root_frac_bits(),
+            Param::rounding("rounding"),
+        ])
+        .inputs("p0_x … p2_z: positions of the triangle's vertices in object space, counterclockwise as seen from outside, where N points: \
+             N·(e1 x e2) > 0, else B is against dP/dv and bumps along v are dents; \
+             uv0_u … uv2_v: their texture coordinates; with frame=smooth normal_x … normal_z: unit normal of the vertex, from -2 to 2; \
+             view_x … view_z, light0_x … : vectors from the vertex to the eye and each of `lights` lights in object space, of any length. \
+             The sampler lit draws triangles with no angle below 30° and N at most 45° off theirs; sphere draws any")
+        .outputs("t_x … t_z, b_x … b_z, n_x … n_z: rows of the map; ts_view_x … , ts_light0_x … : view vector and lights in texture space, \
+              along T, B and N, as long as they come; mirrored: 1 where the texture's determinant is negative (with degenerate 1, too, \
+              where it turns nothing); degenerate: 1 where a fixed frame is taken; why: zero_uv, zero_area and, with frame=smooth, parallel")
+        .design(design)
+}
