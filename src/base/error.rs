@@ -189,6 +189,11 @@ impl Error {
         Self::unknown_part(netlist, what, given, known)
     }
 
+    pub(crate) fn unknown_table(netlist: &str, given: &str, known: &[&str]) -> Self {
+        let what = format!("table `{}` of a scheme of its own", escape::short(given));
+        Self::unknown_part(netlist, what, given, known)
+    }
+
     pub(crate) fn unknown_memory(netlist: &str, given: &str, known: &[&str]) -> Self {
         let what = format!("memory `{}`", escape::short(given));
         Self::unknown_part(netlist, what, given, known)

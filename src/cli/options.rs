@@ -17,8 +17,9 @@ use std::path::Path;
 pub(super) struct UnitArgs {
     /// Unit, which `fixpath list` names, or a netlist's file, which `fixpath show UNIT --netlist` writes.
     pub(super) unit: String,
-    /// Set a parameter; by format.NODE=s20f18 the format of a node that `fixpath show` lists; by memory.NAME=FILE.csv the words
-    /// of a memory, a column for each of its own and a line for each address.
+    /// Set a parameter; by format.NODE=s20f18 the format of a node and by scheme.TABLE=linear the scheme of a table that
+    /// `fixpath show` lists; by memory.NAME=FILE.csv the words of a memory, a column for each of its own and a line for each
+    /// address.
     #[arg(short = 'p', long = "param", value_name = "KEY=VALUE")]
     pub(super) params: Vec<String>,
 }

@@ -5,7 +5,7 @@ use crate::base::error::Result;
 use crate::base::json;
 use crate::design::Design;
 use crate::measure;
-use crate::netlist::{Netlist, Node, Operators, Rate, Table};
+use crate::netlist::{Netlist, Node, Operators, Rate, SchemeChoice, Table};
 use crate::schedule::stage_sizes;
 use crate::table::figures::TableFigures;
 use serde_json::{Value, json};
@@ -193,6 +193,16 @@ pub(super) fn show(design: &Design) -> Result<String> {
         text.push_str(&table(&["node", "format", ""], &rows));
     }
 
+    if !netlist.schemes().is_empty() {
+        text.push_str("\nschemes that -p scheme.TABLE=… sets\n");
+        let row = |choice: &SchemeChoice| {
+            let set = if choice.overridden { "set" } else { "" };
+            vec![choice.table.clone(), choice.scheme.clone(), set.to_owned()]
+        };
+        let rows: Vec<Vec<String>> = netlist.schemes().iter().map(row).collect();
+        text.push_str(&table(&["table", "scheme", ""], &rows));
+    }
+
     let schedule = rtl.schedule();
     let _ = writeln!(
         text,
@@ -247,6 +257,7 @@ pub(super) fn show_json(design: &Design) -> Result<Value> {
         json
     };
     let format = |choice: &crate::netlist::Choice| json!({"node": choice.name, "format": choice.format.to_string(), "set": choice.overridden});
+    let scheme = |choice: &SchemeChoice| json!({"table": choice.table, "scheme": choice.scheme, "set": choice.overridden});
     let node = |id| {
         let node = netlist.node(id);
         json!({
@@ -268,6 +279,7 @@ pub(super) fn show_json(design: &Design) -> Result<Value> {
             "memories": netlist.memories().map(memory).collect::<Vec<_>>(),
             "table_schemes": tables(design)?,
             "formats": netlist.choices().iter().map(format).collect::<Vec<_>>(),
+            "schemes": netlist.schemes().iter().map(scheme).collect::<Vec<_>>(),
             "pipeline": {
                 "latency_cycles": schedule.latency(),
                 "interval_cycles": schedule.interval(),

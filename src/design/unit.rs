@@ -212,7 +212,15 @@ impl Unit {
     pub fn defaults(&self) -> Values {
         let values = self.all_params().map(|param| param.default.clone()).collect();
         let (formats, overrides) = (Vec::new(), Overrides::default());
-        Values { unit: self.clone(), values, formats, memories: Vec::new(), overrides, notes: None }
+        Values {
+            unit: self.clone(),
+            values,
+            formats,
+            schemes: Vec::new(),
+            memories: Vec::new(),
+            overrides,
+            notes: None,
+        }
     }
 
     /// The defaults with some `key=value` assignments.
@@ -246,15 +254,20 @@ pub struct Values {
     values: Vec<Value>,
     /// Formats of nodes in place of the recipe's: the key with [`FORMAT`] in front, the value as text, the format.
     formats: Vec<(String, Value, Format)>,
+    /// Schemes of tables in place of the recipe's: the key with [`SCHEME`] in front, the value as text, the scheme.
+    schemes: Vec<(String, Value, Scheme)>,
     /// Words of memories: the key with [`MEMORY`] in front, the file's path as text, its words.
     memories: Vec<(String, Value, Arc<MemoryFile>)>,
-    /// The formats by the places where the recipe asks for them; known while a design is made.
+    /// Formats and schemes by the places where the recipe asks for them; known while a design is made.
     overrides: Overrides,
     notes: Option<Arc<Notes>>,
 }
 
 /// What keys of formats of nodes begin with: `format.NODE=s20f18`.
 const FORMAT: &str = "format.";
+
+/// What keys of schemes of tables begin with: `scheme.TABLE=linear`.
+const SCHEME: &str = "scheme.";
 
 /// What keys of words of memories begin with: `memory.NAME=words.csv`.
 const MEMORY: &str = "memory.";
@@ -288,6 +301,7 @@ impl Values {
             unit: self.unit.clone(),
             values: self.values.clone(),
             formats: self.formats.clone(),
+            schemes: self.schemes.clone(),
             memories: self.memories.clone(),
             overrides: self.overrides.clone(),
             notes,
@@ -295,7 +309,7 @@ impl Values {
     }
 
     /// Sets one parameter from text. `format.NODE` sets the format of a node in place of the recipe's, by its
-    /// [stable name](crate::netlist::Choice::name), and `memory.NAME` binds words to a memory, from a file in CSV with a
+    /// [stable name](crate::netlist::Choice::name), `scheme.TABLE` a table's scheme, and `memory.NAME` binds words to a memory, from a file in CSV with a
     /// heading for each column and a line of words for each address. What isn't there is an error where the design is made.
     ///
     /// # Errors
@@ -308,6 +322,16 @@ impl Values {
             };
             self.formats.retain(|(known, ..)| known != name);
             self.formats.push((name.to_owned(), Value::Choice(format.to_string().into()), format));
+            return Ok(());
+        }
+        if name.starts_with(SCHEME) {
+            let names: Vec<&str> = Scheme::ALL.iter().map(|scheme| scheme.name()).collect();
+            let Some(at) = names.iter().position(|known| *known == text) else {
+                let legal = names.join(", ");
+                return Err(Error::parameter_value(&escape::short(name), text, legal));
+            };
+            self.schemes.retain(|(known, ..)| known != name);
+            self.schemes.push((name.to_owned(), Value::Choice(names[at].into()), Scheme::ALL[at]));
             return Ok(());
         }
         if name.starts_with(MEMORY) {
@@ -344,10 +368,13 @@ impl Values {
             .chain(self.named())
     }
 
-    /// Formats of nodes and words of memories that were set.
+    /// Formats of nodes, schemes of tables and words of memories that were set.
     fn named(&self) -> impl Iterator<Item = (&str, &Value)> {
         let formats = self.formats.iter().map(|(key, value, _)| (key.as_str(), value));
-        formats.chain(self.memories.iter().map(|(key, value, _)| (key.as_str(), value)))
+        let schemes = self.schemes.iter().map(|(key, value, _)| (key.as_str(), value));
+        formats
+            .chain(schemes)
+            .chain(self.memories.iter().map(|(key, value, _)| (key.as_str(), value)))
     }
 
     /// Files that were set for memories.
@@ -574,25 +601,32 @@ impl Values {
 
     /// The same without a remedy for words that are too wide.
     pub(crate) fn design(&self) -> Result<Design> {
-        if self.formats.is_empty() {
+        if self.formats.is_empty() && self.schemes.is_empty() {
             return self.design_of_recipe();
         }
         // The plain design knows its nodes by name; with their places the recipe is run again.
         let mut values = self.clone();
         let formats: Vec<(String, Value, Format)> = std::mem::take(&mut values.formats);
+        let schemes = std::mem::take(&mut values.schemes);
         let plain = values.design_of_recipe()?;
         let of = |(key, _, format): &(String, Value, Format)| {
             (key.strip_prefix(FORMAT).unwrap_or_default().to_owned(), *format)
         };
         let named: Vec<(String, Format)> = formats.iter().map(of).collect();
-        if plain.netlist.choices().is_empty() {
+        if !named.is_empty() && plain.netlist.choices().is_empty() {
             return Err(Error::usage(format!(
                 "unit `{}` chooses no formats that a name could set: those of a netlist's file stand in it",
                 self.unit.name
             )));
         }
-        values.overrides = Overrides::new(&plain.netlist, &named)?;
+        let of_tables: Vec<(&str, &str)> = schemes
+            .iter()
+            .map(|(key, _, scheme)| (key.strip_prefix(SCHEME).unwrap_or_default(), scheme.name()))
+            .collect();
+        let overrides = Overrides::new(&plain.netlist, &named)?;
+        values.overrides = overrides.with_schemes(&plain.netlist, &of_tables)?;
         values.formats = formats;
+        values.schemes = schemes;
         let design = values.design_of_recipe()?;
         let met = |name: &str| {
             design.netlist.choices().iter().any(|choice| choice.overridden && choice.name == name)
@@ -605,7 +639,7 @@ impl Values {
             )));
         }
         Ok(design.bounds(Bounds::unstated(
-            "formats of nodes are not the unit's own, and its bounds are for those",
+            "formats of nodes or schemes of tables are not the unit's own, and its bounds are for those",
         )))
     }
 

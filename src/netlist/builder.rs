@@ -1,6 +1,6 @@
 //! Growing a netlist, step by checked step.
 
-use super::choices::{Asked, Overrides, Place};
+use super::choices::{Asked, Overrides, Place, SchemeChoice};
 use super::id::Owner;
 use super::{
     Meaning, Memory, Netlist, Node, NodeId, Output, Part, Quantity, Rate, Scope, ScopeId, Table,
@@ -31,6 +31,7 @@ pub struct Builder {
     /// How many `narrow`s were asked for in each scope.
     narrows: BTreeMap<ScopeId, u32>,
     asked: Vec<Asked>,
+    schemes: Vec<SchemeChoice>,
     error: OnceCell<Error>,
 }
 
@@ -57,6 +58,7 @@ impl Builder {
                 outputs: Vec::new(),
                 reals: Graph::default(),
                 choices: Vec::new(),
+                schemes: Vec::new(),
             },
             owner: Owner::builder(),
             known: HashMap::new(),
@@ -64,6 +66,7 @@ impl Builder {
             overrides: overrides.clone(),
             narrows: BTreeMap::new(),
             asked: Vec::new(),
+            schemes: Vec::new(),
             error: OnceCell::new(),
         };
         builder.check_name("netlist", name);
@@ -512,6 +515,22 @@ impl Builder {
         format
     }
 
+    /// The name of a table's scheme: the recipe's, or what the table's name is [overridden](Overrides) with. Whoever makes
+    /// a table by a scheme asks here first.
+    pub fn table_scheme(&mut self, table: &str, scheme: &str) -> String {
+        let given = self.overrides.scheme(table);
+        let choice = SchemeChoice {
+            table: table.to_owned(),
+            scheme: given.unwrap_or(scheme).to_owned(),
+            overridden: given.is_some(),
+        };
+        let scheme = choice.scheme.clone();
+        if !self.schemes.contains(&choice) {
+            self.schemes.push(choice);
+        }
+        scheme
+    }
+
     /// The constant word `raw`.
     #[track_caller]
     pub fn constant(&mut self, raw: i64, format: Format) -> NodeId {
@@ -734,6 +753,7 @@ impl Builder {
             outputs: Vec::new(),
             reals: Graph::default(),
             choices: Vec::new(),
+            schemes: self.schemes,
         };
         // Ports have their names first: whatever else is called so gets a number.
         let mut names: BTreeSet<(ScopeId, String)> = BTreeSet::new();
@@ -802,6 +822,11 @@ impl Builder {
         if let Some(node) = self.overrides.unasked(&self.asked) {
             self.fail(Error::usage(format!(
                 "with these formats, `{name}` has no node `{node}`: leave its format out"
+            )));
+        }
+        if let Some(table) = self.overrides.unasked_scheme(&self.schemes) {
+            self.fail(Error::usage(format!(
+                "with these formats and schemes, `{name}` has no table `{table}`: leave its scheme out"
             )));
         }
         let live = live(&self.netlist);

@@ -1,4 +1,4 @@
-//! The formats that a recipe chooses, and others in their place.
+//! The formats and table schemes that a recipe chooses, and others in their place.
 
 use super::{Netlist, NodeId};
 use crate::base::error::{Error, Result};
@@ -79,6 +79,19 @@ pub struct Choice {
 #[derive(Clone, Debug, Default)]
 pub struct Overrides {
     at: BTreeMap<Place, (Format, String)>,
+    /// Schemes by the names of tables.
+    schemes: BTreeMap<String, String>,
+}
+
+/// A table whose scheme its recipe chose.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct SchemeChoice {
+    /// Its name.
+    pub table: String,
+    /// Name of its scheme.
+    pub scheme: String,
+    /// True if that is not the recipe's but was given by the table's name.
+    pub overridden: bool,
 }
 
 impl Overrides {
@@ -103,7 +116,27 @@ impl Overrides {
                 }
             }
         }
-        Ok(Self { at })
+        Ok(Self { at, schemes: BTreeMap::new() })
+    }
+
+    /// The same with schemes for tables in place of the recipe's.
+    ///
+    /// # Errors
+    /// If the netlist has no such table.
+    pub fn with_schemes(mut self, plain: &Netlist, schemes: &[(&str, &str)]) -> Result<Self> {
+        for (table, scheme) in schemes {
+            if plain.schemes.iter().all(|choice| choice.table != *table) {
+                let known: Vec<&str> = plain.schemes.iter().map(|c| &c.table[..]).collect();
+                return Err(Error::unknown_table(&plain.name, table, &known));
+            }
+            self.schemes.insert((*table).to_owned(), (*scheme).to_owned());
+        }
+        Ok(self)
+    }
+
+    /// The scheme of a table, if it is not the recipe's.
+    pub(super) fn scheme(&self, table: &str) -> Option<&str> {
+        self.schemes.get(table).map(String::as_str)
     }
 
     /// The format at a place, with the node's name if it is not the recipe's.
@@ -119,6 +152,12 @@ impl Overrides {
         let met: BTreeSet<&str> = asked.iter().filter_map(|asked| asked.given.as_deref()).collect();
         self.at.values().map(|(_, name)| &name[..]).find(|name| !met.contains(name))
     }
+
+    /// A table that the recipe didn't ask the scheme of.
+    pub(super) fn unasked_scheme(&self, asked: &[SchemeChoice]) -> Option<&str> {
+        let met = |table: &str| asked.iter().any(|choice| choice.table == table);
+        self.schemes.keys().map(String::as_str).find(|table| !met(table))
+    }
 }
 
 impl Netlist {
@@ -126,6 +165,12 @@ impl Netlist {
     #[must_use]
     pub fn choices(&self) -> &[Choice] {
         &self.choices
+    }
+
+    /// The tables whose schemes the recipe chose, in the order in which it did.
+    #[must_use]
+    pub fn schemes(&self) -> &[SchemeChoice] {
+        &self.schemes
     }
 
     /// The name by which a node's format can be [overridden](Overrides); a node whose format follows from its operands' has

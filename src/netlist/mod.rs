@@ -40,7 +40,7 @@ mod wire;
 pub(crate) mod words;
 
 pub use builder::Builder;
-pub use choices::{Choice, Overrides, with_formats};
+pub use choices::{Choice, Overrides, SchemeChoice, with_formats};
 pub(crate) use counts::is_zero;
 pub use counts::{Counts, Operators, RAM_PORTS};
 pub use id::{NodeId, ScopeId, TableId};
@@ -162,6 +162,7 @@ pub struct Netlist {
     outputs: Vec<Output>,
     reals: Graph,
     choices: Vec<Choice>,
+    schemes: Vec<SchemeChoice>,
 }
 
 /// Netlists are equal that are the same datapath: which formats a recipe [chose](Netlist::choices) and what is

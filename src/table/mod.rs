@@ -91,6 +91,18 @@ impl Tabulated {
     }
 }
 
+/// The scheme of a table: the recipe's, or what the table's name is [overridden](crate::netlist::Overrides) with.
+pub fn chosen(b: &mut Builder, table: &str, scheme: Scheme) -> Scheme {
+    let name = b.table_scheme(table, scheme.name());
+    let known = Scheme::ALL.iter().copied().find(|known| known.name() == name);
+    known.unwrap_or_else(|| {
+        let names: Vec<&str> = Scheme::ALL.iter().map(|scheme| scheme.name()).collect();
+        let names = names.join(", ");
+        b.fail(Error::usage(format!("table `{table}`: `{name}` is no scheme: legal are {names}")));
+        scheme
+    })
+}
+
 /// Adds the tables and logic that approximate `spec.functions` at `argument`.
 ///
 /// Returns one node of format `spec.output` per function, each of which stands on reals

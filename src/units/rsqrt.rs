@@ -11,8 +11,8 @@ use crate::netlist::{Builder, NodeId, Quantity};
 use crate::number::format::{Format, Overflow, Round};
 use crate::number::function::Function;
 use crate::number::trig::Real;
-use crate::table::Scheme;
 use crate::table::Tabulated;
+use crate::table::{self, Scheme};
 
 /// The unit.
 #[must_use]
@@ -102,7 +102,11 @@ impl<'a> Root<'a> {
         let tabulated = Tabulated {
             name: "recip_root".to_owned(),
             functions: vec![Function::recip_sqrt()],
-            scheme: if scheme == Scheme::Linear.name() { Scheme::Linear } else { Scheme::Direct },
+            scheme: {
+                let linear = scheme == Scheme::Linear.name();
+                let own = if linear { Scheme::Linear } else { Scheme::Direct };
+                table::chosen(b, "recip_root", own)
+            },
             addr_bits,
             quarter_wave: false,
             origin: 0.25,

@@ -3,6 +3,7 @@
 use fixpath::format::{Format, Overflow, Round};
 use fixpath::measure::{Basis, Inputs, Report, measure};
 use fixpath::netlist::{Builder, Quantity};
+use fixpath::table::Scheme;
 use fixpath::units::fragment::Port;
 use fixpath::units::{
     Bound, Bounds, Design, Draw, Golden, HardCase, Kind, Param, Reflection, Role, Sampler, Shading,
@@ -515,6 +516,52 @@ fn formats_of_nodes_are_taken_or_refused() {
     assert!(text.contains("has no node `sincos.narow`"), "{text}");
     let text = refused("format.phi=20");
     assert!(text.contains("parameter `format.phi` = `20`: legal is a format"), "{text}");
+}
+
+#[test]
+fn schemes_of_tables_are_taken_or_refused() {
+    let mut built = 0;
+    for unit in UNITS.iter() {
+        let plain = unit.defaults().build().unwrap();
+        for choice in plain.netlist.schemes() {
+            for scheme in Scheme::ALL {
+                let given = format!("scheme.{}={scheme}", choice.table);
+                let design = unit.values(&[&given]).unwrap().build().unwrap();
+                let found = design.netlist.schemes().iter().find(|c| c.table == choice.table);
+                let found = found.unwrap();
+                assert_eq!((&found.scheme[..], found.overridden), (scheme.name(), true), "{given}");
+                let table = design.tabulated.iter().find(|table| table.name == choice.table);
+                if let Some(table) = table {
+                    assert_eq!(table.scheme, *scheme, "{} {given}", unit.name);
+                }
+                if choice.scheme == scheme.name() {
+                    assert!(design.netlist == plain.netlist, "{} {given}", unit.name);
+                }
+                crate::engines::check(&design.netlist, 1, 20).unwrap();
+                built += 1;
+            }
+        }
+    }
+    assert!(built > 30, "{built}");
+    // Every table by its name is what the parameter says of all.
+    for scheme in ["linear", "bipartite"] {
+        let kim = Unit::find("kim").unwrap();
+        let all = ["sincos", "recip", "atan"].map(|table| format!("scheme.{table}={scheme}"));
+        let by_name = kim.values(&all).unwrap().build().unwrap();
+        let by_parameter = kim.values(&[format!("scheme={scheme}")]).unwrap().build().unwrap();
+        assert!(by_name.netlist == by_parameter.netlist, "{scheme}");
+    }
+    let refused = |set: &str| design_error("kim", set);
+    let text = refused("scheme.sincs=linear");
+    assert!(
+        text.contains("has no table `sincs` of a scheme of its own, did you mean `sincos`"),
+        "{text}"
+    );
+    let text = refused("scheme.sincos=lineer");
+    assert!(
+        text.contains("parameter `scheme.sincos` = `lineer`: legal is direct, linear, bipartite"),
+        "{text}"
+    );
 }
 
 fn design_error(unit: &str, set: &str) -> String {

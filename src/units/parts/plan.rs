@@ -171,7 +171,7 @@ impl<'a> Plan<'a> {
         let tabulated = Tabulated {
             name: name.to_owned(),
             functions: functions.to_vec(),
-            scheme: self.scheme,
+            scheme: table::chosen(b, name, self.scheme),
             addr_bits,
             quarter_wave: self.quarter_wave,
             origin,
