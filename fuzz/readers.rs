@@ -5,7 +5,7 @@ use fixpath::cli;
 use fixpath::cost;
 use fixpath::format::Format;
 use fixpath::measure::{Inputs, measure};
-use fixpath::netlist::Netlist;
+use fixpath::netlist::{Column, Netlist};
 use fixpath::report::{self, record::Record};
 use fixpath::samples::{AngleUnit, Block, SampleFile};
 use fixpath::scene::{Fragments, Scene};
@@ -14,7 +14,7 @@ use fixpath::texgen::Calls;
 use fixpath::units::{Design, Sampler, Unit};
 use std::fs;
 use std::path::Path;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 use tempfile::TempDir;
 
 /// A reader by its name, which is that of its target and of its folder of seeds.
@@ -61,6 +61,7 @@ pub(crate) fn netlist(bytes: &[u8]) {
     let written = netlist.to_file();
     let again = Netlist::parse(&written, path).expect("what is written is read");
     assert!(again == netlist, "{written}");
+    let Some(netlist) = bound(netlist) else { return };
     let words: Vec<i64> =
         netlist.inputs().iter().map(|id| netlist.node(*id).format.max_raw()).collect();
     let (nodes, _) = netlist.eval(&words).expect("words of the ports' formats");
@@ -70,6 +71,19 @@ pub(crate) fn netlist(bytes: &[u8]) {
     let Ok(design) = unit.defaults().build() else { return };
     let inputs = Inputs { sampler: Sampler::Sphere, samples: 10, seed: 1 };
     let _ = measure(&[&design], &inputs, &|_| ());
+}
+
+/// The netlist with some words for each memory, if they are small.
+fn bound(netlist: Netlist) -> Option<Netlist> {
+    let mut bound = netlist.clone();
+    for memory in netlist.memories() {
+        let rows = (memory.addr_bits <= 12).then_some(1i64 << memory.addr_bits)?;
+        let words =
+            |column: &Column| (0..rows).map(|row| column.format.wrap(row * 0x9e37)).collect();
+        let columns: Vec<Arc<[i64]>> = memory.columns.iter().map(words).collect();
+        bound = bound.bind(&memory.name, &columns).expect("words of their formats");
+    }
+    Some(bound)
 }
 
 /// A format: what is read is written as what is read the same.
