@@ -245,8 +245,7 @@ impl Schedule {
 
     /// Place among the rates of the ports; what is slower than all, as constants are, is with the slowest.
     fn place_of(&self, rate: Rate) -> usize {
-        let rates: Vec<Rate> = self.entries.iter().map(|entry| entry.rate).collect();
-        place_in(&rates, rate)
+        place_in(self.entries.iter().map(|entry| entry.rate), rate)
     }
 
     /// From a stage of a node on, the interval that its words go along with, until the stage given beside it: there a
@@ -302,12 +301,6 @@ impl Schedule {
     #[must_use]
     pub fn interval(&self) -> u32 {
         self.entries.last().map_or(1, |entry| entry.interval)
-    }
-
-    /// The interval of a node's rate.
-    #[must_use]
-    pub fn interval_of(&self, netlist: &Netlist, id: NodeId) -> u32 {
-        self.entries[self.place_of(netlist.node(id).rate)].interval
     }
 
     /// Number of phases: cycles from one sample of the slowest rate to the next.
@@ -449,14 +442,15 @@ fn clocks(netlist: &Netlist, rom: Rom, id: NodeId) -> u32 {
 }
 
 /// Place of a rate among those of the ports, from the slowest.
-fn place_in(rates: &[Rate], rate: Rate) -> usize {
-    rates.iter().position(|known| *known >= rate).unwrap_or(rates.len() - 1)
+fn place_in(mut rates: impl ExactSizeIterator<Item = Rate>, rate: Rate) -> usize {
+    let last = rates.len().saturating_sub(1);
+    rates.position(|known| known >= rate).unwrap_or(last)
 }
 
 /// Place of each node's rate among those of the ports.
 fn places(netlist: &Netlist) -> Vec<usize> {
     let rates = netlist.rates();
-    netlist.nodes().iter().map(|node| place_in(&rates, node.rate)).collect()
+    netlist.nodes().iter().map(|node| place_in(rates.iter().copied(), node.rate)).collect()
 }
 
 /// The rates of a netlist's ports, from the slowest, with the stages that they enter in, found one after the other.
