@@ -30,14 +30,14 @@ fn sigmoid() -> Unit {
         .param(Param::scheme("scheme").default(Scheme::Linear))
         .param(Param::rounding("rounding"))
         .design(|p| {
-            let mut b = Builder::new("sigmoid");
+            let mut b = p.builder("sigmoid");
             let format = Format::signed(p.bits("x_bits"), p.bits("x_bits").cast_signed() - 4)?;
             let x = b.input("x", format, Quantity::Number);
             let function = Function::new("sigmoid", |x| 1.0 / (1.0 + (x * -LOG2_E).exp2()));
             let table = Tabulated {
                 name: "sigmoid".to_owned(),
                 functions: vec![function],
-                scheme: p.scheme("scheme"),
+                scheme: table::chosen(&mut b, "sigmoid", p.scheme("scheme")),
                 addr_bits: p.bits("addr_bits"),
                 quarter_wave: false,
                 origin: 0.0,

@@ -7,7 +7,8 @@ use crate::base::{escape, input};
 use crate::netlist::{Column, Netlist, Table};
 use rand_core::{RngCore, SeedableRng};
 use rand_pcg::Pcg64Mcg;
-use std::path::Path;
+use std::collections::HashSet;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// The most bytes of a file of words.
@@ -18,7 +19,16 @@ const RANDOM_BITS: u64 = 1 << 28;
 /// Words of a memory from a file: a table in CSV with a heading for each column and a line of words for each address.
 #[derive(Clone, Debug)]
 pub(super) struct MemoryFile {
-    columns: Vec<(String, Arc<[i64]>)>,
+    path: PathBuf,
+    columns: Vec<FileColumn>,
+}
+
+#[derive(Clone, Debug, Default)]
+struct FileColumn {
+    name: String,
+    words: Vec<i64>,
+    /// The first field that is no word, and its line: an error where a memory takes the column.
+    wrong: Option<(u64, String)>,
 }
 
 impl MemoryFile {
@@ -29,56 +39,51 @@ impl MemoryFile {
             let line = error.position().map_or(1, csv::Position::line);
             Error::line(path, line, error.to_string())
         };
-        let names: Vec<String> =
-            reader.headers().map_err(malformed)?.iter().map(str::to_owned).collect();
-        if names.is_empty() {
+        let column = |name: &str| FileColumn { name: name.to_owned(), ..FileColumn::default() };
+        let mut columns: Vec<FileColumn> =
+            reader.headers().map_err(malformed)?.iter().map(column).collect();
+        if columns.is_empty() {
             let problem =
                 "it is empty: a line of headings comes first, then one of words for each address";
             return Err(Error::file(path, problem.to_owned()));
         }
-        if let Some((_, twice)) =
-            names.iter().enumerate().find(|(at, name)| names[..*at].contains(name))
-        {
-            return Err(Error::line(
-                path,
-                1,
-                format!("two columns are called `{}`", escape::short(twice)),
-            ));
+        let mut known = HashSet::new();
+        if let Some(twice) = columns.iter().find(|column| !known.insert(&column.name)) {
+            let problem = format!("two columns are called `{}`", escape::short(&twice.name));
+            return Err(Error::line(path, 1, problem));
         }
-        let mut columns: Vec<Vec<i64>> = vec![Vec::new(); names.len()];
         let mut record = csv::StringRecord::new();
         while reader.read_record(&mut record).map_err(malformed)? {
             let line = record.position().map_or(1, csv::Position::line);
-            for ((name, column), field) in names.iter().zip(&mut columns).zip(&record) {
-                let word = field.parse().map_err(|_| {
-                    let field = escape::short(field);
-                    Error::csv(
-                        path,
-                        line,
-                        Some(name),
-                        format!("`{field}` is no word: it is a whole number"),
-                    )
-                })?;
-                column.push(word);
+            for (column, field) in columns.iter_mut().zip(&record) {
+                match field.parse() {
+                    Ok(word) => column.words.push(word),
+                    Err(_) if column.wrong.is_some() => {}
+                    Err(_) => column.wrong = Some((line, field.to_owned())),
+                }
             }
         }
-        let columns = columns.into_iter().map(Arc::from);
-        Ok(Self { columns: names.into_iter().zip(columns).collect() })
+        Ok(Self { path: path.to_owned(), columns })
     }
 
-    /// Its words in the order of a memory's columns.
+    /// Its words in the order of a memory's columns. Columns that the memory lacks may hold anything.
     fn words(&self, memory: &Table) -> Result<Vec<Arc<[i64]>>> {
-        let of = |column: &Column| {
-            let known = self.columns.iter().find(|(name, _)| *name == column.name);
-            known.map(|(_, words)| Arc::clone(words)).ok_or_else(|| {
-                let names: Vec<&str> = self.columns.iter().map(|(name, _)| &name[..]).collect();
-                Error::usage(format!(
+        let of = |wanted: &Column| {
+            let Some(column) = self.columns.iter().find(|column| column.name == wanted.name) else {
+                let names: Vec<&str> = self.columns.iter().map(|column| &column.name[..]).collect();
+                return Err(Error::usage(format!(
                     "memory `{}`: its file has no column `{}`: there are {}",
                     memory.name,
-                    column.name,
+                    wanted.name,
                     names.join(", ")
-                ))
-            })
+                )));
+            };
+            if let Some((line, field)) = &column.wrong {
+                let problem =
+                    format!("`{}` is no word: it is a whole number", escape::short(field));
+                return Err(Error::csv(&self.path, *line, Some(&column.name), problem));
+            }
+            Ok(Arc::from(&column.words[..]))
         };
         memory.columns.iter().map(of).collect()
     }

@@ -223,6 +223,22 @@ impl Unit {
         }
     }
 
+    /// A value for an axis of a sweep: one that [`Values::set`] takes, but for memories, whose words are not a point's.
+    ///
+    /// # Errors
+    /// As [`Values::set`], or if it is a memory's.
+    pub(crate) fn value(&self, key: &str, text: &str) -> Result<Value> {
+        if key.starts_with(MEMORY) {
+            let key = escape::short(key);
+            return Err(Error::usage(format!("`{key}` can't be swept: set it with -p {key}=FILE")));
+        }
+        let mut values = self.defaults();
+        values.set(key, text)?;
+        let (_, value) =
+            values.iter().find(|(known, _)| *known == key).expect("bug: it was set just now");
+        Ok(value.clone())
+    }
+
     /// The defaults with some `key=value` assignments.
     ///
     /// # Errors
@@ -536,6 +552,16 @@ impl Values {
         self.read(name, "a table scheme", of).unwrap_or(Scheme::Direct)
     }
 
+    /// The scheme of a table: the one set by its name, else that of a parameter.
+    ///
+    /// # Panics
+    /// As [`Values::get`], or if the parameter is none.
+    pub(crate) fn scheme_of(&self, table: &str, name: &str) -> Scheme {
+        let own = self.scheme(name);
+        let is_of = |key: &str| key.strip_prefix(SCHEME) == Some(table);
+        self.schemes.iter().find(|(key, ..)| is_of(key)).map_or(own, |(.., scheme)| *scheme)
+    }
+
     /// A rounding.
     ///
     /// # Panics
@@ -606,7 +632,7 @@ impl Values {
         }
         // The plain design knows its nodes by name; with their places the recipe is run again.
         let mut values = self.clone();
-        let formats: Vec<(String, Value, Format)> = std::mem::take(&mut values.formats);
+        let formats = std::mem::take(&mut values.formats);
         let schemes = std::mem::take(&mut values.schemes);
         let plain = values.design_of_recipe()?;
         let of = |(key, _, format): &(String, Value, Format)| {
@@ -626,15 +652,23 @@ impl Values {
         let overrides = Overrides::new(&plain.netlist, &named)?;
         values.overrides = overrides.with_schemes(&plain.netlist, &of_tables)?;
         values.formats = formats;
-        values.schemes = schemes;
+        values.schemes.clone_from(&self.schemes);
         let design = values.design_of_recipe()?;
         let met = |name: &str| {
             design.netlist.choices().iter().any(|choice| choice.overridden && choice.name == name)
         };
-        if let Some((name, _)) = named.iter().find(|(name, _)| !met(name)) {
+        let has_scheme = |table: &str| {
+            design.netlist.schemes().iter().any(|choice| choice.overridden && choice.table == table)
+        };
+        let unmet = named.iter().find(|(name, _)| !met(name));
+        let unmet = unmet.map(|(name, _)| format!("format for node `{name}`")).or_else(|| {
+            let (table, _) = of_tables.iter().find(|(table, _)| !has_scheme(table))?;
+            Some(format!("scheme for table `{table}`"))
+        });
+        if let Some(what) = unmet {
             return Err(Error::usage(format!(
-                "unit `{}` takes no format for node `{name}`: its recipe starts with a builder of its own and not with \
-                 that of its parameters",
+                "unit `{}` takes no {what}: its recipe starts with a builder of its own and not with that of its \
+                 parameters",
                 self.unit.name
             )));
         }

@@ -1,7 +1,8 @@
 //! Clock cycles of the hardware, flat or shared.
 //!
 //! In each cycle [`Cycle::settle`] lets logic follow the inputs and registers, and
-//! [`Cycle::clock`] takes the rising edge. Inputs are taken in phase 0 only ([`Cycle::ready`]).
+//! [`Cycle::clock`] takes the rising edge. Inputs of a rate are taken in the phases of its interval
+//! ([`Cycle::ready_of`]).
 //! Registers are unknown until the first data reaches them; only the valid bits and the phase
 //! counter have a reset, as in the emitted hardware. Units are flat pipelines inside, so they are
 //! simulated by this same type.
@@ -183,11 +184,7 @@ impl Program {
     /// `inside` are the units' own.
     fn new(rtl: Arc<Rtl>, inside: &[Arc<Self>]) -> Self {
         let (netlist, schedule) = (rtl.netlist(), rtl.schedule());
-        let rates = netlist.rates();
-        let place = |id: NodeId| {
-            let own = netlist.node(id).rate;
-            rates.iter().position(|rate| *rate >= own).unwrap_or(rates.len() - 1)
-        };
+        let place = |id: NodeId| schedule.place_of(netlist.node(id).rate);
         let (mut own, mut start) = (Vec::new(), Vec::new());
         for id in netlist.ids() {
             own.push(start.len());
@@ -212,7 +209,8 @@ impl Program {
             let registers: Vec<Signal> = rtl.registers(id).collect();
             for (number, register) in registers.into_iter().enumerate().rev() {
                 let (to, from) = (own + number + 1, own + number);
-                let when = rtl.holds(register).map(|_| (place(id), register.stage - 1));
+                let when =
+                    rtl.holds(register).map(|rate| (schedule.place_of(rate), register.stage - 1));
                 for phase in rtl.load_phases(register) {
                     program.moves[cast::index_of_u32(phase)].push(Move { to, from, when });
                 }

@@ -27,8 +27,9 @@
 //!   low bits dropped and cut to the node's format. It is used by hold registers only.
 //! * **Delays** hold the words of earlier samples in registers that a reset clears. They load at the edge that ends the
 //!   stage of the node, when its sample is data: [`Rtl::is_state`].
-//! * **Rates.** The words of a slow rate are held where the next faster rate enters: the register of
-//!   [`Rtl::holds`] loads only when its sample is data. Each rate has valid bits of its own.
+//! * **Rates.** Where a faster rate enters, all slower words are held for it: their registers load only when a sample
+//!   of the rate just before is data ([`Rtl::holds`]). So an object counts for the faces that come after it, and for
+//!   their pixels, and not for those of the face before. Each rate has valid bits of its own.
 //! * **Memories** are outside, and stand still with the pipeline: a read's word is there so many cycles after its address.
 //! * **Valid.** Bit k of a rate's valid bits loads at the edges at which its inputs are taken, bit 0 from
 //!   `valid_in`, the others from the bit before. Stage s > 0 after its entry holds data where bit (s - 1) / I is
@@ -58,6 +59,8 @@ pub struct Rtl {
     schedule: Schedule,
     /// Last stage in which a node's word is needed.
     last: Vec<u32>,
+    /// Nodes that no port reaches.
+    fixed: Vec<bool>,
     units: Vec<Instance>,
     /// Unit and output that give the word of a node.
     results: Vec<Option<UnitOutput>>,
@@ -164,7 +167,7 @@ pub struct HardwareCounts {
 /// What happens to an operation in a cycle of its sample.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Event {
-    /// Stage: the cycle counted from the sample's entry.
+    /// Stage: the cycle counted from the entry of the slowest rate.
     pub stage: u32,
     /// Position of the unit in [`Rtl::units`].
     pub unit: usize,
@@ -215,11 +218,17 @@ impl Rtl {
                 last[id.index()] = schedule.stage(id);
             }
         }
+        let mut fixed: Vec<bool> = Vec::with_capacity(last.len());
+        for node in netlist.nodes() {
+            let moves = matches!(node.op, Op::Input | Op::Delay { .. });
+            fixed.push(!moves && node.operands.iter().all(|operand| fixed[operand.index()]));
+        }
         let mut rtl = Self {
             results: vec![None; netlist.nodes().len()],
             netlist,
             schedule,
             last,
+            fixed,
             units: Vec::new(),
         };
         rtl.units = rtl.schedule.units().iter().map(|unit| rtl.instance(unit)).collect();
@@ -345,18 +354,12 @@ impl Rtl {
         until.map_or(stage + interval, |until| until.min(stage + interval))
     }
 
-    /// The rate whose words a hold register keeps for faster ones: it loads when that rate's sample is data.
+    /// The rate whose samples a hold register waits for, where a faster rate enters: it loads when they are data. What
+    /// no port reaches waits for none.
     #[must_use]
     pub fn holds(&self, register: Signal) -> Option<Rate> {
-        let stage = self.schedule.hold(&self.netlist, register.node)?;
-        (register.stage == stage).then(|| self.rate(register.node))
-    }
-
-    /// The rate of a node among those of the ports.
-    fn rate(&self, node: NodeId) -> Rate {
-        let rates = self.netlist.rates();
-        let own = self.netlist.node(node).rate;
-        *rates.iter().find(|rate| **rate >= own).unwrap_or(&rates[rates.len() - 1])
+        let waits = !self.fixed[register.node.index()];
+        waits.then(|| self.schedule.hold(&self.netlist, register.node, register.stage))?
     }
 
     /// True for a delay, whose word in its own stage is a register.

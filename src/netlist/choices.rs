@@ -122,14 +122,16 @@ impl Overrides {
     /// The same with schemes for tables in place of the recipe's.
     ///
     /// # Errors
-    /// If the netlist has no such table.
+    /// If a name is given twice, or the netlist has no such table.
     pub fn with_schemes(mut self, plain: &Netlist, schemes: &[(&str, &str)]) -> Result<Self> {
         for (table, scheme) in schemes {
             if plain.schemes.iter().all(|choice| choice.table != *table) {
                 let known: Vec<&str> = plain.schemes.iter().map(|c| &c.table[..]).collect();
                 return Err(Error::unknown_table(&plain.name, table, &known));
             }
-            self.schemes.insert((*table).to_owned(), (*scheme).to_owned());
+            if self.schemes.insert((*table).to_owned(), (*scheme).to_owned()).is_some() {
+                return Err(Error::usage(format!("the scheme of table `{table}` is given twice")));
+            }
         }
         Ok(self)
     }

@@ -1,7 +1,7 @@
 //! When each node computes, and where: a map from nodes to cycles and, for shared operations,
 //! to units.
 //!
-//! A *stage* is a cycle counted from the sample's entry: stage 0 works on the input ports;
+//! A *stage* is a cycle counted from the sample's entry: stage 0 works on the input ports (of the slowest rate);
 //! output ports are registers at the stage that is the *latency*. (Printed schedules count from
 //! 1.) A new sample may enter every *interval* cycles. Flat pipelining is the interval of 1 with
 //! nothing shared: between stage s and s + 1 there is a register. A schedule never edits the
@@ -13,8 +13,8 @@
 //!
 //! Ports may take words at several [rates](Rate). Stages are counted from the entry of the slowest. What is of a slow rate is
 //! computed first and held where the next faster rate enters ([`Schedule::entry`], [`Schedule::hold`]); from there its words go
-//! along with each faster sample like those of a port. So the words of a slow rate count for all samples of the faster one that
-//! come [`Timing::latency`] cycles later and after, until the next ones are held. Each rate has an interval of its own, a
+//! along with each faster sample like those of a port. So the words of a slow rate count for all samples of the next faster one
+//! that come [`Timing::latency`] cycles later and after, until the next ones are held, and with those for samples faster still. Each rate has an interval of its own, a
 //! multiple of that of the next faster one, so that operations of a slow rate share units over a longer time.
 //!
 //! # Sharing
@@ -236,15 +236,17 @@ impl Schedule {
         self.entries[self.place_of(rate)].stage
     }
 
-    /// Stage from which on a node's word is held for a faster rate, where the ports have one.
+    /// The rate whose samples a node's word waits for in the register that begins in a stage: there a faster rate enters,
+    /// and the word counts for its samples when those of the rate before are data. `None` in other stages.
     #[must_use]
-    pub fn hold(&self, netlist: &Netlist, id: NodeId) -> Option<u32> {
-        let place = self.place_of(netlist.node(id).rate);
-        self.entries.get(place + 1).map(|entry| entry.stage)
+    pub fn hold(&self, netlist: &Netlist, id: NodeId, stage: u32) -> Option<Rate> {
+        let own = self.place_of(netlist.node(id).rate);
+        let mut pairs = self.entries[own..].windows(2);
+        pairs.find(|pair| pair[1].stage == stage).map(|pair| pair[0].rate)
     }
 
     /// Place among the rates of the ports; what is slower than all, as constants are, is with the slowest.
-    fn place_of(&self, rate: Rate) -> usize {
+    pub(crate) fn place_of(&self, rate: Rate) -> usize {
         place_in(self.entries.iter().map(|entry| entry.rate), rate)
     }
 

@@ -84,7 +84,7 @@ pub struct Operation {
     /// Which operand of its node each of those is; an adder's first is the flag that tells sums
     /// from differences.
     pub sides: Vec<usize>,
-    /// The netlist's cycle in which it enters its unit, counted from its sample's entry.
+    /// The netlist's cycle in which it enters its unit, counted from the entry of the slowest rate.
     pub issue: u32,
 }
 

@@ -41,17 +41,18 @@ const GROUP_SAMPLES: u64 = 1 << 25;
 /// The most stored bits of the tables of a group: large tables are compiled into memory.
 const GROUP_ROM_BITS: u64 = 1 << 28;
 
-/// A parameter and the values that it takes in a sweep.
+/// A parameter, the format of a node or the scheme of a table, and the values that it takes in a sweep.
 #[derive(Clone, Debug)]
 pub struct Axis {
     unit: Unit,
-    param: Param,
+    key: String,
     values: Vec<Value>,
 }
 
 impl Axis {
     /// Reads `key=v,v,…`, where each `v` is a value or a range `a..b` or `a..b:step` that
-    /// includes `b` if the steps meet it.
+    /// includes `b` if the steps meet it. Formats of nodes and schemes of tables have the keys that [`Values::set`] takes;
+    /// a point whose datapath has no such node or table fails.
     ///
     /// # Errors
     /// If the unit has no such parameter, a value is not legal or comes twice, there is none, or
@@ -61,10 +62,6 @@ impl Axis {
             .split_once('=')
             .ok_or_else(|| Error::form(text, "key=v,v,… or key=a..b or key=a..b:step"))?;
         let key = key.trim();
-        let param = unit.find_param(key).ok_or_else(|| {
-            let names = unit.all_params().map(|param| param.name.as_str());
-            Error::unknown_parameter(&unit.name, key, names)
-        })?;
         let mut values = Vec::new();
         for item in list.split(',').map(str::trim) {
             if item.is_empty() {
@@ -73,8 +70,8 @@ impl Axis {
                 )));
             }
             match item.split_once("..") {
-                Some((from, rest)) => values.extend(range(param, item, from, rest)?),
-                None => values.push(param.parse(item)?),
+                Some((from, rest)) => values.extend(range(unit, key, item, from, rest)?),
+                None => values.push(unit.value(key, item)?),
             }
             if values.len() > MAX_POINTS {
                 return Err(too_many(&format!("axis `{text}` has more than {MAX_POINTS} values")));
@@ -86,14 +83,14 @@ impl Axis {
             Some(pair) => {
                 Err(Error::usage(format!("axis `{text}` has the value {} twice", pair[0])))
             }
-            None => Ok(Self { unit: unit.clone(), param: param.clone(), values }),
+            None => Ok(Self { unit: unit.clone(), key: key.to_owned(), values }),
         }
     }
 
-    /// Name of the parameter.
+    /// Name of the parameter, or key of the format or scheme.
     #[must_use]
     pub fn key(&self) -> &str {
-        &self.param.name
+        &self.key
     }
 
     /// Its values in the order given.
@@ -104,29 +101,29 @@ impl Axis {
 }
 
 /// Values of a range; `rest` is what follows the dots.
-fn range(param: &Param, item: &str, from: &str, rest: &str) -> Result<Vec<Value>> {
+fn range(unit: &Unit, key: &str, item: &str, from: &str, rest: &str) -> Result<Vec<Value>> {
     let (to, step) = match rest.split_once(':') {
         Some((to, step)) => (to, Some(step)),
         None => (rest, None),
     };
-    let numbers = || Error::usage(format!("`{item}`: a range of `{}` needs numbers", param.name));
-    match param.kind {
-        Kind::Int { .. } => {}
-        Kind::Real { .. } => {
-            return Err(Error::usage(format!(
-                "`{item}`: `{}` has fractions and no ranges: write {}=v,v,…",
-                param.name, param.name
-            )));
+    let refused = |why: &str| Error::usage(format!("`{item}`: {why}: write {key}=v,v,…"));
+    let numbers = || Error::usage(format!("`{item}`: a range of `{key}` needs numbers"));
+    match unit.find_param(key).map(|param| &param.kind) {
+        Some(Kind::Int { .. }) => {}
+        Some(Kind::Real { .. }) => {
+            return Err(refused(&format!("`{key}` has fractions and no ranges")));
         }
-        Kind::Choice(_) => {
-            return Err(Error::usage(format!(
-                "`{item}`: `{}` is a name and has no ranges: write {}=v,v,…",
-                param.name, param.name
-            )));
+        Some(Kind::Choice(_)) => {
+            return Err(refused(&format!("`{key}` is a name and has no ranges")));
+        }
+        // A format or a scheme, or an unknown key: its value says so.
+        None => {
+            unit.value(key, from.trim())?;
+            return Err(refused(&format!("`{key}` has no ranges")));
         }
     }
-    let Value::Int(from) = param.parse(from.trim())? else { return Err(numbers()) };
-    let Value::Int(to) = param.parse(to.trim())? else { return Err(numbers()) };
+    let Value::Int(from) = unit.value(key, from.trim())? else { return Err(numbers()) };
+    let Value::Int(to) = unit.value(key, to.trim())? else { return Err(numbers()) };
     if from > to {
         return Err(Error::usage(format!("range `{item}` runs backwards: write {to}..{from}")));
     }

@@ -97,6 +97,13 @@ fn axis_errors() {
         ("frac_bits=8..9:0", "range `8..9:0` has the step `0`: a step is a whole number from 1"),
         ("frac_bits=8..9:-1", "range `8..9:-1` has the step `-1`: a step is a whole number from 1"),
         ("frac_bits=8..9:", "range `8..9:` has the step ``: a step is a whole number from 1"),
+        ("format.x=16", "parameter `format.x` = `16`: legal is a format, such as s20f18 or u12f12"),
+        ("format.x=s8f6..s9f6", "`s8f6..s9f6`: `format.x` has no ranges: write format.x=v,v,…"),
+        (
+            "scheme.sincos=lin",
+            "parameter `scheme.sincos` = `lin`: legal is direct, linear, bipartite",
+        ),
+        ("memory.map=a.csv", "`memory.map` can't be swept: set it with -p memory.map=FILE"),
         (
             "period_ps=100..100100",
             "axis `period_ps=100..100100` has more than 100000 values: a sweep has at most 100000 points; take fewer values or a larger step",
@@ -247,22 +254,49 @@ fn malformed_json_is_refused() {
 #[test]
 fn a_group_gives_what_a_point_gives_alone() {
     for sampler in [Sampler::Lit, Sampler::Hard, Sampler::Exhaustive] {
-        let folder = tempfile::tempdir().unwrap();
         let axes = ["angle_bits=3,4", "variant=exact,corrected", "table_addr_bits=3,4"];
-        let inputs = Inputs { sampler, ..FEW };
-        let sweep = sweep(&[], &axes, inputs);
-        let record = run(&sweep, folder.path()).unwrap();
-        assert_eq!(record.points.len(), 8);
-        for (index, point) in record.points.iter().enumerate() {
-            let design = sweep.point(index).build().unwrap();
-            let alone = measure::measure(&[&design], &inputs, &|_| ()).unwrap().remove(0);
-            let alone = Measured::new(&design, alone);
-            let shared = point.measured.as_ref().unwrap();
-            assert_eq!(shared.samples, alone.samples);
-            assert_eq!(shared.figures, alone.figures, "{sampler:?} {:?}", point.parameters);
-            assert_eq!(shared.overflows, alone.overflows);
-        }
+        check_alone(&sweep(&[], &axes, Inputs { sampler, ..FEW }), Inputs { sampler, ..FEW });
     }
+}
+
+#[test]
+fn formats_and_schemes_are_axes() {
+    let axes = ["format.x=s18f16,s8f6", "scheme.sincos=direct,linear"];
+    let record = check_alone(&sweep(&["table_addr_bits=6"], &axes, FEW), FEW);
+    let max = |index: usize| {
+        let figures = &record.points[index].measured.as_ref().unwrap().figures;
+        let is_x = |of: &&record::Figures| of.quantity == "x" && of.basis == Basis::Arithmetic;
+        figures.iter().find(is_x).unwrap().max.0
+    };
+    // Six fraction bits lose up to 2^-7, more than tables of slopes do and less than tables of 64 words.
+    let [direct, fine, _, coarse] = [0, 1, 2, 3].map(max);
+    assert!(fine < 2f64.powi(-8) && coarse > 2f64.powi(-8), "{fine} {coarse}");
+    assert!(direct > 2f64.powi(-6), "{direct}");
+    let keys: Vec<&str> = record.header.axes.iter().map(|axis| &axis.key[..]).collect();
+    assert_eq!(keys, ["format.x", "scheme.sincos"]);
+    assert_eq!(record.points[2].text("format.x"), "s8f6");
+
+    let folder = tempfile::tempdir().unwrap();
+    let unknown = run(&sweep(&[], &["format.xx=s8f6"], FEW), folder.path()).unwrap();
+    let why = unknown.points[0].error.as_ref().unwrap();
+    assert!(why.contains("did you mean `x`"), "{why}");
+}
+
+/// Runs a sweep whose points have the figures that each has alone.
+fn check_alone(sweep: &Sweep, inputs: Inputs) -> Record {
+    let folder = tempfile::tempdir().unwrap();
+    let record = run(sweep, folder.path()).unwrap();
+    assert_eq!(record.points.len(), sweep.points());
+    for (index, point) in record.points.iter().enumerate() {
+        let design = sweep.point(index).build().unwrap();
+        let alone = measure::measure(&[&design], &inputs, &|_| ()).unwrap().remove(0);
+        let alone = Measured::new(&design, alone);
+        let shared = point.measured.as_ref().unwrap();
+        assert_eq!(shared.samples, alone.samples);
+        assert_eq!(shared.figures, alone.figures, "{:?}", point.parameters);
+        assert_eq!(shared.overflows, alone.overflows);
+    }
+    record
 }
 
 #[test]

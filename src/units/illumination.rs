@@ -303,7 +303,7 @@ pub(super) fn table(
     let tabulated = Tabulated {
         name: name.to_owned(),
         functions: vec![function.clone()],
-        scheme: plan.values.scheme("light_scheme"),
+        scheme: table::chosen(b, name, plan.values.scheme("light_scheme")),
         addr_bits: plan.values.bits(size),
         quarter_wave: false,
         origin: 0.0,

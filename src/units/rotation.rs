@@ -329,7 +329,7 @@ fn atan_int_bits(values: &Values) -> u32 {
     let count = |bits: i64| u32::try_from(bits).expect("bug: counts of bits are small");
     let own = values.int("atan_addr_bits");
     let addr_bits = own.map_or_else(|| values.bits("table_addr_bits"), count);
-    let balanced = values.scheme("scheme").balanced_int_bits(addr_bits);
+    let balanced = values.scheme_of("atan", "scheme").balanced_int_bits(addr_bits);
     values.int("atan_int_bits").map_or(balanced.max(1), count)
 }
 

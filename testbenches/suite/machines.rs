@@ -43,35 +43,8 @@ fn some_rtl(netlist: &Arc<Netlist>, seed: u64) -> Option<Rtl> {
     Some(Rtl::new(Arc::clone(netlist), schedule))
 }
 
-/// What goes in when a sample may: words for all ports, and whether there is a sample. Slow words often stay, and change
-/// only where their rate takes words.
-struct Source<'a> {
-    netlist: &'a Netlist,
-    random: Random,
-    /// Interval of each port's rate, in samples.
-    spaces: Vec<u64>,
-    words: Vec<i64>,
-    next: u64,
-}
-
-impl Source<'_> {
-    fn next(&mut self) -> Option<Vec<i64>> {
-        let rates = self.netlist.rates();
-        for (port, id) in self.netlist.inputs().iter().enumerate() {
-            let node = self.netlist.node(*id);
-            let slower = rates.iter().filter(|rate| **rate > node.rate).count();
-            let may = self.next.is_multiple_of(self.spaces[port]);
-            if may && (slower == 0 || self.random.chance(60 >> slower)) {
-                self.words[port] = self.random.word(node.format);
-            }
-        }
-        self.next += 1;
-        self.random.chance(75).then(|| self.words.clone())
-    }
-}
-
-/// Feeds the cycle simulator as its schedule says, with gaps, and with words of slow rates only where they change; each
-/// valid result is the reference's.
+/// Feeds the cycle simulator as its schedule says, each rate when it likes; each valid result is the reference's. A sample
+/// goes with the last slower one that was there when it came, and with what that one goes with.
 fn check_cycles(netlist: &Netlist, rtl: Rtl, seed: u64) -> usize {
     const SLOTS: u64 = 80;
     let schedule = rtl.schedule().clone();
@@ -83,32 +56,35 @@ fn check_cycles(netlist: &Netlist, rtl: Rtl, seed: u64) -> usize {
         .iter()
         .map(|id| timings.iter().position(|t| t.rate == netlist.node(*id).rate).unwrap())
         .collect();
-    let spaces: Vec<u64> =
-        rate_of.iter().map(|rate| u64::from(timings[*rate].interval) / interval).collect();
-    let words = netlist.inputs().iter().map(|id| netlist.node(*id).format.min_raw()).collect();
-    let mut source = Source { netlist, random: Random::new(seed), spaces, words, next: 0 };
-    // By slot, one for each sample of the fastest rate: words, and which rates are data. A slow rate's are what the
-    // sample and those after it need, also where there is a gap.
-    let mut state = State::new(netlist);
+    let mut random = Random::new(seed);
+    // By slot, one for each sample of the fastest rate: the words that come, and which rates are data.
     let mut slots: Vec<(Vec<i64>, Vec<bool>)> = Vec::new();
+    // By rate: its last sample, with the words of slower rates that it goes with.
+    let mut samples: Vec<Vec<i64>> = vec![vec![0; rate_of.len()]; timings.len()];
+    let mut state = State::new(netlist);
     let mut expected: VecDeque<Option<Vec<i64>>> = VecDeque::new();
-    let mut last: Option<Vec<i64>> = None;
     for slot in 0..SLOTS {
-        let sample = source.next();
-        let words = source.words.clone();
-        let data = (0..timings.len()).map(|rate| {
-            let mut own = rate_of.iter().enumerate().filter(|(_, of)| **of <= rate);
-            let changed =
-                own.any(|(port, _)| last.as_ref().is_none_or(|last| last[port] != words[port]));
-            let takes = (slot * interval).is_multiple_of(timings[rate].interval.into());
-            takes && if rate + 1 == timings.len() { sample.is_some() } else { changed || slot == 0 }
-        });
-        slots.push((words.clone(), data.collect()));
-        expected.push_back(sample.as_ref().map(|sample| {
-            let (words, _) = netlist.eval_next(&mut state, sample).unwrap();
+        let words: Vec<i64> =
+            netlist.inputs().iter().map(|id| random.word(netlist.node(*id).format)).collect();
+        let mut data = Vec::new();
+        for (rate, timing) in timings.iter().enumerate() {
+            let faster = timings.len() - 1 - rate;
+            let may = (slot * interval).is_multiple_of(timing.interval.into());
+            data.push(may && (slot == 0 || random.chance(75 >> faster)));
+            if data[rate] {
+                let slower = rate.checked_sub(1).map(|slower| samples[slower].clone());
+                let goes_with = slower.unwrap_or_else(|| words.clone());
+                let own = |port: usize| rate_of[port] == rate;
+                samples[rate] = (0..words.len())
+                    .map(|port| if own(port) { words[port] } else { goes_with[port] })
+                    .collect();
+            }
+        }
+        expected.push_back(data[timings.len() - 1].then(|| {
+            let (words, _) = netlist.eval_next(&mut state, &samples[timings.len() - 1]).unwrap();
             netlist.outputs().iter().map(|output| words[output.node.index()]).collect()
         }));
-        last = Some(words);
+        slots.push((words, data));
     }
     let mut seen = 0;
     for at in 0..SLOTS * interval + latency {
@@ -123,7 +99,7 @@ fn check_cycles(netlist: &Netlist, rtl: Rtl, seed: u64) -> usize {
             .map(|(port, id)| match slot(rate_of[port]) {
                 Some((words, data)) if data[rate_of[port]] => words[port],
                 // Words that are no data are any.
-                Some(_) | None => source.random.word(netlist.node(*id).format),
+                Some(_) | None => random.word(netlist.node(*id).format),
             })
             .collect();
         // What isn't ready isn't taken.
@@ -558,7 +534,10 @@ fn memories_and_rates_on_the_command_line() {
     let folder = tempfile::tempdir().unwrap();
     let of = |name: &str, text: &str| written(folder.path(), name, text).display().to_string();
     let unit = of("fetch.netlist", FETCH);
-    let map = format!("memory.map={}", of("map.csv", "slope,height\n1,10\n-2,20\n3,-30\n-4,127\n"));
+    let map = format!(
+        "memory.map={}",
+        of("map.csv", "slope,note,height\n1,a,10\n-2,b,20\n3,,-30\n-4,,127\n")
+    );
     refused(
         &["sim", &unit],
         "no words are bound to memory `map`: bind them with -p memory.map=FILE.csv",
@@ -572,7 +551,7 @@ fn memories_and_rates_on_the_command_line() {
     bad("height,height\n1,1\n", "line 1: two columns are called `height`");
     bad("height\n1\n2\n3\n4\n", "its file has no column `slope`: there are height");
     bad("height,slope\n1,1\n2,2\n", "column `height` has 2 words and 4 rows");
-    bad("height,slope\n1,1\n2,x\n3,3\n4,4\n", "bad.csv, line 3, column `slope`: `x` is no word");
+    bad("height,slope\n1,1\n2,x\n3,y\n4,4\n", "bad.csv, line 3, column `slope`: `x` is no word");
     bad("height,slope\n1,1\n2\n3,3\n4,4\n", "line 3");
     bad("height,slope\n1,1\n2,2\n300,3\n4,4\n", "word 300 at address 2, outside s8f7");
     refused(&["sim", &unit, "-p", "memory.map=nothing.csv"], "nothing.csv: can't read");

@@ -1,9 +1,10 @@
 //! Parameters of all units together: what is refused, and whether its remedy is one.
 
 use fixpath::format::{Format, Overflow, Round};
+use fixpath::function::Function;
 use fixpath::measure::{Basis, Inputs, Report, measure};
 use fixpath::netlist::{Builder, Quantity};
-use fixpath::table::Scheme;
+use fixpath::table::{self, Scheme, Tabulated};
 use fixpath::units::fragment::Port;
 use fixpath::units::{
     Bound, Bounds, Design, Draw, Golden, HardCase, Kind, Param, Reflection, Role, Sampler, Shading,
@@ -550,6 +551,31 @@ fn schemes_of_tables_are_taken_or_refused() {
         let by_name = kim.values(&all).unwrap().build().unwrap();
         let by_parameter = kim.values(&[format!("scheme={scheme}")]).unwrap().build().unwrap();
         assert!(by_name.netlist == by_parameter.netlist, "{scheme}");
+        for variant in ["printed", "corrected", "exact"] {
+            let rotation = Unit::find("rotation").unwrap();
+            let build = |more: &[String]| {
+                let sets: Vec<String> =
+                    [format!("variant={variant}")].iter().chain(more).cloned().collect();
+                rotation.values(&sets).unwrap().build().unwrap()
+            };
+            let by_parameter = build(&[format!("scheme={scheme}")]);
+            let tables = by_parameter.netlist.schemes().iter();
+            let all: Vec<String> = tables.map(|c| format!("scheme.{}={scheme}", c.table)).collect();
+            let by_name = build(&all);
+            assert!(by_name.netlist == by_parameter.netlist, "{variant} {scheme}");
+            let joints = |design: &Design| format!("{:?}", design.hard);
+            assert_eq!(joints(&by_name), joints(&by_parameter), "{variant} {scheme}");
+        }
+        for unit in ["illumination", "bump", "kim", "ernst"].map(|name| Unit::find(name).unwrap()) {
+            let by_parameter = unit.values(&[format!("light_scheme={scheme}")]).unwrap();
+            let by_parameter = by_parameter.build().unwrap();
+            let tables = by_parameter.netlist.schemes().iter();
+            let light = tables.filter(|c| ["diffuse", "specular"].contains(&&c.table[..]));
+            let all: Vec<String> = light.map(|c| format!("scheme.{}={scheme}", c.table)).collect();
+            assert!(!all.is_empty());
+            let by_name = unit.values(&all).unwrap().build().unwrap();
+            assert!(by_name.netlist == by_parameter.netlist, "{} {all:?}", unit.name);
+        }
     }
     let refused = |set: &str| design_error("kim", set);
     let text = refused("scheme.sincs=linear");
@@ -562,6 +588,41 @@ fn schemes_of_tables_are_taken_or_refused() {
         text.contains("parameter `scheme.sincos` = `lineer`: legal is direct, linear, bipartite"),
         "{text}"
     );
+}
+
+/// A recipe that starts with a builder of its own can't know what was set by name, and says so.
+#[test]
+fn a_builder_of_its_own_takes_nothing_by_name() {
+    let own = |p: &Values, mut b: Builder| {
+        let format = Format::unsigned(8, 8)?;
+        let x = b.input("x", format, Quantity::Number);
+        let table = Tabulated {
+            name: "root".to_owned(),
+            functions: vec![Function::new("root", |x| x.sqrt())],
+            scheme: table::chosen(&mut b, "root", Scheme::Direct),
+            addr_bits: 4,
+            quarter_wave: false,
+            origin: 0.0,
+            output: Format::unsigned(9, 8)?,
+            round: Round::HalfEven,
+            argument: format,
+        };
+        let root = table::emit(&mut b, &table.spec(), x)[0];
+        let y = b.narrow(root, Format::unsigned(5, 4)?, Round::HalfEven, Overflow::Saturate);
+        b.name(y, "y");
+        b.output("y", y);
+        Ok(Design::new(p, b.build()?).golden(|_| Golden::each(|[x]: [f64; 1]| [x.sqrt()])))
+    };
+    let new = Unit::new("own", "").design(move |p| own(p, Builder::new("own")));
+    let given = Unit::new("own", "").design(move |p| own(p, p.builder("own")));
+    for (set, what) in [
+        ("scheme.root=linear", "scheme for table `root`"),
+        ("format.y=u4f3", "format for node `y`"),
+    ] {
+        let error = new.values(&[set]).unwrap().build().unwrap_err().to_string();
+        assert!(error.contains(&format!("unit `own` takes no {what}")), "{error}");
+        given.values(&[set]).unwrap().build().unwrap();
+    }
 }
 
 fn design_error(unit: &str, set: &str) -> String {

@@ -509,11 +509,21 @@ impl Module {
             ports.push(bit("ce", false, "the pipeline stands still without"));
         }
         ports.push(bit("valid_in", false, ""));
-        for SlowRate { rate, entry, valid, ready, .. } in &self.rates {
-            let later = cycles(self.entry - entry);
-            let comment = format!(
-                "words of rate {rate} are data: they count for those at valid_in {later} later"
+        for (place, SlowRate { rate, entry, valid, ready, .. }) in self.rates.iter().enumerate() {
+            let faster = &self.rates[place + 1..];
+            let (next, its_entry) =
+                faster.first().map_or(("valid_in", self.entry), |r| (&r.valid[..], r.entry));
+            let later = cycles(its_entry - entry);
+            let mut comment = format!(
+                "words of rate {rate} are data: they count from what comes at {next} {later} later on"
             );
+            if ready.is_none() {
+                let shared =
+                    faster.iter().find_map(|r| r.ready.as_ref().map(|(name, _)| &name[..]));
+                if let Some(port) = shared.or(self.ready.as_ref().map(|_| READY)) {
+                    comment.push_str(&format!("; taken with {port}"));
+                }
+            }
             ports.push(Port { name: valid, is_output: false, word: None, comment });
             if let Some((name, _)) = ready {
                 ports.push(bit(name, true, "they are taken at this edge"));
