@@ -494,7 +494,9 @@ impl<'a> Entries<'a> {
         });
         let ready = held.map(|id| stages[id.index()] + 1).max().unwrap_or(0);
         let interval = self.intervals[place];
-        let stage = ready.max(self.now()).next_multiple_of(interval);
+        // After the rate before: its valid bit says which slower words go with a sample.
+        let after = self.found.last().map_or(0, |entry| entry.stage + 1);
+        let stage = ready.max(after).next_multiple_of(interval);
         self.found.push(Entry { rate, stage, interval });
         Some(place)
     }

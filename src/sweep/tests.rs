@@ -277,9 +277,10 @@ fn formats_and_schemes_are_axes() {
     assert_eq!(record.points[2].text("format.x"), "s8f6");
 
     let folder = tempfile::tempdir().unwrap();
-    let unknown = run(&sweep(&[], &["format.xx=s8f6"], FEW), folder.path()).unwrap();
-    let why = unknown.points[0].error.as_ref().unwrap();
-    assert!(why.contains("did you mean `x`"), "{why}");
+    let unknown = run(&sweep(&[], &["format.xx=s8f6"], FEW), folder.path()).unwrap_err();
+    let why =
+        "netlist `rotation` has no node `xx` of a format of its own: there are sincos, x, y, z";
+    assert!(unknown.to_string().contains(why), "{unknown}");
 }
 
 /// Runs a sweep whose points have the figures that each has alone.
