@@ -336,7 +336,13 @@ impl Design {
         let read = all.filter(|(_, (_, read))| **read).map(|(at, (value, _))| (at, value.clone()));
         let ports: Vec<String> =
             InputPorts::new(&self.netlist).names().map(str::to_owned).collect();
-        (read.collect::<Vec<_>>(), self.golden_columns(), ports, self.values.memory_paths())
+        // Who reads all may have read what is set by name, too; words of memories are part of the netlist that is judged.
+        let reads_all = self.made.read.iter().all(|read| *read);
+        let named = self.values.named();
+        let named = named.filter(|(key, _)| reads_all || key.starts_with(unit::MEMORY));
+        let named: Vec<(String, Value)> =
+            named.map(|(key, value)| (key.to_owned(), value.clone())).collect();
+        (read.collect::<Vec<_>>(), self.golden_columns(), ports, named)
     }
 
     /// Whether what is drawn depends on the formats of the ports, too.

@@ -286,7 +286,7 @@ const FORMAT: &str = "format.";
 const SCHEME: &str = "scheme.";
 
 /// What keys of words of memories begin with: `memory.NAME=words.csv`.
-const MEMORY: &str = "memory.";
+pub(super) const MEMORY: &str = "memory.";
 
 /// What was read.
 #[derive(Debug)]
@@ -385,17 +385,12 @@ impl Values {
     }
 
     /// Formats of nodes, schemes of tables and words of memories that were set.
-    fn named(&self) -> impl Iterator<Item = (&str, &Value)> {
+    pub(super) fn named(&self) -> impl Iterator<Item = (&str, &Value)> {
         let formats = self.formats.iter().map(|(key, value, _)| (key.as_str(), value));
         let schemes = self.schemes.iter().map(|(key, value, _)| (key.as_str(), value));
         formats
             .chain(schemes)
             .chain(self.memories.iter().map(|(key, value, _)| (key.as_str(), value)))
-    }
-
-    /// Files that were set for memories.
-    pub(super) fn memory_paths(&self) -> Vec<(String, Value)> {
-        self.memories.iter().map(|(key, value, _)| (key.clone(), value.clone())).collect()
     }
 
     /// Words that were set for memories, by their names.

@@ -283,6 +283,28 @@ fn formats_and_schemes_are_axes() {
     assert!(unknown.to_string().contains(why), "{unknown}");
 }
 
+/// A golden model that reads formats by name isn't shared by points that differ in them.
+#[test]
+fn goldens_of_formats_are_not_shared() {
+    let unit = Unit::new("named", "").design(|values| {
+        let mut b = values.builder("named");
+        let input = b.input("a", Format::unsigned(8, 8)?, Quantity::Number);
+        let word = b.narrow(input, Format::unsigned(6, 6)?, Round::Floor, Overflow::Saturate);
+        b.name(word, "x");
+        b.output("x", word);
+        Ok(Design::new(values, b.build()?).golden(|values| {
+            let is_coarse =
+                values.iter().any(|(key, value)| key == "format.x" && value.to_string() == "u4f4");
+            let offset = if is_coarse { 0.5 } else { 0.0 };
+            Golden::each(move |[a]: [f64; 1]| [a + offset])
+        }))
+    });
+    let axis = Axis::parse("format.x=u5f5,u4f4", &unit).unwrap();
+    let record = check_alone(&Sweep::new(unit.defaults(), vec![axis], FEW).unwrap(), FEW);
+    let max = |index: usize| record.points[index].measured.as_ref().unwrap().figures[0].max.0;
+    assert!(max(0) < 0.1 && max(1) > 0.4, "{} {}", max(0), max(1));
+}
+
 /// Runs a sweep whose points have the figures that each has alone.
 fn check_alone(sweep: &Sweep, inputs: Inputs) -> Record {
     let folder = tempfile::tempdir().unwrap();
