@@ -1,4 +1,4 @@
-//! `fixpath compare`: Table 1 of seed 001, rebuilt.
+//! `fixpath compare`: Table 1 of Lee et al., rebuilt.
 
 use super::{number, text};
 use crate::base::cast;

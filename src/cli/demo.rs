@@ -25,7 +25,7 @@ const SAMPLES: u64 = 2_000_000;
 /// Samples behind each point of the sweep.
 const SWEEP_SAMPLES: u64 = 200_000;
 
-/// Settings that tell the story: the seed as printed, mended, and the exact unit at growing cost.
+/// Settings that tell the story: the paper as printed, mended, and the exact unit at growing cost.
 const SETTINGS: [(&str, &[&str]); 6] = [
     ("printed", &["variant=printed"]),
     ("corrected", &["variant=corrected"]),
@@ -35,7 +35,7 @@ const SETTINGS: [(&str, &[&str]); 6] = [
     ("exact_polar", &["variant=exact", "output=polar-table", "scheme=linear"]),
 ];
 
-/// The seed's scenes.
+/// The paper's scenes.
 const SCENES: [&str; 3] = ["plane", "cube", "sphere"];
 /// A scene for the emboss pipelines.
 const EMBOSSED: &str = "lettering-raised";
@@ -50,7 +50,7 @@ pub(super) fn run(out: &Path) -> Result<bool> {
     }
     let write = output::write_text;
     let mut story = String::from(
-        "# fixpath demo\n\nThe polar rotation unit of seed 001, over lit vectors uniform on the sphere. \
+        "# fixpath demo\n\nThe polar rotation unit of Lee et al., over lit vectors uniform on the sphere. \
          Errors are the angle between\nvectors against the golden of the quantised inputs; *algorithm* \
          is what the method does in exact arithmetic,\n*arithmetic* what words and tables add.\n\n\
          | setting | algorithm | arithmetic | total | multipliers | ROM bits | with a copy for every two ports |\n|---|---|---|---|---|---|---|\n",
@@ -116,7 +116,7 @@ pub(super) fn run(out: &Path) -> Result<bool> {
     run_sweep(&sweep, &out.join("sweep"), true, false)?;
 
     story.push_str(
-        "\n# Scenes\n\nThe seed's three pictures by whole bump mapping pipelines, and letters by emboss, against the float golden of each: the largest and the mean\n\
+        "\n# Scenes\n\nThe paper's three pictures by whole bump mapping pipelines, and letters by emboss, against the float golden of each: the largest and the mean\n\
          difference in linear light, in 1/255, and the part of covered\n\
          pixels that differ in 8 bits; means are over covered pixels, those that see an object.\n\n\
          | scene | pipeline | max | mean | differing | covered pixels |\n|---|---|---|---|---|---|\n",

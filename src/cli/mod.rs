@@ -70,10 +70,12 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
-    /// List units, their ports and parameters with defaults and legal ranges.
-    #[command(after_help = "Examples:\n  fixpath list\n  fixpath list rotation --json")]
+    /// List the units; or a unit's formula, ports and parameters with defaults and legal ranges.
+    #[command(
+        after_help = "Examples:\n  fixpath list\n  fixpath list rotation\n  fixpath list rotation --json"
+    )]
     List {
-        /// Only this unit.
+        /// All of this unit.
         unit: Option<String>,
         /// As JSON.
         #[arg(long)]
@@ -232,7 +234,7 @@ enum Command {
         after_help = "Yosys counts; nextpnr, where it is installed, places and routes the unit between registers.\nWhat counts as what: a CCU2C of ECP5 is two LUTs, an SRL16E of Xilinx one; a RAMB36E1 is two\nblock RAMs (RAMB18E1). The estimate is the one of `fixpath show`.\n\nExamples:\n  fixpath cost rotation\n  fixpath cost rotation -p table_addr_bits=8 --target ice40\n  fixpath cost rotation -p variant=corrected --target ecp5,xilinx --json"
     )]
     Cost(cost::CostArgs),
-    /// Rebuild Table 1 of seed 001: operators beside the paper's, and the error that it lacks.
+    /// Rebuild Table 1 of Lee et al.: operators beside the paper's, and the error that it lacks.
     #[command(
         after_help = "Counts come from the netlists of peercy, kugler, kim, ernst and of every pipeline of bump.\n\nExamples:\n  fixpath compare\n  fixpath compare -p scheme=linear --samples 1000000\n  fixpath compare -p map_addr_bits=20 -p exponent=64 --out table1.md"
     )]
@@ -365,12 +367,16 @@ fn start_threads(asked: Option<u64>) -> Result<()> {
 fn run(command: &Command) -> Result<bool> {
     match command {
         Command::List { unit, json } => {
-            let units = match unit {
-                Some(name) => vec![units::named(name)?],
-                None => units::all().cloned().collect(),
+            let one = unit.as_deref().map(units::named).transpose()?;
+            let units: Vec<&Unit> = match &one {
+                Some(unit) => vec![unit],
+                None => units::all().collect(),
             };
-            let units: Vec<&Unit> = units.iter().collect();
-            print(&if *json { json::text(&text::list_json(&units)) } else { text::list(&units) })?;
+            print(&match &one {
+                _ if *json => json::text(&text::list_json(&units)),
+                Some(unit) => text::list_unit(unit),
+                None => text::list(&units),
+            })?;
         }
         Command::Show { unit, json, dot, netlist } => {
             let design = unit.design()?;

@@ -1,4 +1,4 @@
-//! `fixpath schedule`: a time-shared schedule in the layout of the table in seed 000 (US 6,980,218).
+//! `fixpath schedule`: a time-shared schedule in the layout of the table in US 6,980,218.
 
 use super::options::UnitArgs;
 use super::text;

@@ -54,34 +54,48 @@ fn ports_of(unit: &Unit) -> (String, String) {
     (inputs.join(", "), outputs.join(", "))
 }
 
-pub(super) fn list(units: &[&Unit]) -> String {
-    let mut text = String::new();
-    for unit in units {
-        let _ = writeln!(text, "{}: {}", unit.name, unit.summary);
-        if !unit.source.is_empty() {
-            let _ = writeln!(text, "  source: {}", unit.source);
-        }
-        let (inputs, outputs) = ports_of(unit);
-        let _ = writeln!(text, "  inputs: {inputs}\n  outputs: {outputs}\n");
-        let row = |param: &Param| {
-            vec![
-                param.name.clone(),
-                param.default.to_string(),
-                param.kind.legal(),
-                param.help.clone(),
-            ]
-        };
-        let rows: Vec<Vec<String>> = unit.params.iter().map(row).collect();
-        if !rows.is_empty() {
-            text.push_str(&table(&["parameter", "default", "legal", "meaning"], &rows));
-            text.push_str(
-                "  widths near the upper ends don't all go together: words have at most 63 bits, and what would be wider is refused\n",
-            );
-        }
-        text.push_str("\n  of the pipeline, for every unit:\n");
-        let rows: Vec<Vec<String>> = PIPELINE.iter().map(row).collect();
-        text.push_str(&table(&["parameter", "default", "legal", "meaning"], &rows));
+/// A table of parameters.
+fn parameter_table<'a>(params: impl IntoIterator<Item = &'a Param>) -> String {
+    let row = |param: &Param| {
+        let Param { name, default, help, .. } = param;
+        vec![name.clone(), default.to_string(), param.kind.legal(), help.clone()]
+    };
+    let rows: Vec<Vec<String>> = params.into_iter().map(row).collect();
+    if rows.is_empty() {
+        return String::new();
     }
+    table(&["parameter", "default", "legal", "meaning"], &rows)
+}
+
+/// Every unit in a line, and what all of them share.
+pub(super) fn list(units: &[&Unit]) -> String {
+    let row = |unit: &&Unit| vec![unit.name.clone(), unit.summary.clone()];
+    let rows: Vec<Vec<String>> = units.iter().map(row).collect();
+    format!(
+        "{}\n`fixpath list UNIT` prints a unit's formula, ports and parameters. Every unit has these parameters besides:\n\n{}",
+        table(&["unit", "what it computes"], &rows),
+        parameter_table(PIPELINE.iter())
+    )
+}
+
+/// All that is known of a unit without building it.
+pub(super) fn list_unit(unit: &Unit) -> String {
+    let mut text = format!("{}: {}\n", unit.name, unit.summary);
+    if !unit.source.is_empty() {
+        let _ = writeln!(text, "  source: {}", unit.source);
+    }
+    let (inputs, outputs) = ports_of(unit);
+    let _ = writeln!(text, "  inputs: {inputs}\n  outputs: {outputs}");
+    for (number, line) in unit.formula.lines().enumerate() {
+        let _ = writeln!(text, "{}{line}", if number == 0 { "  formula: " } else { "           " });
+    }
+    text.push('\n');
+    let own = parameter_table(&unit.params);
+    if !own.is_empty() {
+        text.push_str(&own);
+        text.push_str("  the largest widths don't all go together: a word has at most 63 bits, and more is refused\n");
+    }
+    text.push_str("  and the parameters of the pipeline, which `fixpath list` prints\n");
     text
 }
 
@@ -111,6 +125,7 @@ pub(super) fn list_json(units: &[&Unit]) -> Value {
                 "name": unit.name,
                 "summary": unit.summary,
                 "source": unit.source,
+                "formula": unit.formula,
                 "inputs": inputs,
                 "outputs": outputs,
                 "parameters": unit.all_params().map(param).collect::<Vec<_>>(),

@@ -53,6 +53,8 @@ pub struct Recipe {
     pub summary: String,
     /// Where it comes from.
     pub source: String,
+    /// What it computes, in formulas: lines for `list`.
+    pub formula: String,
     /// Its own parameters; [`PIPELINE`] follows them.
     pub params: Vec<Param>,
     /// Names of the input ports with what they measure, for `list`.
@@ -108,6 +110,7 @@ impl Unit {
             name: name.into(),
             summary: summary.into(),
             source: String::new(),
+            formula: String::new(),
             params: Vec::new(),
             inputs: String::new(),
             outputs: String::new(),
@@ -125,6 +128,12 @@ impl Unit {
     #[must_use]
     pub fn source(self, source: impl Into<String>) -> Self {
         self.with(|recipe| recipe.source = source.into())
+    }
+
+    /// Sets what it computes, in formulas with signs and units: one or more lines, for `list`.
+    #[must_use]
+    pub fn formula(self, formula: impl Into<String>) -> Self {
+        self.with(|recipe| recipe.formula = formula.into())
     }
 
     /// Adds a parameter.
@@ -186,7 +195,9 @@ impl Unit {
         if !name::is_legal(&self.name) {
             return Err(Error::name("unit", &self.name));
         }
-        let texts = [&self.summary, &self.source, &self.inputs, &self.outputs];
+        let lines =
+            [&self.summary, &self.source, &self.inputs, &self.outputs].map(|text| &text[..]);
+        let texts = lines.into_iter().chain(self.formula.split('\n'));
         if let Some(text) = texts.into_iter().find(|text| text.contains(char::is_control)) {
             let text = escape::short(text);
             let why = format!("unit `{}`: `{text}` is to be one line of text", self.name);

@@ -1,6 +1,6 @@
 //! A time-shared schedule as a table: a row for each cycle, a column for each unit.
 //!
-//! The layout is that of seed 000's table. Cycles count from 1. In the cell of a unit stand, in
+//! The layout is that of the table in US 6,980,218. Cycles count from 1. In the cell of a unit stand, in
 //! this order and with `; ` between them:
 //!
 //! * `Out X` in the cycle of the output, for a unit with operand registers or a latency;

@@ -1,4 +1,4 @@
-//! Table 1 of seed 001 rebuilt: what the architectures take, counted from their netlists beside the
+//! Table 1 of Lee et al. rebuilt: what the architectures take, counted from their netlists beside the
 //! paper's figures, and their error, which the paper lacks.
 //!
 //! A node belongs to the set-up if its outermost scope is one of the architecture's set-up scopes,
@@ -20,7 +20,7 @@ use serde::{Serialize, Serializer};
 use std::collections::BTreeSet;
 
 /// Where the paper's figures are.
-pub const SOURCE: &str = "seed 001 (Lee et al.), Table 1 and section 4.3";
+pub const SOURCE: &str = "Lee et al., Table 1 and section 4.3";
 
 /// Operators of a stage.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize)]

@@ -2,7 +2,7 @@
 //! right angles to it.
 //!
 //! `B = N x CT, BN = B/|B|, T = BN x N`. CT may be of any length, since BN doesn't depend on it: the
-//! seed's normalisation of CT needs no hardware. Where N is parallel to CT, or one of them is 0, B is
+//! specification's normalisation of CT needs no hardware. Where N is parallel to CT, or one of them is 0, B is
 //! 0: then BN and T are 0, which displaces nothing, and `degenerate` is 1.
 
 use super::cross::cross;
@@ -22,7 +22,10 @@ use crate::number::trig::Real;
 #[must_use]
 pub fn unit() -> Unit {
     Unit::new("basis", "binormal and tangent from normal and tangent: N x CT, normalised, x N")
-        .source("seed 002 (GL_NV_texgen_emboss), section 2.10.4")
+        .source("GL_NV_texgen_emboss, section 2.10.4")
+        .formula(
+            "B = N x CT; BN = B/|B|; T = BN x N; both 0 where B is 0",
+        )
         .params([
             component_bits(),
             guard_bits().default(0),

@@ -1,11 +1,11 @@
-//! The whole bump mapping unit of seed 001, Fig. 8: two rotations and the illumination unit.
+//! The whole bump mapping unit of Lee et al., Fig. 8: two rotations and the illumination unit.
 //!
 //! The light L and the halfway vector H are rotated into the frame of the normal N. The perturbed
 //! normal N', which comes from the bump vector map in the texture frame, is turned by psi about N
 //! into the same frame: one adder for both dot products, where turning L' and H' would take two.
 //! Then come the dot products and the light tables. Pipelines:
 //!
-//! - `printed`: rotation and illumination as the seed prints them;
+//! - `printed`: rotation and illumination as the paper prints them;
 //! - `corrected`: both with their identities mended;
 //! - `exact-polar`: the exact rotation, converted to polar form, and the mended illumination;
 //! - `exact-cartesian`: the exact rotation in components and their dot product, N' in components.
@@ -31,12 +31,16 @@ use crate::number::trig::Real;
 #[must_use]
 pub fn unit() -> Unit {
     Unit::new("bump", "light of a bump-mapped pixel from light, halfway vector, normal and bump vector")
-        .source("seed 001 (Lee et al.), Fig. 8; the turn psi and the exact pipelines are this project's")
+        .source("Lee et al., Fig. 8; the turn psi and the exact pipelines are this project's")
+        .formula(
+            "L' and H' are L and H rotated into the frame of N, as the unit rotation does; N' = (phi_p + psi, theta_p)\n\
+         diffuse = ka + kd max(0, N'.L'); specular = ks max(0, N'.H')^n; intensity = diffuse + specular, as the unit illumination does",
+        )
         .params([
             Param::choice("pipeline", ["printed", "corrected", "exact-polar", "exact-cartesian"])
                 .role(Role::Pipeline)
                 .default("exact-polar")
-                .help("the seed letter for letter, mended, or the exact rotation with polar or Cartesian dot products"),
+                .help("as the paper prints it, mended, or the exact rotation with polar or Cartesian dot products"),
             Param::choice("conversion", ["table", "cordic"])
                 .help("how exact-polar goes from components to angles"),
             plan::angle_bits(),

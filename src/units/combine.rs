@@ -1,7 +1,7 @@
 //! The texture combiner of the emboss family: a bump as the difference of two samples of a height map.
 //!
 //! `out = clamp(diffuse + Σ (h(S0, T0) - h(S1, T1)) · 2^gain_log2)`, for each channel and over the lights
-//! (seed 000, US 6,980,218: the undisplaced sample less the displaced one; each light has its own displaced
+//! (US 6,980,218: the undisplaced sample less the displaced one; each light has its own displaced
 //! one). Where displacements lead away from the light, as in `GL_NV_texgen_emboss` and with the patents' own sign of L,
 //! the displaced sample less the undisplaced one is the emboss that is bright toward it:
 //! `difference=displaced-undisplaced`. Texels and channels are codes of `channel_bits`, 0 to 2^channel_bits - 1; differences and their
@@ -26,7 +26,11 @@ use crate::number::trig::Real;
 #[must_use]
 pub fn unit() -> Unit {
     Unit::new("combine", "diffuse light plus the differences of height samples: the emboss of one to eight lights")
-        .source("seed 000 (US 6,980,218), the texture combination of the emboss; seed 003 has the same text")
+        .source("US 6,980,218, the texture combination of the emboss; US 7,307,640 has the same text")
+        .formula(
+            "out = clamp(diffuse + sum over lights of (h - d) 2^gain_log2), for each channel; h and d are samples\n\
+         bilinear: top = h_00 + a (h_10 - h_00), bottom = h_01 + a (h_11 - h_01), h = top + b (bottom - top)",
+        )
         .params([
             filter(),
             Param::int("lights", 1..=MAX_LIGHTS)
@@ -49,7 +53,7 @@ pub fn unit() -> Unit {
         .design(design)
 }
 
-/// Most lights: as many as an API of the seed counts, 0 to 7.
+/// Most lights: as many as an API of the patent counts, 0 to 7.
 const MAX_LIGHTS: i64 = 8;
 
 /// Texels of a bilinear sample by column and row, and its fractions, as ports end.

@@ -13,7 +13,8 @@ pub fn unit() -> Unit {
         "cross_product",
         "cross product: six exact products, three differences, one rounding each",
     )
-    .source("seed 002 (GL_NV_texgen_emboss): B = N x CT, T = BN x N; in formats of any width")
+    .source("GL_NV_texgen_emboss: B = N x CT, T = BN x N; in formats of any width")
+    .formula("x = v_y w_z - v_z w_y; y = v_z w_x - v_x w_z; z = v_x w_y - v_y w_x")
     .params(params())
     .inputs("v_x, v_y, v_z, w_x, w_y, w_z: two vectors")
     .outputs("x, y, z: v x w, rounded; past their format as overflow says")

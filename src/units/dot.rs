@@ -14,7 +14,8 @@ use crate::number::trig::Real;
 #[must_use]
 pub fn unit() -> Unit {
     Unit::new("dot", "dot product of three: exact products and sums, one rounding")
-        .source("the vector dot units of seed 000 (US 6,980,218, FIG. 8), in formats of any width")
+        .source("the vector dot units of US 6,980,218, FIG. 8, in formats of any width")
+        .formula("dot_product = v_x w_x + v_y w_y + v_z w_z")
         .params(params())
         .inputs("v_x, v_y, v_z, w_x, w_y, w_z: two vectors")
         .outputs("dot_product: v·w, rounded; past its format as overflow says")

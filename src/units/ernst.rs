@@ -1,4 +1,4 @@
-//! Gouraud bump mapping of Ernst et al. 1998, as seed 001 counts it in Table 1: Cartesian.
+//! Gouraud bump mapping of Ernst et al. 1998, as Lee et al. count it in Table 1: Cartesian.
 //!
 //! The set-up of [`super::peercy`]; then two dot products, one power table, and a multiplier for
 //! the diffuse coefficient.
@@ -20,7 +20,11 @@ use crate::number::trig::Real;
 #[must_use]
 pub fn unit() -> Unit {
     Unit::new("ernst", "light of a bump-mapped pixel by matrix, normalisation and Cartesian dot products")
-        .source("Ernst et al. 1998, as seed 001 (Lee et al.) counts it in Table 1 and section 4.3")
+        .source("Ernst et al. 1998, as Lee et al. count it in Table 1 and section 4.3")
+        .formula(
+            "L' = [T; B; N] L/|L|, H' = [T; B; N] H/|H|, N' normalised, as the unit peercy does\n\
+         diffuse = ka + kd max(0, N'.L'); specular = ks max(0, N'.H')^n; intensity = diffuse + specular",
+        )
         .params(setup::params())
         .params([
             illumination::highlight(),

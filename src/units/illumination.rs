@@ -1,4 +1,4 @@
-//! The illumination unit of seed 001, section 4.2 and Fig. 8: two dot products and light tables.
+//! The illumination unit of Lee et al., section 4.2 and Fig. 8: two dot products and light tables.
 //!
 //! From L', H' and the perturbed normal N', all in the texture frame, to the light of a pixel:
 //! `diffuse = ka + kd max(0, N'·L')`, `specular = ks max(0, N'·H')^n`, and their sum. Variants:
@@ -29,7 +29,12 @@ use crate::table::{self, Tabulated};
 #[must_use]
 pub fn unit() -> Unit {
     Unit::new("illumination", "light of a pixel from light, halfway and perturbed normal vector in the texture frame")
-        .source("seed 001 (Lee et al.), sections 3.2 and 4.2, Fig. 8; variant kim: its eqs (3) and (4)")
+        .source("Lee et al., sections 3.2 and 4.2, Fig. 8; variant kim: its eqs (3) and (4)")
+        .formula(
+            "N.L = [cos(theta_l+theta_n) + cos(theta_l-theta_n)]/2 + [cos(theta_l-theta_n) - cos(theta_l+theta_n)]/2 cos(phi_l-phi_n)\n\
+         (variant=printed has the second bracket with the other sign), N.H likewise\n\
+         diffuse = ka + kd max(0, N.L); specular = ks max(0, N.H)^n; intensity = diffuse + specular",
+        )
         .params([
             Param::choice("variant", ["printed", "corrected", "kim", "cartesian"])
                 .role(Role::Variant)

@@ -1,4 +1,4 @@
-//! Bump mapping by angles of Kim et al. 2001, as seed 001 counts it in Table 1: polar.
+//! Bump mapping by angles of Kim et al. 2001, as Lee et al. count it in Table 1: polar.
 //!
 //! The paper gives the illumination, its eqs (3) and (4), and of the set-up only its count, 31
 //! multipliers, 6 tables and 18 adders, and that it builds a matrix for each pixel. The set-up here
@@ -24,7 +24,12 @@ use crate::number::trig::Real;
 #[must_use]
 pub fn unit() -> Unit {
     Unit::new("kim", "light of a bump-mapped pixel by a matrix of sines and cosines and polar dot products")
-        .source("Kim et al. 2001: eqs (3), (4) of seed 001 (Lee et al.); the set-up is a reconstruction")
+        .source("Kim et al. 2001: eqs (3), (4) of Lee et al.; the set-up is a reconstruction")
+        .formula(
+            "L' and H' are L and H in the frame of N, by a matrix of sines and cosines, as angles; N' = (phi_p + psi, theta_p)\n\
+         N'.L' = cos(theta_l) cos(theta_p) + sin(theta_l) sin(theta_p) cos(phi_l-phi_p), N'.H' likewise\n\
+         diffuse = ka + kd max(0, N'.L'); specular = ks max(0, N'.H')^n; intensity = diffuse + specular",
+        )
         .params([
             Param::choice("conversion", ["table", "cordic"]).help("how components become angles"),
             plan::angle_bits(),

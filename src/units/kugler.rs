@@ -1,6 +1,6 @@
-//! The intelligent memory IMEM of Kugler 1998, as seed 001 describes and counts it: polar, maps.
+//! The intelligent memory IMEM of Kugler 1998, as Lee et al. describe and count it: polar, maps.
 //!
-//! The seed says that the normal comes in Cartesian form and is converted to angles, that it is
+//! The paper says that the normal comes in Cartesian form and is converted to angles, that it is
 //! perturbed "by using three rotations, which are executed by two additions and one look-up table
 //! access", a map of 32 KB, and that light maps of 2^20 × 16 bits, addressed by the perturbed
 //! direction, give the light. The rest is a reconstruction: the three rotations of N' are about z
@@ -29,7 +29,11 @@ use std::sync::Arc;
 #[must_use]
 pub fn unit() -> Unit {
     Unit::new("kugler", "light of a bump-mapped pixel by rotations and light maps, without dot products")
-        .source("Kugler 1998 (IMEM), as seed 001 (Lee et al.) describes it; largely a reconstruction")
+        .source("Kugler 1998 (IMEM), as Lee et al. describe it; largely a reconstruction")
+        .formula(
+            "N' turned by psi about z, by theta_n about y, by phi_n about z; then so that L (or H) is at the pole: c = cos of its polar angle\n\
+         diffuse = ka + kd max(0, c of L); specular = ks max(0, c of H)^n; intensity = diffuse + specular, each from a light map",
+        )
         .params([
             Param::choice("conversion", ["table", "cordic"]).help("how the normal becomes angles"),
             Param::bits("tilt_addr_bits", 6..=20)

@@ -20,7 +20,10 @@ use crate::number::trig::Real;
 #[must_use]
 pub fn unit() -> Unit {
     Unit::new("normalise", "block normalisation: three words shifted by the leading zeros of the largest")
-        .source("the light vector of seed 000 (US 6,980,218) in fixed point: a displacement doesn't depend on its length")
+        .source("the light vector of US 6,980,218 in fixed point: a displacement doesn't depend on its length")
+        .formula(
+            "x, y, z = v_x, v_y, v_z times 2^places over the top of their words: the largest |component| has no leading zero",
+        )
         .params([
             Param::bits("v_bits", 2..=32).default(16).help("bits of the components, signed"),
             super::dot::v_frac_bits().default(8),

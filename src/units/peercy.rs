@@ -1,4 +1,4 @@
-//! The set-up of Peercy et al. 1997, as seed 001 counts it in Table 1: Cartesian, tangent space.
+//! The set-up of Peercy et al. 1997, as Lee et al. count it in Table 1: Cartesian, tangent space.
 //!
 //! 18 multipliers and 12 adders transform L and H; 9 multipliers, 6 adders, 3 square roots and 9
 //! dividers normalise L', H' and N'. The paper gives no illumination for it.
@@ -13,7 +13,10 @@ use crate::number::trig::Real;
 #[must_use]
 pub fn unit() -> Unit {
     Unit::new("peercy", "light and halfway vector in the texture frame, by matrix, with the bump vector normalised")
-        .source("Peercy et al. 1997, as seed 001 (Lee et al.) counts it in Table 1 and section 4.3")
+        .source("Peercy et al. 1997, as Lee et al. count it in Table 1 and section 4.3")
+        .formula(
+            "L' = v/|v| with v = (T.L, B.L, N.L); H' = w/|w| with w = (T.H, B.H, N.H); N' = p/|p|",
+        )
         .params(setup::params())
         .inputs("l_x … p_z: components of L, H, N, T, B in the world and of N' in the texture frame, from ½ to 2 long after the transform")
         .outputs("lt_x … ht_z: L and H in the texture frame; np_x, np_y, np_z: N'; unit vectors")

@@ -1,4 +1,5 @@
-//! The polar rotation unit of seed 001 (Lee et al.), Fig. 7.
+//! The polar rotation unit of Lee et al., *An Effective Hardware Architecture for Bump Mapping Using Angular
+//! Operation*, Fig. 7.
 //!
 //! It takes a direction A = (phi_a, theta_a) and the normal N = (phi_n, theta_n), all in
 //! turns, and gives A' = A turned by -phi_n about z, then by -theta_n about y. Three variants:
@@ -27,14 +28,27 @@ use std::f64::consts::TAU;
 #[must_use]
 pub fn unit() -> Unit {
     Unit::new("rotation", "turns a direction in polar form into the frame of a surface normal")
-        .source("seed 001 (Lee et al.), section 3.1 and Fig. 7")
+        .source("Lee et al., An Effective Hardware Architecture for Bump Mapping Using Angular Operation, section 3.1 and Fig. 7")
+        .formula(
+            "A' is A = (phi_a, theta_a) turned by -phi_n about z, then by -theta_n about y. With d = phi_a - phi_n:\n\
+         x' = sin(theta_a) cos(d) cos(theta_n) - cos(theta_a) sin(theta_n)\n\
+         y' = sin(theta_a) sin(d)\n\
+         z' = sin(theta_a) cos(d) sin(theta_n) + cos(theta_a) cos(theta_n)\n\
+         variant=exact, with X = theta_a + d, Y = theta_a - d:\n\
+         x' = [sin(X+theta_n) + sin(X-theta_n) + sin(Y+theta_n) + sin(Y-theta_n)]/4 - [sin(theta_a+theta_n) - sin(theta_a-theta_n)]/2\n\
+         y' = [cos(Y) - cos(X)]/2\n\
+         z' = [cos(X-theta_n) - cos(X+theta_n) + cos(Y-theta_n) - cos(Y+theta_n)]/4 + [cos(theta_a+theta_n) + cos(theta_a-theta_n)]/2\n\
+         variant=corrected: theta_x = asin([sin X + sin Y]/2), Z = theta_x - theta_n, phi' = atan([cos Y - cos X]/(2 sin Z)),\n\
+         theta' = |Z| + (90 deg - |Z|) (1 - acos(|y_k|)/90 deg), y_k = [cos Y - cos X]/(2 cos Z), in the right quadrants\n\
+         variant=printed: the same with X and Y halved, without quadrants and magnitudes",
+        )
         .params([
             Param::choice("variant", ["printed", "corrected", "exact"])
                 .role(Role::Variant)
                 .default("exact")
-                .help("the seed letter for letter, the seed with its identities mended, or the exact rotation"),
+                .help("as the paper prints it, with its identities mended, or the exact rotation"),
             Param::choice("output", ["auto", "cartesian", "polar-cordic", "polar-table"])
-                .help("form of the result; auto is cartesian for exact, and the seed's own polar form for the others"),
+                .help("form of the result; auto is cartesian for exact, and the paper's own polar form for the others"),
             plan::angle_bits(),
             plan::table_addr_bits(),
             Param::scheme("scheme"),
@@ -130,12 +144,12 @@ pub(super) enum Form {
     },
     /// phi, theta of x, y, z by CORDIC.
     PolarCordic,
-    /// phi, theta of x, y, z by tables; also the form in which the seed's variants come.
+    /// phi, theta of x, y, z by tables; also the form in which the paper's variants come.
     PolarTable,
 }
 
 /// Rotates a direction: phi_a, theta_a, phi_n, theta_n to x, y, z or phi, theta in the words of
-/// ports. The seed's variants have no form but the polar one.
+/// ports. The paper's variants have no form but the polar one.
 pub(super) fn rotate(
     b: &mut Builder,
     plan: &mut Plan<'_>,

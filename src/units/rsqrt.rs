@@ -21,7 +21,11 @@ pub fn unit() -> Unit {
         "rsqrt",
         "1/sqrt(a) by a table, a table with interpolation, or a table and a Newton step",
     )
-    .source("the inverse square root unit of seed 000 (US 6,980,218, FIG. 8)")
+    .source("the inverse square root unit of US 6,980,218, FIG. 8")
+    .formula(
+        "r = 1/sqrt(a), 0 for a = 0\n\
+     root_scheme=newton: r = y (3 - a y^2)/2 with y from the table",
+    )
     .params([
         Param::bits("input_bits", 2..=32).default(20).help("bits of a, unsigned"),
         Param::bits("input_frac_bits", 0..=32).default(18).help("fraction bits of a"),

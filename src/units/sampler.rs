@@ -24,7 +24,11 @@ use crate::number::trig::Real;
 #[must_use]
 pub fn unit() -> Unit {
     Unit::new("sampler", "texels and fractions of texture coordinates, nearest or bilinear, wrapped or clamped")
-        .source("seed 000 (US 6,980,218), texture look-ups of the emboss; texel centres as in OpenGL")
+        .source("US 6,980,218, texture look-ups of the emboss; texel centres as in OpenGL")
+        .formula(
+            "i = floor(s 2^log2_width), j = floor(t 2^log2_height) (nearest)\n\
+         u = s 2^log2_width - 1/2, i0 = floor(u), i1 = i0 + 1, a = u - i0; j0, j1, b from t likewise (bilinear)",
+        )
         .params([
             filter(),
             Param::choice("address_s", ["wrap", "clamp"])

@@ -1,4 +1,4 @@
-//! The emboss family against a plain model of both published schemes, written here from the seeds.
+//! The emboss family against a plain model of both published schemes, written here from the publications.
 
 use crate::common::{Vector, cross, design, dot};
 use fixpath::format::float20;
@@ -34,7 +34,7 @@ impl<'a> Ports<'a> {
     }
 }
 
-/// ds, dt, s1, t1, degenerate of seeds 000 and 003, at coordinates that don't saturate.
+/// ds, dt, s1, t1, degenerate of US 6,980,218 and 7,307,640, at coordinates that don't saturate.
 fn gx(ports: &Ports<'_>) -> Vec<f64> {
     let rows = ["m0", "m1", "m2"].map(|row| ports.vector(row));
     let [t, b] = ["tangent", "binormal"].map(|v| rows.map(|row| dot(row, ports.vector(v))));
@@ -45,7 +45,7 @@ fn gx(ports: &Ports<'_>) -> Vec<f64> {
     vec![ds, dt, ports.get("s0") + ds, ports.get("t0") + dt, degenerate]
 }
 
-/// Es - PCTs, Et - PCTt, Es, Et, degenerate, Eq, Er of seed 002.
+/// Es - PCTs, Et - PCTt, Es, Et, degenerate, Eq, Er of GL_NV_texgen_emboss.
 fn nv(ports: &Ports<'_>, ks: f64, kt: f64) -> Vec<f64> {
     let (n, ct) = (ports.vector("normal"), unit(ports.vector("ct")));
     // Exact, so that parallel vectors are seen.

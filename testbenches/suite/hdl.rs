@@ -173,7 +173,7 @@ fn no_tool_warns_of_random_netlists() {
     });
 }
 
-/// The printed binding of seed 000.
+/// The printed binding of US 6,980,218.
 pub(crate) fn figure_8_rtl() -> Arc<Rtl> {
     let netlist = emboss_netlist();
     let schedule = Schedule::bound(&netlist, Rom::Block, 6000, &figure_8()).unwrap();

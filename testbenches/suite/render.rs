@@ -448,7 +448,7 @@ fn the_three_scenes_within_a_code_of_diffuse_and_two_of_highlights() {
                 .map(|shot| 255.0 * largest(&shot.picture, &rendered.golden))
                 .collect();
             assert!(off[0] <= codes && off[1] <= codes, "{name} {settings:?}: {off:?}");
-            // The seed's own equations are shown as bad as they are.
+            // The paper's own equations are shown as bad as they are.
             assert!(off[2] > 10.0 && off[3] > off[2], "{name}: {off:?}");
         };
         let linear = ["table_addr_bits=10", "scheme=linear", "light_scheme=linear"];

@@ -1,4 +1,4 @@
-//! The rotation unit against rotation matrices, and its variants against the seed's equations.
+//! The rotation unit against rotation matrices, and its variants against the paper's equations.
 //!
 //! Everything here is written from the mathematics: nothing is taken from the unit but its
 //! ports.

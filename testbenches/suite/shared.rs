@@ -15,13 +15,13 @@ use std::sync::Arc;
 
 pub(crate) type Vector = [NodeId; 3];
 
-/// The emboss unit with the light vector as the seed prints it.
+/// The emboss unit with the light vector as the patent prints it.
 fn emboss(assignments: &[&str]) -> Design {
     let assignments = [&["l_sign=vertex-light"], assignments].concat();
     fixpath::units::emboss::unit().values(&assignments).unwrap().build().unwrap()
 }
 
-/// The datapath of seed 000, figure 8.
+/// The datapath of US 6,980,218, figure 8.
 pub(crate) fn emboss_netlist() -> Arc<Netlist> {
     emboss(&[]).netlist
 }
@@ -201,7 +201,7 @@ fn random_netlists_under_random_plans() {
     assert!(checked > 300 && shared > 200 && latest >= 3, "{checked} {shared} {latest}");
 }
 
-/// Rows of the seed's table: cycle and the cells of its three units.
+/// Rows of the patent's table: cycle and the cells of its three units.
 pub(crate) fn printed() -> Vec<(usize, [String; 3])> {
     let lines = include_str!("figure_8.txt").lines().filter(|line| !line.starts_with('#'));
     let row = |line: &str| {

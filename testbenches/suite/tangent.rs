@@ -1,4 +1,4 @@
-//! The tangent-space set-up against what the seed's words mean, worked out here in whole numbers.
+//! The tangent-space set-up against what the patent's words mean, worked out here in whole numbers.
 
 use crate::common::{Vector, cross, dot};
 use fixpath::measure::{Basis, BoundCheck, Inputs, hard_verdicts, measure, sample_words};
@@ -147,7 +147,7 @@ const VARIANTS: &[&[&str]] = &[
     &["frame=faceted", "mirror=off", "basis=printed"],
 ];
 
-/// The seed's rules from whole numbers, the documented frames where they give none, and the flags.
+/// The patent's rules from whole numbers, the documented frames where they give none, and the flags.
 #[test]
 fn goldens_are_those_of_the_seed() {
     for set in VARIANTS {

@@ -11,7 +11,7 @@ fn run(toml: &str) -> Outcome {
     Calls::parse(toml, "calls.toml".as_ref()).unwrap_or_else(|why| panic!("{why}\n{toml}")).run()
 }
 
-/// `GXSetTexCoordGen`, arguments in the order of the seed.
+/// `GXSetTexCoordGen`, arguments in the order of the patent.
 fn set(arguments: &[&str; 4]) -> String {
     let [dst, func, src, mat] = arguments;
     format!(
@@ -38,7 +38,7 @@ fn gx_refuses(calls: &[[&str; 4]], message: &str) {
     assert_eq!(outcome.emboss, without.emboss, "{calls:?}");
 }
 
-/// The example that the seed prints, and its words.
+/// The example that the patent prints, and its words.
 #[test]
 fn the_seeds_example_configures_the_emboss_unit() {
     let outcome = gx(&[
@@ -501,7 +501,7 @@ fn a_texture_unit_with_all_conditions_met_configures_the_emboss_unit() {
     // Tokens by their numbers, as the extension lists them.
     let numbers = DEFINED.replace("EMBOSS_MAP_NV", "0x855F");
     assert_eq!(nv(&numbers).emboss, nv(DEFINED).emboss);
-    // Floats too: the seed has TexGen{ifd}.
+    // Floats too: the patent has TexGen{ifd}.
     let light = |param| {
         let calls =
             ["S", "T"].map(|c| format!("TexGen coord={c} pname=EMBOSS_LIGHT_NV param={param}\n"));
@@ -1285,10 +1285,10 @@ fn the_example_of_the_help_runs() {
 }
 
 #[test]
-fn the_example_of_the_readme_runs() {
-    let readme = include_str!("../../README.md");
-    let example = readme.split("```toml\n").find(|text| text.starts_with("[[gx]]")).unwrap();
+fn the_example_of_the_pages_runs() {
+    let page = include_str!("../../docs/pictures.md");
+    let example = page.split("```toml\n").find(|text| text.starts_with("[[gx]]")).unwrap();
     let outcome = run(example.split_once("```").unwrap().0);
     assert_eq!(outcome.problems(), 0);
-    assert!(readme.contains(&format!("(`{}`)", outcome.emboss[0])));
+    assert!(page.contains(&format!("(`{}`)", outcome.emboss[0])));
 }

@@ -109,7 +109,7 @@ fn mirrored_apart(a: &Picture, b: &Picture) -> f64 {
 }
 
 /// Both halves of the dome have the same texture, mirrored on the left: by handedness its bumps stand out on both, and
-/// the picture under a mirrored light is the mirrored picture. By the seed's rule, and without any, the left half is
+/// the picture under a mirrored light is the mirrored picture. By the patent's rule, and without any, the left half is
 /// wrong.
 #[test]
 fn bumps_stand_out_on_both_halves() {
@@ -343,7 +343,7 @@ fn strips_and_fans_are_set_up_as_lists() {
 }
 
 /// The polar and the Cartesian pipeline on frames of the set-up: as near to the golden as on frames in floating
-/// point, mirrored or not; and the seed's rule for mirrored textures is seen through them.
+/// point, mirrored or not; and the patent's rule for mirrored textures is seen through them.
 /// An octahedron without normals, and with texture coordinates if they are asked for.
 fn octahedron(uvs: bool) -> (tempfile::TempDir, Result<Scene, fixpath::error::Error>) {
     let folder = tempfile::tempdir().unwrap();
@@ -552,7 +552,7 @@ fn triangle(design: &Design, row: &[i64]) -> [SharedVertex; 3] {
     })
 }
 
-/// On a triangle alone nothing is averaged, so the standard generator's tangent is the seed's, at right angles to N
+/// On a triangle alone nothing is averaged, so the standard generator's tangent is the patent's, at right angles to N
 /// as `basis=orthonormal` has it, up to words and to its own `f32`. With a unit roundoff u = 2^-24, words are exact
 /// in `f32`, and so are edges. `dv2 e1 - dv1 e2` has two rounded products and their rounded difference, so an error of
 /// 2.1 u (|dv2| |e1| + |dv1| |e2|); `T - N (N·T)` and three normalisations take 24 u of |T|; both count more, the
@@ -605,7 +605,7 @@ fn lone_triangles_have_the_standard_tangent() {
 
 /// On meshes handedness is that of the standard generator on every triangle. Its tangents are averaged per corner, over
 /// triangles that share vertex and handedness, each put at right angles to N and weighted by the corner's
-/// angle; the seed has one for each triangle. So its tangent is no farther from ours than ours of any of those
+/// angle; the patent has one for each triangle. So its tangent is no farther from ours than ours of any of those
 /// triangles are from each other (a cone of less than half a turn holds every mean of vectors in it), and on a plane,
 /// where all are one, both agree. (On the sphere triangles at a pole meet in a fan, each with a tangent of its own.)
 #[test]

@@ -3,7 +3,7 @@
 //! A mesh holds each vertex once, however many triangles it is a corner of; a [`Topology`] tells which of a
 //! list of corners make the next triangle. Readers of files give corners and a topology, and everything else
 //! takes vertices and triangles of vertex numbers: what is computed per vertex is computed once for all
-//! triangles that share it, which is the claim of US 7,843,463 (seed 004), and [`Sharing`] counts it.
+//! triangles that share it, which is the claim of US 7,843,463, and [`Sharing`] counts it.
 
 use super::limits::{MAX_TRIANGLES, too_many};
 use crate::base::cast;

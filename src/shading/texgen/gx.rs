@@ -1,11 +1,11 @@
-//! Texture coordinates in the manner of `GXSetTexCoordGen` (seeds 000 and 003).
+//! Texture coordinates in the manner of `GXSetTexCoordGen` (US 6,980,218 and 7,307,640).
 //!
 //! Eight coordinates are generated for each vertex, in the order of their numbers: each by a matrix
 //! from an attribute of the vertex (MTX2x4, MTX3x4), by emboss from an already generated coordinate
 //! and one of eight lights (BUMP0 to BUMP7), or from a lit colour (SRTG). [`TexCoords`] is the state that
 //! calls build up; a call that would break a rule is refused and leaves it as it was.
 //!
-//! The seeds give the call and its four arguments, the names of the functions, a light for each BUMP, that
+//! The patents give the call and its four arguments, the names of the functions, a light for each BUMP, that
 //! a bump offset coordinate is numbered after its base (n, n + 1), that bump coordinates come after the
 //! transformed ones and before those of lit colours, and that no matrix is used for a bump
 //! coordinate, "therefore use an identity matrix". For the two orders (n + 1 after n; all transformed ones first) they
@@ -13,7 +13,7 @@
 //! stands. That those of lit colours come last is a rule, as nothing has to break it. Several
 //! lights over one base are ours: their coordinates follow it as n + 1, n + 2, … without a gap.
 //!
-//! The register words are not in the seeds. Names of sources and matrices, addresses and fields are
+//! The register words are not in the patents. Names of sources and matrices, addresses and fields are
 //! those that the console's public drivers and emulators agree on: bit 1 the projection
 //! (0 for S, T; 1 for S, T, Q), bits 2-3 the form of the input (0: A, B, 1, 1; 1: A, B, C, 1), bits 4-6 the
 //! kind (0 by matrix, 1 emboss, 2 and 3 from colour 0 and 1), bits 7-11 the row of the source (0 position,

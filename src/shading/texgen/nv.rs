@@ -1,4 +1,4 @@
-//! The state of `GL_NV_texgen_emboss` (seed 002): texture units, their generation of coordinates, and
+//! The state of `GL_NV_texgen_emboss`: texture units, their generation of coordinates, and
 //! the lights that it needs.
 //!
 //! [`State`] is what calls build up; one that OpenGL answers with an error is refused and leaves it as it was. So
@@ -8,7 +8,7 @@
 //! all four coordinates of the unit have that mode and are enabled, S and T name the same light, and that light and
 //! lighting are enabled: [`State::emboss`] gives a configuration, or every condition that fails.
 //!
-//! From the seed: tokens, errors, initial values (EYE_LINEAR, 1.0, LIGHT0, for each of four coordinates
+//! From the specification: tokens, errors, initial values (EYE_LINEAR, 1.0, LIGHT0, for each of four coordinates
 //! of each unit), odd units only, conditions. From OpenGL 1.2 and ARB_multitexture, on which it builds:
 //! the other modes, that SPHERE_MAP is refused for R and Q, what is enabled at the start (DITHER, MULTISAMPLE),
 //! and that a unit or a light out of range is INVALID_ENUM. From OpenGL 1.3: REFLECTION_MAP and NORMAL_MAP, not for Q.
@@ -864,7 +864,7 @@ impl State {
     /// For each texture unit with a coordinate of mode EMBOSS_MAP_NV the configuration of the emboss
     /// unit, or why its coordinates are undefined.
     ///
-    /// The seed calls all coordinates of that mode undefined, enabled or not.
+    /// The specification calls all coordinates of that mode undefined, enabled or not.
     #[must_use]
     pub fn emboss(&self) -> Vec<Result<Emboss, Undefined>> {
         let mut found = Vec::new();

@@ -1,6 +1,6 @@
 //! The emboss unit: displaced texture coordinates of a vertex, as two published designs have them.
 //!
-//! - `setting=gx`, seeds 000 and 003 (US 6,980,218 and 7,307,640): T and B of the model by a 3×3
+//! - `setting=gx`, US 6,980,218 and 7,307,640: T and B of the model by a 3×3
 //!   matrix, L from the vertex to the light, `(S1, T1) = (S0, T0) + (T·L, B·L)/|L|`. This sign of L departs from the
 //!   patents: their table prints L = V - L_p, from the light to the vertex (`l_sign=vertex-light`), which displaces
 //!   away from the light, so that the displaced height less the undisplaced one is bright toward the light. Here the
@@ -8,7 +8,7 @@
 //!   scale, which sets the strength, so T and B are not normalised. The normal isn't used. Here s goes
 //!   with T and t with B; in that console's own API the vector of s is the *second* of a vertex's
 //!   N, B, T, so that one is what port `tangent` takes.
-//! - `setting=nv`, seed 002 (`GL_NV_texgen_emboss`): T and BN of [`super::basis`],
+//! - `setting=nv`, `GL_NV_texgen_emboss`: T and BN of [`super::basis`],
 //!   `Es = PCTs + Ks (L·BN)/|L| PCTq, Et = PCTt - Kt (L·T)/|L| PCTq`; r and q pass. L points to the light, and CT
 //!   along growing t; then BN = N × CT points against growing s, and both displacements lead away from the light.
 //!
@@ -42,7 +42,12 @@ use formats::{MAX_CONSTANT, MAX_CONSTANT_INT_BITS};
 #[must_use]
 pub fn unit() -> Unit {
     Unit::new("emboss", "texture coordinates displaced by the direction of a light, for embossing")
-        .source("seeds 000 and 003 (US 6,980,218; US 7,307,640), seed 002 (GL_NV_texgen_emboss)")
+        .source("US 6,980,218; US 7,307,640; GL_NV_texgen_emboss")
+        .formula(
+            "with v for s and w for t, k the constants (1 in gx), q = 1 without scale_q, l = L/|L|, L = light - vertex (l_sign=vertex-light: its negative):\n\
+         ds = ks q (v.l), dt = kt q (w.l) (setting=nv: dt = -kt q (w.l)); s1 = s0 + ds, t1 = t0 + dt\n\
+         setting=gx: v = M tangent, w = M binormal; setting=nv: v = BN, w = T of the unit basis",
+        )
         .params([
             Param::choice("setting", ["gx", "nv"])
                 .role(Role::Pipeline)

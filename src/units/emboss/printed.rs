@@ -3,8 +3,8 @@
 use super::switches::Switches;
 use crate::schedule::{Binding, BoundOperation, BoundUnit, Kind as Shared};
 
-/// The schedule that seed 000 prints for the hardware of its figure 8: cycles 1 to 19 are the
-/// seed's, what follows them comes as early as it can.
+/// The schedule that US 6,980,218 prints for the hardware of its figure 8: cycles 1 to 19 are the
+/// patent's, what follows them comes as early as it can.
 pub(super) fn figure_8(switches: Switches) -> Binding {
     let unit =
         |name: &str, title: &str, kind, latency, registered: &[bool], load: &str| BoundUnit {

@@ -57,7 +57,7 @@ impl Switches {
         }
     }
 
-    /// True if the datapath is that of seed 000, whose schedule is printed.
+    /// True if the datapath is that of US 6,980,218, whose schedule is printed.
     pub(super) fn is_printed(self) -> bool {
         let as_printed = self.frame == Frame::Matrix && !self.normalise && !self.s_is_binormal;
         as_printed && !self.minus_t && !self.has_factor()

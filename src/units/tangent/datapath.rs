@@ -259,7 +259,7 @@ fn unit_format(values: &Values) -> Result<Format> {
     Format::signed((frac_bits + 2).unsigned_abs(), frac_bits)
 }
 
-/// The triangle's tangent as the seed has it.
+/// The triangle's tangent as the patent has it.
 struct Tangent {
     /// Exact: -1 to 1, its largest component ½ or more, times `2^raised`.
     words: [NodeId; 3],

@@ -1,5 +1,5 @@
 //! The set-up of tangent-space bump mapping: from one triangle and one of its vertices to the map from
-//! object space to texture space, and the view vector and lights through it (seed 004, US 7,843,463).
+//! object space to texture space, and the view vector and lights through it (US 7,843,463).
 //!
 //! With edges `e1 = p1 - p0`, `e2 = p2 - p0` and those of the texture `(du1, dv1)`, `(du2, dv2)`, position
 //! changes along the axes of the texture as
@@ -17,17 +17,17 @@
 //! Triangles are wound so that N is on the side of `e1 x e2`: counterclockwise as seen from outside,
 //! `N·(e1 x e2) > 0`. With an N on the other side, B points against dP/dv, and bumps along v are dents.
 //!
-//! # What the seed prints, and what isn't right
+//! # What the patent prints, and what isn't right
 //!
 //! - **Mirrored textures.** (dP/du, dP/dv, N) is right-handed where det > 0 and left-handed where det < 0. There N x T
-//!   points along -dP/dv. The seed negates the tangent there (`mirror=printed`): then B points along
+//!   points along -dP/dv. The patent negates the tangent there (`mirror=printed`): then B points along
 //!   dP/dv, and T along -dP/du. A map [T; N x T; N] is right-handed whatever T is, so no sign of T makes
 //!   both right: it only moves the fault from one axis to the other. Bumps along u are lit from the wrong side.
 //!   With `mirror=off` they are along v. `mirror=handed` has T = dP/du and B = sign(det) N x T: both right.
 //! - **Mirrored facets.** T x dP/dv points inward where det < 0: with `mirror=off` the facet is lit from behind. The
-//!   seed's negated tangent mends the normal, and bumps along u are wrong. `mirror=handed` takes
+//!   patent's negated tangent mends the normal, and bumps along u are wrong. `mirror=handed` takes
 //!   N = sign(det) T x dP/dv: all three right.
-//! - **"Orthonormal".** The seed calls the map so, and it isn't where T isn't at right angles to N, as with
+//! - **"Orthonormal".** The patent calls the map so, and it isn't where T isn't at right angles to N, as with
 //!   every vertex normal that isn't the face's: then B is shorter than 1 and light leaks from N to T. With
 //!   `basis=printed` it is as printed: T as it is, B = N x T as long as it comes, of a facet dP/dv as it is.
 //!   `basis=orthonormal` takes B = N x T over its length and T = B x N, which has the direction of T's part
@@ -64,13 +64,19 @@ use switches::MOST_LIGHTS;
 #[must_use]
 pub fn unit() -> Unit {
     Unit::new("tangent", "tangent-space set-up of a triangle's vertex: map, view vector and lights in texture space")
-        .source("seed 004 (US 7,843,463), with its mirroring rule and facets as printed and mended")
+        .source("US 7,843,463, with its mirroring rule and facets as printed and mended")
+        .formula(
+            "e1 = p1 - p0, e2 = p2 - p0, (du1, dv1) = uv1 - uv0, (du2, dv2) = uv2 - uv0, det = du1 dv2 - du2 dv1\n\
+         T = direction of (dv2 e1 - dv1 e2)/det, B = N x T; a vector v in texture space is (T.v, B.v, N.v)\n\
+         frame=faceted: second tangent along (du1 e2 - du2 e1)/det, N the direction of the cross product of both\n\
+         mirror=handed: B turned where det < 0; printed: T turned; off: neither",
+        )
         .params([
             Param::choice("frame", ["smooth", "faceted"])
                 .role(Role::Pipeline)
                 .help("a map per vertex with its normal, or one for the triangle with a second tangent"),
             Param::choice("mirror", ["handed", "printed", "off"])
-                .help("mirrored textures: B (of a facet N) turned, T turned as the seed has it, or nothing; \
+                .help("mirrored textures: B (of a facet N) turned, T turned as the patent has it, or nothing; \
                errors are against the golden of the same rule"),
             Param::choice("basis", ["orthonormal", "printed"])
                 .help("T, B, N made orthonormal, or T and N x T (of a facet dP/dv) as they are; \

@@ -1,6 +1,6 @@
 //! Scenes by tangent-space set-up: texture-space vectors per corner of a triangle, lighting per pixel.
 //!
-//! The flow of US 7,843,463 (seed 004): a vertex stage (float: unit normal, unit vector to the eye and to each
+//! The flow of US 7,843,463: a vertex stage (float: unit normal, unit vector to the eye and to each
 //! light, once per shared vertex), primitive assembly ([`Scene::assemble`](crate::shading::scene::Scene::assemble)), the set-up (the fixed-point unit
 //! `tangent`, for each corner of each triangle: the map from object space to texture space, and the eye's and the
 //! lights' vectors through it), a rasteriser (float: rays and perspective-correct weights, which interpolate
