@@ -32,6 +32,7 @@ mod machines;
 mod netlist;
 mod op;
 mod own_units;
+mod pages;
 mod readers;
 mod readme;
 mod record;
