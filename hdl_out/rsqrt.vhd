@@ -1,5 +1,5 @@
 -- rsqrt: 1/sqrt(a) by a table, a table with interpolation, or a table and a Newton step
--- made by fixpath 0.1.0; the inverse square root unit of seed 000 (US 6,980,218, FIG. 8)
+-- made by fixpath 0.1.0; the inverse square root unit of US 6,980,218, FIG. 8
 --   input_bits=20 input_frac_bits=18 root_int_bits=9 root_scheme=linear root_addr_bits=9
 --   root_frac_bits=18 rounding=half-up period_ps=5000 stages=auto rom=block
 -- latency 6 cycles, interval 1 cycle; tables read on the clock

@@ -48,27 +48,43 @@
 //! The folders of the source are its layers, from `base` up to `cli`: each names only those below it, and a path
 //! inside the crate starts with the folder. From outside, modules have short paths, whichever folder they stand in:
 //! `fixpath::format`, not `fixpath::number::format`.
+//!
+//! # Features
+//!
+//! | feature | adds |
+//! |---|---|
+//! | none | numbers, netlists, schedules, simulation, tables, units, errors, hardware text, waves, runs of outside tools |
+//! | `pictures` | scenes, pictures, texture-coordinate calls, specialisation to a scene |
+//! | `sweeps` | sweeps, ladders, reports and plots; needs `pictures`, since a point may be a picture |
+//! | `cli` (default) | the command line, [`main`]; needs `sweeps` |
 #![deny(unsafe_code)]
+// Some private helpers serve the upper layers only.
+#![cfg_attr(not(feature = "cli"), allow(dead_code, unreachable_pub, unused_imports))]
 #![cfg_attr(
     test,
     allow(clippy::disallowed_methods, reason = "goldens of tests may round otherwise")
 )]
 
 mod base;
+#[cfg(feature = "cli")]
 pub mod cli;
 mod design;
 mod hardware;
 pub mod measure;
 pub mod netlist;
 mod number;
+#[cfg(feature = "sweeps")]
 pub mod report;
 pub mod schedule;
+#[cfg(feature = "pictures")]
 mod shading;
 pub mod sim;
+#[cfg(feature = "sweeps")]
 pub mod sweep;
 pub mod table;
 pub mod units;
 
+#[cfg(feature = "cli")]
 pub use cli::main;
 
 pub use base::{columns, error, escape, json, output, outside};
@@ -76,5 +92,7 @@ pub use hardware::{cost, cycle, emit, hdl, rtl, timetable, verify, wave};
 pub use measure::{eval, samples};
 pub use netlist::op;
 pub use number::{format, function, real, trig};
+#[cfg(feature = "pictures")]
 pub use shading::{picture, render, scene, specialise, texgen};
+#[cfg(feature = "sweeps")]
 pub use sweep::{compare, ladder};

@@ -3,7 +3,6 @@
 use crate::base::cast;
 use crate::base::error::{Error, Result};
 use crate::base::escape;
-use crate::base::input;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{DeserializeOwned, Error as _, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -72,31 +71,6 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Table<T> {
 /// The kind of a table by the name that it gives: the names of an enum's variants, one inside the other, or
 /// what is wrong with it.
 pub(crate) type Kind = fn(&str) -> Result<Vec<String>, String>;
-
-/// The whole text of a file of no more than `max_bytes`.
-///
-/// # Errors
-/// If it can't be read, isn't UTF-8, or is longer.
-pub(crate) fn read(path: &Path, max_bytes: u64) -> Result<String> {
-    let bytes = input::read(input::open(path)?, path, max_bytes)?;
-    check_encoding(&bytes).map_err(|problem| Error::file(path, problem))?;
-    String::from_utf8(bytes)
-        .map_err(|why| Error::file(path, format!("isn't text in UTF-8: {}", why.utf8_error())))
-}
-
-/// Refuses text whose first bytes say that it is in another encoding than UTF-8.
-pub(crate) fn check_encoding(bytes: &[u8]) -> Result<(), String> {
-    let marks: [(&[u8], &str); 4] = [
-        (b"\xff\xfe\0\0", "UTF-32"),
-        (b"\0\0\xfe\xff", "UTF-32"),
-        (b"\xff\xfe", "UTF-16"),
-        (b"\xfe\xff", "UTF-16"),
-    ];
-    match marks.iter().find(|(mark, _)| bytes.starts_with(mark)) {
-        Some((_, name)) => Err(format!("the text is {name}: save it as UTF-8")),
-        None => Ok(()),
-    }
-}
 
 /// Where the lines of a text end, in bytes.
 pub(crate) struct Lines(Vec<usize>);

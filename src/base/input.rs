@@ -185,3 +185,28 @@ pub(crate) fn read(file: File, path: &Path, max_bytes: u64) -> Result<Vec<u8>> {
         Error::file(path, problem)
     })
 }
+
+/// The whole text of a file of no more than `max_bytes`.
+///
+/// # Errors
+/// If it can't be read, isn't UTF-8, or is longer.
+pub(crate) fn text(path: &Path, max_bytes: u64) -> Result<String> {
+    let bytes = read(open(path)?, path, max_bytes)?;
+    check_encoding(&bytes).map_err(|problem| Error::file(path, problem))?;
+    String::from_utf8(bytes)
+        .map_err(|why| Error::file(path, format!("isn't text in UTF-8: {}", why.utf8_error())))
+}
+
+/// Refuses text whose first bytes say that it is in another encoding than UTF-8.
+pub(crate) fn check_encoding(bytes: &[u8]) -> Result<(), String> {
+    let marks: [(&[u8], &str); 4] = [
+        (b"\xff\xfe\0\0", "UTF-32"),
+        (b"\0\0\xfe\xff", "UTF-32"),
+        (b"\xff\xfe", "UTF-16"),
+        (b"\xfe\xff", "UTF-16"),
+    ];
+    match marks.iter().find(|(mark, _)| bytes.starts_with(mark)) {
+        Some((_, name)) => Err(format!("the text is {name}: save it as UTF-8")),
+        None => Ok(()),
+    }
+}

@@ -2,6 +2,7 @@
 
 pub(crate) mod cast;
 pub mod columns;
+#[cfg(feature = "pictures")]
 pub(crate) mod document;
 pub mod error;
 pub mod escape;

@@ -5,6 +5,7 @@ mod compare;
 mod cost;
 mod demo;
 mod hardware;
+mod help;
 mod ladder;
 mod number;
 mod options;
@@ -50,6 +51,7 @@ const MAX_THREADS: u64 = 1024;
     name = "fixpath",
     bin_name = "fixpath",
     version,
+    disable_help_subcommand = true,
     max_term_width = 100,
     after_help = "Examples:\n  \
         fixpath list rotation\n  \
@@ -58,7 +60,8 @@ const MAX_THREADS: u64 = 1024;
         fixpath sim rotation --hard\n  \
         fixpath wave rotation --out rotation.vcd && gtkwave rotation.vcd rotation.gtkw\n  \
         fixpath sweep rotation --axis table_addr_bits=6..14:2 --axis variant=corrected,exact --out sweep\n  \
-        fixpath demo"
+        fixpath demo\n\n\
+        Formats of files: fixpath help scene, netlist, samples, memory or texgen."
 )]
 struct Cli {
     /// Threads to use; if not given, as many as RAYON_NUM_THREADS says, else all cores.
@@ -252,6 +255,11 @@ enum Command {
         after_help = "A document says what it is: its first fields are tool, version, document and schema_version.\n\nExample:\n  fixpath schema > fixpath.schema.json"
     )]
     Schema,
+    /// Print the help of a command, or the format of a file with every key and its default.
+    #[command(
+        after_help = "Examples:\n  fixpath help sweep\n  fixpath help scene\n  fixpath help netlist"
+    )]
+    Help(help::HelpArgs),
     /// Measure, waves, hardware and a sweep of built-in settings, in under half a minute.
     #[command(after_help = "Example:\n  fixpath demo --out demo_out")]
     Demo {
@@ -500,6 +508,7 @@ fn run(command: &Command) -> Result<bool> {
             return broken.map_or(Ok(true), Err);
         }
         Command::Schema => print(json::SCHEMA)?,
+        Command::Help(args) => help::run(args)?,
         Command::Demo { out } => return demo::run(out),
     }
     Ok(true)

@@ -1,62 +1,20 @@
 //! `fixpath texgen`: calls of a texture-coordinate interface, and what they configure.
 
 use super::text;
-use crate::base::document::{self, Document, Lines};
+use crate::base::document::{Document, Lines};
 use crate::base::error::{Error, Result};
-use crate::base::json;
+use crate::base::{input, json};
 use crate::shading::texgen::{Calls, Outcome, Setting};
 use clap::Args;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
-/// Ends with a file that shows every kind of call.
-pub(super) const HELP: &str = "\
-Each call is checked against the rules of its interface; one that breaks a rule changes nothing and
-is told with its line. Of OpenGL only what GL_NV_texgen_emboss adds is judged: all other commands of
-OpenGL 1.x, what they enable, and planes are kept or passed on. A file has 16 MiB at most. Texture units whose coordinates the extension leaves undefined are told with
-every condition that fails. Exit code 2 if there is any of these. A configuration that is told is one of
-the unit `emboss`: each of its words goes after a `-p` of sim, hdl, cost and so on.
-
-Examples:
-  fixpath texgen calls.toml
-  fixpath texgen calls.toml --json
-
-calls.toml, with one emboss coordinate in each interface:
-  [[gx]]
-  call = \"SetTexCoordGen\"          # GXSetTexCoordGen; names with or without GX_, GX_TG_
-  dst_coord = \"TEXCOORD0\"          # TEXCOORD0 to TEXCOORD7
-  func = \"MTX2x4\"                  # MTX2x4, MTX3x4, BUMP0 to BUMP7, SRTG
-  src_param = \"TEX0\"               # POS, NRM, BINRM, TANGENT, TEX0…, TEXCOORD0…, COLOR0…
-  mat_idx = \"TEXMTX3\"              # TEXMTX0 to TEXMTX9, IDENTITY, or a row
-
-  [[gx]]
-  call = \"LoadRegister\"            # the same by a register word: BUMP0 from TEXCOORD0
-  dst_coord = \"TEXCOORD1\"
-  word = 0x290
-
-  [limits]                         # of [[nv]]; these are the defaults
-  lights = 8
-  texture_units = 4
-
-  [[nv]]
-  call = \"ActiveTexture\"
-  texture = \"TEXTURE1\"             # emboss takes odd units only
-
-  [[nv]]
-  call = \"TexGen\"                  # so for S, T, R and Q
-  coord = \"S\"
-  pname = \"TEXTURE_GEN_MODE\"       # or EMBOSS_LIGHT_NV, EMBOSS_CONSTANT_NV, OBJECT_PLANE, EYE_PLANE
-  param = \"EMBOSS_MAP_NV\"          # or LIGHT0, 0.0078125, [1, 0, 0, 0]
-
-  [[nv]]
-  call = \"Enable\"                  # or Disable; so for S, T, R and Q
-  cap = \"TEXTURE_GEN_S\"            # or LIGHTING, LIGHT0, and what else OpenGL has
-
-  [[nv]]
-  call = \"GetTexGen\"
-  coord = \"S\"
-  pname = \"EMBOSS_LIGHT_NV\"";
+/// Examples, and the format of the file.
+pub(super) const HELP: &str = concat!(
+    "Examples:\n  fixpath texgen calls.toml\n  fixpath texgen calls.toml --json\n\n",
+    include_str!("../../docs/files/texgen.md")
+);
 
 #[derive(Args)]
 pub(super) struct TexgenArgs {
@@ -74,12 +32,12 @@ const MAX_BYTES: u64 = 16 << 20;
 /// Makes the calls; returns what to tell, and what is wrong in all.
 pub(super) fn run(args: &TexgenArgs) -> Result<(String, Option<Error>)> {
     let path = args.file.as_path();
-    let toml = document::read(path, MAX_BYTES)?;
+    let toml = input::text(path, MAX_BYTES)?;
     let lines = Document { text: &toml, path }.lines();
     let calls = Calls::parse(&toml, path)?;
     if calls.is_empty() {
         let problem =
-            "no calls: each is a table `[[gx]]` or `[[nv]]`; `fixpath texgen --help` shows some";
+            "no calls: each is a table `[[gx]]` or `[[nv]]`; `fixpath help texgen` shows some";
         return Err(Error::file(path, problem.to_owned()));
     }
     let outcome = calls.run();

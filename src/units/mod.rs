@@ -35,8 +35,8 @@ pub use crate::number::function::Number;
 pub use crate::table::Tabulated;
 pub use parts::fragment;
 
-use crate::base::document;
 use crate::base::error::{Error, Result};
+use crate::base::input;
 use crate::netlist::Netlist;
 use std::path::Path;
 use std::sync::{LazyLock, OnceLock};
@@ -99,7 +99,7 @@ pub(crate) fn named(name: &str) -> Result<Unit> {
         return Unit::find(name).cloned();
     }
     let path = Path::new(name);
-    let text = document::read(path, MAX_FILE_BYTES)?;
+    let text = input::text(path, MAX_FILE_BYTES)?;
     Ok(Unit::of_netlist(Netlist::parse(&text, path)?))
 }
 

@@ -1,5 +1,5 @@
 // emboss: texture coordinates displaced by the direction of a light, for embossing
-// made by fixpath 0.1.0; seeds 000 and 003 (US 6,980,218; US 7,307,640), seed 002 (GL_NV_texgen_emboss)
+// made by fixpath 0.1.0; US 6,980,218; US 7,307,640; GL_NV_texgen_emboss
 //   setting=gx frame=auto normalise_basis=auto s_vector=auto l_sign=light-vertex t_sign=auto
 //   scale_q=auto constants=auto ks=1 kt=1 input20=off component_bits=16 matrix_bits=16
 //   matrix_int_bits=2 position_bits=28 position_frac_bits=15 guard_bits=4 norm_bits=18

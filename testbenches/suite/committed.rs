@@ -1,10 +1,13 @@
-//! What `hdl_out/` and `testbenches/` hold is what the code makes of the defaults of every unit.
+//! The hardware of every unit at its defaults, and of some settings more, is what is committed: a few
+//! settings in full in `hdl_out/` and `testbenches/`, and a digest of each file of the others.
 
 use crate::common::design;
 use fixpath::emit::{Package, Settings};
 use fixpath::hdl::testbench::vectors_file;
 use fixpath::units::UNITS;
+use sha2::{Digest, Sha256};
 use std::collections::BTreeSet;
+use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -41,9 +44,20 @@ pub(crate) const COMMITTED: &[(&str, &str, &[&str])] = &[
     ("tangent_faceted", "tangent", &["frame=faceted"]),
 ];
 
-/// Netlist, module in both languages and tables go to `hdl_out`, what tests them to a folder of
-/// `testbenches`.
-fn files(name: &str, unit: &str, assignments: &[&str]) -> Vec<(PathBuf, String)> {
+/// The settings whose files are committed for readers: tables and no multiplier, a shared multiplier
+/// with an interval, products of vectors, plain words.
+const IN_FULL: &[&str] = &["rotation_exact", "rotation_corrected_shared", "emboss", "rsqrt"];
+
+/// The digests of the files of all other settings, in the format of `sha256sum`.
+const DIGESTS: &str = "hdl_out/digests.txt";
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// Files of a setting, with paths from the root: netlist, module in both languages and tables in
+/// `hdl_out`, their testbenches in a folder of `testbenches`.
+pub(crate) fn files(name: &str, unit: &str, assignments: &[&str]) -> Vec<(PathBuf, String)> {
     let design = design(unit, assignments);
     let settings = Settings {
         name: Some(name.to_owned()),
@@ -52,8 +66,7 @@ fn files(name: &str, unit: &str, assignments: &[&str]) -> Vec<(PathBuf, String)>
         ..Settings::default()
     };
     let mut package = Package::new(&design, &settings).unwrap();
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let (hardware, bench) = (root.join("hdl_out"), root.join("testbenches").join(name));
+    let (hardware, bench) = (PathBuf::from("hdl_out"), Path::new("testbenches").join(name));
     let mut files = vec![(hardware.join(format!("{name}.txt")), design.netlist.to_text())];
     for file in &package.hardware {
         files.push((hardware.join(&file.name), file.text.clone()));
@@ -84,35 +97,55 @@ fn every_unit_is_committed_at_its_defaults() {
 #[test]
 fn committed_hardware_is_up_to_date() {
     let bless = std::env::var_os("FIXPATH_BLESS").is_some();
+    let rewrite = "FIXPATH_BLESS=1 cargo test committed rewrites it";
     let mut made = BTreeSet::new();
+    let mut check = |path: &Path, text: &str| {
+        let whole = root().join(path);
+        if bless {
+            fs::create_dir_all(whole.parent().unwrap()).unwrap();
+            fs::write(&whole, text).unwrap();
+        }
+        let committed = fs::read_to_string(&whole).unwrap_or_default();
+        // Not assert_eq: a table is a long text.
+        assert!(committed == text, "{} is out of date: {rewrite}", path.display());
+        made.insert(path.to_owned());
+    };
+    let mut digests = String::new();
     for (name, unit, assignments) in COMMITTED {
         for (path, text) in files(name, unit, assignments) {
-            if bless {
-                fs::create_dir_all(path.parent().unwrap()).unwrap();
-                fs::write(&path, &text).unwrap();
+            if IN_FULL.contains(name) {
+                check(&path, &text);
+                continue;
             }
-            let committed = fs::read_to_string(&path).unwrap_or_default();
-            // Not assert_eq: a table is a long text.
-            let old = format!("{} is old: FIXPATH_BLESS=1 cargo test rewrites it", path.display());
-            assert!(committed == text, "{old}");
-            made.insert(path);
+            for byte in Sha256::digest(&text) {
+                write!(digests, "{byte:02x}").unwrap();
+            }
+            writeln!(digests, "  {}", path.display()).unwrap();
         }
     }
-    // Nothing is left of what isn't made any more.
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let mut folders = vec![root.join("hdl_out")];
-    folders.extend(COMMITTED.iter().map(|(name, _, _)| root.join("testbenches").join(name)));
+    let committed = fs::read_to_string(root().join(DIGESTS)).unwrap_or_default();
+    let changed = digests.lines().find(|line| !committed.lines().any(|old| old == *line));
+    let changed = changed.unwrap_or("a file less");
+    assert!(bless || committed == digests, "{DIGESTS} is out of date: {changed}: {rewrite}");
+    check(Path::new(DIGESTS), &digests);
+    // Nothing is left that isn't made any more.
+    let mut folders = vec![PathBuf::from("hdl_out")];
+    folders.extend(IN_FULL.iter().map(|name| Path::new("testbenches").join(name)));
     // What makefiles leave beside testbenches is ignored, as git does.
     let is_left = |path: &Path| {
         let extension = path.extension().and_then(|extension| extension.to_str());
         let bench = path.parent() != Some(&folders[0]);
-        bench && (path.is_dir() || matches!(extension, Some("hex" | "vvp" | "vcd")))
+        bench && (root().join(path).is_dir() || matches!(extension, Some("hex" | "vvp" | "vcd")))
     };
-    let entries = folders.iter().flat_map(|folder| fs::read_dir(folder).unwrap());
-    for path in entries.map(|entry| entry.unwrap().path()).filter(|path| !is_left(path)) {
+    let names = |folder: &PathBuf| {
+        let entries: Vec<_> = fs::read_dir(root().join(folder)).unwrap().collect();
+        let folder = folder.clone();
+        entries.into_iter().map(move |entry| folder.join(entry.unwrap().file_name()))
+    };
+    for path in folders.iter().flat_map(names).filter(|path| !is_left(path)) {
         if bless && !made.contains(&path) {
-            fs::remove_file(&path).unwrap();
+            fs::remove_file(root().join(&path)).unwrap();
         }
-        assert!(bless || made.contains(&path), "{} is made by nothing", path.display());
+        assert!(bless || made.contains(&path), "no setting makes {}", path.display());
     }
 }

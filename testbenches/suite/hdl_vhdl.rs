@@ -1,6 +1,6 @@
 //! Emitted VHDL in GHDL.
 
-use crate::committed::COMMITTED;
+use crate::committed::{COMMITTED, files};
 use crate::engines::random_netlist;
 use crate::hdl::{
     Ended, PLACES, emit, emit_with, every_operation, fails, faulty_vectors, figure_8_rtl, little,
@@ -101,9 +101,12 @@ fn ghdl_synthesises_every_operation_and_unit() {
     let module = emit(&Arc::new(rtl), None, 1, folder.path());
     let source = folder.path().join(format!("{}.vhd", module.name));
     synthesises(&source, &module.name, folder.path());
-    let committed = Path::new(env!("CARGO_MANIFEST_DIR")).join("hdl_out");
-    for (name, _, _) in COMMITTED {
-        synthesises(&committed.join(format!("{name}.vhd")), name, &committed);
+    for (name, unit, assignments) in COMMITTED {
+        let folder = tempfile::tempdir().unwrap();
+        for (path, text) in files(name, unit, assignments) {
+            fs::write(folder.path().join(path.file_name().unwrap()), text).unwrap();
+        }
+        synthesises(&folder.path().join(format!("{name}.vhd")), name, folder.path());
     }
 }
 

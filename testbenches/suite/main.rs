@@ -20,6 +20,7 @@ mod embossed;
 mod engines;
 mod files;
 mod format;
+mod formats;
 mod fuzzed;
 mod gltf;
 mod hdl;

@@ -11,11 +11,12 @@ use std::process::{Command, Stdio};
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 /// Languages of blocks: commands, which run; examples of files, which tests of their readers take; what is printed.
-const LANGUAGES: [&str; 3] = ["sh", "toml", "text"];
+const LANGUAGES: [&str; 4] = ["sh", "toml", "csv", "text"];
 
 fn pages() -> Vec<PathBuf> {
     let root = Path::new(ROOT);
-    let docs = fs::read_dir(root.join("docs")).unwrap().map(|entry| entry.unwrap().path());
+    let folders = ["docs", "docs/files"].map(|folder| fs::read_dir(root.join(folder)).unwrap());
+    let docs = folders.into_iter().flatten().map(|entry| entry.unwrap().path());
     let mut pages: Vec<PathBuf> =
         docs.filter(|path| path.extension().is_some_and(|e| e == "md")).collect();
     pages.extend(["README.md", "CONTRIBUTING.md", "CHANGELOG.md"].map(|name| root.join(name)));

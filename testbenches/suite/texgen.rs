@@ -1098,7 +1098,7 @@ fn malformed_files_are_refused_with_the_line() {
     let cases = [
         (
             "",
-            "calls.toml: no calls: each is a table `[[gx]]` or `[[nv]]`; `fixpath texgen --help` shows some",
+            "calls.toml: no calls: each is a table `[[gx]]` or `[[nv]]`; `fixpath help texgen` shows some",
         ),
         ("[[gx]\n", "calls.toml, line 1: "),
         (
@@ -1270,18 +1270,20 @@ fn a_broken_rule_or_an_undefined_result_is_exit_code_2_with_all_else_told() {
     assert!(!command(&escape, &[]).1.contains('\u{1b}'));
 }
 
-/// The file that `--help` shows, but for what it leaves to "so for S, T, R and Q".
+/// The file that `fixpath help texgen` shows, without what it leaves to "likewise for T, R and Q".
 #[test]
 fn the_example_of_the_help_runs() {
-    let mut help = fixpath();
-    let output = help.args(["texgen", "--help"]).output().unwrap();
-    let text = String::from_utf8(output.stdout).unwrap();
-    let example = text.split_once("in each interface:\n").unwrap().1;
+    let page = include_str!("../../docs/files/texgen.md");
+    let example = page.split_once("```toml\n").unwrap().1.split_once("```").unwrap().0;
     let outcome = run(example);
     let refused: Vec<_> = outcome.events.iter().filter(|event| event.outcome.is_err()).collect();
     assert!(refused.is_empty(), "{refused:?}");
     assert_eq!((outcome.events.len(), outcome.emboss.len()), (6, 1));
     assert_eq!(outcome.undefined[0].coords.len(), 1);
+    // The limits that it writes out are the defaults.
+    let (before, rest) = example.split_once("[limits]").unwrap();
+    let without = format!("{before}{}", &rest[rest.find("[[nv]]").unwrap()..]);
+    assert_eq!(format!("{:?}", run(&without).emboss), format!("{:?}", outcome.emboss));
 }
 
 #[test]

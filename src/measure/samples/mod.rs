@@ -11,9 +11,9 @@
 
 mod records;
 
-use crate::base::document::check_encoding;
 use crate::base::error::{Error, Result, nearest};
 use crate::base::escape;
+use crate::base::input::check_encoding;
 use crate::design::Design;
 use crate::measure::bounds::case_columns;
 use crate::measure::inputs::quantize_input;

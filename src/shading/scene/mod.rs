@@ -124,8 +124,8 @@ pub use map::{Bumps, Texture};
 pub use tessellation::{Assembly, Seen, Tessellation, Vertex};
 pub use trace::{CURVED, Fragments};
 
-use crate::base::document;
 use crate::base::error::{Error, Result};
+use crate::base::input;
 use crate::number::trig::rotation;
 use glam::DVec3;
 use normals::Normals;
@@ -387,7 +387,7 @@ impl Scene {
     /// If it or a file that it names can't be read, isn't TOML, has a key that scenes don't
     /// have or a value that isn't legal (which names the line), or a mesh can't be lit.
     pub fn open(path: &Path) -> Result<Self> {
-        text::read(&document::read(path, map::MAX_BYTES)?, path)
+        text::read(&input::text(path, map::MAX_BYTES)?, path)
     }
 
     /// A scene from TOML text; the paths in it are relative to the folder of `path`, which is
