@@ -5,12 +5,14 @@
 //! ```
 //!
 //! Rows do the same work on the same 2^20 vectors of random words, on one thread, and must give the
-//! same checksum: the engine, the reference interpreter, kernels written by hand for the one setting
-//! with `fixed`'s types and in vectorised passes over blocks, and Verilator on the emitted Verilog, where it is
-//! installed, built with its best flags. Waves of the first 10^5 vectors, with every signal, are written to files of
-//! one folder by `fixpath wave`'s code and by Verilator's tracing, each timed from before its file is made to after it is
-//! closed; what the files hold is counted. The whole of `sim`, on one thread and on all, draws vectors of its own. Rows take turns, round by round; each row's stimulus is timed in pieces, and a
-//! piece counts with its best time over all rounds, so that what else the machine does is left out.
+//! same checksum: the engine, the reference interpreter, kernels written by hand for the one
+//! setting with `fixed`'s types and in vectorised passes over blocks, and Verilator on the emitted
+//! Verilog, where it is installed, built with its best flags. Waves of the first 10^5 vectors, with
+//! every signal, are written to files of one folder by `fixpath wave`'s code and by Verilator's
+//! tracing, each timed from before its file is made to after it is closed; what the files hold is
+//! counted. The whole of `sim`, on one thread and on all, draws vectors of its own. Rows take
+//! turns, round by round; each row's stimulus is timed in pieces, and a piece counts with its best
+//! time over all rounds, so that what else the machine does is left out.
 #![allow(
     missing_docs,
     clippy::cast_possible_truncation,
@@ -256,7 +258,8 @@ fn bench(variant: &str, rounds: usize, only: &str) -> serde_json::Value {
     })
 }
 
-/// What `sim` does with vectors: it draws them, runs engine, golden and reals, and counts errors on four bases.
+/// What `sim` does with vectors: it draws them, runs engine, golden and reals, and counts errors on
+/// four bases.
 struct Whole {
     /// Million vectors per second on one thread and on all.
     rates: Vec<(usize, f64)>,
@@ -601,7 +604,8 @@ fn half_up<const S: u32>(x: i32) -> i32 {
     x.wrapping_add(1 << (S - 1)) >> S
 }
 
-/// A sum of words that are far from the ends of their lanes: a check for overflow is no vector code.
+/// A sum of words that are far from the ends of their lanes: a check for overflow is no vector
+/// code.
 #[inline(always)]
 fn sum(words: [i32; 4]) -> i32 {
     words[0].wrapping_add(words[1]).wrapping_add(words[2].wrapping_add(words[3]))

@@ -49,7 +49,8 @@ fn sigmoid() -> Unit {
             b.output("y", y);
             Ok(Design::new(p, b.build()?)
                 .golden(|_| Golden::each(|[x]: [f64; 1]| [1.0 / (1.0 + (-x).exp())]))
-                // The golden may be rounded otherwise than the function that the table is judged by.
+                // The golden may be rounded otherwise than the function that the table is judged
+                // by.
                 .bounds(Bounds::Stated(vec![Bound::new("y", ["y"], |_, worst| {
                     worst("sigmoid") + 2.0 * f64::EPSILON
                 })]))

@@ -1,5 +1,6 @@
-//! Every reader of what comes from outside, as a function of bytes that must not panic and that checks what it
-//! reads. `fuzz/targets` has each as a fuzz target; the suite runs all of them over `fuzz/seeds`.
+//! Every reader of what comes from outside, as a function of bytes that must not panic and that
+//! checks what it reads. `fuzz/targets` has each as a fuzz target; the suite runs all of them over
+//! `fuzz/seeds`.
 
 use fixpath::cli;
 use fixpath::cost;
@@ -157,7 +158,8 @@ pub(crate) fn samples(bytes: &[u8]) {
     let _ = file.clipped_note();
 }
 
-/// Calls of texture-coordinate generation: each configuration that comes out is one of the emboss unit.
+/// Calls of texture-coordinate generation: each configuration that comes out is one of the emboss
+/// unit.
 pub(crate) fn texgen(bytes: &[u8]) {
     let Some(text) = text(bytes) else { return };
     let Ok(calls) = Calls::parse(text, Path::new("calls.toml")) else { return };

@@ -1,10 +1,10 @@
 //! A generator and bit-true simulator of fixed-point datapaths.
 //!
 //! A datapath is described once, as a [`netlist`] of exact operations ([`op`]) and of the one
-//! operation that rounds ([`format::narrow`]); formats and tables ([`table`]) are run-time values. From
-//! it come fast bit-true simulation ([`sim::batch`]), pipelined hardware ([`schedule`], [`rtl`]) with
-//! its clock cycles ([`cycle`]) and waves ([`wave`]), and error figures ([`measure`]) over
-//! parameter sweeps ([`sweep`]). [`units`] holds the datapaths with their golden models.
+//! operation that rounds ([`format::narrow`]); formats and tables ([`table`]) are run-time values.
+//! From it come fast bit-true simulation ([`sim::batch`]), pipelined hardware ([`schedule`],
+//! [`rtl`]) with its clock cycles ([`cycle`]) and waves ([`wave`]), and error figures ([`measure`])
+//! over parameter sweeps ([`sweep`]). [`units`] holds the datapaths with their golden models.
 //!
 //! A unit from its parameters to its error:
 //!
@@ -41,13 +41,13 @@
 //! # Ok::<(), fixpath::error::Error>(())
 //! ```
 //!
-//! The same with operators, `(&x * &x).narrow(…)`, is written with [`netlist::Wires`].
-//! With parameters, a golden model and a bound such a datapath is a [`units::Unit`], and [`main`] gives it the whole
-//! command line: see `examples/own_units.rs`.
+//! The same with operators, `(&x * &x).narrow(…)`, is written with [`netlist::Wires`]. With
+//! parameters, a golden model and a bound such a datapath is a [`units::Unit`], and [`main`] gives
+//! it the whole command line: see `examples/own_units.rs`.
 //!
-//! The folders of the source are its layers, from `base` up to `cli`: each names only those below it, and a path
-//! inside the crate starts with the folder. From outside, modules have short paths, whichever folder they stand in:
-//! `fixpath::format`, not `fixpath::number::format`.
+//! The folders of the source are its layers, from `base` up to `cli`: each names only those below
+//! it, and a path inside the crate starts with the folder. From outside, modules have short paths,
+//! whichever folder they stand in: `fixpath::format`, not `fixpath::number::format`.
 #![deny(unsafe_code)]
 #![cfg_attr(
     test,

@@ -1,4 +1,5 @@
-//! Waves beside Verilator's: the same vectors through the same pipeline, every signal in a VCD file.
+//! Waves beside Verilator's: the same vectors through the same pipeline, every signal in a VCD
+//! file.
 
 use crate::{Stimulus, mixed};
 use fixpath::units::Design;
@@ -57,7 +58,8 @@ pub(crate) struct Contents {
     /// Changes of words, and of reals.
     pub(crate) changes: u64,
     pub(crate) reals: u64,
-    /// Of the words at the output ports after each rising edge with valid data, as of the other rows.
+    /// Of the words at the output ports after each rising edge with valid data, as of the other
+    /// rows.
     pub(crate) checksum: u64,
 }
 

@@ -1,9 +1,10 @@
-//! Fields of CSV files, so that typed readers (pandas, polars, DuckDB) find the type of each column in any of its rows.
+//! Fields of CSV files, so that typed readers (pandas, polars, DuckDB) find the type of each column
+//! in any of its rows.
 //!
-//! A count is written as a whole number. A real number always has a point or an exponent, so that a column that
-//! starts with `0.0` isn't taken for one of whole numbers; what is not finite is `inf`, `-inf` or `NaN`, which these
-//! readers know as numbers. An empty field is one that is missing. Text is quoted where it has a comma, a quote
-//! or an end of line, and none of ours has the latter.
+//! A count is written as a whole number. A real number always has a point or an exponent, so that a
+//! column that starts with `0.0` isn't taken for one of whole numbers; what is not finite is `inf`,
+//! `-inf` or `NaN`, which these readers know as numbers. An empty field is one that is missing.
+//! Text is quoted where it has a comma, a quote or an end of line, and none of ours has the latter.
 
 use crate::base::error::Result;
 use crate::base::output;

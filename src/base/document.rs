@@ -1,4 +1,5 @@
-//! A TOML file that somebody wrote by hand: its text as typed data, and what is wrong in which line.
+//! A TOML file that somebody wrote by hand: its text as typed data, and what is wrong in which
+//! line.
 
 use crate::base::cast;
 use crate::base::error::{Error, Result};
@@ -22,8 +23,9 @@ pub(crate) struct Document<'a> {
     pub(crate) path: &'a Path,
 }
 
-/// An array of exactly so many values. Every array of fixed length in a file must be one: serde's own takes the
-/// first `N` and drops the others without a word, since TOML's reader doesn't ask whether the end was reached.
+/// An array of exactly so many values. Every array of fixed length in a file must be one: serde's
+/// own takes the first `N` and drops the others without a word, since TOML's reader doesn't ask
+/// whether the end was reached.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Exactly<T, const N: usize>(pub(crate) [T; N]);
 
@@ -38,8 +40,8 @@ impl<'de, T: Deserialize<'de>, const N: usize> Deserialize<'de> for Exactly<T, N
     }
 }
 
-/// A table. Every struct below another in a file must be one: serde's own takes an array as well, gives its values to
-/// the keys in their order, and drops those left over.
+/// A table. Every struct below another in a file must be one: serde's own takes an array as well,
+/// gives its values to the keys in their order, and drops those left over.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Table<T>(T);
 
@@ -69,8 +71,8 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Table<T> {
     }
 }
 
-/// The kind of a table by the name that it gives: the names of an enum's variants, one inside the other, or
-/// what is wrong with it.
+/// The kind of a table by the name that it gives: the names of an enum's variants, one inside the
+/// other, or what is wrong with it.
 pub(crate) type Kind = fn(&str) -> Result<Vec<String>, String>;
 
 /// The whole text of a file of no more than `max_bytes`.
@@ -117,10 +119,12 @@ impl Document<'_> {
         toml::from_str(self.text).map_err(|why| self.told(&why))
     }
 
-    /// Reads the whole text, where each table of some arrays says under the key `tag` which variant of an enum it is.
+    /// Reads the whole text, where each table of some arrays says under the key `tag` which variant
+    /// of an enum it is.
     ///
-    /// serde has such enums too, but loses where their keys stand. So each table `{ tag = "Name", … }` becomes
-    /// `{ Name = { … } }`, which is how serde writes an enum that isn't told otherwise.
+    /// serde has such enums too, but loses where their keys stand. So each table
+    /// `{ tag = "Name", … }` becomes `{ Name = { … } }`, which is how serde writes an enum that
+    /// isn't told otherwise.
     ///
     /// # Errors
     /// As [`Document::parse`], also if a table has no such key or its name is of no kind.

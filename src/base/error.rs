@@ -1,9 +1,8 @@
 //! The one error type of the library.
 //!
-//! An [`Error`] is for the caller's data: a parameter out of range, a file that
-//! can't be read, a format that would be too wide. Wrong code panics instead,
-//! with a message that starts with `bug:`. Every message names what was given,
-//! what is legal, and what to do.
+//! An [`Error`] is for the caller's data: a parameter out of range, a file that can't be read, a
+//! format that would be too wide. Wrong code panics instead, with a message that starts with
+//! `bug:`. Every message names what was given, what is legal, and what to do.
 
 use crate::base::escape;
 use std::fmt;
@@ -13,8 +12,8 @@ use std::path::{Path, PathBuf};
 /// What every fallible function of this crate returns.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
-/// An error in what the caller gave: data, parameters or files. Its message is one line that ends in time and acts
-/// on no terminal, whatever was given.
+/// An error in what the caller gave: data, parameters or files. Its message is one line that ends
+/// in time and acts on no terminal, whatever was given.
 #[derive(Debug)]
 pub struct Error(Box<Kind>);
 
@@ -224,8 +223,8 @@ impl Error {
         ))
     }
 
-    /// If this is about a format's bits: the node or shared unit without its number, how many nodes were built
-    /// before, and the bits; of a format by itself the bits alone.
+    /// If this is about a format's bits: the node or shared unit without its number, how many nodes
+    /// were built before, and the bits; of a format by itself the bits alone.
     pub(crate) fn bits_needed(&self) -> Option<(&str, usize, u32)> {
         let stem = |name: &'_ String| name.trim_end_matches(|c: char| c.is_ascii_digit()).len();
         if let Kind::NodeTooWide { node, place, given_bits, .. } = &*self.0 {
@@ -261,7 +260,8 @@ impl Error {
         self
     }
 
-    /// Where the code that asked for a node stands, if this is about building a netlist: for whoever wrote that code.
+    /// Where the code that asked for a node stands, if this is about building a netlist: for
+    /// whoever wrote that code.
     #[must_use]
     pub fn caller(&self) -> Option<&'static Location<'static>> {
         if let Kind::NodeTooWide { node, .. } | Kind::Operands { node, .. } = &*self.0 {
@@ -283,7 +283,8 @@ impl Error {
     }
 }
 
-/// The longest text that may be meant for a name: looking for the nearest takes time with its length.
+/// The longest text that may be meant for a name: looking for the nearest takes time with its
+/// length.
 const LONGEST_NAME: usize = 200;
 
 /// `, did you mean …` for the closest known name, or nothing if none is close.

@@ -1,5 +1,5 @@
-//! Text from files, command lines and outside tools, made fit for where it is shown: it acts on no terminal,
-//! stays on its line, ends in time, and says the same in Markdown as it is.
+//! Text from files, command lines and outside tools, made fit for where it is shown: it acts on no
+//! terminal, stays on its line, ends in time, and says the same in Markdown as it is.
 
 use std::borrow::Cow;
 
@@ -76,8 +76,8 @@ pub fn message(text: &str) -> String {
 
 /// A text inside a line or a table's cell of Markdown, where it shows as it is.
 ///
-/// Marks get a backslash, `<` and `&` their entities, which every renderer knows; an underscore inside a word
-/// marks nothing.
+/// Marks get a backslash, `<` and `&` their entities, which every renderer knows; an underscore
+/// inside a word marks nothing.
 #[must_use]
 pub fn markdown(text: &str) -> String {
     let text = line(text);
@@ -111,7 +111,8 @@ mod tests {
         let shown = "a\\u{1b}[31mb\\nc\\u{9b}1md\\u{202e}e\\u{7f}\\u{200b}\\u{feff}ü √";
         assert_eq!(line(text), shown);
         assert_eq!(lines("a\tb\n\u{1b}c\r\n"), "a\tb\n\\u{1b}c\\r\n");
-        // Unicode's default ignorables that aren't above, a noncharacter of each kind, blanks that are letters.
+        // Unicode's default ignorables that aren't above, a noncharacter of each kind, blanks that
+        // are letters.
         for c in [
             '\u{34f}',
             '\u{3164}',

@@ -102,8 +102,9 @@ fn is_pipe(_: FileType) -> bool {
     false
 }
 
-/// Opens what is there. It waits for the other end of a pipe as long as it takes: who names a pipe may have a slow program
-/// there. After [`PIPE_WAIT`] a note tells what it waits for, since nobody may be there at all.
+/// Opens what is there. It waits for the other end of a pipe as long as it takes: who names a pipe
+/// may have a slow program there. After [`PIPE_WAIT`] a note tells what it waits for, since nobody
+/// may be there at all.
 pub(crate) fn open_with(options: &OpenOptions, path: &Path) -> io::Result<File> {
     if !fs::metadata(path).is_ok_and(|there| is_pipe(there.file_type())) {
         return options.open(path);

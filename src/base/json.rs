@@ -1,10 +1,12 @@
 //! JSON as other programs read it: what every document has in common, and its schema.
 //!
-//! A document is an object whose first fields are `tool`, `version` (of this crate), `document`, which says what it is,
-//! and `schema_version`. [`SCHEMA`] is the JSON Schema of all of them. A later version of the crate may add fields;
-//! [`SCHEMA_VERSION`] goes up when one changes its meaning or goes away.
+//! A document is an object whose first fields are `tool`, `version` (of this crate), `document`,
+//! which says what it is, and `schema_version`. [`SCHEMA`] is the JSON Schema of all of them. A
+//! later version of the crate may add fields; [`SCHEMA_VERSION`] goes up when one changes its
+//! meaning or goes away.
 //!
-//! A real number that JSON can't write is one of the texts `NaN`, `inf` and `-inf`; `null` is what is not known.
+//! A real number that JSON can't write is one of the texts `NaN`, `inf` and `-inf`; `null` is what
+//! is not known.
 
 use serde::{Serialize, Serializer};
 use serde_json::{Map, Value};
@@ -40,8 +42,8 @@ pub fn document(name: &str, fields: impl Serialize) -> Value {
     Value::Object(all)
 }
 
-/// A value as text, with an end of line. What a terminal would act on, which can only be inside of its texts, is
-/// written as an escape.
+/// A value as text, with an end of line. What a terminal would act on, which can only be inside of
+/// its texts, is written as an escape.
 ///
 /// # Panics
 /// Never: values are plain.

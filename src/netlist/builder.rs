@@ -18,9 +18,9 @@ use std::panic::Location;
 
 /// Grows a netlist.
 ///
-/// The first mistake is kept and returned by [`Builder::build`], so that a datapath is
-/// written as plain expressions: a word past 63 bits, operands that don't fit, a node of another builder, a name
-/// that is none ([rules](super#names)). Nothing that is asked of a builder panics.
+/// The first mistake is kept and returned by [`Builder::build`], so that a datapath is written as
+/// plain expressions: a word past 63 bits, operands that don't fit, a node of another builder, a
+/// name that is none ([rules](super#names)). Nothing that is asked of a builder panics.
 #[derive(Debug)]
 pub struct Builder {
     netlist: Netlist,
@@ -376,8 +376,8 @@ impl Builder {
         id
     }
 
-    /// Says what a node stands for on reals, as an expression of nodes that are built before it; a node keeps its first
-    /// meaning.
+    /// Says what a node stands for on reals, as an expression of nodes that are built before it; a
+    /// node keeps its first meaning.
     #[track_caller]
     pub fn means<const N: usize>(
         &mut self,
@@ -493,8 +493,9 @@ impl Builder {
         TableId { owner: self.owner, number: cast::id_of(index) }
     }
 
-    /// Adds a memory, whose words are [bound](Netlist::bind) when the netlist is simulated, from names and formats of its
-    /// columns. It is [read](Builder::read) like a table; in hardware, words come `latency` cycles after the address.
+    /// Adds a memory, whose words are [bound](Netlist::bind) when the netlist is simulated, from
+    /// names and formats of its columns. It is [read](Builder::read) like a table; in hardware,
+    /// words come `latency` cycles after the address.
     #[track_caller]
     pub fn memory(
         &mut self,
@@ -506,8 +507,8 @@ impl Builder {
         self.table(Table::memory(name, addr_bits, columns, latency))
     }
 
-    /// The format of a table's result: the recipe's, or what the table's name is [overridden](Overrides) with. Whoever
-    /// makes a table's words asks here first.
+    /// The format of a table's result: the recipe's, or what the table's name is
+    /// [overridden](Overrides) with. Whoever makes a table's words asks here first.
     pub fn table_format(&mut self, name: &str, format: Format) -> Format {
         let place = Place::Table(name.to_owned());
         let (format, given) = self.overrides.at(&place, format);
@@ -515,8 +516,8 @@ impl Builder {
         format
     }
 
-    /// The name of a table's scheme: the recipe's, or what the table's name is [overridden](Overrides) with. Whoever makes
-    /// a table by a scheme asks here first.
+    /// The name of a table's scheme: the recipe's, or what the table's name is
+    /// [overridden](Overrides) with. Whoever makes a table by a scheme asks here first.
     pub fn table_scheme(&mut self, table: &str, scheme: &str) -> String {
         let given = self.overrides.scheme(table);
         let choice = SchemeChoice {
@@ -679,7 +680,8 @@ impl Builder {
         self.push(op, &[address], None)
     }
 
-    /// `a` of the sample so many before this one, of those that were taken; 0 where there was none since the reset.
+    /// `a` of the sample so many before this one, of those that were taken; 0 where there was none
+    /// since the reset.
     #[track_caller]
     pub fn delay(&mut self, a: NodeId, samples: u32) -> NodeId {
         if samples == 0 { a } else { self.push(Op::Delay { samples }, &[a], None) }
@@ -691,7 +693,8 @@ impl Builder {
         if self.is_in(a, format) { a } else { self.push(Op::Modulo, &[a], Some(format)) }
     }
 
-    /// `a` in `format`: the one way to lose bits. The node's name may be [overridden](Overrides) with another format.
+    /// `a` in `format`: the one way to lose bits. The node's name may be [overridden](Overrides)
+    /// with another format.
     #[track_caller]
     pub fn narrow(
         &mut self,
@@ -728,8 +731,9 @@ impl Builder {
     /// Verifies and freezes the netlist; nodes and tables that no output needs are gone.
     ///
     /// # Errors
-    /// The first mistake made while building, or that there is no output, that a node means something of a node that no
-    /// output needs, or that a node whose format is overridden isn't there.
+    /// The first mistake made while building, or that there is no output, that a node means
+    /// something of a node that no output needs, or that a node whose format is overridden isn't
+    /// there.
     ///
     /// # Panics
     /// Never: what is asked of a builder is checked.

@@ -34,7 +34,8 @@ pub(super) struct Asked {
 /// A node of a netlist whose format its recipe chose: a `narrow`, or a table's result.
 #[derive(Clone, Debug)]
 pub struct Choice {
-    /// Its stable name: its own, or `scope.narrow`, `scope.narrow_2` by its place in the scope; for tables the table's.
+    /// Its stable name: its own, or `scope.narrow`, `scope.narrow_2` by its place in the scope; for
+    /// tables the table's.
     pub name: String,
     /// Its format.
     pub format: Format,
@@ -45,10 +46,11 @@ pub struct Choice {
     places: Vec<Place>,
 }
 
-/// Formats for some nodes of a netlist in place of its recipe's, by their [stable names](Choice::name).
+/// Formats for some nodes of a netlist in place of its recipe's, by their [stable
+/// names](Choice::name).
 ///
-/// Formats of later nodes follow by themselves, as the recipe is run again with these in place; rounding and overflow
-/// stay the recipe's.
+/// Formats of later nodes follow by themselves, as the recipe is run again with these in place;
+/// rounding and overflow stay the recipe's.
 ///
 /// ```
 /// use fixpath::error::Result;
@@ -175,14 +177,15 @@ impl Netlist {
         &self.schemes
     }
 
-    /// The name by which a node's format can be [overridden](Overrides); a node whose format follows from its operands' has
-    /// none.
+    /// The name by which a node's format can be [overridden](Overrides); a node whose format
+    /// follows from its operands' has none.
     #[must_use]
     pub fn stable_name(&self, id: NodeId) -> Option<&str> {
         self.choices.iter().find(|choice| choice.node == Some(id)).map(|choice| &choice.name[..])
     }
 
-    /// Names what a recipe asked for; `asked` has the ids of this netlist, and what no output needs is left out.
+    /// Names what a recipe asked for; `asked` has the ids of this netlist, and what no output needs
+    /// is left out.
     pub(super) fn choose(&mut self, asked: Vec<Asked>) {
         let labels = self.ids().filter(|id| self.node(*id).name.is_some()).map(|id| self.label(id));
         let given = asked.iter().filter_map(|asked| asked.given.clone());
@@ -237,7 +240,8 @@ impl Place {
     }
 }
 
-/// Runs a recipe with other formats for some of its nodes: without any first, to know its nodes by name.
+/// Runs a recipe with other formats for some of its nodes: without any first, to know its nodes by
+/// name.
 ///
 /// # Errors
 /// Those of the recipe, or if it has no such node.

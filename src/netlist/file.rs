@@ -30,8 +30,8 @@
 //!   scopes), and `means EXPRESSION`: what it stands for on reals, of other nodes.
 //! - `output NAME = %N` is a port.
 //!
-//! What no output needs is dropped by reading. Code of functions ([`Function::with_kernel`]) isn't text: what is read
-//! has their expressions.
+//! What no output needs is dropped by reading. Code of functions ([`Function::with_kernel`]) isn't
+//! text: what is read has their expressions.
 
 use super::{
     Builder, Column, Meaning, Memory, Netlist, NodeId, Part, Quantity, Rate, ScopeId, Table,

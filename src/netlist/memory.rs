@@ -29,8 +29,9 @@ impl Netlist {
         self.read_of(id)?.memory
     }
 
-    /// With words for a memory: a list for each column, with a word for each address. A read then stands on reals for
-    /// the word's value at its address, rounded down, unless it [means](super::Builder::means) something else.
+    /// With words for a memory: a list for each column, with a word for each address. A read then
+    /// stands on reals for the word's value at its address, rounded down, unless it
+    /// [means](super::Builder::means) something else.
     ///
     /// # Errors
     /// If there is no such memory, or there isn't one word of its column's format for each address.

@@ -1,25 +1,26 @@
 //! The netlist: a flat arena of nodes whose operands are earlier nodes.
 //!
-//! Creation order is evaluation order, so a combinational loop can't be
-//! written. [`Builder`] grows it and checks every step; [`Builder::build`] drops
-//! what no output needs and returns an immutable [`Netlist`]. Building the same
-//! operation on the same operands twice gives the same node: a table read at an
-//! address is one port, however often it is used.
+//! Creation order is evaluation order, so a combinational loop can't be written. [`Builder`] grows
+//! it and checks every step; [`Builder::build`] drops what no output needs and returns an immutable
+//! [`Netlist`]. Building the same operation on the same operands twice gives the same node: a table
+//! read at an address is one port, however often it is used.
 //!
 //! # Names
-//! Netlists, ports, nodes, scopes, tables and their columns have names of one rule: a to z first, then a to z, 0 to 9
-//! and single _ between them, up to 64 in all. So they are legal in Verilog, VHDL, C++ and waves. What is a keyword
-//! there is renamed where hardware is written; only a module can't be called by one.
+//! Netlists, ports, nodes, scopes, tables and their columns have names of one rule: a to z first,
+//! then a to z, 0 to 9 and single _ between them, up to 64 in all. So they are legal in Verilog,
+//! VHDL, C++ and waves. What is a keyword there is renamed where hardware is written; only a module
+//! can't be called by one.
 //!
 //! # Past one sample
-//! A [memory](Builder::memory) is read like a table, and its words are [bound](Netlist::bind) when it is simulated. A port
-//! has a [`Rate`]: what comes once for a face is computed once for it. A [delay](Builder::delay) has the word of an earlier
-//! sample, which a [`State`] keeps for [`Netlist::eval_next`].
+//! A [memory](Builder::memory) is read like a table, and its words are [bound](Netlist::bind) when
+//! it is simulated. A port has a [`Rate`]: what comes once for a face is computed once for it. A
+//! [delay](Builder::delay) has the word of an earlier sample, which a [`State`] keeps for
+//! [`Netlist::eval_next`].
 //!
 //! # Wrong use
-//! Nothing that is asked of a [`Builder`] panics: it keeps the first mistake, with the place in the code that made it
-//! ([`Error::caller`](crate::base::error::Error::caller)), and [`Builder::build`] gives it back. [`Wires`] are nodes with operators
-//! over one.
+//! Nothing that is asked of a [`Builder`] panics: it keeps the first mistake, with the place in the
+//! code that made it ([`Error::caller`](crate::base::error::Error::caller)), and [`Builder::build`]
+//! gives it back. [`Wires`] are nodes with operators over one.
 //!
 //! The reference interpreter ([`Netlist::eval`] on words, [`Netlist::eval_reals`]
 //! on reals) is a loop over [`Op`]; every other engine is held to it bit for bit.
@@ -90,8 +91,8 @@ pub struct Node {
     pub real: Option<TermId>,
 }
 
-/// What a node stands for as a real number, where that isn't its operation on reals: a table read stands for the
-/// function that it approximates, of the node that it approximates it of.
+/// What a node stands for as a real number, where that isn't its operation on reals: a table read
+/// stands for the function that it approximates, of the node that it approximates it of.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Meaning {
     /// An expression of other nodes.
@@ -165,8 +166,8 @@ pub struct Netlist {
     schemes: Vec<SchemeChoice>,
 }
 
-/// Netlists are equal that are the same datapath: which formats a recipe [chose](Netlist::choices) and what is
-/// [bound](Netlist::bind) to memories doesn't count.
+/// Netlists are equal that are the same datapath: which formats a recipe [chose](Netlist::choices)
+/// and what is [bound](Netlist::bind) to memories doesn't count.
 impl PartialEq for Netlist {
     fn eq(&self, other: &Self) -> bool {
         if [self, other].iter().any(|netlist| netlist.memories().any(|memory| !memory.is_unbound()))
@@ -295,8 +296,8 @@ impl Netlist {
         }
     }
 
-    /// Evaluates every node on words: the reference that all engines are held to. The sample is the first after a reset;
-    /// [`Netlist::eval_next`] takes more.
+    /// Evaluates every node on words: the reference that all engines are held to. The sample is the
+    /// first after a reset; [`Netlist::eval_next`] takes more.
     ///
     /// Returns the word of each node and the flags of the `narrow`s that overflowed.
     ///

@@ -1,10 +1,9 @@
 //! The operations of a datapath, each with its one meaning.
 //!
-//! Every operation is exact: its result format holds every result that its
-//! operands' formats allow. Only [`Op::Narrow`] rounds, saturates or wraps.
-//! This module gives, for each operation, the result format
-//! ([`Op::result_format`]), the value on words ([`Op::eval_raw`]) and what it is on reals
-//! ([`Op::reading`]); the engines and the emitted hardware are twins of these and are tested
+//! Every operation is exact: its result format holds every result that its operands' formats allow.
+//! Only [`Op::Narrow`] rounds, saturates or wraps. This module gives, for each operation, the
+//! result format ([`Op::result_format`]), the value on words ([`Op::eval_raw`]) and what it is on
+//! reals ([`Op::reading`]); the engines and the emitted hardware are twins of these and are tested
 //! against them.
 
 use super::id::TableId;
@@ -47,7 +46,8 @@ pub enum Op {
     Less,
     /// `a` where the flag is set, else `b`; operands flag, a, b.
     Mux,
-    /// Bits `lo` and up of the word's pattern, as an unsigned integer; the node's format says how many.
+    /// Bits `lo` and up of the word's pattern, as an unsigned integer; the node's format says how
+    /// many.
     Slice {
         /// Least bit that is taken.
         lo: u32,
@@ -73,7 +73,8 @@ pub enum Op {
         /// Column of the table.
         column: u32,
     },
-    /// `a` of the sample so many before, of those that were taken; 0 where there was none since the reset.
+    /// `a` of the sample so many before, of those that were taken; 0 where there was none since the
+    /// reset.
     Delay {
         /// How many samples, at least 1.
         samples: u32,
@@ -222,7 +223,8 @@ impl Op {
     /// The most samples that a word is delayed by.
     pub const MAX_DELAY: u32 = 4096;
 
-    // pattern, one of its kind, name, operands, what it counts as, takes a format, looks at bits, what takes time
+    // pattern, one of its kind, name, operands, what it counts as, takes a format, looks at bits,
+    // what takes time
     #[rustfmt::skip]
     operations! {
         Self::Const { .. }, Self::Const { raw: 0 }, "const" 0 None, true false Logic::Wires;
@@ -482,8 +484,8 @@ impl Op {
         (raw, false)
     }
 
-    /// The operation on reals, as a term of those of its operands: exact arithmetic, and `narrow` keeps its
-    /// operand. `None` for the operations on bits, which have no value there.
+    /// The operation on reals, as a term of those of its operands: exact arithmetic, and `narrow`
+    /// keeps its operand. `None` for the operations on bits, which have no value there.
     ///
     /// # Panics
     /// On `Input`: ports are variables.

@@ -3,9 +3,9 @@
 use std::fmt;
 use std::str::FromStr;
 
-/// How often a port takes a new word. A node has the fastest rate of its operands, so what comes once for a face is
-/// computed once for it, and held for the pixels. A constant has the slowest, and a delay, which counts samples, the fastest
-/// of the netlist.
+/// How often a port takes a new word. A node has the fastest rate of its operands, so what comes
+/// once for a face is computed once for it, and held for the pixels. A constant has the slowest,
+/// and a delay, which counts samples, the fastest of the netlist.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug, Default)]
 pub enum Rate {
     /// Once for a scene.

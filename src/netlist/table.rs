@@ -1,4 +1,5 @@
-//! Tables of a netlist, whose words it has, and memories, whose words are bound when it is simulated.
+//! Tables of a netlist, whose words it has, and memories, whose words are bound when it is
+//! simulated.
 
 use crate::number::format::Format;
 use crate::number::real::Rows;
@@ -36,8 +37,9 @@ pub struct Table {
     pub memory: Option<Memory>,
 }
 
-/// What hardware knows of a memory, whose words are outside of the datapath: a map of a scene. For each address that it is
-/// read at, it has an output port for the address and an input port for each column.
+/// What hardware knows of a memory, whose words are outside of the datapath: a map of a scene. For
+/// each address that it is read at, it has an output port for the address and an input port for
+/// each column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Memory {
     /// Cycles from the address to the words.

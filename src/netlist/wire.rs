@@ -10,9 +10,9 @@ use std::rc::Rc;
 
 /// A netlist that is written with operators: a thin layer over a [`Builder`], whose rules hold.
 ///
-/// Nodes are [`Wire`]s. Operations are exact, a real number beside one stands for the constant of exactly its value,
-/// and [`Wire::narrow`] is the one way to lose bits. The first mistake comes out of [`Wires::build`], with the line that made
-/// it.
+/// Nodes are [`Wire`]s. Operations are exact, a real number beside one stands for the constant of
+/// exactly its value, and [`Wire::narrow`] is the one way to lose bits. The first mistake comes out
+/// of [`Wires::build`], with the line that made it.
 ///
 /// ```
 /// use fixpath::format::{Format, Overflow::Saturate, Round::HalfEven};
@@ -180,7 +180,8 @@ impl Wires {
     }
 }
 
-/// The word and the smallest format of exactly a value. Integers have no fraction bits if they fit so.
+/// The word and the smallest format of exactly a value. Integers have no fraction bits if they fit
+/// so.
 fn dyadic(value: f64) -> Option<(i64, Format)> {
     if value == 0.0 {
         return Some((0, Format::FLAG));

@@ -350,7 +350,8 @@ pub fn narrow(
     fit(rounded(raw, from_frac, to.frac_bits(), round), to, overflow)
 }
 
-/// The first half of [`narrow`]: `raw` as a whole number of units of `to_frac` fraction bits; monotone in `raw`.
+/// The first half of [`narrow`]: `raw` as a whole number of units of `to_frac` fraction bits;
+/// monotone in `raw`.
 pub(crate) fn rounded(raw: i64, from_frac: i32, to_frac: i32, round: Round) -> i128 {
     let dropped_bits = from_frac - to_frac;
     // |raw| <= 2^63. Beyond these shifts nothing changes: everything is dropped, or all kept bits are 0.

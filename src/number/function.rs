@@ -18,8 +18,8 @@ impl Function {
     /// Units in the last place that a kernel may be off.
     pub const KERNEL_ULP: f64 = 2.5;
 
-    /// Compares the kernel with the expression to high precision at some arguments; gives the largest
-    /// difference in units in the last place and its argument.
+    /// Compares the kernel with the expression to high precision at some arguments; gives the
+    /// largest difference in units in the last place and its argument.
     ///
     /// # Errors
     /// If it is past [`Self::KERNEL_ULP`] or the function has no kernel.
@@ -117,10 +117,11 @@ pub struct Combination<'a> {
 }
 
 impl Combination<'_> {
-    /// The combination in units of 2^-frac_bits, rounded to the nearest whole number; of two the even one.
+    /// The combination in units of 2^-frac_bits, rounded to the nearest whole number; of two the
+    /// even one.
     ///
-    /// An interval decides where both its ends round to the same number, and the evaluation to 160 bits elsewhere (Ziv's
-    /// strategy): near a tie, and for words near the limit of `f64`.
+    /// An interval decides where both its ends round to the same number, and the evaluation to 160
+    /// bits elsewhere (Ziv's strategy): near a tie, and for words near the limit of `f64`.
     #[must_use]
     pub fn round(&self, frac_bits: i32) -> i64 {
         let (lo, hi) = self.range;
@@ -146,7 +147,8 @@ impl Combination<'_> {
         for &(coefficient, x) in self.terms {
             let value = match self.function.precise(x) {
                 Some(value) => value.clamp(&lo, &hi),
-                // Of a pole the end of its side; past poles inside, as 1 / (1 + 1/x) at 0, what floats give.
+                // Of a pole the end of its side; past poles inside, as 1 / (1 + 1/x) at 0, what
+                // floats give.
                 None => match self.function.eval(x) {
                     value if value <= self.range.0 => lo.clone(),
                     value if value < self.range.1 => exact(value),

@@ -1,13 +1,15 @@
 //! sin, cos and their inverses of angles in turns, without branches, so that loops over columns
 //! become vectors: for golden models, evaluations on reals, samplers and error angles.
 //!
-//! The polynomials are those of fdlibm. For sin and cos the reduction to the nearest quarter turn is exact and
-//! the largest error is 2 ulp of the result, or 2^-53 absolute where that is more; the inverses
-//! are within 4 ulp (tested against a high-precision evaluation). Tables don't use these: they are rounded
-//! from `libm` and from the high-precision evaluation of [`crate::number::function`].
+//! The polynomials are those of fdlibm. For sin and cos the reduction to the nearest quarter turn
+//! is exact and the largest error is 2 ulp of the result, or 2^-53 absolute where that is more; the
+//! inverses are within 4 ulp (tested against a high-precision evaluation). Tables don't use these:
+//! they are rounded from `libm` and from the high-precision evaluation of
+//! [`crate::number::function`].
 //!
-//! No figure may depend on the processor. The system's library takes other roundings where it has fused
-//! multiply-add, so nothing here or elsewhere calls it: other functions are those of the crate `libm`.
+//! No figure may depend on the processor. The system's library takes other roundings where it has
+//! fused multiply-add, so nothing here or elsewhere calls it: other functions are those of the
+//! crate `libm`.
 
 use crate::base::simd::{Body, vectorised};
 use glam::{DQuat, DVec3};
@@ -54,7 +56,8 @@ impl Body for SinCos<'_> {
     }
 }
 
-/// Added and taken away again, it leaves the nearest whole number; its low bits are then that number.
+/// Added and taken away again, it leaves the nearest whole number; its low bits are then that
+/// number.
 pub(crate) const ROUNDER: f64 = 6_755_399_441_055_744.0; // 1.5 * 2^52
 
 #[inline(always)]
@@ -100,7 +103,8 @@ pub fn rotation(axis: DVec3, turns: f64) -> DQuat {
     DQuat::from_vec4((axis * sin).extend(cos))
 }
 
-/// Largest error of [`Real::sin_cos_turns`] for `f64`, relative to the larger of the result and 1/2.
+/// Largest error of [`Real::sin_cos_turns`] for `f64`, relative to the larger of the result and
+/// 1/2.
 pub const ERROR: f64 = 2.0 * f64::EPSILON;
 
 /// Turns to the radian.
@@ -197,8 +201,8 @@ pub fn atan_turns(x: f64) -> f64 {
     atan2(x, 1.0) * TURNS
 }
 
-/// Angle of (x, y, z) from the z axis in turns, 0 to ½, of numbers whose squares are neither infinite nor
-/// subnormal.
+/// Angle of (x, y, z) from the z axis in turns, 0 to ½, of numbers whose squares are neither
+/// infinite nor subnormal.
 #[inline(always)]
 #[must_use]
 pub fn inclination_turns(x: f64, y: f64, z: f64) -> f64 {

@@ -1,21 +1,23 @@
 //! When each node computes, and where: a map from nodes to cycles and, for shared operations,
 //! to units.
 //!
-//! A *stage* is a cycle counted from the sample's entry: stage 0 works on the input ports (of the slowest rate);
-//! output ports are registers at the stage that is the *latency*. (Printed schedules count from
-//! 1.) A new sample may enter every *interval* cycles. Flat pipelining is the interval of 1 with
-//! nothing shared: between stage s and s + 1 there is a register. A schedule never edits the
-//! netlist. It comes from the delay model below and a target period ([`Schedule::pipeline`]),
+//! A *stage* is a cycle counted from the sample's entry: stage 0 works on the input ports (of the
+//! slowest rate); output ports are registers at the stage that is the *latency*. (Printed schedules
+//! count from 1.) A new sample may enter every *interval* cycles. Flat pipelining is the interval
+//! of 1 with nothing shared: between stage s and s + 1 there is a register. A schedule never edits
+//! the netlist. It comes from the delay model below and a target period ([`Schedule::pipeline`]),
 //! from stages given by hand ([`Schedule::from_stages`]), from numbers of units
 //! ([`Schedule::shared`]), or from units and cycles given by hand ([`Schedule::bound`]).
 //!
 //! # Rates
 //!
-//! Ports may take words at several [rates](Rate). Stages are counted from the entry of the slowest. What is of a slow rate is
-//! computed first and held where the next faster rate enters ([`Schedule::entry`], [`Schedule::hold`]); from there its words go
-//! along with each faster sample like those of a port. So the words of a slow rate count for all samples of the next faster one
-//! that come [`Timing::latency`] cycles later and after, until the next ones are held, and with those for samples faster still. Each rate has an interval of its own, a
-//! multiple of that of the next faster one, so that operations of a slow rate share units over a longer time.
+//! Ports may take words at several [rates](Rate). Stages are counted from the entry of the slowest.
+//! What is of a slow rate is computed first and held where the next faster rate enters
+//! ([`Schedule::entry`], [`Schedule::hold`]); from there its words go along with each faster sample
+//! like those of a port. So the words of a slow rate count for all samples of the next faster one
+//! that come [`Timing::latency`] cycles later and after, until the next ones are held, and with
+//! those for samples faster still. Each rate has an interval of its own, a multiple of that of the
+//! next faster one, so that operations of a slow rate share units over a longer time.
 //!
 //! # Sharing
 //!
@@ -111,7 +113,8 @@ pub struct Timing {
     pub rate: Rate,
     /// Stage that its words enter in.
     pub entry: u32,
-    /// Cycles until the words of the next faster rate that they count for may enter; of the fastest, until the outputs.
+    /// Cycles until the words of the next faster rate that they count for may enter; of the
+    /// fastest, until the outputs.
     pub latency: u32,
     /// The fewest cycles from its words to the next.
     pub interval: u32,
@@ -171,7 +174,8 @@ impl Schedule {
                         },
                     ));
                 }
-                // The shortest period that this latency reaches; longer periods never need more stages.
+                // The shortest period that this latency reaches; longer periods never need more
+                // stages.
                 let (mut short, mut long) = (0, most.period_ps);
                 while long - short > 1 {
                     let middle = short + (long - short) / 2;
@@ -224,7 +228,8 @@ impl Schedule {
         self.clocks(netlist, id) > 0
     }
 
-    /// Cycles that a node's word takes from its operands: none but for reads on a clock and of memories.
+    /// Cycles that a node's word takes from its operands: none but for reads on a clock and of
+    /// memories.
     #[must_use]
     pub fn clocks(&self, netlist: &Netlist, id: NodeId) -> u32 {
         if self.seat(id).is_some() { 0 } else { clocks(netlist, self.rom, id) }
@@ -236,8 +241,9 @@ impl Schedule {
         self.entries[self.place_of(rate)].stage
     }
 
-    /// The rate whose samples a node's word waits for in the register that begins in a stage: there a faster rate enters,
-    /// and the word counts for its samples when those of the rate before are data. `None` in other stages.
+    /// The rate whose samples a node's word waits for in the register that begins in a stage: there
+    /// a faster rate enters, and the word counts for its samples when those of the rate before are
+    /// data. `None` in other stages.
     #[must_use]
     pub fn hold(&self, netlist: &Netlist, id: NodeId, stage: u32) -> Option<Rate> {
         let own = self.place_of(netlist.node(id).rate);
@@ -245,13 +251,14 @@ impl Schedule {
         pairs.find(|pair| pair[1].stage == stage).map(|pair| pair[0].rate)
     }
 
-    /// Place among the rates of the ports; what is slower than all, as constants are, is with the slowest.
+    /// Place among the rates of the ports; what is slower than all, as constants are, is with the
+    /// slowest.
     pub(crate) fn place_of(&self, rate: Rate) -> usize {
         place_in(self.entries.iter().map(|entry| entry.rate), rate)
     }
 
-    /// From a stage of a node on, the interval that its words go along with, until the stage given beside it: there a
-    /// faster rate enters.
+    /// From a stage of a node on, the interval that its words go along with, until the stage given
+    /// beside it: there a faster rate enters.
     #[must_use]
     pub fn pace(&self, netlist: &Netlist, id: NodeId, stage: u32) -> (u32, Option<u32>) {
         let own = self.place_of(netlist.node(id).rate);
@@ -455,7 +462,8 @@ fn places(netlist: &Netlist) -> Vec<usize> {
     netlist.nodes().iter().map(|node| place_in(rates.iter().copied(), node.rate)).collect()
 }
 
-/// The rates of a netlist's ports, from the slowest, with the stages that they enter in, found one after the other.
+/// The rates of a netlist's ports, from the slowest, with the stages that they enter in, found one
+/// after the other.
 struct Entries<'a> {
     netlist: &'a Netlist,
     rates: Vec<Rate>,

@@ -30,8 +30,8 @@ pub struct Share {
 pub struct Plan {
     /// What is shared; all else has hardware of its own.
     pub shares: Vec<Share>,
-    /// Cycles from one sample of the fastest rate to the next; as few as the units allow if `None`. Slower ones take as
-    /// few as theirs allow.
+    /// Cycles from one sample of the fastest rate to the next; as few as the units allow if `None`.
+    /// Slower ones take as few as theirs allow.
     pub interval: Option<u32>,
 }
 
@@ -319,7 +319,8 @@ fn too_short(load: &Load, interval: u32) -> Error {
     Error::parameter_value("interval", &interval.to_string(), text)
 }
 
-/// The interval of each rate, from the slowest: as asked for the fastest, as short as units allow for the others.
+/// The interval of each rate, from the slowest: as asked for the fastest, as short as units allow
+/// for the others.
 fn intervals(
     netlist: &Netlist,
     groups: &[Group],

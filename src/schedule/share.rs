@@ -262,7 +262,8 @@ pub(super) fn operations(
             found
         }
     };
-    // What is outside of the datapath, or keeps a word, is no unit's; and a unit takes an operation at once.
+    // What is outside of the datapath, or keeps a word, is no unit's; and a unit takes an operation
+    // at once.
     let rates = places(netlist);
     let fits = |(_, nodes): &(String, Vec<NodeId>)| {
         nodes.iter().all(|id| {

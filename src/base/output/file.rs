@@ -37,12 +37,13 @@ pub fn write_text(path: &Path, text: &str) -> Result<()> {
     write_file(path, |to| to.write_all(text.as_bytes()).map_err(at(path)))
 }
 
-/// Writes a file, which takes its place when it is complete; whatever was there stays until then, and
-/// its mode and owner beyond that. What is no regular file (`/dev/stdout`, a pipe) is written directly.
+/// Writes a file, which takes its place when it is complete; whatever was there stays until then,
+/// and its mode and owner beyond that. What is no regular file (`/dev/stdout`, a pipe) is written
+/// directly.
 ///
 /// # Errors
-/// If the file can't be written or is one that this process reads, or `body` fails; nothing of it is
-/// left then.
+/// If the file can't be written or is one that this process reads, or `body` fails; nothing of it
+/// is left then.
 pub fn write_file(path: &Path, body: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
     Draft::write(path, body)?.publish()
 }

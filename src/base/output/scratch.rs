@@ -33,8 +33,8 @@ pub(super) fn abandon() {
     std::mem::forget(folders);
 }
 
-/// A folder for files of no further use, which goes with it. Where a kill leaves it, the next run that
-/// makes one beside it removes it.
+/// A folder for files of no further use, which goes with it. Where a kill leaves it, the next run
+/// that makes one beside it removes it.
 #[derive(Debug)]
 pub struct Scratch {
     folder: PathBuf,

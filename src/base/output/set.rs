@@ -18,21 +18,22 @@ const LIST: &str = "list";
 
 /// The files that a command writes into a folder, where others' may be, too.
 ///
-/// They are written into a side folder and take their places together, so that a run that is stopped
-/// leaves all files of one run. Files that the run before made and this one doesn't make go
-/// then, but for those that have changed since or that another set has made since. A second run that wants to write the same set meanwhile is refused; what refuses it falls with
-/// the process.
+/// They are written into a side folder and take their places together, so that a run that is
+/// stopped leaves all files of one run. Files that the run before made and this one doesn't make go
+/// then, but for those that have changed since or that another set has made since. A second run
+/// that wants to write the same set meanwhile is refused; what refuses it falls with the process.
 ///
 /// # What holds
 ///
-/// `.fixpath/NAME` lists the files of the last run that came to its end, each with its length and time, by which it is
-/// known again. A run that has written all its files
-/// renames its side folder to `.fixpath/NAME.next`, the journal: from then on its files are those of the set. They go
-/// to their places one by one, those of the run before that are no longer made go away, and at last the journal's
-/// list becomes `.fixpath/NAME`. Whoever is killed before the first rename leaves the files of the run before; whoever
-/// is killed later leaves the journal, and the next run that opens the set finishes it before anything else. So
-/// while there is no journal, all files are of one run; while there is one, they may be of two, and a reader waits or
-/// opens the set. Against a power cut the order of renames is the file system's: nothing is flushed to disk.
+/// `.fixpath/NAME` lists the files of the last run that came to its end, each with its length and
+/// time, by which it is known again. A run that has written all its files renames its side folder
+/// to `.fixpath/NAME.next`, the journal: from then on its files are those of the set. They go to
+/// their places one by one, those of the run before that are no longer made go away, and at last
+/// the journal's list becomes `.fixpath/NAME`. Whoever is killed before the first rename leaves the
+/// files of the run before; whoever is killed later leaves the journal, and the next run that opens
+/// the set finishes it before anything else. So while there is no journal, all files are of one
+/// run; while there is one, they may be of two, and a reader waits or opens the set. Against a
+/// power cut the order of renames is the file system's: nothing is flushed to disk.
 #[derive(Debug)]
 pub struct Set {
     /// Goes while the list is still locked.
@@ -51,8 +52,8 @@ pub struct Set {
 }
 
 impl Set {
-    /// Takes the set of a name in a folder, which is made if it isn't there. A run that was killed while its files
-    /// went to their places is finished first.
+    /// Takes the set of a name in a folder, which is made if it isn't there. A run that was killed
+    /// while its files went to their places is finished first.
     ///
     /// # Errors
     /// If another run has the set, or the folder can't be made or written.
@@ -97,7 +98,8 @@ impl Set {
         self.side.as_ref().expect("bug: it goes with the set").path()
     }
 
-    /// Checks before the work that these files can be put into their places: there will be no others in the set.
+    /// Checks before the work that these files can be put into their places: there will be no
+    /// others in the set.
     ///
     /// # Errors
     /// If one can't, or this process reads it.
@@ -110,8 +112,8 @@ impl Set {
         Ok(())
     }
 
-    /// Puts all files of the side folder into their places, and removes those of the run before that
-    /// are not among them.
+    /// Puts all files of the side folder into their places, and removes those of the run before
+    /// that are not among them.
     ///
     /// # Errors
     /// If a file can't be put there, or this process reads it. Nothing has changed if that is known
@@ -206,7 +208,8 @@ impl Set {
         Ok(files)
     }
 
-    /// Removes a file of the run before, if it is as that left it, and its folder if that is empty then.
+    /// Removes a file of the run before, if it is as that left it, and its folder if that is empty
+    /// then.
     fn remove(&self, file: &Path, stamp: Stamp) -> Result<()> {
         let path = self.folder.join(file);
         let above = || {
@@ -240,7 +243,8 @@ impl Drop for Set {
     }
 }
 
-/// The list of a set that is open and what was made for it: a run that writes nothing leaves nothing.
+/// The list of a set that is open and what was made for it: a run that writes nothing leaves
+/// nothing.
 #[derive(Debug)]
 struct Trace(Made);
 

@@ -62,7 +62,8 @@ pub enum Term {
     Variable(u32),
     /// A primitive of as many earlier terms as it takes; the rest are 0.
     Of(Primitive, [TermId; 3]),
-    /// A named function of an earlier term. In a graph, only one with a kernel of its own: others are what they are made of.
+    /// A named function of an earlier term. In a graph, only one with a kernel of its own: others
+    /// are what they are made of.
     Call(Function, TermId),
     /// The value of rows at an earlier term.
     Row(Rows, TermId),
@@ -137,7 +138,8 @@ impl Graph {
         self.add(Term::Of(primitive, operands))
     }
 
-    /// Adds an expression whose variables are these terms; a function without a kernel becomes what it is made of.
+    /// Adds an expression whose variables are these terms; a function without a kernel becomes what
+    /// it is made of.
     ///
     /// # Panics
     /// If the expression has more variables.
@@ -255,7 +257,8 @@ impl Expr {
         values(&self.0, reading, variables).pop().expect("bug: an expression has a term")
     }
 
-    /// With other numbers of variables, which are asked for in the order in which variables first stand.
+    /// With other numbers of variables, which are asked for in the order in which variables first
+    /// stand.
     #[must_use]
     pub fn renumbered(&self, mut number: impl FnMut(u32) -> u32) -> Self {
         let mut graph = Graph::default();
@@ -264,8 +267,8 @@ impl Expr {
         graph.into_expr()
     }
 
-    /// Why it can't be used, if it can't: a number in it isn't finite, it is too large with all that it calls, or operands
-    /// stand too deep in operands.
+    /// Why it can't be used, if it can't: a number in it isn't finite, it is too large with all
+    /// that it calls, or operands stand too deep in operands.
     pub(crate) fn problem(&self) -> Option<String> {
         let infinite = |term: &Term| matches!(term, Term::Constant(x) if !x.get().is_finite());
         if self.0.iter().any(infinite) {
@@ -512,7 +515,8 @@ struct Named {
     kernel: Option<Kernel>,
 }
 
-/// The symmetry of sine and cosine: `f(½ - x) = f(x)` and `f(x + ½) = -f(x)`, perhaps a quarter turn on.
+/// The symmetry of sine and cosine: `f(½ - x) = f(x)` and `f(x + ½) = -f(x)`, perhaps a quarter
+/// turn on.
 #[derive(Clone)]
 enum QuarterWave {
     /// This function has it.
@@ -569,22 +573,24 @@ impl Function {
         Self(Arc::new(named))
     }
 
-    /// With `f(½ - x) = f(x)` and `f(x + ½) = -f(x)`, as the sine of an angle in turns has it: a table may hold a
-    /// quarter turn only.
+    /// With `f(½ - x) = f(x)` and `f(x + ½) = -f(x)`, as the sine of an angle in turns has it: a
+    /// table may hold a quarter turn only.
     #[must_use]
     pub fn with_quarter_wave(self) -> Self {
         self.with(|named| named.quarter_wave = Some(QuarterWave::Own))
     }
 
-    /// As [`Self::with_quarter_wave`] where it is `other` a quarter turn on, as the cosine is the sine.
+    /// As [`Self::with_quarter_wave`] where it is `other` a quarter turn on, as the cosine is the
+    /// sine.
     #[must_use]
     pub fn advanced_of(self, other: &Self) -> Self {
         self.with(|named| named.quarter_wave = Some(QuarterWave::Advanced(other.clone())))
     }
 
-    /// With code of its own for evaluation in blocks, where the expression would be slow or would cancel. It must be
-    /// within [`Self::KERNEL_ULP`] of the expression's value ([`Self::check_kernel`]) and give each argument the same
-    /// value wherever it stands in a block.
+    /// With code of its own for evaluation in blocks, where the expression would be slow or would
+    /// cancel. It must be within [`Self::KERNEL_ULP`] of the expression's value
+    /// ([`Self::check_kernel`]) and give each argument the same value wherever it stands in a
+    /// block.
     #[must_use]
     pub fn with_kernel(self, kernel: Kernel) -> Self {
         self.with(|named| named.kernel = Some(kernel))
@@ -613,8 +619,8 @@ impl Function {
         self.0.kernel
     }
 
-    /// The function on the first quarter turn that gives this one by symmetry, and whether this one is it a quarter
-    /// turn on.
+    /// The function on the first quarter turn that gives this one by symmetry, and whether this one
+    /// is it a quarter turn on.
     pub(crate) fn quarter_wave(&self) -> Option<(&Self, bool)> {
         match self.0.quarter_wave.as_ref()? {
             QuarterWave::Own => Some((self, false)),

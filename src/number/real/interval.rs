@@ -204,11 +204,12 @@ impl Mul for Interval {
     }
 }
 
-/// Evaluation by intervals, rounded outward: what comes out holds the value for every value of the variables.
+/// Evaluation by intervals, rounded outward: what comes out holds the value for every value of the
+/// variables.
 ///
-/// Where a primitive has no value for some of them (a root of a negative number, a pole), every number is in the
-/// result; but a divisor from 0 upwards gives what lies on that side of its pole, so at the pole itself a value of the
-/// other side, as of 1/-0, isn't in it.
+/// Where a primitive has no value for some of them (a root of a negative number, a pole), every
+/// number is in the result; but a divisor from 0 upwards gives what lies on that side of its pole,
+/// so at the pole itself a value of the other side, as of 1/-0, isn't in it.
 #[derive(Clone, Copy, Debug)]
 pub struct Outward;
 

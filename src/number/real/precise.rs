@@ -53,8 +53,9 @@ impl Big {
     }
 }
 
-/// Evaluation to so many bits: the result of each primitive has them, within a few units in its last place. A value is `None` where there is none: at poles,
-/// and at roots and logarithms of negative numbers.
+/// Evaluation to so many bits: the result of each primitive has them, within a few units in its
+/// last place. A value is `None` where there is none: at poles, and at roots and logarithms of
+/// negative numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct Precise {
     bits: usize,

@@ -46,8 +46,8 @@ pub enum Primitive {
     Acos,
     /// Arc of a tangent in turns, -¼ to ¼.
     Atan,
-    /// Direction of (b, a) in turns, -½ to ½: operands are ordinate and abscissa; 0 of (0, 0). Half a turn is ½; in blocks,
-    /// of an ordinate of -0, it is -½.
+    /// Direction of (b, a) in turns, -½ to ½: operands are ordinate and abscissa; 0 of (0, 0). Half
+    /// a turn is ½; in blocks, of an ordinate of -0, it is -½.
     Atan2,
     /// 1 if `a < b`, else 0.
     Less,

@@ -5,8 +5,8 @@ use std::fmt;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 
-/// A function of whole numbers that is told by its values from 0 on and repeats after them. Their number is a power of
-/// two. Its value at any number is that at the number rounded down.
+/// A function of whole numbers that is told by its values from 0 on and repeats after them. Their
+/// number is a power of two. Its value at any number is that at the number rounded down.
 #[derive(Clone)]
 pub struct Rows(Arc<Held>);
 

@@ -46,8 +46,8 @@ fn precise(primitive: Primitive, of: [f64; 3]) -> Option<Big> {
     reading.of(primitive, [&a, &b, &c])
 }
 
-/// False for residues of sizes so different that the bits used here don't tell them, and for exponents of what is not
-/// normal.
+/// False for residues of sizes so different that the bits used here don't tell them, and for
+/// exponents of what is not normal.
 fn is_told(primitive: Primitive, of: [f64; 3]) -> bool {
     let usual = |x: f64| x == 0.0 || (1e-12..1e12).contains(&x.abs());
     let modulo = primitive == Primitive::Modulo && !of.into_iter().all(usual);
@@ -68,7 +68,8 @@ fn operands(primitive: Primitive) -> Vec<[f64; 3]> {
     all
 }
 
-/// In units of the last place of the nearest float; below 2^-54 absolutely where that is more, as sine and cosine are.
+/// In units of the last place of the nearest float; below 2^-54 absolutely where that is more, as
+/// sine and cosine are.
 fn off(is: f64, should: &Big) -> f64 {
     let nearest = should.nearest();
     if nearest.is_infinite() {
@@ -87,7 +88,8 @@ fn floats_are_near_the_value() {
                 continue;
             };
             let spans = (of[0] - of[1]) / of[2];
-            // Residues of numbers that aren't dyadic lose what is cancelled, and have no end in floats at joints.
+            // Residues of numbers that aren't dyadic lose what is cancelled, and have no end in
+            // floats at joints.
             if primitive == Primitive::Modulo
                 && (of[2] <= 0.0
                     || of[2].log2().fract() != 0.0

@@ -1,6 +1,7 @@
 //! Expressions as text and back: `add(mul(x, x), 1)`.
 //!
-//! A term that stands in several places has a name where it stands first: `mul(t := sin_turns(x), t)`.
+//! A term that stands in several places has a name where it stands first:
+//! `mul(t := sin_turns(x), t)`.
 
 use super::expr::{Expr, Function, Graph, Term, TermId};
 use super::primitive::Primitive;
@@ -36,7 +37,8 @@ impl Expr {
         writer.text
     }
 
-    /// Reads text; `variable` and `function` say what names mean. A primitive's name can't be a function's.
+    /// Reads text; `variable` and `function` say what names mean. A primitive's name can't be a
+    /// function's.
     ///
     /// # Errors
     /// If it is malformed; with the place.
