@@ -246,7 +246,7 @@ fn message(built: fixpath::error::Result<Netlist>) -> String {
 }
 
 const RULE: &str =
-    "a name is a to z first, then a to z, 0 to 9 and single _ between them, up to 64 in all";
+    "a name is a letter a to z, then a to z, 0 to 9 and single _ between them, at most 64 characters";
 
 #[test]
 fn names_that_hardware_languages_refuse_are_refused() {

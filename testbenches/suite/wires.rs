@@ -206,7 +206,7 @@ fn wrong_use_of_wires_is_an_error_with_its_line() {
     let (text, _) = why(&|w, x| drop(w.word(9, format("s4f0")) + x));
     assert!(text.starts_with("node `const`: word 9 is outside s4f0"), "{text}");
     let (text, _) = why(&|_, x| drop(x.clone().named("Sum")));
-    assert!(text.starts_with("node `Sum`: a name is a to z first"), "{text}");
+    assert!(text.starts_with("node `Sum`: a name is a letter a to z"), "{text}");
 
     // Wires of two netlists: an error of the one that met the other's, in any order and place.
     for swapped in [false, true] {
@@ -344,10 +344,10 @@ fn formats_of_nodes_that_are_not_there_are_refused() {
     let why = |formats: &[(&str, Format)]| with_formats(formats, recipe).unwrap_err().to_string();
     let to = format("s5f2");
     let text = why(&[("inner.narow_2", to)]);
-    let start = "netlist `recipe` has no node `inner.narow_2` of a format of its own, did you mean `inner.narrow_2`: there are narrow, named, ";
+    let start = "netlist `recipe` has no node `inner.narow_2` whose format can be set, did you mean `inner.narrow_2`: there are narrow, named, ";
     assert!(text.starts_with(start), "{text}");
     assert!(
-        why(&[("x", to)]).starts_with("netlist `recipe` has no node `x` of a format of its own: ")
+        why(&[("x", to)]).starts_with("netlist `recipe` has no node `x` whose format can be set: ")
     );
     assert_eq!(why(&[("named", to), ("named", to)]), "the format of node `named` is given twice");
     let long = "z".repeat(100_000);
@@ -381,5 +381,5 @@ fn formats_of_nodes_that_are_not_there_are_refused() {
         b.build()
     };
     let none = with_formats(&[("y", to)], empty).unwrap_err().to_string();
-    assert_eq!(none, "netlist `empty` has no node `y` of a format of its own: there is none");
+    assert_eq!(none, "netlist `empty` has no node `y` whose format can be set: there is none");
 }
