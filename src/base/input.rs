@@ -151,7 +151,10 @@ pub(crate) fn open_regular(path: &Path) -> Result<File> {
     let there = fs::metadata(path).map_err(|why| Error::io(path, "can't read", why))?;
     if !there.is_file() {
         let kind = kind(there.file_type());
-        return Err(Error::file(path, format!("can't read: it is {kind}; a regular file is needed")));
+        return Err(Error::file(
+            path,
+            format!("can't read: it is {kind}; a regular file is needed"),
+        ));
     }
     open(path)
 }

@@ -131,7 +131,7 @@ fn constants_are_exact() {
         w.output("out", &(x + value));
         let why = w.build().unwrap_err().to_string();
         let start = format!(
-            "constant {value}: no format of 63 bits and 127 fraction bits has this value ("
+            "constant {value}: no format of up to 63 bits and 127 fraction bits has exactly this value ("
         );
         assert!(why.starts_with(&start) && why.contains("wires.rs:"), "{why}");
     }
@@ -195,14 +195,14 @@ fn wrong_use_of_wires_is_an_error_with_its_line() {
     assert!(text.starts_with("node `mul of x (s40f0), x (s40f0)` needs 80 bits"), "{text}");
     assert_eq!(line, line!() - 2);
     let (text, line) = why(&|_, x| drop(x.lt(x) & x));
-    assert!(text.ends_with("`: bitwise operands have one format"), "{text}");
+    assert!(text.ends_with("`: bitwise operands must have the same format"), "{text}");
     assert_eq!(line, line!() - 2);
     let (text, line) = why(&|_, x| drop(x.bits(7..7)));
-    assert!(text.starts_with("slice of x (s40f0): no bits are taken ("), "{text}");
+    assert!(text.starts_with("slice of x (s40f0): a slice needs at least one bit ("), "{text}");
     assert_eq!(line, line!() - 2);
     #[expect(clippy::reversed_empty_ranges, reason = "wrong on purpose")]
     let (text, _) = why(&|_, x| drop(x.bits(9..7)));
-    assert!(text.starts_with("slice of x (s40f0): no bits are taken ("), "{text}");
+    assert!(text.starts_with("slice of x (s40f0): a slice needs at least one bit ("), "{text}");
     let (text, _) = why(&|w, x| drop(w.word(9, format("s4f0")) + x));
     assert!(text.starts_with("node `const`: word 9 is outside s4f0"), "{text}");
     let (text, _) = why(&|_, x| drop(x.clone().named("Sum")));
