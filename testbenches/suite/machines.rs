@@ -307,7 +307,7 @@ fn slow_rates_come_first_and_are_held() {
     // One bit for the object's words, one for the face's, and those of the pixels.
     assert_eq!(rtl.valid_bits(), rtl.schedule().latency() - 2);
     let error = Schedule::pipeline(&netlist, Rom::Distributed, Depth::Stages(0)).unwrap_err();
-    assert!(error.to_string().contains("words of a memory come on a clock"), "{error}");
+    assert!(error.to_string().contains("the words of a memory arrive on a clock edge"), "{error}");
     let by_hand = Schedule::from_stages(&netlist, Rom::Block, vec![0; 8], 9).unwrap_err();
     assert!(by_hand.to_string().contains("ports of one rate"), "{by_hand}");
 }
