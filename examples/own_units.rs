@@ -1,5 +1,5 @@
-//! User-defined units beside the built-in ones, with the whole command line: `cargo run --release
-//! --example own_units -- sim complex_product --hard`.
+//! User-defined units beside the built-in ones, with the whole command line:
+//! `cargo run --release --example own_units -- sim complex_product --hard`.
 //!
 //! A sigmoid from one table, a product of complex numbers, and one step of a filter.
 #![allow(

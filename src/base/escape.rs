@@ -49,7 +49,7 @@ pub fn lines(text: &str) -> Cow<'_, str> {
     escaped(text, |c| matches!(c, '\n' | '\t'))
 }
 
-/// A word or a name from outside for a message, cut at [`SHORT`] characters.
+/// A word or a name from outside for a message, cut at 60 characters.
 #[must_use]
 pub fn short(text: &str) -> String {
     let start: String = text.chars().take(SHORT).collect();
