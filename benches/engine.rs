@@ -1,16 +1,19 @@
-//! The batch engine beside what one would take else, on the rotation unit:
+//! The batch engine compared with its alternatives, on the rotation unit:
 //!
 //! ```sh
 //! cargo bench --bench engine            # a table; `-- --json FILE` writes it as JSON too
 //! ```
 //!
-//! Rows do the same work on the same 2^20 vectors of random words, on one thread, and must give the
-//! same checksum: the engine, the reference interpreter, kernels written by hand for the one setting
-//! with `fixed`'s types and in vectorised passes over blocks, and Verilator on the emitted Verilog, where it is
-//! installed, built with its best flags. Waves of the first 10^5 vectors, with every signal, are written to files of
-//! one folder by `fixpath wave`'s code and by Verilator's tracing, each timed from before its file is made to after it is
-//! closed; what the files hold is counted. The whole of `sim`, on one thread and on all, draws vectors of its own. Rows take turns, round by round; each row's stimulus is timed in pieces, and a
-//! piece counts with its best time over all rounds, so that what else the machine does is left out.
+//! Every row does the same work on the same 2^20 vectors of random words, on one thread, and must
+//! give the same checksum. The rows are the engine, the reference interpreter, hand-written kernels
+//! for this one setting (with `fixed`'s types, and in vectorised passes over blocks), and, if
+//! installed, Verilator on the emitted Verilog, built with its best flags. Slow rows use fewer
+//! vectors. Waves of the first 10^5 vectors with every signal are written to files in one folder by
+//! `fixpath wave`'s code and by Verilator's tracing. Each is timed from before its file is created
+//! to after it is closed, and the contents of the files are counted. The whole of `sim`, on one
+//! thread and on all, draws its own vectors. Rows take turns, round by round. Each row's stimulus
+//! is timed in pieces, and the best time of each piece over all rounds counts, to exclude other
+//! load on the machine.
 #![allow(
     missing_docs,
     clippy::cast_possible_truncation,
@@ -39,13 +42,13 @@ mod wave;
 
 /// Vectors of the stimulus.
 const SAMPLES: usize = 1 << 20;
-/// Vectors timed at once.
+/// Vectors per timed piece.
 const PIECE: usize = 1 << 14;
-/// Vectors of rows that take long.
+/// Vectors of slow rows.
 const FEW: usize = 1 << 16;
-/// Times that each row has its turn.
+/// Number of rounds.
 const ROUNDS: usize = 9;
-/// Vectors of a block of the kernels written by hand.
+/// Vectors per block of the hand-written kernels.
 const BLOCK: usize = 512;
 
 fn main() {
@@ -80,7 +83,7 @@ fn main() {
     }
 }
 
-/// Its model, where Linux tells it.
+/// The processor's model, on Linux.
 fn processor() -> Option<String> {
     let text = fs::read_to_string("/proc/cpuinfo").ok()?;
     let line = text.lines().find(|line| line.starts_with("model name"))?;
@@ -118,7 +121,7 @@ fn bench(variant: &str, rounds: usize, only: &str) -> serde_json::Value {
             move |at: &Piece<'_>, to| {
                 runner.run(program, &at.wide, &mut columns).unwrap();
                 for (to, column) in to.iter_mut().zip(&columns) {
-                    // Not part of the engine's work; but columns must be used.
+                    // This isn't part of the engine's work, but the columns must be used.
                     black_box(column);
                     if at.checked {
                         to.iter_mut().zip(column).for_each(|(to, word)| *to = *word as i32);
@@ -146,7 +149,7 @@ fn bench(variant: &str, rounds: usize, only: &str) -> serde_json::Value {
         }));
     }
     let folder = tempfile::tempdir().expect("a folder for temporary files");
-    // The first row is what the others are compared with.
+    // The first row is the reference for the others.
     let mut first = true;
     rows.retain(|row| std::mem::take(&mut first) || row.name.contains(only));
     let verilated = Verilated::build_all(&design, &stimulus, folder.path(), only);
@@ -256,20 +259,21 @@ fn bench(variant: &str, rounds: usize, only: &str) -> serde_json::Value {
     })
 }
 
-/// What `sim` does with vectors: it draws them, runs engine, golden and reals, and counts errors on four bases.
+/// The work of `sim`: drawing vectors, running engine, golden model and reals, and counting errors
+/// on four bases.
 struct Whole {
-    /// Million vectors per second on one thread and on all.
+    /// Million vectors per second, on one thread and on all.
     rates: Vec<(usize, f64)>,
-    /// The same on one thread with errors on the basis total only.
+    /// On one thread, with errors on the basis total only.
     total: f64,
-    /// Of the engine alone, in the same runs on one thread.
+    /// The engine alone, in the same runs on one thread.
     engine: f64,
-    /// Share of each part of the time on one thread.
+    /// Share of each part in the time on one thread.
     shares: Vec<(&'static str, f64)>,
 }
 
 impl Whole {
-    /// The best of some runs.
+    /// The best of several runs.
     fn time(design: &Design, rounds: usize) -> Self {
         let inputs = Inputs { sampler: Sampler::Lit, samples: 1 << 22, seed: 1 };
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
@@ -341,7 +345,7 @@ impl Whole {
     }
 }
 
-/// Input words, of 16 bits.
+/// Input words of 16 bits.
 struct Stimulus {
     narrow: [Vec<u16>; 4],
     wide: [Vec<i64>; 4],
@@ -373,11 +377,11 @@ impl Stimulus {
     }
 }
 
-/// What is timed at once.
+/// The vectors timed at once.
 struct Piece<'a> {
     narrow: [&'a [u16]; 4],
     wide: [&'a [i64]; 4],
-    /// True if the words are asked for, and not the time.
+    /// True if the words are checked; false if the run is timed.
     checked: bool,
 }
 
@@ -428,7 +432,7 @@ impl<'a> Row<'a> {
     }
 }
 
-/// One step of the checksum: every word and its place count.
+/// One step of the checksum, which depends on every word and its position.
 fn mixed(sum: u64, word: i32) -> u64 {
     (sum ^ u64::from(word as u32)).wrapping_mul(0x100_0000_01b3)
 }
@@ -446,9 +450,9 @@ fn reference(netlist: &Netlist, ports: &[NodeId], at: &Piece<'_>, to: &mut [Vec<
     }
 }
 
-/// The tables of both variants, as the kernels written by hand hold them.
+/// The tables of both variants, as the hand-written kernels store them.
 struct Tables {
-    /// Two words of 32 bits, side by side.
+    /// Two 32-bit words, side by side.
     sincos: Vec<u64>,
     cos: Vec<i32>,
     asin: Vec<i32>,
@@ -483,7 +487,7 @@ impl Tables {
     }
 }
 
-/// Columns of one block, from the start of a cache line as the engine's.
+/// Columns of one block, aligned to a cache line like the engine's.
 #[repr(align(64))]
 struct Blocks {
     index: [[u16; BLOCK]; 8],
@@ -504,10 +508,10 @@ fn by_hand(
     at: &Piece<'_>,
     to: &mut [Vec<i32>],
 ) {
-    // Features that aren't here have no row.
+    // Features that this processor lacks have no row.
     assert!(Features::here().contains(&features), "bug: {features:?} isn't here");
     match features {
-        // SAFETY: safe code, called where the processor has what it is compiled for.
+        // SAFETY: safe code, called only where the processor has the features it is compiled for.
         #[cfg(target_arch = "x86_64")]
         Features::Avx512 => unsafe { by_hand_avx512(blocks, tables, corrected, at, to) },
         // SAFETY: as above.
@@ -595,13 +599,14 @@ fn pair(table: &[u64], index: &[u16; BLOCK], a: &mut [i32; BLOCK], b: &mut [i32;
     }
 }
 
-/// Half up, dropping `S` bits.
+/// Rounds half up, dropping `S` bits.
 #[inline(always)]
 fn half_up<const S: u32>(x: i32) -> i32 {
     x.wrapping_add(1 << (S - 1)) >> S
 }
 
-/// A sum of words that are far from the ends of their lanes: a check for overflow is no vector code.
+/// A sum of words that are far from the ends of their lanes: an overflow check would prevent
+/// vectorisation.
 #[inline(always)]
 fn sum(words: [i32; 4]) -> i32 {
     words[0].wrapping_add(words[1]).wrapping_add(words[2].wrapping_add(words[3]))
@@ -718,7 +723,7 @@ fn halves(both: u64) -> [i32; 2] {
     [both as i32, (both >> 32) as i32]
 }
 
-/// As one would write it with `fixed`'s types, sample by sample.
+/// The straightforward version with `fixed`'s types, sample by sample.
 fn with_fixed(tables: &Tables, corrected: bool, at: &Piece<'_>, to: &mut [Vec<i32>]) {
     type Word = I14F18;
     let half_up = |x: I46F18, drop: u32| (x.to_bits() + (1 << (drop - 1))) >> drop;
@@ -741,7 +746,7 @@ fn with_fixed(tables: &Tables, corrected: bool, at: &Piece<'_>, to: &mut [Vec<i3
             let [rs, rc] = halves(tables.recip[(z.to_bits() >> 8 & 1023) as usize]);
             let double = cy - cx;
             let times = |by: i32| {
-                // 2^-36, in `i64` words of their own.
+                // 2^-36, as separate `i64` words.
                 let product = I46F18::from_bits(double.to_bits() * i64::from(by));
                 half_up(product, 18)
             };
@@ -775,13 +780,14 @@ fn with_fixed(tables: &Tables, corrected: bool, at: &Piece<'_>, to: &mut [Vec<i3
     }
 }
 
-/// The emitted Verilog, built by Verilator with a harness that times it.
+/// The emitted Verilog, built by Verilator with a timing harness.
 struct Verilated {
     name: &'static str,
     program: PathBuf,
     folder: PathBuf,
     samples: usize,
-    /// Vectors timed at once: with tracing all, from before the file is made to after it is closed.
+    /// Vectors timed at once; with tracing all, from before the file is created to after it is
+    /// closed.
     piece: usize,
 }
 
@@ -790,7 +796,7 @@ impl Verilated {
         self.piece == self.samples
     }
 
-    /// Those whose names contain a text.
+    /// Builds those whose names contain a text.
     fn build_all(design: &Design, stimulus: &Stimulus, folder: &Path, only: &str) -> Vec<Self> {
         let rows = [
             ("verilator, pipelined", SAMPLES, false),
@@ -855,7 +861,7 @@ impl Verilated {
     }
 
     fn run(&self) -> String {
-        // Not there if it isn't traced.
+        // Missing without tracing.
         let _ = fs::remove_file(self.folder.join("trace.vcd"));
         let output = Command::new(&self.program)
             .current_dir(&self.folder)
@@ -880,7 +886,7 @@ impl Verilated {
     }
 }
 
-/// C++ that runs the stimulus through the module, a vector a cycle, and times each piece.
+/// C++ that runs the stimulus through the module, one vector per cycle, and times each piece.
 fn harness(design: &Design, latency: usize, samples: usize, traced: bool) -> String {
     let netlist = &design.netlist;
     let ports: Vec<&str> = (0..netlist.inputs().len()).map(|i| netlist.input_name(i)).collect();

@@ -1,7 +1,7 @@
-//! Units of one's own beside the built-in ones, with the whole command line:
+//! User-defined units beside the built-in ones, with the whole command line:
 //! `cargo run --release --example own_units -- sim complex_product --hard`.
 //!
-//! A sigmoid by one table, a product of complex numbers, and one step of a filter.
+//! A sigmoid from one table, a product of complex numbers, and one step of a filter.
 #![allow(
     clippy::disallowed_methods,
     reason = "these goldens may round as the system's functions do"
@@ -16,7 +16,7 @@ use fixpath::units::{Bound, Bounds, Design, Golden, Param, Role, Unit, Values};
 use std::f64::consts::LOG2_E;
 use std::process::ExitCode;
 
-/// 1 / (1 + e^-x), of numbers from -8 to 8.
+/// 1 / (1 + e^-x), for x from -8 to 8.
 fn sigmoid() -> Unit {
     Unit::new("sigmoid", "1 / (1 + e^-x), by one table")
         .param(
@@ -49,7 +49,8 @@ fn sigmoid() -> Unit {
             b.output("y", y);
             Ok(Design::new(p, b.build()?)
                 .golden(|_| Golden::each(|[x]: [f64; 1]| [1.0 / (1.0 + (-x).exp())]))
-                // The golden may be rounded otherwise than the function that the table is judged by.
+                // The golden model may round differently from the function that the table is judged
+                // by.
                 .bounds(Bounds::Stated(vec![Bound::new("y", ["y"], |_, worst| {
                     worst("sigmoid") + 2.0 * f64::EPSILON
                 })]))
@@ -57,7 +58,7 @@ fn sigmoid() -> Unit {
         })
 }
 
-/// Exact products and sums, and one rounding.
+/// Exact products and sums with a single rounding.
 fn complex_product() -> Unit {
     fn golden<F: Real>(_: &Values) -> Golden<F> {
         Golden::each(|[ar, ai, br, bi]: [F; 4]| [ar * br - ai * bi, ar * bi + ai * br])
@@ -83,12 +84,12 @@ fn complex_product() -> Unit {
         })
 }
 
-/// One rounding to `frac_bits`.
+/// The error of one rounding to `frac_bits`.
 fn rounding(p: &Values, _: &dyn Fn(&str) -> f64) -> f64 {
     p.rounding("rounding").error_ulp() * 2f64.powi(-p.bits("frac_bits").cast_signed())
 }
 
-/// Terms of `y = Σ coefficient · port`: a low pass.
+/// Terms of `y = Σ coefficient · port`, a low-pass filter.
 const TERMS: [(&str, &str, f64); 5] = [
     ("x0", "b0", 0.2066),
     ("x1", "b1", 0.4132),

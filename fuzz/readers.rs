@@ -1,5 +1,6 @@
-//! Every reader of what comes from outside, as a function of bytes that must not panic and that checks what it
-//! reads. `fuzz/targets` has each as a fuzz target; the suite runs all of them over `fuzz/seeds`.
+//! Every reader of outside data, as a function of bytes that must not panic and that checks what it
+//! has read. `fuzz/targets` has each as a fuzz target; the suite runs all of them over
+//! `fuzz/seeds`.
 
 use fixpath::cli;
 use fixpath::cost;
@@ -17,10 +18,10 @@ use std::path::Path;
 use std::sync::{Arc, OnceLock};
 use tempfile::TempDir;
 
-/// A reader by its name, which is that of its target and of its folder of seeds.
+/// A reader with its name, which is also that of its target and its folder of seeds.
 pub(crate) type Reader = (&'static str, fn(&[u8]));
 
-/// All of them.
+/// All readers.
 pub(crate) const READERS: &[Reader] = &[
     ("axis", axis),
     ("cells", cells),
@@ -38,22 +39,22 @@ pub(crate) const READERS: &[Reader] = &[
 ];
 
 thread_local! {
-    /// Where readers of files find theirs.
+    /// The folder in which readers of files find theirs.
     static FOLDER: TempDir = tempfile::tempdir().unwrap();
 }
 
-/// Texts only: what isn't UTF-8 is refused before these readers.
+/// Text only: other code refuses invalid UTF-8 before these readers.
 fn text(bytes: &[u8]) -> Option<&str> {
     std::str::from_utf8(bytes).ok()
 }
 
-/// A unit by the first line, and the other lines.
+/// The unit named in the first line, and the other lines.
 fn unit(bytes: &[u8]) -> Option<(&'static Unit, &str)> {
     let (name, rest) = text(bytes)?.split_once('\n')?;
     Some((Unit::find(name).ok()?, rest))
 }
 
-/// A netlist's file: what is read is written as what is read the same, and runs.
+/// A netlist file: what is parsed is written, parsed again to an equal netlist, and run.
 pub(crate) fn netlist(bytes: &[u8]) {
     let Some(text) = text(bytes) else { return };
     let path = Path::new("fuzzed.netlist");
@@ -67,13 +68,14 @@ pub(crate) fn netlist(bytes: &[u8]) {
     let (nodes, _) = netlist.eval(&words).expect("words of the ports' formats");
     assert!(netlist.nodes().iter().zip(nodes).all(|(node, word)| node.format.contains(word)));
     let unit = Unit::of_netlist(netlist);
-    // Tables of a schedule that asks for too much, and outputs of bits, are refused.
+    // Schedules that ask for too much are refused, and outputs of bits, which have no value on
+    // reals.
     let Ok(design) = unit.defaults().build() else { return };
     let inputs = Inputs { sampler: Sampler::Sphere, samples: 10, seed: 1 };
     let _ = measure(&[&design], &inputs, &|_| ());
 }
 
-/// The netlist with some words for each memory, if they are small.
+/// Binds some words to each memory, if the memories are small.
 fn bound(netlist: Netlist) -> Option<Netlist> {
     let mut bound = netlist.clone();
     for memory in netlist.memories() {
@@ -86,7 +88,7 @@ fn bound(netlist: Netlist) -> Option<Netlist> {
     Some(bound)
 }
 
-/// A format: what is read is written as what is read the same.
+/// A format: what is parsed prints as text that parses to the same format.
 pub(crate) fn format(bytes: &[u8]) {
     let Some(text) = text(bytes) else { return };
     if let Ok(format) = text.parse::<Format>() {
@@ -95,7 +97,7 @@ pub(crate) fn format(bytes: &[u8]) {
     }
 }
 
-/// Lines `key=value` for a unit: legal values are written as what is read the same.
+/// Lines `key=value` for a unit: legal values print as text that parses to the same values.
 pub(crate) fn parameters(bytes: &[u8]) {
     let Some((unit, text)) = unit(bytes) else { return };
     let assignments: Vec<&str> = text.lines().collect();
@@ -106,7 +108,7 @@ pub(crate) fn parameters(bytes: &[u8]) {
     assert!(values.iter().eq(again.iter()), "{written:?}");
 }
 
-/// An axis of a sweep over a unit: its values are legal.
+/// An axis of a sweep over a unit: all its values are legal.
 pub(crate) fn axis(bytes: &[u8]) {
     let Some((unit, text)) = unit(bytes) else { return };
     let Ok(axis) = Axis::parse(text, unit) else { return };
@@ -116,20 +118,20 @@ pub(crate) fn axis(bytes: &[u8]) {
     }
 }
 
-/// Words of a command line, a line each.
+/// Words of a command line, one per line.
 pub(crate) fn command_line(bytes: &[u8]) {
     let Some(text) = text(bytes) else { return };
     let words = std::iter::once("fixpath").chain(text.lines());
     let _ = cli::command().try_get_matches_from(words);
 }
 
-/// Cells as Yosys counts them.
+/// Cell counts as printed by Yosys.
 pub(crate) fn cells(bytes: &[u8]) {
     let Some(text) = text(bytes) else { return };
     let _ = cost::cells_of(text);
 }
 
-/// A table of inputs of the rotation unit, from the second byte on: all words are of their ports.
+/// A table of inputs of the rotation unit, from the second byte on: all words fit their ports.
 pub(crate) fn samples(bytes: &[u8]) {
     static DESIGN: OnceLock<Design> = OnceLock::new();
     let design = DESIGN.get_or_init(|| {
@@ -157,7 +159,8 @@ pub(crate) fn samples(bytes: &[u8]) {
     let _ = file.clipped_note();
 }
 
-/// Calls of texture-coordinate generation: each configuration that comes out is one of the emboss unit.
+/// Calls of texture-coordinate generation: each resulting configuration is legal for the emboss
+/// unit.
 pub(crate) fn texgen(bytes: &[u8]) {
     let Some(text) = text(bytes) else { return };
     let Ok(calls) = Calls::parse(text, Path::new("calls.toml")) else { return };
@@ -171,7 +174,7 @@ pub(crate) fn texgen(bytes: &[u8]) {
     }
 }
 
-/// A scene, with a mesh and two pictures beside it that it may name.
+/// A scene, beside a mesh and a picture that it may name.
 pub(crate) fn scene(bytes: &[u8]) {
     let Some(text) = text(bytes) else { return };
     FOLDER.with(|folder| {
@@ -191,13 +194,13 @@ pub(crate) fn obj(bytes: &[u8]) {
     file(bytes, "mesh.obj", &mesh("mesh.obj"));
 }
 
-/// A mesh as glTF, of which the first bytes say in which form.
+/// A mesh as glTF; the first bytes decide its form.
 pub(crate) fn gltf(bytes: &[u8]) {
     let name = if bytes.starts_with(b"glTF") { "mesh.glb" } else { "mesh.gltf" };
     file(bytes, name, &mesh(name));
 }
 
-/// A picture as texture and as heights, as JPEG or PNG.
+/// A picture used as texture and as height map, as JPEG or PNG.
 pub(crate) fn picture(bytes: &[u8]) {
     let name = if bytes.starts_with(b"\x89PNG") { "map.png" } else { "map.jpg" };
     let object = "[[object]]\nshape = \"plane\"\n";
@@ -205,7 +208,7 @@ pub(crate) fn picture(bytes: &[u8]) {
     file(bytes, name, &format!("{SMALL}[height]\nfile = \"{name}\"\n{object}"));
 }
 
-/// The result of a sweep: what is read is reported, written, and read as the same.
+/// The result of a sweep: it is reported, written, and read back unchanged.
 pub(crate) fn sweep(bytes: &[u8]) {
     FOLDER.with(|folder| {
         let path = folder.path().join("sweep.json");
@@ -227,7 +230,7 @@ fn mesh(name: &str) -> String {
     format!("{SMALL}[[object]]\nshape = \"mesh\"\nfile = \"{name}\"\n")
 }
 
-/// A scene that names a file of these bytes.
+/// A scene that names a file with these bytes.
 fn file(bytes: &[u8], name: &str, toml: &str) {
     FOLDER.with(|folder| {
         fs::write(folder.path().join(name), bytes).unwrap();
@@ -237,7 +240,8 @@ fn file(bytes: &[u8], name: &str, toml: &str) {
     });
 }
 
-/// Every face has corners in space and unit normals; so has what some rows of the picture see.
+/// Checks that every face has finite corners and unit normals, and that the pixels of one row have
+/// unit normals and tangents.
 fn look(scene: &Scene) {
     for (_, corners) in scene.faces().take(1000) {
         for corner in corners {

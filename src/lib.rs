@@ -1,12 +1,13 @@
 //! A generator and bit-true simulator of fixed-point datapaths.
 //!
-//! A datapath is described once, as a [`netlist`] of exact operations ([`op`]) and of the one
-//! operation that rounds ([`format::narrow`]); formats and tables ([`table`]) are run-time values. From
-//! it come fast bit-true simulation ([`sim::batch`]), pipelined hardware ([`schedule`], [`rtl`]) with
-//! its clock cycles ([`cycle`]) and waves ([`wave`]), and error figures ([`measure`]) over
-//! parameter sweeps ([`sweep`]). [`units`] holds the datapaths with their golden models.
+//! A datapath is described once, as a [`netlist`] of exact operations ([`op`]) and one operation
+//! that rounds ([`format::narrow`]). Formats and tables ([`table`]) are run-time values. The
+//! netlist yields fast bit-true simulation ([`sim::batch`]), pipelined hardware ([`schedule`],
+//! [`rtl`]) with its clock cycles ([`cycle`]) and waves ([`wave`]), and error figures ([`measure`])
+//! over parameter sweeps ([`sweep`]). [`units`] holds the datapaths with their golden models: the
+//! same functions in double precision.
 //!
-//! A unit from its parameters to its error:
+//! A unit, from its parameters to its error:
 //!
 //! ```
 //! use fixpath::measure::{Basis, Inputs, measure};
@@ -21,7 +22,7 @@
 //! # Ok::<(), fixpath::error::Error>(())
 //! ```
 //!
-//! A datapath of one's own, `y = x * x` rounded to eight bits:
+//! A user-defined datapath, `y = x * x` rounded to eight bits:
 //!
 //! ```
 //! use fixpath::format::{Format, Overflow, Round};
@@ -41,13 +42,13 @@
 //! # Ok::<(), fixpath::error::Error>(())
 //! ```
 //!
-//! The same with operators, `(&x * &x).narrow(…)`, is written with [`netlist::Wires`].
-//! With parameters, a golden model and a bound such a datapath is a [`units::Unit`], and [`main`] gives it the whole
+//! [`netlist::Wires`] writes the same with operators: `(&x * &x).narrow(…)`. With parameters, a
+//! golden model and a bound, such a datapath is a [`units::Unit`], and [`main`] gives it the whole
 //! command line: see `examples/own_units.rs`.
 //!
-//! The folders of the source are its layers, from `base` up to `cli`: each names only those below it, and a path
-//! inside the crate starts with the folder. From outside, modules have short paths, whichever folder they stand in:
-//! `fixpath::format`, not `fixpath::number::format`.
+//! The source folders are layers, from `base` up to `cli`. Each layer names only those below it,
+//! and a path inside the crate starts with the folder. Outside the crate, modules have short paths
+//! that omit the folder: `fixpath::format`, not `fixpath::number::format`.
 //!
 //! # Features
 //!

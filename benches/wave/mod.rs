@@ -1,4 +1,5 @@
-//! Waves beside Verilator's: the same vectors through the same pipeline, every signal in a VCD file.
+//! Waves compared with Verilator's: the same vectors through the same pipeline, with every signal
+//! in a VCD file.
 
 use crate::{Stimulus, mixed};
 use fixpath::units::Design;
@@ -15,13 +16,13 @@ pub(crate) const VECTORS: usize = 100_000;
 /// A way to write a wave.
 pub(crate) struct Row<'a> {
     pub(crate) name: &'static str,
-    /// The file, which is made anew each time.
+    /// The file, which is rewritten each time.
     pub(crate) file: PathBuf,
     words_only: bool,
     design: &'a Design,
 }
 
-/// The ways: what Verilator writes too, and with reals beside words.
+/// The ways: the signals that Verilator writes, and these with reals.
 pub(crate) fn rows<'a>(design: &'a Design, folder: &Path) -> Vec<Row<'a>> {
     let row = |name, file, words_only| Row { name, file: folder.join(file), words_only, design };
     vec![
@@ -36,7 +37,8 @@ pub(crate) fn samples(stimulus: &Stimulus) -> Vec<Vec<i64>> {
 }
 
 impl Row<'_> {
-    /// Writes the file; gives the seconds that it took, pipeline and choice of signals included.
+    /// Writes the file and returns the seconds it took, including pipelining and the choice of
+    /// signals.
     pub(crate) fn write(&self, samples: &[Vec<i64>]) -> f64 {
         let _ = fs::remove_file(&self.file);
         let start = Instant::now();
@@ -49,15 +51,16 @@ impl Row<'_> {
     }
 }
 
-/// What is in a VCD file.
+/// The contents of a VCD file.
 pub(crate) struct Contents {
     pub(crate) bytes: u64,
-    /// Identifiers: several names of one signal count once.
+    /// Number of identifiers: several names of one signal count once.
     pub(crate) variables: usize,
-    /// Changes of words, and of reals.
+    /// Number of changes of words, and of reals.
     pub(crate) changes: u64,
     pub(crate) reals: u64,
-    /// Of the words at the output ports after each rising edge with valid data, as of the other rows.
+    /// Checksum of the words at the output ports after each rising edge with valid data, as for the
+    /// other rows.
     pub(crate) checksum: u64,
 }
 
@@ -85,7 +88,7 @@ impl Contents {
             let line = line.trim_ascii();
             let (value, code) = match line.first() {
                 Some(b'#') => {
-                    // What came before is one moment.
+                    // The changes before this time stamp form one moment.
                     if rose && valid && samples < VECTORS {
                         contents.checksum =
                             words.iter().fold(contents.checksum, |sum, word| mixed(sum, *word));
@@ -103,7 +106,7 @@ impl Contents {
                     let text = std::str::from_utf8(line).expect("plain text");
                     let parts: Vec<&str> = text.split_whitespace().collect();
                     if let ["$var", _, _, code, name, ..] = parts[..] {
-                        // The first of several is the outermost, the port.
+                        // The first of several names is the outermost: the port.
                         codes.entry(code.into()).or_insert_with(|| name.to_owned());
                     }
                     continue;
@@ -123,7 +126,7 @@ impl Contents {
             } else if let Some(port) = names.iter().position(|known| *known == name) {
                 let format = netlist.node(netlist.outputs()[port].node).format;
                 let bits = std::str::from_utf8(&value[1..]).expect("plain text");
-                // Unknown at first.
+                // Initially unknown.
                 let pattern = i64::from_str_radix(bits, 2).unwrap_or(0);
                 words[port] = i32::try_from(format.wrap(pattern)).expect("a narrow port");
             }

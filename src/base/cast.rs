@@ -1,7 +1,7 @@
-//! The only module that may convert numbers with loss.
+//! The only module with lossy number conversions.
 //!
-//! Each function says what is lost; everywhere else clippy's cast lints stand
-//! guard. Conversions that can't lose anything use `From` where they are made.
+//! Each function says what is lost. Everywhere else clippy's cast lints forbid such casts. Lossless
+//! conversions use `From` where they occur.
 #![allow(
     clippy::cast_possible_truncation,
     clippy::cast_possible_wrap,
@@ -63,20 +63,21 @@ pub(crate) fn low_i32(raw: i64) -> i32 {
     raw as i32
 }
 
-/// The low 32 bits of a count: of a node, whose arena refuses to grow past that, or of a short run.
+/// The low 32 bits of a node index (the arena refuses to grow past that), or of a short run's
+/// length.
 #[inline(always)]
 pub(crate) fn id_of(index: usize) -> u32 {
     index as u32
 }
 
-/// The word that is known not to be negative, as an index.
+/// A word that is known not to be negative, as an index.
 #[inline(always)]
 pub(crate) fn index_of(raw: i64) -> usize {
     debug_assert!(raw >= 0, "bug: negative index {raw}");
     raw as usize
 }
 
-/// A small number as an index; nothing is lost where addresses have 32 bits or more.
+/// A small number as an index; lossless where addresses have 32 bits or more.
 #[inline(always)]
 pub(crate) fn index_of_u32(number: u32) -> usize {
     number as usize
@@ -136,7 +137,7 @@ pub(crate) fn pattern_of_i32(lane: i32) -> u32 {
     lane as u32
 }
 
-/// The low bits of a pattern as an index; nothing is lost where addresses have 64 bits.
+/// The low bits of a pattern as an index; lossless where addresses have 64 bits.
 #[inline(always)]
 pub(crate) fn index_of_bits(bits: u64) -> usize {
     bits as usize

@@ -1,9 +1,11 @@
-//! Fields of CSV files, so that typed readers (pandas, polars, DuckDB) find the type of each column in any of its rows.
+//! Fields of CSV files, written so that typed readers (pandas, polars, DuckDB) infer each column's
+//! type from any of its rows.
 //!
-//! A count is written as a whole number. A real number always has a point or an exponent, so that a column that
-//! starts with `0.0` isn't taken for one of whole numbers; what is not finite is `inf`, `-inf` or `NaN`, which these
-//! readers know as numbers. An empty field is one that is missing. Text is quoted where it has a comma, a quote
-//! or an end of line, and none of ours has the latter.
+//! A count is written as a whole number. A real number always has a point or an exponent, so that a
+//! column that starts with `0.0` isn't taken for whole numbers. Non-finite numbers are `inf`,
+//! `-inf` and `NaN`, which these readers parse as numbers. An empty field is missing. Text is
+//! quoted where it has a comma, a quote or an end of line; no text of this crate has an end of
+//! line.
 
 use crate::base::error::Result;
 use crate::base::output;
@@ -22,7 +24,7 @@ pub enum Field {
     Real(f64),
     /// A text.
     Text(String),
-    /// Nothing is known.
+    /// Unknown.
     Missing,
 }
 

@@ -1,4 +1,4 @@
-//! A TOML file that somebody wrote by hand: its text as typed data, and what is wrong in which line.
+//! Hand-written TOML files: parses them into typed data, and reports errors with their line.
 
 use crate::base::cast;
 use crate::base::error::{Error, Result};
@@ -21,8 +21,9 @@ pub(crate) struct Document<'a> {
     pub(crate) path: &'a Path,
 }
 
-/// An array of exactly so many values. Every array of fixed length in a file must be one: serde's own takes the
-/// first `N` and drops the others without a word, since TOML's reader doesn't ask whether the end was reached.
+/// An array of exactly `N` values. Every fixed-length array in a file must use this type: serde's
+/// own takes the first `N` and silently drops the rest, since TOML's reader doesn't check that the
+/// end was reached.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Exactly<T, const N: usize>(pub(crate) [T; N]);
 
@@ -37,8 +38,8 @@ impl<'de, T: Deserialize<'de>, const N: usize> Deserialize<'de> for Exactly<T, N
     }
 }
 
-/// A table. Every struct below another in a file must be one: serde's own takes an array as well, gives its values to
-/// the keys in their order, and drops those left over.
+/// A table. Every nested struct in a file must use this type: serde's own also accepts an array,
+/// assigns its values to the keys in order, and drops the rest.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Table<T>(T);
 
@@ -68,8 +69,7 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Table<T> {
     }
 }
 
-/// The kind of a table by the name that it gives: the names of an enum's variants, one inside the other, or
-/// what is wrong with it.
+/// Maps a table's tag to enum variant names, outermost first, or to an error message.
 pub(crate) type Kind = fn(&str) -> Result<Vec<String>, String>;
 
 /// Where the lines of a text end, in bytes.
@@ -86,18 +86,18 @@ impl Document<'_> {
     /// Reads the whole text.
     ///
     /// # Errors
-    /// If it isn't TOML, or not of this type, with the line and its text.
+    /// If it isn't TOML or doesn't match the type; the error gives the line and its text.
     pub(crate) fn parse<T: DeserializeOwned>(&self) -> Result<T> {
         toml::from_str(self.text).map_err(|why| self.told(&why))
     }
 
-    /// Reads the whole text, where each table of some arrays says under the key `tag` which variant of an enum it is.
+    /// Reads the whole text, where some arrays hold tables whose key `tag` names an enum variant.
     ///
-    /// serde has such enums too, but loses where their keys stand. So each table `{ tag = "Name", … }` becomes
-    /// `{ Name = { … } }`, which is how serde writes an enum that isn't told otherwise.
+    /// serde supports such enums too, but loses the positions of their keys. So each table
+    /// `{ tag = "Name", … }` becomes `{ Name = { … } }`, which is serde's default form of an enum.
     ///
     /// # Errors
-    /// As [`Document::parse`], also if a table has no such key or its name is of no kind.
+    /// As [`Document::parse`], and if a table has no such key or `kind` refuses its name.
     pub(crate) fn parse_tagged<T: DeserializeOwned>(
         &self,
         tag: &str,
@@ -105,7 +105,7 @@ impl Document<'_> {
     ) -> Result<T> {
         let mut root = DeTable::parse(self.text).map_err(|why| self.told(&why))?;
         for (name, kind) in arrays {
-            // What is no array of tables, serde tells.
+            // If it isn't an array of tables, serde reports that.
             let array = root.get_mut().get_mut(*name).map(Spanned::get_mut);
             let Some(DeValue::Array(items)) = array else { continue };
             for item in items.iter_mut() {
@@ -115,7 +115,7 @@ impl Document<'_> {
         T::deserialize(toml::de::Deserializer::from(root)).map_err(|why| self.told(&why))
     }
 
-    /// `{ tag = "Name", … }` as `{ Name = { … } }`.
+    /// Turns `{ tag = "Name", … }` into `{ Name = { … } }`.
     fn untag(&self, item: &mut Spanned<DeValue<'_>>, tag: &str, kind: Kind) -> Result<()> {
         let span = item.span();
         let DeValue::Table(table) = item.get_mut() else {
@@ -134,7 +134,7 @@ impl Document<'_> {
             | DeValue::Boolean(_)
             | DeValue::Datetime(_)
             | DeValue::Array(_)
-            | DeValue::Table(_) => Err(format!("`{tag}` is a name in quotes")),
+            | DeValue::Table(_) => Err(format!("`{tag}` must be a name in quotes")),
         };
         let names = names.map_err(|problem| {
             self.fail(&at, format!("{problem} in `{}`", self.line_text(at.start)))
@@ -152,7 +152,7 @@ impl Document<'_> {
         Ok(())
     }
 
-    /// An error of the reader, as who writes the file would say it.
+    /// Rewords an error of the reader for the file's author.
     fn told(&self, why: &toml::de::Error) -> Error {
         let span = why.span().unwrap_or_default();
         let message = why.message().trim_end();
@@ -160,7 +160,7 @@ impl Document<'_> {
         let message = message.replace("expected f64", "expected a number");
         let mut message =
             message.replace("expected an array of length 3", "expected three numbers");
-        // Of an enum it says the same as of a struct, in other words.
+        // The reader words this differently for enums than for structs.
         let unknown = message.strip_prefix("unexpected keys in table: ");
         if let Some((given, legal)) = unknown.and_then(|rest| rest.split_once(", available keys: "))
         {
@@ -177,7 +177,7 @@ impl Document<'_> {
         Lines(ends.map(|(at, _)| at).collect())
     }
 
-    /// An error in the line in which a range of bytes starts.
+    /// An error in the line in which a byte range starts.
     pub(crate) fn fail(&self, span: &Range<usize>, problem: String) -> Error {
         Error::line(self.path, self.lines().of(span.start), problem)
     }

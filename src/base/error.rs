@@ -1,20 +1,19 @@
 //! The one error type of the library.
 //!
-//! An [`Error`] is for the caller's data: a parameter out of range, a file that
-//! can't be read, a format that would be too wide. Wrong code panics instead,
-//! with a message that starts with `bug:`. Every message names what was given,
-//! what is legal, and what to do.
+//! An [`Error`] reports bad data from the caller: a parameter out of range, a file that can't be
+//! read, a format that would be too wide. Bugs in this crate panic instead, with a message that
+//! starts with `bug:`. Every error message names the given value, the legal range and the remedy.
 
 use crate::base::escape;
 use std::fmt;
 use std::panic::Location;
 use std::path::{Path, PathBuf};
 
-/// What every fallible function of this crate returns.
+/// The result of every fallible function of this crate.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
-/// An error in what the caller gave: data, parameters or files. Its message is one line that ends in time and acts
-/// on no terminal, whatever was given.
+/// An error in what the caller gave: data, parameters or files. Its message is one line of bounded
+/// length without terminal control characters, whatever the input was.
 #[derive(Debug)]
 pub struct Error(Box<Kind>);
 
@@ -114,7 +113,7 @@ pub(crate) struct Operation {
     pub(crate) plain: String,
     /// As in `add of x (s8f4), lookup.y (s10f4)`.
     pub(crate) with_formats: String,
-    /// Who asked for it.
+    /// The code that asked for it.
     pub(crate) caller: &'static Location<'static>,
 }
 
@@ -151,13 +150,13 @@ constructors! {
 }
 
 impl Error {
-    /// Wrong use, in words: what was given, what is legal, what to do.
+    /// A usage error as free text: what was given, what is legal, what to do.
     #[must_use]
     pub fn usage(text: impl Into<String>) -> Self {
         Self(Box::new(Kind::Usage(text.into())))
     }
 
-    /// A parameter's value that isn't legal, as `parameter NAME = VALUE: legal is …`.
+    /// An illegal parameter value, as `parameter NAME = VALUE: legal is …`.
     #[must_use]
     pub fn parameter_value(name: &str, value: &str, legal: impl Into<String>) -> Self {
         let (name, value) = (name.to_owned(), escape::short(value));
@@ -183,14 +182,14 @@ impl Error {
         }))
     }
 
-    /// That a netlist has no node of this name whose format can be given.
+    /// The netlist has no node of this name whose format can be overridden.
     pub(crate) fn unknown_node(netlist: &str, given: &str, known: &[&str]) -> Self {
-        let what = format!("node `{}` of a format of its own", escape::short(given));
+        let what = format!("node `{}` whose format can be set", escape::short(given));
         Self::unknown_part(netlist, what, given, known)
     }
 
     pub(crate) fn unknown_table(netlist: &str, given: &str, known: &[&str]) -> Self {
-        let what = format!("table `{}` of a scheme of its own", escape::short(given));
+        let what = format!("table `{}` whose scheme can be set", escape::short(given));
         Self::unknown_part(netlist, what, given, known)
     }
 
@@ -212,8 +211,8 @@ impl Error {
     pub(crate) fn earlier_samples(node: String) -> Self {
         Self::node(
             node,
-            "it has the words of earlier samples, so errors can't be told of samples by themselves: `eval`, `wave`, `hdl` \
-             and `verify` take them in order"
+            "it holds words of earlier samples, so errors can't be measured on independent samples: use `eval`, \
+             `wave`, `hdl` or `verify`, which process samples in order"
                 .to_owned(),
         )
     }
@@ -224,8 +223,8 @@ impl Error {
         ))
     }
 
-    /// If this is about a format's bits: the node or shared unit without its number, how many nodes were built
-    /// before, and the bits; of a format by itself the bits alone.
+    /// For errors about a format's bits: the node or shared unit without its number, the number of
+    /// nodes built before it, and the bits. An error about a bare format gives only the bits.
     pub(crate) fn bits_needed(&self) -> Option<(&str, usize, u32)> {
         let stem = |name: &'_ String| name.trim_end_matches(|c: char| c.is_ascii_digit()).len();
         if let Kind::NodeTooWide { node, place, given_bits, .. } = &*self.0 {
@@ -238,7 +237,7 @@ impl Error {
         Some(("", 0, bits))
     }
 
-    /// The same error of a word that is too wide, with what to do.
+    /// Adds a remedy to an error about a word that is too wide.
     pub(crate) fn with_remedy(mut self, remedy: String) -> Self {
         if let Kind::SharedTooWide { remedy: known, .. } = &mut *self.0 {
             *known = remedy;
@@ -253,7 +252,7 @@ impl Error {
         Self(Box::new(Kind::TooWide { part, bits, remedy }))
     }
 
-    /// The same without the place in code, for what isn't the caller's own.
+    /// Drops the source location, for code that isn't the caller's.
     pub(crate) fn without_place(self) -> Self {
         if let Kind::Misuse { what, problem, .. } = &*self.0 {
             return Self::usage(format!("{what}: {problem}"));
@@ -261,7 +260,7 @@ impl Error {
         self
     }
 
-    /// Where the code that asked for a node stands, if this is about building a netlist: for whoever wrote that code.
+    /// For errors while building a netlist: the source location that asked for the node.
     #[must_use]
     pub fn caller(&self) -> Option<&'static Location<'static>> {
         if let Kind::NodeTooWide { node, .. } | Kind::Operands { node, .. } = &*self.0 {
@@ -270,23 +269,24 @@ impl Error {
         if let Kind::Misuse { caller, .. } = &*self.0 { Some(caller) } else { None }
     }
 
-    /// True if the run was stopped by a failed check (exit code 1) and not by wrong input (2).
+    /// True if a failed check stopped the run (exit code 1), false for wrong input (2).
     #[must_use]
     pub fn is_failed_check(&self) -> bool {
         matches!(*self.0, Kind::NodeOverflow { .. })
     }
 
-    /// True if writing failed because the reader of a pipe went away.
+    /// True if writing failed because the reader of a pipe closed it.
     #[must_use]
     pub fn is_broken_pipe(&self) -> bool {
         matches!(&*self.0, Kind::Io { source, .. } if source.kind() == std::io::ErrorKind::BrokenPipe)
     }
 }
 
-/// The longest text that may be meant for a name: looking for the nearest takes time with its length.
+/// The longest text that is compared with known names: the search takes time proportional to its
+/// length.
 const LONGEST_NAME: usize = 200;
 
-/// `, did you mean …` for the closest known name, or nothing if none is close.
+/// `, did you mean …` for the closest known name, or an empty string if none is close.
 pub(crate) fn nearest<'a>(given: &str, known: impl Iterator<Item = &'a str>) -> String {
     if given.len() > LONGEST_NAME {
         return String::new();
@@ -294,7 +294,7 @@ pub(crate) fn nearest<'a>(given: &str, known: impl Iterator<Item = &'a str>) -> 
     known
         .map(|name| (strsim::damerau_levenshtein(given, name), name))
         .min()
-        // More than half of it should be right.
+        // More than half of it must match.
         .filter(|(distance, _)| 2 * distance < given.chars().count())
         .map(|(_, name)| format!(", did you mean `{name}`"))
         .unwrap_or_default()

@@ -1,14 +1,14 @@
-//! Text from files, command lines and outside tools, made fit for where it is shown: it acts on no terminal,
-//! stays on its line, ends in time, and says the same in Markdown as it is.
+//! Text from files, command lines and outside tools, made safe for display: no terminal control
+//! characters, one line, bounded length, and the same text when shown as Markdown.
 
 use std::borrow::Cow;
 
-/// The most characters of a word or a name in a message.
+/// Maximum characters of a word or a name in a message.
 const SHORT: usize = 60;
-/// The most characters of a message: what comes first, and the remedy, which comes last.
+/// Maximum characters kept of a long message: of its start, and of its end, which holds the remedy.
 const MESSAGE: [usize; 2] = [800, 400];
 
-/// True if a terminal acts on a character, shows nothing for it, or turns the text around it.
+/// True if a terminal acts on a character, displays nothing for it, or changes text direction.
 pub(crate) fn is_hidden(c: char) -> bool {
     c.is_control()
         || matches!(c,
@@ -16,7 +16,7 @@ pub(crate) fn is_hidden(c: char) -> bool {
             | '\u{180b}'..='\u{180f}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}'
             | '\u{2060}'..='\u{206f}' | '\u{3164}' | '\u{fe00}'..='\u{fe0f}' | '\u{feff}' | '\u{ffa0}'
             | '\u{fff0}'..='\u{fffb}' | '\u{1d173}'..='\u{1d17a}' | '\u{e0000}'..='\u{e0fff}')
-        // No character at all, which XML refuses.
+        // Noncharacters, which XML refuses.
         || matches!(c, '\u{fdd0}'..='\u{fdef}')
         || u32::from(c) & 0xfffe == 0xfffe
 }
@@ -28,7 +28,7 @@ fn escaped(text: &str, stays: impl Fn(char) -> bool) -> Cow<'_, str> {
     let mut shown = String::with_capacity(text.len() + 16);
     for c in text.chars() {
         if is_hidden(c) && !stays(c) {
-            // `\n`, `\u{1b}`: as Rust writes it.
+            // `\n`, `\u{1b}`: Rust's escapes.
             shown.extend(c.escape_default());
         } else {
             shown.push(c);
@@ -37,19 +37,19 @@ fn escaped(text: &str, stays: impl Fn(char) -> bool) -> Cow<'_, str> {
     Cow::Owned(shown)
 }
 
-/// A text for one line of a terminal, whole.
+/// Escapes a text for one line of a terminal, in full.
 #[must_use]
 pub fn line(text: &str) -> Cow<'_, str> {
     escaped(text, |_| false)
 }
 
-/// Lines for a terminal, whole.
+/// Escapes several lines for a terminal, in full.
 #[must_use]
 pub fn lines(text: &str) -> Cow<'_, str> {
     escaped(text, |c| matches!(c, '\n' | '\t'))
 }
 
-/// A word or a name from outside for a message: its start, where it is long.
+/// A word or a name from outside for a message, cut at 60 characters.
 #[must_use]
 pub fn short(text: &str) -> String {
     let start: String = text.chars().take(SHORT).collect();
@@ -57,7 +57,7 @@ pub fn short(text: &str) -> String {
     line(&start).into_owned() + end
 }
 
-/// A message for one line of a terminal: where it is long, without its middle.
+/// A message for one line of a terminal; a long one loses its middle.
 #[must_use]
 pub fn message(text: &str) -> String {
     let [first, last] = MESSAGE;
@@ -74,10 +74,10 @@ pub fn message(text: &str) -> String {
     }
 }
 
-/// A text inside a line or a table's cell of Markdown, where it shows as it is.
+/// Escapes a text for a line or a table cell of Markdown, so that it shows unchanged.
 ///
-/// Marks get a backslash, `<` and `&` their entities, which every renderer knows; an underscore inside a word
-/// marks nothing.
+/// Markup characters get a backslash; `<` and `&` become entities, which every renderer knows. An
+/// underscore inside a word is not markup.
 #[must_use]
 pub fn markdown(text: &str) -> String {
     let text = line(text);
@@ -111,7 +111,8 @@ mod tests {
         let shown = "a\\u{1b}[31mb\\nc\\u{9b}1md\\u{202e}e\\u{7f}\\u{200b}\\u{feff}ü √";
         assert_eq!(line(text), shown);
         assert_eq!(lines("a\tb\n\u{1b}c\r\n"), "a\tb\n\\u{1b}c\\r\n");
-        // Unicode's default ignorables that aren't above, a noncharacter of each kind, blanks that are letters.
+        // Default-ignorable characters of Unicode that aren't above, a noncharacter of each kind,
+        // and blanks that count as letters.
         for c in [
             '\u{34f}',
             '\u{3164}',
@@ -139,7 +140,7 @@ mod tests {
         let told = message(&format!("{}: do that", "ä".repeat(50_000_000)));
         assert!(told.chars().count() < 1300, "{}", told.len());
         assert!(told.starts_with("ää") && told.ends_with("ä: do that"), "{told}");
-        // Escapes make it longer, but not without end.
+        // Escapes make it longer, but it stays bounded.
         assert!(message(&"\u{1b}".repeat(5000)).len() < 10_000);
     }
 

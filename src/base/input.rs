@@ -1,4 +1,4 @@
-//! Files that are read: each is opened here and remembered, so that nothing is written over it.
+//! Input files. Each is opened here and remembered, so that no output overwrites it.
 
 use crate::base::cast;
 use crate::base::error::{Error, Result};
@@ -12,10 +12,10 @@ use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::Duration;
 
-/// How long nobody may be at the other end of a pipe until that is told.
+/// How long to wait for the other end of a pipe before reporting it.
 const PIPE_WAIT: Duration = Duration::from_secs(3);
 
-/// What tells files apart, whatever their names.
+/// Identifies a file regardless of its name.
 #[cfg(unix)]
 type Identity = (u64, u64);
 #[cfg(not(unix))]
@@ -32,42 +32,42 @@ fn identity(path: &Path, _: &Metadata) -> Option<Identity> {
     path.canonicalize().ok()
 }
 
-/// True if two paths lead to one file.
+/// True if both paths lead to the same file.
 pub(crate) fn same_file(a: &Path, b: &Path) -> bool {
     let of = |path: &Path| identity(path, &fs::metadata(path).ok()?);
     of(a).is_some_and(|a| Some(a) == of(b))
 }
 
-/// True if an open file is still the one at a path.
+/// True if an open file is still the one at `path`.
 #[cfg(unix)]
 pub(crate) fn is_at(file: &File, path: &Path) -> bool {
     let of = |there: io::Result<Metadata>| identity(path, &there.ok()?);
     of(file.metadata()).is_some_and(|file| Some(file) == of(fs::metadata(path)))
 }
 
-/// Open files stay where they are.
+/// Without inodes, an open file is assumed to be still in place.
 #[cfg(not(unix))]
 pub(crate) fn is_at(_: &File, _: &Path) -> bool {
     true
 }
 
-/// A file that was read: its path as it was given, and from the root.
+/// A file that was read: its path as given, and its absolute path.
 struct Known {
     given: PathBuf,
     absolute: PathBuf,
 }
 
-/// All that was read.
+/// All files read so far.
 static READ: Mutex<BTreeMap<Identity, Known>> = Mutex::new(BTreeMap::new());
 
-/// Keeps in mind that a file is read. A file that the standard output is appended to is refused.
+/// Records that a file is read. Refuses a file that standard output is redirected to.
 fn remember(given: &Path, absolute: PathBuf) -> Result<()> {
     let there = fs::metadata(&absolute).ok().filter(Metadata::is_file);
     let Some(identity) = there.and_then(|there| identity(&absolute, &there)) else {
         return Ok(());
     };
     if same_file(&absolute, Path::new("/dev/stdout")) {
-        let problem = "is the standard output as well: send that elsewhere".to_owned();
+        let problem = "is also the standard output: redirect the output elsewhere".to_owned();
         return Err(Error::file(given, problem));
     }
     let known = Known { given: given.to_owned(), absolute };
@@ -75,16 +75,16 @@ fn remember(given: &Path, absolute: PathBuf) -> Result<()> {
     Ok(())
 }
 
-/// The input that a path leads to, by its name or another: a link, a second name.
+/// The input file that `path` leads to, directly or through a symbolic or hard link.
 pub(crate) fn input_at(path: &Path) -> Option<PathBuf> {
     let there = fs::metadata(path).ok().filter(Metadata::is_file)?;
     let read = READ.lock().unwrap_or_else(PoisonError::into_inner);
     let known = read.get(&identity(path, &there)?)?;
-    // A file that is gone may have left its number to another.
+    // The inode of a deleted file may have been reused.
     same_file(path, &known.absolute).then(|| known.given.clone())
 }
 
-/// What a path leads to, if that isn't a file.
+/// What `path` leads to, if that isn't a regular file.
 fn kind(of: FileType) -> &'static str {
     if of.is_dir() {
         return "a folder";
@@ -102,8 +102,9 @@ fn is_pipe(_: FileType) -> bool {
     false
 }
 
-/// Opens what is there. It waits for the other end of a pipe as long as it takes: who names a pipe may have a slow program
-/// there. After [`PIPE_WAIT`] a note tells what it waits for, since nobody may be there at all.
+/// Opens an existing path. For a pipe, waits indefinitely for the other end, since it may be a slow
+/// program. After [`PIPE_WAIT`], prints a note that says what it waits for, since the other end may
+/// never open.
 pub(crate) fn open_with(options: &OpenOptions, path: &Path) -> io::Result<File> {
     if !fs::metadata(path).is_ok_and(|there| is_pipe(there.file_type())) {
         return options.open(path);
@@ -118,7 +119,7 @@ pub(crate) fn open_with(options: &OpenOptions, path: &Path) -> io::Result<File> 
         }
     })?;
     let opened = options.open(path);
-    // The thread ends without a word; if it has ended, the word is out.
+    // The send fails only if the thread has already printed its note and ended.
     let _ = sender.send(());
     opened
 }
@@ -127,10 +128,10 @@ fn absolute(path: &Path) -> PathBuf {
     path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }
 
-/// Opens a file, a pipe or a device to read it.
+/// Opens a file, a pipe or a device for reading.
 ///
 /// # Errors
-/// If it can't be read or is a folder.
+/// If it can't be read, or is a folder.
 pub(crate) fn open(path: &Path) -> Result<File> {
     let fail = |why| Error::io(path, "can't read", why);
     let there = fs::metadata(path).map_err(fail)?;
@@ -142,15 +143,18 @@ pub(crate) fn open(path: &Path) -> Result<File> {
     Ok(file)
 }
 
-/// Opens a file that another file names: no pipe, since nobody may be there to write to it.
+/// Opens a file that another file names. Refuses pipes, which might block forever.
 ///
 /// # Errors
-/// If it can't be read, or is no regular file.
+/// If it can't be read, or is not a regular file.
 pub(crate) fn open_regular(path: &Path) -> Result<File> {
     let there = fs::metadata(path).map_err(|why| Error::io(path, "can't read", why))?;
     if !there.is_file() {
         let kind = kind(there.file_type());
-        return Err(Error::file(path, format!("can't read: it is {kind}, and a file is needed")));
+        return Err(Error::file(
+            path,
+            format!("can't read: it is {kind}; a regular file is needed"),
+        ));
     }
     open(path)
 }
@@ -158,13 +162,14 @@ pub(crate) fn open_regular(path: &Path) -> Result<File> {
 /// The standard input.
 ///
 /// # Errors
-/// If it is the standard output as well.
+/// If standard output is the same file.
 pub(crate) fn stdin() -> Result<StdinLock<'static>> {
     remember(Path::new("standard input"), PathBuf::from("/dev/stdin"))?;
     Ok(io::stdin().lock())
 }
 
-/// The whole of an open file; `None` if it has more bytes than these. `path` names it in messages.
+/// The whole content of an open file; `None` if it has more than `max_bytes` bytes. `path` names it
+/// in messages.
 ///
 /// # Errors
 /// If it can't be read.
@@ -175,18 +180,18 @@ pub(crate) fn read_up_to(file: File, path: &Path, max_bytes: u64) -> Result<Opti
     Ok((cast::count_of(bytes.len()) <= max_bytes).then_some(bytes))
 }
 
-/// The whole of an open file of no more bytes than these.
+/// The whole content of an open file of at most `max_bytes` bytes.
 ///
 /// # Errors
 /// If it can't be read, or is longer.
 pub(crate) fn read(file: File, path: &Path, max_bytes: u64) -> Result<Vec<u8>> {
     read_up_to(file, path, max_bytes)?.ok_or_else(|| {
-        let problem = format!("has more than {max_bytes} bytes, the most that is read");
+        let problem = format!("is larger than the maximum of {max_bytes} bytes");
         Error::file(path, problem)
     })
 }
 
-/// The whole text of a file of no more than `max_bytes`.
+/// The whole text of a file of at most `max_bytes`.
 ///
 /// # Errors
 /// If it can't be read, isn't UTF-8, or is longer.
@@ -194,7 +199,7 @@ pub(crate) fn text(path: &Path, max_bytes: u64) -> Result<String> {
     let bytes = read(open(path)?, path, max_bytes)?;
     check_encoding(&bytes).map_err(|problem| Error::file(path, problem))?;
     String::from_utf8(bytes)
-        .map_err(|why| Error::file(path, format!("isn't text in UTF-8: {}", why.utf8_error())))
+        .map_err(|why| Error::file(path, format!("isn't UTF-8 text: {}", why.utf8_error())))
 }
 
 /// Refuses text whose first bytes say that it is in another encoding than UTF-8.

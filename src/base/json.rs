@@ -1,10 +1,12 @@
-//! JSON as other programs read it: what every document has in common, and its schema.
+//! JSON for other programs: the head that all documents share, and their schema.
 //!
-//! A document is an object whose first fields are `tool`, `version` (of this crate), `document`, which says what it is,
-//! and `schema_version`. [`SCHEMA`] is the JSON Schema of all of them. A later version of the crate may add fields;
-//! [`SCHEMA_VERSION`] goes up when one changes its meaning or goes away.
+//! A document is an object whose first fields are `tool`, `version` (of this crate), `document`
+//! (its kind) and `schema_version`. [`SCHEMA`] is the JSON Schema of all documents. A later version
+//! of the crate may add fields; [`SCHEMA_VERSION`] goes up when a field changes its meaning or is
+//! removed.
 //!
-//! A real number that JSON can't write is one of the texts `NaN`, `inf` and `-inf`; `null` is what is not known.
+//! A real number that JSON can't write is one of the strings `NaN`, `inf` and `-inf`. `null` means
+//! unknown.
 
 use serde::{Serialize, Serializer};
 use serde_json::{Map, Value};
@@ -15,7 +17,7 @@ pub const SCHEMA: &str = include_str!("schema.json");
 /// Version of the schema.
 pub const SCHEMA_VERSION: u32 = 1;
 
-/// What every document starts with.
+/// The fields that every document starts with.
 #[must_use]
 pub fn head(document: &str) -> Map<String, Value> {
     let fields: [(&str, Value); 4] = [
@@ -27,10 +29,10 @@ pub fn head(document: &str) -> Map<String, Value> {
     fields.map(|(name, value)| (name.to_owned(), value)).into_iter().collect()
 }
 
-/// A document: its head, and the fields of an object.
+/// A document: its head, followed by the fields of an object.
 ///
 /// # Panics
-/// If it is no object, or can't be written as JSON: that is wrong code.
+/// If `fields` is not an object, or can't be written as JSON: a bug in the caller.
 #[must_use]
 pub fn document(name: &str, fields: impl Serialize) -> Value {
     let fields = serde_json::to_value(fields).expect("bug: figures are plain values");
@@ -40,11 +42,11 @@ pub fn document(name: &str, fields: impl Serialize) -> Value {
     Value::Object(all)
 }
 
-/// A value as text, with an end of line. What a terminal would act on, which can only be inside of its texts, is
-/// written as an escape.
+/// A value as text, ending in a newline. Characters that a terminal acts on, which occur only
+/// inside strings, are written as escapes.
 ///
 /// # Panics
-/// Never: values are plain.
+/// Never: the values are plain.
 #[must_use]
 pub fn text(value: &Value) -> String {
     let plain = serde_json::to_string_pretty(value).expect("bug: JSON values can be written");
@@ -62,18 +64,18 @@ pub fn text(value: &Value) -> String {
     text
 }
 
-/// A real number.
+/// A real number as JSON.
 #[must_use]
 pub fn number(number: f64) -> Value {
     if number.is_finite() { number.into() } else { number.to_string().into() }
 }
 
-/// Writes a real number; for `serialize_with`.
+/// For `serialize_with`: a real number.
 pub(crate) fn real<S: Serializer>(value: &f64, to: S) -> Result<S::Ok, S::Error> {
     if value.is_finite() { to.serialize_f64(*value) } else { to.collect_str(value) }
 }
 
-/// Writes one that may not be known; for `serialize_with`.
+/// For `serialize_with`: a real number that may be unknown.
 pub(crate) fn known_real<S: Serializer>(value: &Option<f64>, to: S) -> Result<S::Ok, S::Error> {
     match value {
         Some(value) => real(value, to),
@@ -81,7 +83,7 @@ pub(crate) fn known_real<S: Serializer>(value: &Option<f64>, to: S) -> Result<S:
     }
 }
 
-/// Writes several that may not be known; for `serialize_with`.
+/// For `serialize_with`: real numbers that may be unknown.
 pub(crate) fn known_reals<S: Serializer>(
     values: &Option<Vec<f64>>,
     to: S,
@@ -92,7 +94,7 @@ pub(crate) fn known_reals<S: Serializer>(
     }
 }
 
-/// Writes several; for `serialize_with`.
+/// For `serialize_with`: real numbers.
 pub(crate) fn reals<S: Serializer>(values: &[f64], to: S) -> Result<S::Ok, S::Error> {
     to.collect_seq(values.iter().map(|value| number(*value)))
 }

@@ -1,4 +1,4 @@
-//! What everything stands on: casts, errors, files, documents, vector code, outside tools.
+//! The base of all other layers: casts, errors, files, documents, vector code, outside tools.
 
 pub(crate) mod cast;
 pub mod columns;

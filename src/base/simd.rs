@@ -1,24 +1,25 @@
 //! Loops compiled for several sets of processor features, chosen at run time.
 //!
-//! This module holds the only `unsafe` of the crate. What runs is safe Rust; the compiler may
-//! only use wider instructions for it. It fuses no multiplication with an addition unless code says
-//! `mul_add`, which rounds once on every processor, so all sets give the same floats.
+//! This module holds the only `unsafe` of the crate. The loops themselves are safe Rust; the
+//! compiler is only allowed to use wider instructions for them. It fuses a multiplication and an
+//! addition only where the code says `mul_add`, which rounds once on every processor. So all
+//! feature sets give the same floats.
 
 use std::sync::OnceLock;
 
 /// A set of processor features that loops are compiled for.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Features {
-    /// Those that every processor of the target has.
+    /// Features that every processor of the target has.
     Portable,
     /// AVX2, BMI2 and LZCNT.
     Avx2,
-    /// Those and AVX-512 F, BW, CD, DQ and VL.
+    /// AVX2's set, and AVX-512 F, BW, CD, DQ and VL.
     Avx512,
 }
 
 impl Features {
-    /// The sets that this processor has, the widest last.
+    /// The sets that this processor has, widest last.
     #[must_use]
     pub fn here() -> &'static [Self] {
         static HERE: OnceLock<Vec<Features>> = OnceLock::new();
@@ -44,25 +45,25 @@ impl Features {
     }
 }
 
-/// Work whose loops are worth vectorising; `run` must be `#[inline(always)]`, so that it is
-/// compiled anew for each set of features.
+/// Work whose loops are worth vectorising. `run` must be `#[inline(always)]`, so that it is
+/// compiled for each set of features.
 pub(crate) trait Body {
     /// Does the work.
     fn run(self);
 }
 
-/// Runs a body with the widest instructions that the processor has.
+/// Runs a body with the widest instructions of this processor.
 pub(crate) fn vectorised<B: Body>(body: B) {
     vectorised_for(Features::best(), body);
 }
 
-/// Runs a body compiled for a set of features; for the baseline if the processor lacks them.
+/// Runs a body compiled for a set of features, or for the baseline if the processor lacks them.
 pub(crate) fn vectorised_for<B: Body>(features: Features, body: B) {
     #[cfg(target_arch = "x86_64")]
     match features {
         Features::Avx512 if has_avx512() => {
             // SAFETY: `with_avx512` is safe code; calling it is sound where the processor has the
-            // features that it is compiled for, which was checked just now.
+            // features that it is compiled for, which were just checked.
             #[expect(unsafe_code, reason = "calling code compiled for detected processor features")]
             unsafe {
                 with_avx512(body);
@@ -84,12 +85,12 @@ pub(crate) fn vectorised_for<B: Body>(features: Features, body: B) {
     body.run();
 }
 
-/// Asks for the cache lines of a slice, which something soon reads.
+/// Prefetches the cache lines of a slice that is about to be read.
 #[inline(always)]
 pub(crate) fn prefetch<T>(slice: &[T]) {
     #[cfg(target_arch = "x86_64")]
     for part in slice.chunks((64 / size_of::<T>().max(1)).max(1)) {
-        // SAFETY: prefetching is a hint that reads nothing and faults nowhere.
+        // SAFETY: a prefetch is a hint that reads nothing and never faults.
         #[expect(unsafe_code, reason = "a hint about memory")]
         unsafe {
             std::arch::x86_64::_mm_prefetch::<{ std::arch::x86_64::_MM_HINT_T0 }>(
@@ -150,7 +151,7 @@ pub(crate) fn portable<B: Body>(body: B) {
     body.run();
 }
 
-/// The most that tests let [`Features::best`] be, in all threads: other tests may run meanwhile, as
+/// Upper limit on [`Features::best`] in tests, for all threads. Other tests may run meanwhile, as
 /// results don't depend on it.
 #[cfg(test)]
 pub(crate) mod limit {
@@ -163,7 +164,7 @@ pub(crate) mod limit {
         *LIMIT.lock().unwrap()
     }
 
-    /// Does the work with no wider instructions than these.
+    /// Runs `work` with instructions no wider than these.
     pub(crate) fn to<R>(features: Features, work: impl FnOnce() -> R) -> R {
         *LIMIT.lock().unwrap() = features;
         let result = work();

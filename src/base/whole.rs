@@ -1,6 +1,6 @@
 //! Whole numbers as people write them: `1000000`, `1_000_000`, `1e6`, `2^20`.
 
-/// The number that a text means; none if it is not of the form, or past 64 bits.
+/// The number that a text denotes; `None` if it has another form or doesn't fit in 64 bits.
 pub(crate) fn parse(text: &str) -> Option<u64> {
     if let Some((base, exponent)) = text.split_once('^') {
         return digits(base)?.checked_pow(digits(exponent)?.try_into().ok()?);
@@ -24,7 +24,7 @@ fn digits(text: &str) -> Option<u64> {
     groups().all(legal).then(|| groups().collect::<String>().parse().ok())?
 }
 
-/// The same with a sign.
+/// [`parse`] with an optional sign.
 pub(crate) fn signed(text: &str) -> Option<i64> {
     match text.strip_prefix('-') {
         Some(magnitude) => 0i64.checked_sub_unsigned(parse(magnitude)?),

@@ -1,4 +1,4 @@
-//! Growing a netlist, step by checked step.
+//! Builds a netlist and checks every step.
 
 use super::choices::{Asked, Overrides, Place, SchemeChoice};
 use super::id::Owner;
@@ -16,11 +16,11 @@ use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::panic::Location;
 
-/// Grows a netlist.
+/// Builds a netlist.
 ///
-/// The first mistake is kept and returned by [`Builder::build`], so that a datapath is
-/// written as plain expressions: a word past 63 bits, operands that don't fit, a node of another builder, a name
-/// that is none ([rules](super#names)). Nothing that is asked of a builder panics.
+/// A datapath is written as plain expressions. The first mistake is kept and returned by
+/// [`Builder::build`]: a word wider than 63 bits, operands that don't fit, a node of another
+/// builder, or an illegal name ([rules](super#names)). No method panics on wrong use.
 #[derive(Debug)]
 pub struct Builder {
     netlist: Netlist,
@@ -28,7 +28,7 @@ pub struct Builder {
     known: HashMap<(Op, Vec<NodeId>, Format), NodeId>,
     scope: ScopeId,
     overrides: Overrides,
-    /// How many `narrow`s were asked for in each scope.
+    /// Number of `narrow`s requested in each scope.
     narrows: BTreeMap<ScopeId, u32>,
     asked: Vec<Asked>,
     schemes: Vec<SchemeChoice>,
@@ -43,7 +43,7 @@ impl Builder {
         Self::with(name, &Overrides::default())
     }
 
-    /// As [`Builder::new`], where some nodes have other formats than the recipe's.
+    /// As [`Builder::new`], with overridden formats for some nodes.
     #[must_use]
     #[track_caller]
     pub fn with(name: &str, overrides: &Overrides) -> Self {
@@ -73,14 +73,14 @@ impl Builder {
         builder
     }
 
-    /// Starts a netlist called `name` with the scopes of another, which is rebuilt node by node.
+    /// Starts a netlist `name` with the scopes of another, which is then rebuilt node by node.
     pub(crate) fn rebuild(of: &Netlist, name: &str) -> Self {
         let mut builder = Self::new(name);
         builder.netlist.scopes.extend(of.scopes.iter().skip(1).cloned());
         builder
     }
 
-    /// Builds the next nodes in a scope that is there already.
+    /// Builds the next nodes in an existing scope.
     pub(crate) fn enter(&mut self, scope: ScopeId) {
         self.scope = scope;
     }
@@ -90,21 +90,21 @@ impl Builder {
         self.netlist.nodes.len()
     }
 
-    /// A node so far.
+    /// A node built so far.
     pub(crate) fn node(&self, id: NodeId) -> &Node {
         self.netlist.node(id)
     }
 
-    /// The tables so far.
+    /// The tables added so far.
     pub(crate) fn tables(&self) -> &[Table] {
         &self.netlist.tables
     }
 
-    /// Any operation but a port, by its name; `asked` is its format, where the operation takes one.
+    /// Adds any operation except a port; `asked` is its format, if the operation takes one.
     #[track_caller]
     pub fn operation(&mut self, op: Op, operands: &[NodeId], asked: Format) -> NodeId {
         if op == Op::Input {
-            return self.refuse(op, operands, Some(asked), "a port has a name: take `input`");
+            return self.refuse(op, operands, Some(asked), "a port has a name: use `input`");
         }
         if operands.len() != op.arity() {
             let problem = format!("it takes {} operands", op.arity());
@@ -116,24 +116,24 @@ impl Builder {
         self.push(op, operands, Some(asked))
     }
 
-    /// The first mistake so far.
+    /// The first mistake, if any.
     pub(super) fn into_error(self) -> Option<Error> {
         self.error.into_inner()
     }
 
-    /// Whose nodes this builder takes.
+    /// The owner of this builder's nodes.
     pub(super) fn owner(&self) -> Owner {
         self.owner
     }
 
-    /// Format of a node; of one that is not this builder's, any.
+    /// Format of a node; arbitrary for a node of another builder.
     #[must_use]
     #[track_caller]
     pub fn format(&self, id: NodeId) -> Format {
         if self.owned("format", id) { self.netlist.node(id).format } else { Format::FLAG }
     }
 
-    /// True once there was a mistake: `build` will return it.
+    /// True after a mistake, which `build` will return.
     #[must_use]
     pub fn has_failed(&self) -> bool {
         self.error.get().is_some()
@@ -141,11 +141,11 @@ impl Builder {
 
     /// Keeps the first error.
     pub fn fail(&self, error: Error) {
-        // A later one follows from the first.
+        // Later errors follow from the first.
         let _ = self.error.set(error);
     }
 
-    /// Takes a format, or keeps its error and goes on with a placeholder.
+    /// Unwraps a format; on error, keeps the error and returns a placeholder.
     pub fn checked(&mut self, format: Result<Format>) -> Format {
         format.unwrap_or_else(|error| {
             self.fail(error);
@@ -153,7 +153,7 @@ impl Builder {
         })
     }
 
-    /// Keeps a mistake of the caller's code.
+    /// Records a mistake in the caller's code.
     #[track_caller]
     pub(super) fn misuse(&self, what: impl Into<String>, problem: impl Into<String>) {
         self.fail(Error::misuse(what.into(), problem.into(), Location::caller()));
@@ -167,30 +167,30 @@ impl Builder {
         }
     }
 
-    /// True if a node is this builder's.
+    /// True if a node belongs to this builder.
     fn owns(&self, id: NodeId) -> bool {
         id.owner == self.owner
     }
 
-    /// True if a node is this builder's and in a format.
+    /// True if a node belongs to this builder and has a format.
     fn is_in(&self, id: NodeId, format: Format) -> bool {
         self.owns(id) && self.netlist.node(id).format == format
     }
 
-    /// As [`Builder::owns`]; if not, that is a mistake.
+    /// As [`Builder::owns`], but a foreign node is recorded as a mistake.
     #[track_caller]
     fn owned(&self, operation: &str, id: NodeId) -> bool {
         let owned = self.owns(id);
         if !owned {
             self.misuse(
                 format!("{operation} in `{}`", self.netlist.name),
-                "the node is another builder's: a netlist is built by one",
+                "the node belongs to another builder: use one builder per netlist",
             );
         }
         owned
     }
 
-    /// A node with its format, as messages name it.
+    /// A node with its format, for messages.
     fn described(&self, id: NodeId) -> String {
         if self.owns(id) {
             format!("{} ({})", self.netlist.label(id), self.netlist.node(id).format)
@@ -199,7 +199,7 @@ impl Builder {
         }
     }
 
-    /// An operation as messages name it.
+    /// An operation, for messages.
     #[track_caller]
     fn operation_of(&self, op: Op, operands: &[NodeId]) -> Operation {
         let of = |names: String| match &names[..] {
@@ -215,7 +215,7 @@ impl Builder {
         }
     }
 
-    /// Keeps a mistake in an operation and gives a node in its place.
+    /// Records a mistake in an operation and returns a placeholder node.
     #[track_caller]
     fn refuse(
         &mut self,
@@ -229,7 +229,7 @@ impl Builder {
         self.placeholder(asked)
     }
 
-    /// A node to go on with after a mistake.
+    /// A node to continue with after a mistake.
     fn placeholder(&mut self, asked: Option<Format>) -> NodeId {
         self.insert(Op::Const { raw: 0 }, &[], asked.unwrap_or(Format::FLAG))
     }
@@ -237,7 +237,7 @@ impl Builder {
     #[track_caller]
     fn push(&mut self, op: Op, operands: &[NodeId], asked: Option<Format>) -> NodeId {
         if !operands.iter().all(|id| self.owns(*id)) {
-            return self.refuse(op, operands, asked, "a netlist is built by one builder");
+            return self.refuse(op, operands, asked, "use one builder per netlist");
         }
         let formats: Vec<Format> =
             operands.iter().map(|id| self.netlist.node(*id).format).collect();
@@ -257,7 +257,7 @@ impl Builder {
         }
     }
 
-    /// The node of an operation whose format is right, which is built once.
+    /// The node of a checked operation; equal operations share one node.
     fn insert(&mut self, op: Op, operands: &[NodeId], format: Format) -> NodeId {
         let key = (op, operands.to_vec(), format);
         if op != Op::Input
@@ -287,7 +287,7 @@ impl Builder {
         self.in_scope(name, None, body)
     }
 
-    /// As [`Builder::scope`], for nodes that are counted as one operator.
+    /// As [`Builder::scope`], for nodes that count as one operator.
     #[track_caller]
     pub fn part<R>(&mut self, part: Part, name: &str, body: impl FnOnce(&mut Self) -> R) -> R {
         self.in_scope(name, Some(part), body)
@@ -306,7 +306,7 @@ impl Builder {
         result
     }
 
-    /// Builds the next nodes in a named scope; gives the one that they were built in before.
+    /// Opens a named scope for the next nodes; returns the previous scope.
     #[track_caller]
     pub(super) fn open(&mut self, name: &str, part: Option<Part>) -> ScopeId {
         self.check_name("scope", name);
@@ -315,7 +315,7 @@ impl Builder {
         outer
     }
 
-    /// The scope of a name below another.
+    /// The scope `name` below `parent`; created if missing.
     pub(super) fn declare_scope(
         &mut self,
         parent: ScopeId,
@@ -329,7 +329,7 @@ impl Builder {
             let name = escape::short(name);
             self.misuse(
                 format!("scope `{name}`"),
-                "it is another part elsewhere: give it another name",
+                "it is a different part elsewhere: choose another name",
             );
         }
         let index = found.unwrap_or_else(|| {
@@ -339,7 +339,7 @@ impl Builder {
         ScopeId(cast::id_of(index))
     }
 
-    /// Names a node, in the scope that it was built in; a node keeps its first name.
+    /// Names a node within its scope; a node keeps its first name.
     #[track_caller]
     pub fn name(&mut self, id: NodeId, name: &str) -> NodeId {
         self.check_name("node", name);
@@ -352,7 +352,7 @@ impl Builder {
         id
     }
 
-    /// Says that a node is an angle in turns.
+    /// Marks a node as an angle in turns.
     #[track_caller]
     pub fn turns(&mut self, id: NodeId) -> NodeId {
         if self.owned("turns", id) {
@@ -361,7 +361,7 @@ impl Builder {
         id
     }
 
-    /// Says how often an input port takes a new word.
+    /// Sets how often an input port gets a new word.
     #[track_caller]
     pub fn rate(&mut self, id: NodeId, rate: Rate) -> NodeId {
         if self.owned("rate", id) {
@@ -369,14 +369,14 @@ impl Builder {
                 self.netlist.nodes[id.index()].rate = rate;
             } else {
                 let problem =
-                    "only ports are given a rate: a node has the fastest of its operands'";
+                    "only ports can be given a rate: a node has the fastest rate of its operands";
                 self.misuse(self.described(id), problem);
             }
         }
         id
     }
 
-    /// Says what a node stands for on reals, as an expression of nodes that are built before it; a node keeps its first
+    /// Sets a node's meaning on reals, as an expression of earlier nodes; a node keeps its first
     /// meaning.
     #[track_caller]
     pub fn means<const N: usize>(
@@ -388,20 +388,23 @@ impl Builder {
         self.stands_for(id, &expr(Expr::variables()), &of)
     }
 
-    /// As [`Builder::means`].
+    /// As [`Builder::means`], with an expression.
     #[track_caller]
     pub(crate) fn stands_for(&mut self, id: NodeId, expr: &Expr, of: &[NodeId]) -> NodeId {
         if !self.owned("means", id) {
             return id;
         }
         if expr.arity() > of.len() {
-            let problem =
-                format!("means something of {} nodes, and {} are given", expr.arity(), of.len());
+            let problem = format!(
+                "its meaning has {} variables, and {} nodes are given",
+                expr.arity(),
+                of.len()
+            );
             self.misuse(self.described(id), problem);
             return id;
         }
         if let Some(problem) = expr.problem_with_calls() {
-            self.misuse(self.described(id), format!("what it means: {problem}"));
+            self.misuse(self.described(id), format!("its meaning: {problem}"));
             return id;
         }
         let earlier = |of: &NodeId| self.owns(*of) && *of < id;
@@ -412,7 +415,7 @@ impl Builder {
             }
             Some(of) => {
                 let problem = format!(
-                    "means something of {}: that must be an earlier node",
+                    "its meaning refers to {}: that must be an earlier node",
                     self.described(*of)
                 );
                 self.misuse(self.described(id), problem);
@@ -421,12 +424,12 @@ impl Builder {
         id
     }
 
-    /// Says what a node measures.
+    /// Sets what a node measures.
     pub(crate) fn measures(&mut self, id: NodeId, quantity: Quantity) {
         self.netlist.nodes[id.index()].quantity = quantity;
     }
 
-    /// The first mistake so far, if there was one, which is then forgotten.
+    /// Takes the first mistake, if any, and forgets it.
     pub(super) fn take_error(&mut self) -> Option<Error> {
         self.error.take()
     }
@@ -452,7 +455,7 @@ impl Builder {
         }
     }
 
-    /// Hardware has one name for a port.
+    /// Refuses a port name that another port has, since hardware has one namespace for ports.
     #[track_caller]
     fn check_port(&self, what: &str, given: &str) {
         self.check_name(what, given);
@@ -463,12 +466,12 @@ impl Builder {
             let article = if other == what { "another" } else { "an" };
             self.misuse(
                 format!("{what} `{given}` of `{}`", self.netlist.name),
-                format!("{article} {other} has this name: give one of them another"),
+                format!("{article} {other} has this name: rename one of them"),
             );
         }
     }
 
-    /// Adds a table; an identical one that is there already is used again.
+    /// Adds a table; an identical existing table is reused.
     #[track_caller]
     pub fn table(&mut self, table: Table) -> TableId {
         let known = self.netlist.tables.iter().position(|known| *known == table);
@@ -478,13 +481,13 @@ impl Builder {
             let name = escape::short(&table.name);
             self.misuse(
                 format!("memory `{name}`"),
-                "another memory has this name, and words are bound by it: give one of them another",
+                "another memory has this name, by which words are bound: rename one of them",
             );
         }
         if known.is_none() {
             match table_problem(&table) {
                 None => self.netlist.tables.push(table),
-                // Reading it is a mistake as well, and not the first.
+                // Reading it is then a mistake too, but not the first.
                 Some(problem) => {
                     self.misuse(format!("table `{}`", escape::short(&table.name)), problem)
                 }
@@ -493,8 +496,9 @@ impl Builder {
         TableId { owner: self.owner, number: cast::id_of(index) }
     }
 
-    /// Adds a memory, whose words are [bound](Netlist::bind) when the netlist is simulated, from names and formats of its
-    /// columns. It is [read](Builder::read) like a table; in hardware, words come `latency` cycles after the address.
+    /// Adds a memory from the names and formats of its columns. Its words are
+    /// [bound](Netlist::bind) for simulation. It is [read](Builder::read) like a table; in hardware
+    /// its words arrive `latency` cycles after the address.
     #[track_caller]
     pub fn memory(
         &mut self,
@@ -506,8 +510,8 @@ impl Builder {
         self.table(Table::memory(name, addr_bits, columns, latency))
     }
 
-    /// The format of a table's result: the recipe's, or what the table's name is [overridden](Overrides) with. Whoever
-    /// makes a table's words asks here first.
+    /// The format of a table's result: the recipe's, or the [override](Overrides) for the table's
+    /// name. Call this before making a table's words.
     pub fn table_format(&mut self, name: &str, format: Format) -> Format {
         let place = Place::Table(name.to_owned());
         let (format, given) = self.overrides.at(&place, format);
@@ -515,8 +519,8 @@ impl Builder {
         format
     }
 
-    /// The name of a table's scheme: the recipe's, or what the table's name is [overridden](Overrides) with. Whoever makes
-    /// a table by a scheme asks here first.
+    /// The name of a table's scheme: the recipe's, or the [override](Overrides) for the table's
+    /// name. Call this before making a table from a scheme.
     pub fn table_scheme(&mut self, table: &str, scheme: &str) -> String {
         let given = self.overrides.scheme(table);
         let choice = SchemeChoice {
@@ -549,7 +553,7 @@ impl Builder {
         self.push(Op::Sub, &[a, b], None)
     }
 
-    /// `a - b` where `flag` is set, else `a + b`.
+    /// `a - b` where `flag` is set, otherwise `a + b`.
     #[track_caller]
     pub fn addsub(&mut self, flag: NodeId, a: NodeId, b: NodeId) -> NodeId {
         self.push(Op::AddSub, &[flag, a, b], None)
@@ -603,17 +607,17 @@ impl Builder {
         self.push(Op::Less, &[a, b], None)
     }
 
-    /// `a` where `flag` is set, else `b`.
+    /// `a` where `flag` is set, otherwise `b`.
     #[track_caller]
     pub fn mux(&mut self, flag: NodeId, a: NodeId, b: NodeId) -> NodeId {
         self.push(Op::Mux, &[flag, a, b], None)
     }
 
-    /// `bits` bits of a word from bit `lo` up, as an integer.
+    /// `bits` bits of a word, starting at bit `lo`, as an integer.
     #[track_caller]
     pub fn slice(&mut self, a: NodeId, lo: u32, bits: u32) -> NodeId {
         if bits == 0 {
-            return self.refuse(Op::Slice { lo }, &[a], None, "no bits are taken");
+            return self.refuse(Op::Slice { lo }, &[a], None, "a slice needs at least one bit");
         }
         let format = self.checked(Format::integer(bits));
         self.push(Op::Slice { lo }, &[a], Some(format))
@@ -647,7 +651,7 @@ impl Builder {
         if left == 0 { a } else { self.push(Op::Shift { left }, &[a], None) }
     }
 
-    /// Zero bits above the first one.
+    /// The number of zero bits above the highest one bit.
     #[track_caller]
     pub fn leading_zeros(&mut self, a: NodeId) -> NodeId {
         self.push(Op::LeadingZeros, &[a], None)
@@ -665,12 +669,12 @@ impl Builder {
         let op = Op::Read { table, column: cast::id_of(column) };
         let found = self.netlist.tables.get(table.index()).filter(|_| table.owner == self.owner);
         let Some(found) = found else {
-            return self.refuse(op, &[address], None, "the table is another builder's");
+            return self.refuse(op, &[address], None, "the table belongs to another builder");
         };
         if column >= found.columns.len() {
             let names: Vec<&str> = found.columns.iter().map(|column| &column.name[..]).collect();
             let problem = format!(
-                "table `{}` has no column {column}: from 0, they are {}",
+                "table `{}` has no column {column}: its columns from 0 are {}",
                 found.name,
                 names.join(", ")
             );
@@ -679,7 +683,7 @@ impl Builder {
         self.push(op, &[address], None)
     }
 
-    /// `a` of the sample so many before this one, of those that were taken; 0 where there was none since the reset.
+    /// `a` of `samples` accepted samples earlier; 0 if there was no such sample since the reset.
     #[track_caller]
     pub fn delay(&mut self, a: NodeId, samples: u32) -> NodeId {
         if samples == 0 { a } else { self.push(Op::Delay { samples }, &[a], None) }
@@ -691,7 +695,8 @@ impl Builder {
         if self.is_in(a, format) { a } else { self.push(Op::Modulo, &[a], Some(format)) }
     }
 
-    /// `a` in `format`: the one way to lose bits. The node's name may be [overridden](Overrides) with another format.
+    /// `a` in `format`; the only operation that loses bits. Its format can be
+    /// [overridden](Overrides) by the node's name.
     #[track_caller]
     pub fn narrow(
         &mut self,
@@ -705,7 +710,7 @@ impl Builder {
         let scope = self.netlist.scope_path(self.scope).join(".");
         let place = Place::Narrow { scope, number: *number };
         let (format, given) = self.overrides.at(&place, format);
-        // Only symmetric saturation changes a word that is in the format already.
+        // Only symmetric saturation can change a word that is already in the format.
         let same = self.is_in(a, format) && overflow != Overflow::Symmetric;
         let id =
             if same { a } else { self.push(Op::Narrow { round, overflow }, &[a], Some(format)) };
@@ -715,7 +720,7 @@ impl Builder {
         id
     }
 
-    /// As [`Builder::build`], but a meaning of a node that no output needs is dropped.
+    /// As [`Builder::build`], but drops meanings that refer to nodes that no output needs.
     pub(crate) fn build_rebuilt(mut self) -> Result<Netlist> {
         let live = live(&self.netlist);
         for node in &mut self.netlist.nodes {
@@ -725,14 +730,14 @@ impl Builder {
         self.build()
     }
 
-    /// Verifies and freezes the netlist; nodes and tables that no output needs are gone.
+    /// Verifies and freezes the netlist; nodes and tables that no output needs are dropped.
     ///
     /// # Errors
-    /// The first mistake made while building, or that there is no output, that a node means something of a node that no
-    /// output needs, or that a node whose format is overridden isn't there.
+    /// The first mistake; or that there is no output, that a meaning refers to a node that no
+    /// output needs, or that a node with an overridden format doesn't exist.
     ///
     /// # Panics
-    /// Never: what is asked of a builder is checked.
+    /// Never: every call of a builder is checked.
     #[track_caller]
     pub fn build(self) -> Result<Netlist> {
         self.checks();
@@ -755,7 +760,7 @@ impl Builder {
             choices: Vec::new(),
             schemes: self.schemes,
         };
-        // Ports have their names first: whatever else is called so gets a number.
+        // Ports keep their names; other nodes with the same name get a number.
         let mut names: BTreeSet<(ScopeId, String)> = BTreeSet::new();
         for id in &old.inputs {
             let node = &old.nodes[id.index()];
@@ -777,7 +782,7 @@ impl Builder {
             }
             let rates = node.operands.iter().map(|id| netlist.nodes[id.index()].rate);
             if let Op::Delay { .. } = node.op {
-                // It counts samples.
+                // A delay counts samples.
                 node.rate = fastest;
             } else if node.op != Op::Input {
                 node.rate = rates.max().unwrap_or(Rate::Scene);
@@ -809,7 +814,7 @@ impl Builder {
         Ok(netlist)
     }
 
-    /// What is checked at the end.
+    /// The checks at the end.
     #[track_caller]
     fn checks(&self) {
         if self.has_failed() {
@@ -836,7 +841,7 @@ impl Builder {
                 let dead = *dead;
                 let id = NodeId { owner: self.owner, number: cast::id_of(index) };
                 let problem = format!(
-                    "its meaning is of {}, which no output needs: make it an output, too, or leave the meaning out",
+                    "its meaning refers to {}, which no output needs: make that an output too, or omit the meaning",
                     self.described(dead)
                 );
                 self.misuse(self.described(id), problem);
@@ -845,7 +850,7 @@ impl Builder {
     }
 }
 
-/// Which nodes the outputs need, with all ports.
+/// Marks the nodes that outputs need, and all ports.
 fn live(netlist: &Netlist) -> Vec<bool> {
     let mut live = vec![false; netlist.nodes.len()];
     for id in &netlist.inputs {
@@ -862,7 +867,7 @@ fn live(netlist: &Netlist) -> Vec<bool> {
     live
 }
 
-/// Why a table is none.
+/// What is wrong with a table.
 fn table_problem(table: &Table) -> Option<String> {
     if !name::is_legal(&table.name) {
         return Some(format!("a name is {}", name::RULE));

@@ -1,29 +1,29 @@
-//! The formats and table schemes that a recipe chooses, and others in their place.
+//! The formats and table schemes that a recipe chooses, and overrides for them.
 
 use super::{Netlist, NodeId};
 use crate::base::error::{Error, Result};
 use crate::number::format::Format;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Where a recipe asks for a format: the same place whatever the formats before it are.
+/// Where a recipe asks for a format. The place doesn't depend on the formats before it.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) enum Place {
     /// The `number`th `narrow` of a scope, from 1.
     Narrow {
         /// The scope's path.
         scope: String,
-        /// It counts those that need no node, too.
+        /// Also counts the `narrow`s that need no node.
         number: u32,
     },
     /// All tables of a name.
     Table(String),
 }
 
-/// What a recipe asked for while it ran.
+/// A format that a recipe asked for while it ran.
 #[derive(Debug)]
 pub(super) struct Asked {
     pub(super) place: Place,
-    /// What it got.
+    /// The format it got.
     pub(super) format: Format,
     /// The node, if it is a `narrow`.
     pub(super) node: Option<NodeId>,
@@ -31,24 +31,26 @@ pub(super) struct Asked {
     pub(super) given: Option<String>,
 }
 
-/// A node of a netlist whose format its recipe chose: a `narrow`, or a table's result.
+/// A format that a netlist's recipe chose: that of a `narrow` or of a table's result.
 #[derive(Clone, Debug)]
 pub struct Choice {
-    /// Its stable name: its own, or `scope.narrow`, `scope.narrow_2` by its place in the scope; for tables the table's.
+    /// Its stable name: the node's own name, or `scope.narrow`, `scope.narrow_2` by its place in
+    /// the scope; for a table, the table's name.
     pub name: String,
     /// Its format.
     pub format: Format,
     /// The node, if it is a `narrow`.
     pub node: Option<NodeId>,
-    /// True if its format is not the recipe's but was given by its name.
+    /// True if an override gave the format.
     pub overridden: bool,
     places: Vec<Place>,
 }
 
-/// Formats for some nodes of a netlist in place of its recipe's, by their [stable names](Choice::name).
+/// Formats that replace the recipe's for some nodes of a netlist, by their [stable
+/// names](Choice::name).
 ///
-/// Formats of later nodes follow by themselves, as the recipe is run again with these in place; rounding and overflow
-/// stay the recipe's.
+/// The recipe is run again with these formats, so later nodes' formats follow. Rounding and
+/// overflow modes stay the recipe's.
 ///
 /// ```
 /// use fixpath::error::Result;
@@ -79,7 +81,7 @@ pub struct Choice {
 #[derive(Clone, Debug, Default)]
 pub struct Overrides {
     at: BTreeMap<Place, (Format, String)>,
-    /// Schemes by the names of tables.
+    /// Schemes by table name.
     schemes: BTreeMap<String, String>,
 }
 
@@ -90,12 +92,12 @@ pub struct SchemeChoice {
     pub table: String,
     /// Name of its scheme.
     pub scheme: String,
-    /// True if that is not the recipe's but was given by the table's name.
+    /// True if an override gave the scheme.
     pub overridden: bool,
 }
 
 impl Overrides {
-    /// Formats for nodes of a netlist, which its recipe makes without any.
+    /// Formats for nodes of `plain`, which is the recipe's netlist without overrides.
     ///
     /// # Errors
     /// If a name is given twice, or the netlist has no such node.
@@ -119,7 +121,7 @@ impl Overrides {
         Ok(Self { at, schemes: BTreeMap::new() })
     }
 
-    /// The same with schemes for tables in place of the recipe's.
+    /// Adds schemes for tables, which replace the recipe's.
     ///
     /// # Errors
     /// If a name is given twice, or the netlist has no such table.
@@ -136,12 +138,12 @@ impl Overrides {
         Ok(self)
     }
 
-    /// The scheme of a table, if it is not the recipe's.
+    /// The scheme of a table, if it is overridden.
     pub(super) fn scheme(&self, table: &str) -> Option<&str> {
         self.schemes.get(table).map(String::as_str)
     }
 
-    /// The format at a place, with the node's name if it is not the recipe's.
+    /// The format at a place, with the node's name if it is overridden.
     pub(super) fn at(&self, place: &Place, format: Format) -> (Format, Option<String>) {
         match self.at.get(place) {
             Some((given, name)) => (*given, Some(name.clone())),
@@ -149,13 +151,13 @@ impl Overrides {
         }
     }
 
-    /// A node that the recipe didn't ask for.
+    /// An overridden node that the recipe didn't ask for.
     pub(super) fn unasked(&self, asked: &[Asked]) -> Option<&str> {
         let met: BTreeSet<&str> = asked.iter().filter_map(|asked| asked.given.as_deref()).collect();
         self.at.values().map(|(_, name)| &name[..]).find(|name| !met.contains(name))
     }
 
-    /// A table that the recipe didn't ask the scheme of.
+    /// A table whose scheme is overridden but wasn't asked for by the recipe.
     pub(super) fn unasked_scheme(&self, asked: &[SchemeChoice]) -> Option<&str> {
         let met = |table: &str| asked.iter().any(|choice| choice.table == table);
         self.schemes.keys().map(String::as_str).find(|table| !met(table))
@@ -163,26 +165,27 @@ impl Overrides {
 }
 
 impl Netlist {
-    /// The nodes whose formats the recipe chose, in the order of their first place there.
+    /// The nodes whose formats the recipe chose, in order of first use.
     #[must_use]
     pub fn choices(&self) -> &[Choice] {
         &self.choices
     }
 
-    /// The tables whose schemes the recipe chose, in the order in which it did.
+    /// The tables whose schemes the recipe chose, in order.
     #[must_use]
     pub fn schemes(&self) -> &[SchemeChoice] {
         &self.schemes
     }
 
-    /// The name by which a node's format can be [overridden](Overrides); a node whose format follows from its operands' has
-    /// none.
+    /// The name by which a node's format can be [overridden](Overrides); `None` for a node whose
+    /// format follows from its operands.
     #[must_use]
     pub fn stable_name(&self, id: NodeId) -> Option<&str> {
         self.choices.iter().find(|choice| choice.node == Some(id)).map(|choice| &choice.name[..])
     }
 
-    /// Names what a recipe asked for; `asked` has the ids of this netlist, and what no output needs is left out.
+    /// Names the formats that a recipe asked for. `asked` holds the ids of this netlist, without
+    /// nodes that no output needs.
     pub(super) fn choose(&mut self, asked: Vec<Asked>) {
         let labels = self.ids().filter(|id| self.node(*id).name.is_some()).map(|id| self.label(id));
         let given = asked.iter().filter_map(|asked| asked.given.clone());
@@ -213,7 +216,7 @@ impl Netlist {
 }
 
 impl Place {
-    /// The name of a node that has none, by its place.
+    /// A name for an unnamed node, derived from its place.
     fn name(&self, taken: &mut BTreeSet<String>) -> String {
         let base = match self {
             Self::Narrow { scope, number } => {
@@ -237,10 +240,11 @@ impl Place {
     }
 }
 
-/// Runs a recipe with other formats for some of its nodes: without any first, to know its nodes by name.
+/// Runs a recipe with other formats for some of its nodes. Runs it once without overrides, to
+/// resolve the names.
 ///
 /// # Errors
-/// Those of the recipe, or if it has no such node.
+/// The recipe's errors, or that it has no such node.
 pub fn with_formats<N: AsRef<str>>(
     formats: &[(N, Format)],
     recipe: impl Fn(&Overrides) -> Result<Netlist>,

@@ -1,4 +1,4 @@
-//! What a netlist is made of: operators, tables, bits.
+//! Counts of a netlist's operators, tables and stored bits.
 
 use super::{Netlist, NodeId, Part, ScopeId, Table};
 use crate::base::cast;
@@ -6,7 +6,7 @@ use crate::netlist::op::{Op, Operator};
 use crate::number::format::Narrowing;
 use std::collections::BTreeSet;
 
-/// How many operators of each sort a netlist has.
+/// How many operators of each kind a netlist has.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, serde::Serialize)]
 pub struct Operators {
     /// `mul`.
@@ -23,11 +23,11 @@ pub struct Operators {
     pub shifters: u64,
     /// `narrow`: rounding, saturation, or only wires.
     pub narrows: u64,
-    /// Those of them that take an incrementer to round.
+    /// The `narrow`s that need an incrementer to round.
     pub rounders: u64,
 }
 
-/// Ports of a block RAM: a table that is read through more is copied.
+/// Ports of a block RAM. A table with more reads is copied.
 pub const RAM_PORTS: u64 = 2;
 
 /// Counts over a whole netlist.
@@ -35,9 +35,9 @@ pub const RAM_PORTS: u64 = 2;
 pub struct Counts {
     /// Operators of the datapath itself.
     pub datapath: Operators,
-    /// Operators inside table schemes: folding, interpolation, the addition of a bipartite table.
+    /// Operators inside table schemes: folding, interpolation, the adder of a bipartite table.
     pub schemes: Operators,
-    /// Operators inside dividers and roots, with the table schemes there.
+    /// Operators inside dividers and roots, including those of their table schemes.
     pub parts: Operators,
     /// Dividers.
     pub dividers: u64,
@@ -53,9 +53,9 @@ pub struct Counts {
     pub ports: u64,
     /// Stored bits of all tables, one copy each.
     pub rom_bits: u64,
-    /// Stored bits when each table is copied until two ports a copy suffice.
+    /// Stored bits when each table is copied so that every copy has at most two ports.
     pub rom_bits_dual_port: u64,
-    /// Distinct memories; the other counts of tables are without them.
+    /// Distinct memories; the table counts above exclude them.
     #[serde(skip_serializing_if = "is_zero")]
     pub memories: u64,
     /// Memory ports: pairs of memory and address.
@@ -66,7 +66,7 @@ pub struct Counts {
     pub memory_bits: u64,
 }
 
-/// For counts that most netlists have none of.
+/// True for a count of 0. Counts that are 0 in most netlists are then left out.
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde gives references")]
 pub(crate) fn is_zero(count: &u64) -> bool {
     *count == 0
@@ -79,14 +79,14 @@ impl Netlist {
         self.counts_of(|_| true)
     }
 
-    /// As [`Netlist::counts`], of the nodes in some scopes; a table counts where it is read.
+    /// As [`Netlist::counts`], for the nodes in some scopes. A table counts where it is read.
     #[must_use]
     pub fn counts_of(&self, counted: impl Fn(ScopeId) -> bool) -> Counts {
         Self::counts_over(&[(self, &|id| counted(self.node(id).scope))])
     }
 
-    /// As [`Netlist::counts`], of some nodes of several netlists that are one hardware: a table
-    /// that several read is one, with a port for each.
+    /// As [`Netlist::counts`], for some nodes of several netlists that form one circuit. A table
+    /// that several netlists read counts once, with a port for each.
     ///
     /// # Panics
     /// Never: parts are matched before.

@@ -1,4 +1,4 @@
-//! A netlist as a file, and back: the form in which netlists are exchanged.
+//! The text file format for exchanging netlists.
 //!
 //! ```text
 //! fixpath netlist 1
@@ -17,21 +17,25 @@
 //! output y = %3
 //! ```
 //!
-//! - The first line names the form and its version. Empty lines and what follows `#` count for nothing.
-//! - `scope PATH` declares a scope below those before it; a word after it says which part it is, as `scheme`.
-//! - `function NAME = EXPRESSION` names an expression of `x` ([`Expr`]); `function ID named NAME = …` where the
-//!   name is taken.
-//! - `table NAME BITS COLUMN:FORMAT…` is followed by a line of words for each of its `2^BITS` addresses; `table ID named
-//!   NAME …` where the name is taken.
-//! - `memory NAME BITS latency CYCLES COLUMN:FORMAT…` is a table whose words are bound when it is simulated; none follow.
-//! - `%N = OPERATION %OPERAND… : FORMAT` is a node. Numbers count up from 0, and operands come first. Behind the format
-//!   may stand what it measures (`turns` or `float20`), `per RATE` for a port that doesn't take a word for each pixel,
-//!   `@SCOPE.NAME` (`@SCOPE.` without a name, `@NAME` outside of all
-//!   scopes), and `means EXPRESSION`: what it stands for on reals, of other nodes.
+//! - The first line names the format and its version. Empty lines and anything after `#` are
+//!   ignored.
+//! - `scope PATH` declares a scope; its parents must be declared before. A word after the path
+//!   names the part that it is, such as `scheme`.
+//! - `function NAME = EXPRESSION` names an expression of `x` ([`Expr`]). If the name is taken, the
+//!   form is `function ID named NAME = …`.
+//! - `table NAME BITS COLUMN:FORMAT…` is followed by a line of words for each of its `2^BITS`
+//!   addresses. If the name is taken, the form is `table ID named NAME …`.
+//! - `memory NAME BITS latency CYCLES COLUMN:FORMAT…` is a table whose words are bound for
+//!   simulation, so no words follow.
+//! - `%N = OPERATION %OPERAND… : FORMAT` is a node. Numbers count up from 0, and operands come
+//!   before their users. After the format may follow: what it measures (`turns` or `float20`);
+//!   `per RATE` for a port that doesn't get a word for each pixel; `@SCOPE.NAME` (`@SCOPE.` without
+//!   a name, `@NAME` outside all scopes); and `means EXPRESSION`, its value on reals in terms of
+//!   other nodes.
 //! - `output NAME = %N` is a port.
 //!
-//! What no output needs is dropped by reading. Code of functions ([`Function::with_kernel`]) isn't text: what is read
-//! has their expressions.
+//! Reading drops what no output needs. The code of functions ([`Function::with_kernel`]) isn't
+//! written; functions that are read have only their expressions.
 
 use super::{
     Builder, Column, Meaning, Memory, Netlist, NodeId, Part, Quantity, Rate, ScopeId, Table,
@@ -87,7 +91,7 @@ impl Quantity {
 }
 
 impl Netlist {
-    /// All of it, as a file that [`Netlist::parse`] reads back to the same netlist.
+    /// The whole netlist as a file; [`Netlist::parse`] reads it back to an equal netlist.
     #[must_use]
     pub fn to_file(&self) -> String {
         let mut text = format!("{HEAD}\nname {}\n", self.name);
@@ -154,7 +158,7 @@ impl Netlist {
         text
     }
 
-    /// The functions that nodes stand for, each after those that it calls, with names of their own.
+    /// The functions used in nodes' meanings, each after those that it calls, with unique ids.
     fn functions(&self) -> Vec<(String, Function)> {
         fn collect(expr: &Expr, found: &mut Vec<Function>) {
             for term in expr.terms() {
@@ -176,10 +180,10 @@ impl Netlist {
         ids.into_iter().zip(found).collect()
     }
 
-    /// Reads a file; `path` is for messages.
+    /// Parses a file; `path` is for messages.
     ///
     /// # Errors
-    /// If it is malformed or no netlist; with line and column.
+    /// If it is malformed or not a valid netlist; the error gives line and column.
     pub fn parse(text: &str, path: &Path) -> Result<Self> {
         Reader::default().read(text, path)
     }
@@ -190,19 +194,19 @@ fn name_of(functions: &[(String, Function)], function: &Function) -> String {
     found.expect("bug: every function is collected").0.clone()
 }
 
-/// `ID named NAME `, or the name alone if it is the id.
+/// `ID named NAME `, or `NAME ` if both are the same.
 fn heading(id: &str, name: &str) -> String {
     if id == name { format!("{name} ") } else { format!("{id} named {name} ") }
 }
 
-/// The names, with a number behind those that are taken.
+/// The names, with a number appended to those that are taken.
 fn unique<'a>(names: impl Iterator<Item = &'a str>, taken: &dyn Fn(&str) -> bool) -> Vec<String> {
     let mut used = BTreeSet::new();
     let mut id = |name| name::numbered(name, |id| !taken(id) && used.insert(id.to_owned()));
     names.map(&mut id).collect()
 }
 
-/// What is wrong, after so many bytes of the line.
+/// An error at a byte offset in the line.
 struct Wrong {
     at: usize,
     problem: String,
@@ -214,7 +218,7 @@ fn wrong<T>(at: usize, problem: impl Into<String>) -> Read<T> {
     Err(Wrong { at, problem: problem.into() })
 }
 
-/// Words of a line with their places.
+/// The words of a line with their positions.
 struct Line<'a> {
     text: &'a str,
     at: usize,
@@ -225,7 +229,7 @@ impl<'a> Line<'a> {
         &self.text[self.at..]
     }
 
-    /// The next word; nothing at the end.
+    /// The next word; `None` at the end.
     fn next(&mut self) -> Option<(usize, &'a str)> {
         self.at += self.rest().len() - self.rest().trim_start().len();
         let end = self.rest().find(char::is_whitespace).unwrap_or(self.rest().len());
@@ -242,7 +246,7 @@ impl<'a> Line<'a> {
         }
     }
 
-    /// What the next word says, and its place.
+    /// Parses the next word; returns its position and value.
     fn placed<T: FromStr>(&mut self, what: &str) -> Read<(usize, T)> {
         let (at, word) = self.word(what)?;
         match word.parse() {
@@ -267,11 +271,11 @@ impl<'a> Line<'a> {
     fn end(&mut self) -> Read<()> {
         match self.next() {
             None => Ok(()),
-            Some((at, word)) => wrong(at, format!("the line has ended before `{word}`")),
+            Some((at, word)) => wrong(at, format!("expected the end of the line before `{word}`")),
         }
     }
 
-    /// `NAME`, or `ID named NAME`, before anything else: the id and the name.
+    /// Parses `NAME` or `ID named NAME`, and returns the position, the id and the name.
     fn names(&mut self, what: &str) -> Read<(usize, &'a str, &'a str)> {
         let (at, id) = self.word(what)?;
         let before = self.at;
@@ -289,7 +293,7 @@ struct Pending {
     name: String,
     addr_bits: u32,
     columns: Vec<(String, Format, Vec<i64>)>,
-    /// Its own line.
+    /// The line that declares it.
     line: usize,
 }
 
@@ -318,7 +322,7 @@ impl Reader {
             };
             if index == 0 {
                 if code.trim_end() != HEAD {
-                    return Err(failed(0, format!("a netlist's file begins with `{HEAD}`")));
+                    return Err(failed(0, format!("a netlist file begins with `{HEAD}`")));
                 }
                 continue;
             }
@@ -331,18 +335,18 @@ impl Reader {
             |problem: &str| Error::place(path, cast::count_of(last) + 1, 1, problem.to_owned());
         if let Some(Pending { name, line, .. }) = self.pending {
             return Err(end(&format!(
-                "the file ends inside of table `{name}` of line {}",
+                "the file ends inside table `{name}`, which starts in line {}",
                 line + 1
             )));
         }
         if text.trim().is_empty() {
-            return Err(end(&format!("it is empty, and a netlist's file begins with `{HEAD}`")));
+            return Err(end(&format!("it is empty; a netlist file begins with `{HEAD}`")));
         }
         if self.inputs == 0 {
-            return Err(end("the file ends, and it has no input"));
+            return Err(end("the netlist has no input"));
         }
         let Some(builder) = self.builder.filter(|_| self.outputs > 0) else {
-            return Err(end("the file ends, and it has no output"));
+            return Err(end("the netlist has no output"));
         };
         builder.build().map_err(|error| Error::file(path, error.without_place().to_string()))
     }
@@ -355,7 +359,7 @@ impl Reader {
         if self.builder.is_none() {
             let (name_at, name) = match word {
                 "name" => line.word("the netlist's name")?,
-                _ => return wrong(at, "the second line is `name` and the netlist's name"),
+                _ => return wrong(at, "the second line must be `name` and the netlist's name"),
             };
             self.builder = Some(Builder::new(identifier(name_at, name)?));
             return line.end();
@@ -370,7 +374,7 @@ impl Reader {
             _ => wrong(
                 at,
                 format!(
-                    "`{word}` begins no line: legal are scope, function, table, memory, %N and output"
+                    "`{word}` can't start a line: legal are scope, function, table, memory, %N and output"
                 ),
             ),
         }
@@ -390,7 +394,7 @@ impl Reader {
             Some((at, word)) => {
                 let names: Vec<&str> = Part::ALL.iter().map(|part| part.name()).collect();
                 let part = Part::ALL.iter().find(|part| part.name() == word);
-                let unknown = || format!("`{word}` is no part: legal are {}", names.join(", "));
+                let unknown = || format!("`{word}` is not a part: legal are {}", names.join(", "));
                 Some(*part.ok_or_else(|| Wrong { at, problem: unknown() })?)
             }
         };
@@ -407,7 +411,7 @@ impl Reader {
         }
         match self.scopes.get(path) {
             Some(id) => Ok(*id),
-            None => wrong(at, format!("there is no scope `{path}`: declare it before")),
+            None => wrong(at, format!("there is no scope `{path}`: declare it first")),
         }
     }
 
@@ -426,7 +430,7 @@ impl Reader {
         Ok(())
     }
 
-    /// An expression to the end of the line.
+    /// Parses an expression up to the end of the line.
     fn expression(
         &self,
         line: &mut Line<'_>,
@@ -439,11 +443,11 @@ impl Reader {
             .map_err(|error| Wrong { at: start + error.at, problem: error.problem })
     }
 
-    /// Id, name and address bits of a table or memory.
+    /// Parses the id, name and address bits of a table or memory.
     fn table_head<'a>(&self, line: &mut Line<'a>) -> Read<(&'a str, &'a str, u32)> {
         let (at, id, name) = line.names("the table's name")?;
         if self.tables.contains_key(id) {
-            return wrong(at, format!("table `{id}` stands twice"));
+            return wrong(at, format!("table `{id}` is declared twice"));
         }
         identifier(at, id)?;
         identifier(at, name)?;
@@ -455,21 +459,21 @@ impl Reader {
         Ok((id, name, addr_bits))
     }
 
-    /// Names and formats of columns, to the end of the line.
+    /// Parses the names and formats of columns, up to the end of the line.
     fn columns(line: &mut Line<'_>) -> Read<Vec<(String, Format)>> {
         let mut columns: Vec<(String, Format)> = Vec::new();
         while let Some((at, word)) = line.next() {
             let Some((name, format)) = word.split_once(':') else {
-                return wrong(at, format!("`{word}` is no column: write NAME:FORMAT"));
+                return wrong(at, format!("`{word}` is not a column: write NAME:FORMAT"));
             };
             let name = identifier(at, name)?;
             if columns.iter().any(|(known, _)| known == name) {
-                return wrong(at, format!("column `{name}` stands twice"));
+                return wrong(at, format!("column `{name}` is declared twice"));
             }
             columns.push((name.to_owned(), format_at(at + name.len() + 1, format)?));
         }
         if columns.is_empty() {
-            return wrong(line.at, "a table has a column: write NAME:FORMAT");
+            return wrong(line.at, "a table needs a column: write NAME:FORMAT");
         }
         Ok(columns)
     }
@@ -530,7 +534,7 @@ impl Reader {
             None => wrong(
                 at,
                 format!(
-                    "`{word}` is no node before this line: legal is %0 to %{}",
+                    "`{word}` is not a node before this line: legal is %0 to %{}",
                     self.nodes.len()
                 ),
             ),
@@ -582,17 +586,17 @@ impl Reader {
                 }
             } else if word == "per" {
                 if std::mem::replace(&mut has_rate, true) {
-                    return wrong(at, "a port has one rate");
+                    return wrong(at, "a port has only one rate");
                 }
                 if op != Op::Input {
                     return wrong(
                         at,
-                        "only ports have a rate: other nodes have that of their operands",
+                        "only ports have a rate: other nodes have the fastest rate of their operands",
                     );
                 }
                 let (rate_at, word) = line.word("a rate")?;
                 let names: Vec<&str> = Rate::ALL.iter().map(|rate| rate.name()).collect();
-                let unknown = || format!("`{word}` is no rate: legal are {}", names.join(", "));
+                let unknown = || format!("`{word}` is not a rate: legal are {}", names.join(", "));
                 rate = word.parse().or_else(|_| wrong(rate_at, unknown()))?;
             } else if word == "means" {
                 meaning = Some(self.meaning(line)?);
@@ -601,16 +605,16 @@ impl Reader {
             } else {
                 return wrong(
                     at,
-                    format!("expected turns, float20, per, @NAME or means, and not `{word}`"),
+                    format!("expected turns, float20, per, @NAME or means, not `{word}`"),
                 );
             }
         }
         let b = self.b();
         b.enter(scope);
         let id = if op == Op::Input {
-            let Some(name) = name else { return wrong(op_at, "an input has a name: write @NAME") };
+            let Some(name) = name else { return wrong(op_at, "name the input: write @NAME") };
             if scope != ScopeId::ROOT {
-                return wrong(name_at, "an input is in no scope: write @NAME");
+                return wrong(name_at, "an input can't be in a scope: write @NAME");
             }
             let id = b.input(name, format, quantity.unwrap_or_default());
             b.rate(id, rate)
@@ -639,7 +643,7 @@ impl Reader {
         Ok(())
     }
 
-    /// What a node stands for: an expression of nodes before it.
+    /// Parses what a node stands for: an expression of earlier nodes.
     fn meaning(&self, line: &mut Line<'_>) -> Read<(Expr, Vec<NodeId>)> {
         let of = std::cell::RefCell::new(Vec::new());
         let variable = |name: &str| {
@@ -657,7 +661,7 @@ impl Reader {
         Ok((expr, of.into_inner()))
     }
 
-    /// An operation with what stands between its name and its operands.
+    /// Parses an operation with the attributes between its name and its operands.
     fn operation(&self, line: &mut Line<'_>, at: usize, word: &str) -> Read<Op> {
         let (name, bits) =
             word.split_once('[').map_or((word, None), |(name, bits)| (name, Some(bits)));
@@ -666,7 +670,7 @@ impl Reader {
         let Some(op) = known.copied() else {
             return wrong(at, format!("there is no operation `{}`", escape::short(word)));
         };
-        // An operation without more than its operands is what its name says.
+        // Operations without attributes need only their name.
         if let Op::Const { .. } = op {
             Ok(Op::Const { raw: line.parse("a word")? })
         } else if let Op::Slice { .. } = op {
@@ -676,7 +680,7 @@ impl Reader {
                 None => wrong(at, "a slice is written slice[HIGH:LOW]"),
             }
         } else if let Op::Shift { .. } = op {
-            Ok(Op::Shift { left: line.parse("a number of places, as +3")? })
+            Ok(Op::Shift { left: line.parse("a number of places, such as +3")? })
         } else if let Op::ShiftLeft { .. } = op {
             line.expect("max")?;
             Ok(Op::ShiftLeft { max: line.parse("the largest shift")? })
@@ -685,8 +689,8 @@ impl Reader {
         } else if let Op::Read { .. } = op {
             self.table_column(line)
         } else if let Op::Narrow { .. } = op {
-            let round: Round = line.parse("a rounding, as half-even")?;
-            let overflow: Overflow = line.parse("an overflow mode, as saturate")?;
+            let round: Round = line.parse("a rounding mode, such as half-even")?;
+            let overflow: Overflow = line.parse("an overflow mode, such as saturate")?;
             Ok(Op::Narrow { round, overflow })
         } else {
             Ok(op)
@@ -724,7 +728,7 @@ fn slice(at: usize, lo: u32, format: Format) -> Read<Op> {
     match lo.checked_add(format.bits()) {
         Some(end) if end <= Format::MAX_BITS => Ok(Op::Slice { lo }),
         Some(_) | None => {
-            wrong(at, format!("bit {lo} is past the {} bits of words", Format::MAX_BITS))
+            wrong(at, format!("bit {lo} is past the {} bits of a word", Format::MAX_BITS))
         }
     }
 }
@@ -737,5 +741,5 @@ fn identifier(at: usize, name: &str) -> Read<&str> {
     if name::is_legal(name) {
         return Ok(name);
     }
-    wrong(at, format!("`{}` is no name: a name is {}", escape::short(name), name::RULE))
+    wrong(at, format!("`{}` is not a name: a name is {}", escape::short(name), name::RULE))
 }

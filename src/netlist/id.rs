@@ -2,29 +2,29 @@
 
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// What an index is of: a builder, or finished netlists, which share one.
+/// The owner of an index: one builder, or finished netlists, which all share one owner.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
 pub(super) struct Owner(u32);
 
 impl Owner {
-    /// Any finished netlist: the same unit built twice has the same ids.
+    /// The owner of all finished netlists, so that a unit built twice has the same ids.
     pub(super) const FINISHED: Self = Self(0);
 
-    /// A builder that has no other's number.
+    /// A new builder's owner, with a unique number.
     pub(super) fn builder() -> Self {
         static LAST: AtomicU32 = AtomicU32::new(0);
         Self(LAST.fetch_add(1, Ordering::Relaxed).wrapping_add(1))
     }
 }
 
-/// Index of a node in its netlist. While the netlist is built, it says of which builder it is.
+/// Index of a node in its netlist. During construction it also identifies its builder.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
 pub struct NodeId {
     pub(super) owner: Owner,
     pub(super) number: u32,
 }
 
-/// Index of a table in its netlist. While the netlist is built, it says of which builder it is.
+/// Index of a table in its netlist. During construction it also identifies its builder.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
 pub struct TableId {
     pub(super) owner: Owner,
@@ -40,7 +40,7 @@ impl NodeId {
         Self { owner: Owner::FINISHED, number }
     }
 
-    /// True for ids of a finished netlist, which those of its builder are not.
+    /// True for ids of a finished netlist, false for ids of a builder.
     pub(crate) fn is_finished(self) -> bool {
         self.owner == Owner::FINISHED
     }

@@ -6,7 +6,7 @@ use crate::netlist::op::Op;
 use std::sync::Arc;
 
 impl Netlist {
-    /// The tables whose words the netlist has.
+    /// The read-only tables.
     pub fn roms(&self) -> impl Iterator<Item = &Table> {
         self.tables.iter().filter(|table| table.memory.is_none())
     }
@@ -23,17 +23,18 @@ impl Netlist {
         Some(&self.tables[table.index()])
     }
 
-    /// What hardware knows of the memory that a node reads, if it reads one.
+    /// The hardware parameters of the memory that a node reads, if it reads one.
     #[must_use]
     pub fn memory(&self, id: NodeId) -> Option<Memory> {
         self.read_of(id)?.memory
     }
 
-    /// With words for a memory: a list for each column, with a word for each address. A read then stands on reals for
-    /// the word's value at its address, rounded down, unless it [means](super::Builder::means) something else.
+    /// Binds words to a memory: one list per column, with one word per address. On reals, a read
+    /// then stands for the value of the word at its address, rounded down, unless it
+    /// [means](super::Builder::means) something else.
     ///
     /// # Errors
-    /// If there is no such memory, or there isn't one word of its column's format for each address.
+    /// If there is no such memory, or a column doesn't have one word of its format per address.
     pub fn bind(&self, memory: &str, columns: &[Arc<[i64]>]) -> Result<Self> {
         let at =
             self.tables.iter().position(|table| table.name == memory && table.memory.is_some());
@@ -59,7 +60,7 @@ impl Netlist {
         Ok(bound)
     }
 
-    /// The same with no words bound to memories.
+    /// A copy without the words of memories.
     #[must_use]
     pub fn unbound(&self) -> Self {
         let mut unbound = self.clone();
@@ -68,7 +69,7 @@ impl Netlist {
         unbound
     }
 
-    /// Refuses a memory that no words are bound to: it can't be simulated.
+    /// Refuses a netlist with an unbound memory, which can't be simulated.
     pub(crate) fn check_bound(&self) -> Result<()> {
         match self.memories().find(|memory| memory.is_unbound()) {
             None => Ok(()),

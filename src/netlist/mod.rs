@@ -1,28 +1,29 @@
 //! The netlist: a flat arena of nodes whose operands are earlier nodes.
 //!
-//! Creation order is evaluation order, so a combinational loop can't be
-//! written. [`Builder`] grows it and checks every step; [`Builder::build`] drops
-//! what no output needs and returns an immutable [`Netlist`]. Building the same
-//! operation on the same operands twice gives the same node: a table read at an
-//! address is one port, however often it is used.
+//! Creation order is evaluation order, so a combinational loop can't be written. [`Builder`] grows
+//! the netlist and checks every step. [`Builder::build`] drops what no output needs and returns an
+//! immutable [`Netlist`]. Building the same operation on the same operands twice gives the same
+//! node, so a table read at one address is one port, however often its word is used.
 //!
 //! # Names
-//! Netlists, ports, nodes, scopes, tables and their columns have names of one rule: a to z first, then a to z, 0 to 9
-//! and single _ between them, up to 64 in all. So they are legal in Verilog, VHDL, C++ and waves. What is a keyword
-//! there is renamed where hardware is written; only a module can't be called by one.
+//! One rule covers the names of netlists, ports, nodes, scopes, tables and columns: a letter a to z
+//! first, then a to z, 0 to 9 and single _ between them, at most 64 characters. Such names are
+//! legal in Verilog, VHDL, C++ and waves. A name that is a keyword in one of these languages is
+//! renamed when hardware is written; only a module can't have such a name.
 //!
-//! # Past one sample
-//! A [memory](Builder::memory) is read like a table, and its words are [bound](Netlist::bind) when it is simulated. A port
-//! has a [`Rate`]: what comes once for a face is computed once for it. A [delay](Builder::delay) has the word of an earlier
-//! sample, which a [`State`] keeps for [`Netlist::eval_next`].
+//! # Memories, rates and delays
+//! A [memory](Builder::memory) is read like a table; its words are [bound](Netlist::bind) for
+//! simulation. A port has a [`Rate`]: nodes that depend only on per-face ports are computed once
+//! per face. A [delay](Builder::delay) gives the word of an earlier sample, which a [`State`] keeps
+//! for [`Netlist::eval_next`].
 //!
-//! # Wrong use
-//! Nothing that is asked of a [`Builder`] panics: it keeps the first mistake, with the place in the code that made it
-//! ([`Error::caller`](crate::base::error::Error::caller)), and [`Builder::build`] gives it back. [`Wires`] are nodes with operators
-//! over one.
+//! # Errors
+//! No call of a [`Builder`] panics. It keeps the first mistake, with the source location that made
+//! it ([`Error::caller`](crate::base::error::Error::caller)), and [`Builder::build`] returns it.
+//! [`Wires`] wraps a builder and gives its nodes operators.
 //!
-//! The reference interpreter ([`Netlist::eval`] on words, [`Netlist::eval_reals`]
-//! on reals) is a loop over [`Op`]; every other engine is held to it bit for bit.
+//! The reference interpreter ([`Netlist::eval`] on words, [`Netlist::eval_reals`] on reals) is a
+//! loop over [`Op`]. Every other engine must match it bit for bit.
 
 mod builder;
 mod choices;
@@ -55,7 +56,7 @@ use crate::netlist::op::Op;
 use crate::number::format::Format;
 use crate::number::real::{Expr, Graph, Term, TermId, Twin};
 
-/// What a signal measures; says how waves and reports show it.
+/// What a signal measures, which decides how waves and reports show it.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
 pub enum Quantity {
     /// A plain number.
@@ -63,7 +64,7 @@ pub enum Quantity {
     Number,
     /// An angle in turns, equal modulo one.
     Turns,
-    /// A number that comes as a float of 20 bits ([`crate::number::format::float20`]).
+    /// A number in 20-bit floating point ([`crate::number::format::float20`]).
     Float20,
 }
 
@@ -76,32 +77,32 @@ pub struct Node {
     pub operands: Vec<NodeId>,
     /// Format of its word.
     pub format: Format,
-    /// Name, unique in its scope.
+    /// Its name, unique in its scope.
     pub name: Option<String>,
     /// Scope that it was built in.
     pub scope: ScopeId,
     /// What it measures.
     pub quantity: Quantity,
-    /// How often it takes a new word.
+    /// How often it gets a new word.
     pub rate: Rate,
-    /// What it stands for on reals, if not its operation.
+    /// Its meaning on reals, if that isn't its operation.
     pub meaning: Option<Meaning>,
-    /// Its value on reals in [`Netlist::reals`]; nothing for bits without one.
+    /// Its value on reals in [`Netlist::reals`]; `None` for bits, which have none.
     pub real: Option<TermId>,
 }
 
-/// What a node stands for as a real number, where that isn't its operation on reals: a table read stands for the
-/// function that it approximates, of the node that it approximates it of.
+/// What a node stands for as a real number, if not its operation on reals. For example, a table
+/// read stands for the function that the table approximates, applied to the exact argument.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Meaning {
     /// An expression of other nodes.
     pub expr: Expr,
-    /// Those nodes: the expression's variables in order.
+    /// These nodes: the expression's variables, in order.
     pub of: Vec<NodeId>,
 }
 
 impl Meaning {
-    /// The same with variables in the order in which they first stand, each node one variable.
+    /// Renumbers the variables by first occurrence, and merges those of the same node.
     fn in_order(expr: &Expr, of: &[NodeId]) -> Self {
         let mut nodes: Vec<NodeId> = Vec::new();
         let expr = expr.renumbered(|number| {
@@ -116,10 +117,10 @@ impl Meaning {
     }
 }
 
-/// A part that is counted as one operator, whatever it is made of.
+/// A part that counts as one operator, whatever its nodes are.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, PartialOrd, Ord)]
 pub enum Part {
-    /// A table with the logic around it: folding and interpolation are counted apart.
+    /// A table with the logic around it. Folding and interpolation are counted separately.
     Scheme,
     /// A divider.
     Divider,
@@ -127,7 +128,8 @@ pub enum Part {
     SquareRoot,
     /// A reciprocal square root.
     ReciprocalRoot,
-    /// A dot product of three: three multipliers and two adders, which count as the datapath's own.
+    /// A dot product of three elements. Its three multipliers and two adders count as the
+    /// datapath's own.
     Dot,
 }
 
@@ -138,7 +140,7 @@ pub struct Scope {
     pub name: String,
     /// Enclosing scope; `None` for the unit itself.
     pub parent: Option<ScopeId>,
-    /// What it is, if its nodes are counted as one operator.
+    /// Its part, if its nodes count as one operator.
     pub part: Option<Part>,
 }
 
@@ -165,8 +167,8 @@ pub struct Netlist {
     schemes: Vec<SchemeChoice>,
 }
 
-/// Netlists are equal that are the same datapath: which formats a recipe [chose](Netlist::choices) and what is
-/// [bound](Netlist::bind) to memories doesn't count.
+/// Two netlists are equal if they are the same datapath. The formats that a recipe
+/// [chose](Netlist::choices) and the words [bound](Netlist::bind) to memories don't matter.
 impl PartialEq for Netlist {
     fn eq(&self, other: &Self) -> bool {
         if [self, other].iter().any(|netlist| netlist.memories().any(|memory| !memory.is_unbound()))
@@ -223,13 +225,13 @@ impl Netlist {
         &self.tables
     }
 
-    /// What nodes stand for on reals: the variables are the input ports in order, and stand first.
+    /// The nodes' values on reals. The variables are the input ports, in order, and come first.
     #[must_use]
     pub fn reals(&self) -> &Graph {
         &self.reals
     }
 
-    /// The rates of the input ports, each once, from the slowest; there is at least one.
+    /// The distinct rates of the input ports, slowest first; at least one.
     #[must_use]
     pub fn rates(&self) -> Vec<Rate> {
         let mut rates: Vec<Rate> = self.inputs.iter().map(|id| self.node(*id).rate).collect();
@@ -241,7 +243,8 @@ impl Netlist {
         rates
     }
 
-    /// The first node that has a word of an earlier sample: such samples can't be taken one by one.
+    /// The first node that holds a word of an earlier sample. With such a node, samples aren't
+    /// independent.
     #[must_use]
     pub fn first_delay(&self) -> Option<NodeId> {
         self.ids().find(|id| matches!(self.node(*id).op, Op::Delay { .. }))
@@ -268,7 +271,7 @@ impl Netlist {
         self.node(self.inputs[port]).name.as_deref().expect("bug: inputs are named")
     }
 
-    /// Names of the scopes from the outermost in, without the unit itself.
+    /// Names of the enclosing scopes, outermost first, without the unit itself.
     #[must_use]
     pub fn scope_path(&self, scope: ScopeId) -> Vec<&str> {
         let mut path = Vec::new();
@@ -295,24 +298,24 @@ impl Netlist {
         }
     }
 
-    /// Evaluates every node on words: the reference that all engines are held to. The sample is the first after a reset;
-    /// [`Netlist::eval_next`] takes more.
+    /// Evaluates every node on words. This is the reference for all engines. The sample is the
+    /// first after a reset; [`Netlist::eval_next`] evaluates later ones.
     ///
-    /// Returns the word of each node and the flags of the `narrow`s that overflowed.
+    /// Returns the word of each node, and for each node whether it is a `narrow` that overflowed.
     ///
     /// # Errors
-    /// If `inputs` doesn't hold one word of each input's format, or a memory has no words.
+    /// If `inputs` isn't one word of the right format per input, or a memory has no words.
     pub fn eval(&self, inputs: &[i64]) -> Result<(Vec<i64>, Vec<bool>)> {
         self.eval_next(&mut State::new(self), inputs)
     }
 
-    /// As [`Netlist::eval`], of the next sample of those that `state` has seen.
+    /// As [`Netlist::eval`], for the sample after those that `state` has seen.
     ///
     /// # Errors
     /// As [`Netlist::eval`].
     ///
     /// # Panics
-    /// If the state is another netlist's.
+    /// If `state` belongs to another netlist.
     pub fn eval_next(&self, state: &mut State, inputs: &[i64]) -> Result<(Vec<i64>, Vec<bool>)> {
         self.check_words(inputs)?;
         self.check_bound()?;
@@ -338,7 +341,7 @@ impl Netlist {
         Ok((words, overflowed))
     }
 
-    /// Refuses what isn't one word of its format for each input port.
+    /// Refuses words unless there is one for each input port, in its format.
     pub(crate) fn check_words(&self, words: &[i64]) -> Result<()> {
         if words.len() != self.inputs.len() {
             let ports: Vec<&str> = (0..self.inputs.len()).map(|i| self.input_name(i)).collect();
@@ -357,7 +360,8 @@ impl Netlist {
         Ok(())
     }
 
-    /// Evaluates every node on reals: `narrow` keeps its operand and tables are their functions.
+    /// Evaluates every node on reals: `narrow` returns its operand, and a table read the function
+    /// that it approximates.
     ///
     /// A node without a value on reals gives NaN.
     ///
@@ -373,7 +377,7 @@ impl Netlist {
             .collect()
     }
 
-    /// The outermost part with operators that are counted apart that a scope is or stands in.
+    /// The outermost part other than [`Part::Dot`] that a scope is or lies in.
     #[must_use]
     pub fn part_of(&self, scope: ScopeId) -> Option<(Part, ScopeId)> {
         let mut found = None;
@@ -388,7 +392,7 @@ impl Netlist {
 }
 
 impl Netlist {
-    /// Finds what each node stands for on reals.
+    /// Derives what each node stands for on reals.
     fn read_reals(&mut self) {
         let mut reals = Graph::default();
         let mut ports = (0..self.inputs.len())
@@ -415,7 +419,7 @@ impl Netlist {
         self.reals = reals;
     }
 
-    /// What an operation is on reals.
+    /// The value of an operation on reals.
     fn reading(&self, node: &Node, reals: &mut Graph, of: &[TermId]) -> Option<TermId> {
         if let Op::Read { table, column } = node.op {
             let table = &self.tables[table.index()];
@@ -426,7 +430,7 @@ impl Netlist {
         node.op.reading(reals, of, node.format)
     }
 
-    /// Checks what every netlist promises.
+    /// Checks the invariants of every netlist.
     fn verify(&self) {
         for (id, node) in self.ids().zip(&self.nodes) {
             assert!(

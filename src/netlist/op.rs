@@ -1,11 +1,10 @@
-//! The operations of a datapath, each with its one meaning.
+//! The operations of a datapath, each with a single definition.
 //!
-//! Every operation is exact: its result format holds every result that its
-//! operands' formats allow. Only [`Op::Narrow`] rounds, saturates or wraps.
-//! This module gives, for each operation, the result format
-//! ([`Op::result_format`]), the value on words ([`Op::eval_raw`]) and what it is on reals
-//! ([`Op::reading`]); the engines and the emitted hardware are twins of these and are tested
-//! against them.
+//! Every operation is exact: its result format holds every result that its operands' formats allow.
+//! Only [`Op::Narrow`] rounds, saturates or wraps. For each operation this module gives the result
+//! format ([`Op::result_format`]), the value on words ([`Op::eval_raw`]) and the value on reals
+//! ([`Op::reading`]). The engines and the emitted hardware implement the same functions and are
+//! tested against these.
 
 use super::id::TableId;
 use super::table::Table;
@@ -13,7 +12,7 @@ use crate::base::cast;
 use crate::number::format::{Format, Overflow, Round, bit_len, narrow};
 use crate::number::real::{Graph, Primitive, TermId};
 
-/// An operation; operands are kept by the node.
+/// An operation; the node holds the operands.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Op {
     /// A port that the caller drives.
@@ -27,7 +26,7 @@ pub enum Op {
     Add,
     /// `a - b`.
     Sub,
-    /// `a - b` where the flag is set, else `a + b`; operands flag, a, b. One adder/subtractor.
+    /// `a - b` where the flag is set, otherwise `a + b`; operands flag, a, b. One adder/subtractor.
     AddSub,
     /// `a * b`.
     Mul,
@@ -45,21 +44,22 @@ pub enum Op {
     Equal,
     /// Flag: `a < b` as values.
     Less,
-    /// `a` where the flag is set, else `b`; operands flag, a, b.
+    /// `a` where the flag is set, otherwise `b`; operands flag, a, b.
     Mux,
-    /// Bits `lo` and up of the word's pattern, as an unsigned integer; the node's format says how many.
+    /// Bits from `lo` up of the word's pattern, as an unsigned integer; the node's format gives
+    /// their number.
     Slice {
-        /// Least bit that is taken.
+        /// Lowest bit taken.
         lo: u32,
     },
     /// The bits of integer a above the bits of integer b.
     Concat,
-    /// `a * 2^left`: the binary point moves, no bit does.
+    /// `a * 2^left`: only the binary point moves.
     Shift {
         /// Places to the left; negative is to the right.
         left: i32,
     },
-    /// Number of zero bits above the first one of an unsigned word.
+    /// The number of zero bits above the highest one bit of an unsigned word.
     LeadingZeros,
     /// `a * 2^min(n, max)` for an unsigned integer n; operands a, n. A barrel shifter.
     ShiftLeft {
@@ -73,19 +73,19 @@ pub enum Op {
         /// Column of the table.
         column: u32,
     },
-    /// `a` of the sample so many before, of those that were taken; 0 where there was none since the reset.
+    /// `a` of `samples` accepted samples earlier; 0 if there was no such sample since the reset.
     Delay {
-        /// How many samples, at least 1.
+        /// Number of samples, at least 1.
         samples: u32,
     },
-    /// The residue of `a` in the node's format modulo that format's span; exact in modular
-    /// arithmetic, so angles in turns use it where others would count a wrap.
+    /// The residue of `a` in the node's format, modulo that format's span. It is exact in modular
+    /// arithmetic, so angles in turns use it where `narrow` would count a wrap as an overflow.
     Modulo,
-    /// `a` in the node's format: the one operation that loses bits.
+    /// `a` in the node's format; the only operation that loses bits.
     Narrow {
-        /// What to do with low bits.
+        /// How low bits are rounded.
         round: Round,
-        /// What to do with values outside the format.
+        /// How values outside the format are handled.
         overflow: Overflow,
     },
 }
@@ -99,7 +99,7 @@ pub enum FormatProblem {
     Mismatch(String),
 }
 
-/// The range of a format's words with `frac_bits` fraction bits (at least its own).
+/// The range of a format's words, scaled to `frac_bits` fraction bits (at least its own).
 fn aligned(format: Format, frac_bits: i32) -> Result<(i128, i128), FormatProblem> {
     let shift = (frac_bits - format.frac_bits()).unsigned_abs();
     if format.bits() + shift > Format::MAX_BITS {
@@ -116,60 +116,60 @@ fn expect(holds: bool, text: &str) -> Result<(), FormatProblem> {
     if holds { Ok(()) } else { Err(FormatProblem::Mismatch(text.to_owned())) }
 }
 
-/// What an operation is to whoever counts, prints, shares or times it.
+/// Properties of an operation for counting, printing, sharing and timing.
 #[derive(Clone, Copy, Debug)]
 pub struct Traits {
     /// Name in the netlist's text form.
     pub name: &'static str,
     /// Number of operands.
     pub arity: usize,
-    /// What it counts as.
+    /// How it is counted.
     pub operator: Option<Operator>,
-    /// True if it is built with a format: others' follows from their operands'.
+    /// True if it is built with a format; otherwise its format follows from its operands.
     pub takes_format: bool,
-    /// True if it looks at bit patterns and not at what they are worth.
+    /// True if it works on bit patterns and not on values.
     pub looks_at_bits: bool,
-    /// What takes time in its hardware.
+    /// The logic that determines its delay.
     pub logic: Logic,
 }
 
-/// Sorts of operators that are counted.
+/// Kinds of operators that are counted.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Operator {
     /// A multiplier.
     Multiplier,
     /// An adder or subtractor.
     Adder,
-    /// A change of sign.
+    /// A sign change.
     Negation,
     /// A comparison.
     Comparator,
-    /// A choice.
+    /// A multiplexer.
     Multiplexer,
-    /// A barrel shifter, or a count of zeros for one.
+    /// A barrel shifter, or a leading-zero counter for one.
     Shifter,
     /// A change of format.
     Narrow,
-    /// A word of a table.
+    /// A word read from a table.
     Read,
 }
 
-/// What takes time in an operation's hardware.
+/// The logic that determines an operation's delay.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Logic {
     /// Nothing: wires.
     Wires,
-    /// A level of gates.
+    /// One level of gates.
     Gates,
-    /// A carry over the result.
+    /// A carry chain over the result.
     Carry,
-    /// A carry over the wider operand.
+    /// A carry chain over the wider operand.
     Comparison,
-    /// Rows of a product.
+    /// The rows of a product.
     Product,
     /// A tree over the operand's bits.
     Tree,
-    /// A tree over the shifts.
+    /// A tree over the shift amounts.
     Shifter {
         /// Largest shift.
         max: u32,
@@ -181,20 +181,20 @@ pub enum Logic {
     },
     /// Rounding and saturation.
     Narrow {
-        /// What is done with low bits.
+        /// How low bits are rounded.
         round: Round,
-        /// What is done outside the format.
+        /// How values outside the format are handled.
         overflow: Overflow,
     },
 }
 
-/// One row for each operation: its pattern, one of its kind, and its traits.
+/// One row per operation: its pattern, an example, and its traits.
 macro_rules! operations {
     ($($op:pat, $one:expr, $name:literal $arity:literal $operator:expr, $takes_format:literal $looks_at_bits:literal $logic:expr;)*) => {
         /// One operation of each kind.
         pub const ALL: &'static [Self] = &[$($one),*];
 
-        /// What it is besides its meaning.
+        /// Its properties besides its meaning.
         #[must_use]
         pub const fn traits(self) -> Traits {
             match self {
@@ -219,10 +219,10 @@ const READ: Op = Op::Read { table: TableId::FIRST, column: 0 };
 const NARROW: Op = Op::Narrow { round: Round::Floor, overflow: Overflow::Wrap };
 
 impl Op {
-    /// The most samples that a word is delayed by.
+    /// Maximum delay in samples.
     pub const MAX_DELAY: u32 = 4096;
 
-    // pattern, one of its kind, name, operands, what it counts as, takes a format, looks at bits, what takes time
+    // pattern, example, name, operands, how it is counted, takes a format, looks at bits, logic
     #[rustfmt::skip]
     operations! {
         Self::Const { .. }, Self::Const { raw: 0 }, "const" 0 None, true false Logic::Wires;
@@ -268,8 +268,8 @@ impl Op {
         self.traits().arity
     }
 
-    /// The format of the exact result. `asked` is the format that the builder was given, for
-    /// the operations that take one (input, const, slice, modulo, narrow).
+    /// The format of the exact result. `asked` is the format given to the builder, for the
+    /// operations that take one (input, const, slice, modulo, narrow).
     ///
     /// # Errors
     /// If the result would be too wide, or the operands don't fit the operation.
@@ -303,7 +303,7 @@ impl Op {
                 spanning(alo - bhi, ahi - blo, frac)
             }
             Self::AddSub => {
-                expect(of[0] == Format::FLAG, "the first operand is a flag")?;
+                expect(of[0] == Format::FLAG, "the first operand must be a flag")?;
                 let ((alo, ahi), (blo, bhi), frac) = common(of[1], of[2])?;
                 spanning(alo + blo.min(-bhi), ahi + bhi.max(-blo), frac)
             }
@@ -312,7 +312,10 @@ impl Op {
                     (aligned(of[0], of[0].frac_bits())?, aligned(of[1], of[1].frac_bits())?);
                 let corners = [alo * blo, alo * bhi, ahi * blo, ahi * bhi];
                 let frac = of[0].frac_bits() + of[1].frac_bits();
-                expect((-127..=127).contains(&frac), "fraction bits add up past 127")?;
+                expect(
+                    (-127..=127).contains(&frac),
+                    "the sum of the fraction bits is outside -127 to 127",
+                )?;
                 let lo = corners.into_iter().fold(i128::MAX, i128::min);
                 let hi = corners.into_iter().fold(i128::MIN, i128::max);
                 spanning(lo, hi, frac)
@@ -326,7 +329,7 @@ impl Op {
                 spanning(0, hi.max(-lo), of[0].frac_bits())
             }
             Self::And | Self::Or | Self::Xor => {
-                expect(of[0] == of[1], "bitwise operands have one format")?;
+                expect(of[0] == of[1], "bitwise operands must have the same format")?;
                 Ok(of[0])
             }
             Self::Equal | Self::Less => {
@@ -334,7 +337,7 @@ impl Op {
                 Ok(Format::FLAG)
             }
             Self::Mux => {
-                expect(of[0] == Format::FLAG, "the first operand is a flag")?;
+                expect(of[0] == Format::FLAG, "the first operand must be a flag")?;
                 let ((alo, ahi), (blo, bhi), frac) = common(of[1], of[2])?;
                 spanning(alo.min(blo), ahi.max(bhi), frac)
             }
@@ -342,7 +345,7 @@ impl Op {
                 let format = asked();
                 expect(
                     !format.is_signed() && format.frac_bits() == 0,
-                    "a slice is an unsigned integer",
+                    "a slice must be an unsigned integer",
                 )?;
                 expect(
                     lo.saturating_add(format.bits()) <= of[0].bits(),
@@ -356,7 +359,10 @@ impl Op {
             }
             Self::Concat => {
                 let integer = |format: Format| !format.is_signed() && format.frac_bits() == 0;
-                expect(integer(of[0]) && integer(of[1]), "unsigned integers are concatenated")?;
+                expect(
+                    integer(of[0]) && integer(of[1]),
+                    "only unsigned integers can be concatenated",
+                )?;
                 let bits = of[0].bits() + of[1].bits();
                 Format::integer(bits).map_err(|_| FormatProblem::TooWide(bits))
             }
@@ -366,13 +372,13 @@ impl Op {
                 Ok(Format::new(of[0].is_signed(), of[0].bits(), frac).expect("bug: checked above"))
             }
             Self::LeadingZeros => {
-                expect(!of[0].is_signed(), "leading zeros are counted in unsigned words")?;
+                expect(!of[0].is_signed(), "leading zeros can only be counted in unsigned words")?;
                 Ok(Format::integer(bit_len(u64::from(of[0].bits()))).expect("bug: at most 6 bits"))
             }
             Self::ShiftLeft { max } => {
                 expect(
                     !of[1].is_signed() && of[1].frac_bits() == 0,
-                    "a shift count is an unsigned integer",
+                    "a shift count must be an unsigned integer",
                 )?;
                 let bits = of[0].bits().saturating_add(max);
                 if bits > Format::MAX_BITS {
@@ -384,7 +390,11 @@ impl Op {
                 let table = &tables[table.index()];
                 expect(
                     of[0] == table.address_format(),
-                    &format!("`{}` takes addresses {}", table.name, table.address_format()),
+                    &format!(
+                        "`{}` takes addresses in format {}",
+                        table.name,
+                        table.address_format()
+                    ),
                 )?;
                 Ok(table.columns[usize::try_from(column).expect("bug: small")].format)
             }
@@ -398,7 +408,7 @@ impl Op {
             Self::Modulo => {
                 expect(
                     asked().frac_bits() == of[0].frac_bits(),
-                    "a residue keeps the fraction bits",
+                    "a residue must keep the fraction bits",
                 )?;
                 Ok(asked())
             }
@@ -408,10 +418,10 @@ impl Op {
 
     /// The word of the result, and whether a `narrow` overflowed.
     ///
-    /// `of` are the operands' words and formats, `out` is the node's format.
+    /// `of` holds the operands' words and formats, `out` is the node's format.
     ///
     /// # Panics
-    /// On `Input`: inputs have no meaning of their own.
+    /// On `Input`, which has no operation.
     #[must_use]
     pub fn eval_raw(self, of: &[(i64, Format)], out: Format, tables: &[Table]) -> (i64, bool) {
         // |operand| < 2^63 and shifts stay below 63 by construction, so i128 holds every step.
@@ -465,7 +475,7 @@ impl Op {
                 let column = usize::try_from(column).expect("bug: small");
                 i128::from(tables[table.index()].columns[column].words[cast::index_of(of[0].0)])
             }
-            // Of a sample by itself: there was none before.
+            // For an independent sample: there was none before.
             Self::Delay { .. } => 0,
             Self::Modulo => i128::from(out.wrap(of[0].0)),
             Self::Narrow { round, overflow } => {
@@ -482,8 +492,8 @@ impl Op {
         (raw, false)
     }
 
-    /// The operation on reals, as a term of those of its operands: exact arithmetic, and `narrow` keeps its
-    /// operand. `None` for the operations on bits, which have no value there.
+    /// The operation on reals, as a term of its operands' terms, in exact arithmetic; `narrow`
+    /// returns its operand. `None` for operations on bits, which have no value on reals.
     ///
     /// # Panics
     /// On `Input`: ports are variables.

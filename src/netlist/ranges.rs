@@ -1,4 +1,4 @@
-//! Interval analysis: which words each node can hold.
+//! Interval analysis: the words that each node can hold.
 
 use super::words::{Words, wrapped};
 use crate::base::cast;
@@ -6,10 +6,10 @@ use crate::netlist::op::Op;
 use crate::netlist::{Netlist, Table};
 use crate::number::format::{Format, Overflow, narrow, rounded};
 
-/// The words that each node can hold where each input holds those given; never too few.
+/// The words that each node can hold, given the words of each input; a superset, never too few.
 ///
-/// Operations of one operand that are monotone or modular, sums, comparisons and choices are exact
-/// for operands that are independent intervals; products, shifts and table reads have exact ends.
+/// Monotone or modular operations of one operand, sums, comparisons and multiplexers are exact for
+/// operands that are independent intervals. Products, shifts and table reads have exact ends.
 ///
 /// # Panics
 /// If there isn't one set per input, within the input's format.
@@ -27,7 +27,7 @@ pub fn ranges(netlist: &Netlist, inputs: &[Words]) -> Vec<Words> {
             assert!(inside, "bug: words {given} of a port {}", node.format);
             given.clone()
         } else if let Op::Delay { .. } = node.op {
-            // What it starts with is 0.
+            // A delay starts with 0.
             Words::of(of(0).0.intervals().iter().copied().chain([(0, 0)]))
         } else if node.op == Op::Mul && node.operands[0] == node.operands[1] {
             square(of(0).0, node.format)
@@ -51,13 +51,13 @@ fn magnitudes(of: &Words) -> impl Iterator<Item = (i128, i128)> {
     wide(of, 0).map(|(lo, hi)| (lo.max(-hi).max(0), hi.max(-lo)))
 }
 
-/// The intervals shifted to the left.
+/// The intervals, shifted left.
 fn wide(of: &Words, shift: i32) -> impl Iterator<Item = (i128, i128)> + Clone {
     let up = move |raw: i64| i128::from(raw) << shift;
     of.intervals().iter().map(move |(lo, hi)| (up(*lo), up(*hi)))
 }
 
-/// The words of an operation's result, where its operands hold any of theirs.
+/// The words of an operation's result for any combination of its operands' words.
 #[expect(clippy::wildcard_enum_match_arm, reason = "any word of the format is right for all")]
 fn image(op: Op, of: &[(&Words, Format)], out: Format, tables: &[Table]) -> Words {
     let known: Option<Vec<(i64, Format)>> =
@@ -65,7 +65,7 @@ fn image(op: Op, of: &[(&Words, Format)], out: Format, tables: &[Table]) -> Word
     if let Some(known) = known.filter(|_| !of_memory(op, tables)) {
         return Words::only(op.eval_raw(&known, out, tables).0);
     }
-    // As `Op::eval_raw` has it: operands a and b in units of the finer one.
+    // As in `Op::eval_raw`: operands a and b in units of the finer one.
     let aligned = |a: usize, b: usize| {
         let frac = of[a].1.frac_bits().max(of[b].1.frac_bits());
         let at = |i: usize| wide(of[i].0, frac - of[i].1.frac_bits()).collect::<Vec<_>>();
@@ -102,7 +102,8 @@ fn image(op: Op, of: &[(&Words, Format)], out: Format, tables: &[Table]) -> Word
         Op::Equal => {
             let (a, b) = aligned(0, 1);
             let meet = pairs(&a, &b, |a, b| (a.0.max(b.0), a.1.min(b.1)));
-            // Both are constant elsewhere: two words that differ, or the same one.
+            // Constant operands were handled above, so a common word means both results are
+            // possible.
             vec![(0, i128::from(meet.into_iter().any(|(lo, hi)| lo <= hi)))]
         }
         Op::Less => {
@@ -120,7 +121,7 @@ fn image(op: Op, of: &[(&Words, Format)], out: Format, tables: &[Table]) -> Word
             }
             a
         }
-        // The bits of a word are those of its two's complement, whatever its width.
+        // The bits are those of the two's complement, whatever its width.
         Op::Slice { lo } => of[0]
             .0
             .intervals()
@@ -172,13 +173,14 @@ fn image(op: Op, of: &[(&Words, Format)], out: Format, tables: &[Table]) -> Word
             };
             of[0].0.intervals().iter().flat_map(narrowed).collect()
         }
-        // A memory may hold any word. Elsewhere it is never too few, until there is a rule.
+        // A memory may hold any word. Other operations without a rule get every word of their
+        // format.
         _ => vec![(out.min_raw().into(), out.max_raw().into())],
     };
     Words::in_format(&intervals, out)
 }
 
-/// True for a read whose words aren't the netlist's own.
+/// True for a read of a memory.
 fn of_memory(op: Op, tables: &[Table]) -> bool {
     let Op::Read { table, .. } = op else { return false };
     tables[table.index()].memory.is_some()
@@ -197,7 +199,7 @@ fn ends(corners: [i128; 4]) -> (i128, i128) {
     (p.min(q).min(r.min(s)), p.max(q).max(r.max(s)))
 }
 
-/// How often an interval is halved in search of bits that one operand leaves alone.
+/// How often an interval is halved to find bits that one operand leaves unchanged.
 const HALVINGS: u32 = 3;
 
 type Interval = (i64, i64);
@@ -219,7 +221,7 @@ fn bitwise_interval(
     halvings: u32,
     found: &mut Vec<(i128, i128)>,
 ) {
-    // The bits that differ between two words of an interval, and all below them.
+    // The highest bit that varies in an interval, and all bits below it.
     let varying = |(lo, hi): Interval| match (lo ^ hi).leading_zeros() {
         0 => -1,
         64 => 0,
@@ -229,21 +231,21 @@ fn bitwise_interval(
     let free = free_a | free_b;
     let fixed = if free_a == 0 { a.0 } else { b.0 };
     if (free_a == 0 || free_b == 0) && (fixed & free == 0 || fixed & free == free) {
-        // On the free bits, a constant of only zeros or only ones keeps order, turns it round, or
-        // makes all words one.
+        // On the free bits, a constant of all zeros or all ones keeps the order, reverses it, or
+        // makes all words equal.
         let (p, q) = (word(a.0, b.0), word(a.1, b.1));
         found.push((p.min(q).into(), p.max(q).into()));
     } else if halvings > 0 {
         let a_is_halved = free_a == free;
         let whole = if a_is_halved { a } else { b };
-        // The first word with the highest free bit of the last one.
+        // The first word that has the highest free bit set like the last word.
         let middle = whole.1 & !(if free == -1 { i64::MAX } else { free >> 1 });
         for half in [(whole.0, middle - 1), (middle, whole.1)] {
             let (a, b) = if a_is_halved { (half, b) } else { (a, half) };
             bitwise_interval(word, a, b, halvings - 1, found);
         }
     } else {
-        // Bits that are set in every case, and in any; a free sign may be either.
+        // Bits that are set in every case, and in any case; a free sign may be either.
         let (a0, a1, b0, b1) = (a.0 & !free_a, a.0 | free_a, b.0 & !free_b, b.0 | free_b);
         let cases = [word(a0, b0), word(a0, b1), word(a1, b0), word(a1, b1)];
         let every = cases.into_iter().fold(-1, |bits, case| bits & case);

@@ -1,28 +1,28 @@
-//! How often ports take words.
+//! How often ports get new words.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// How often a port takes a new word. A node has the fastest rate of its operands, so what comes once for a face is
-/// computed once for it, and held for the pixels. A constant has the slowest, and a delay, which counts samples, the fastest
-/// of the netlist.
+/// How often a port gets a new word. A node has the fastest rate of its operands, so a node that
+/// depends only on per-face ports is computed once per face and held for the pixels. A constant has
+/// the slowest rate. A delay counts samples, so it has the netlist's fastest rate.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug, Default)]
 pub enum Rate {
-    /// Once for a scene.
+    /// Once per scene.
     Scene,
-    /// Once for an object.
+    /// Once per object.
     Object,
-    /// Once for a face.
+    /// Once per face.
     Face,
-    /// Once for a vertex.
+    /// Once per vertex.
     Vertex,
-    /// Once for a pixel, or whatever a sample is: a port has this rate if nothing else is said.
+    /// Once per pixel, or per sample of any other kind: the default.
     #[default]
     Pixel,
 }
 
 impl Rate {
-    /// Every rate, from the slowest.
+    /// Every rate, slowest first.
     pub const ALL: &'static [Self] =
         &[Self::Scene, Self::Object, Self::Face, Self::Vertex, Self::Pixel];
 
@@ -45,7 +45,7 @@ impl fmt::Display for Rate {
     }
 }
 
-/// A name that is no rate.
+/// The name is not a rate.
 #[derive(Clone, Copy, Debug)]
 pub struct NoRate;
 

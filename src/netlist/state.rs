@@ -1,19 +1,19 @@
-//! Words that netlists carry from one sample to the next.
+//! Words that a netlist carries from one sample to the next.
 
 use super::Netlist;
 use crate::base::cast;
 use crate::netlist::op::Op;
 use std::collections::{BTreeMap, VecDeque};
 
-/// What a netlist keeps of the samples that it has seen: the words under way in each `delay`.
+/// The words of earlier samples inside each `delay` of a netlist.
 #[derive(Clone, Debug)]
 pub struct State {
-    /// By position of the node, oldest words first.
+    /// By node position, oldest word first.
     words: BTreeMap<usize, VecDeque<i64>>,
 }
 
 impl State {
-    /// After a reset.
+    /// The state after a reset.
     #[must_use]
     pub fn new(netlist: &Netlist) -> Self {
         let delays = netlist.nodes().iter().enumerate().filter_map(|(index, node)| {
@@ -23,7 +23,7 @@ impl State {
         Self { words: delays.collect() }
     }
 
-    /// What comes out of a delay when a word goes in.
+    /// Pushes a word into a delay and returns the word that leaves it.
     pub(super) fn delayed(&mut self, index: usize, word: i64) -> i64 {
         let words = self.words.get_mut(&index).expect("bug: the state is another netlist's");
         words.push_back(word);

@@ -1,4 +1,4 @@
-//! Tables of a netlist, whose words it has, and memories, whose words are bound when it is simulated.
+//! Tables, whose words are part of the netlist, and memories, whose words are bound for simulation.
 
 use crate::number::format::Format;
 use crate::number::real::Rows;
@@ -11,33 +11,34 @@ pub struct Column {
     pub name: String,
     /// Format of its words.
     pub format: Format,
-    /// One word per address; none in a memory until they are bound.
+    /// One word per address; empty in an unbound memory.
     pub words: Arc<[i64]>,
 }
 
 impl Column {
-    /// Its words as values, for the memory that it is of.
+    /// Its words as values; `memory` is the name of its memory.
     pub(super) fn values(&self, memory: &str) -> Rows {
         let values = self.words.iter().map(|word| self.format.value(*word));
         Rows::new(format!("{memory}.{}", self.name), values)
     }
 }
 
-/// Columns of words that share an address: a read-only table, or a memory.
+/// Columns of words that share an address: a read-only table or a memory.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Table {
     /// Name.
     pub name: String,
-    /// Address bits; it has 2^addr_bits rows.
+    /// Address bits; the table has 2^addr_bits rows.
     pub addr_bits: u32,
     /// Its columns.
     pub columns: Vec<Column>,
-    /// What hardware knows of it if it is a memory.
+    /// Hardware parameters, if it is a memory.
     pub memory: Option<Memory>,
 }
 
-/// What hardware knows of a memory, whose words are outside of the datapath: a map of a scene. For each address that it is
-/// read at, it has an output port for the address and an input port for each column.
+/// Hardware parameters of a memory, whose words are stored outside the datapath, such as a scene's
+/// map. For each address that it is read at, the datapath has an output port for the address and an
+/// input port for each column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Memory {
     /// Cycles from the address to the words.
@@ -45,15 +46,15 @@ pub struct Memory {
 }
 
 impl Memory {
-    /// The longest latency.
+    /// Maximum latency.
     pub const MAX_LATENCY: u32 = 64;
 }
 
 impl Table {
-    /// The most address bits.
+    /// Maximum address bits.
     pub const MAX_ADDR_BITS: u32 = 30;
 
-    /// A memory without words, from names and formats of its columns.
+    /// A memory without words, from the names and formats of its columns.
     #[must_use]
     pub fn memory(name: &str, addr_bits: u32, columns: &[(&str, Format)], latency: u32) -> Self {
         let column = |(name, format): &(&str, Format)| Column {
@@ -91,7 +92,7 @@ impl Table {
         self.columns.iter().any(|column| column.words.is_empty())
     }
 
-    /// The same without words, if it is a memory.
+    /// A copy without words, if it is a memory.
     pub(super) fn without_words(&self) -> Self {
         let mut table = self.clone();
         if table.memory.is_some() {
@@ -102,7 +103,7 @@ impl Table {
 }
 
 impl Table {
-    /// Why its words aren't one of its column's format for each address.
+    /// The first problem if a column doesn't have one word of its format per address.
     pub(super) fn problem_with_words(&self) -> Option<String> {
         let rows = 1usize << self.addr_bits;
         self.columns.iter().find_map(|column| {
@@ -110,7 +111,7 @@ impl Table {
             if column.words.len() != rows {
                 let words = column.words.len();
                 return Some(format!(
-                    "column `{name}` has {words} words and {rows} rows: one for each address"
+                    "column `{name}` has {words} words and must have one for each of {rows} addresses"
                 ));
             }
             let outside = column.words.iter().position(|word| !format.contains(*word))?;

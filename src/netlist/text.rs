@@ -46,7 +46,7 @@ impl Netlist {
         text
     }
 
-    /// Operation with its attributes, without operands; `tables` are names of tables.
+    /// An operation with its attributes, without operands. `tables` are the names of the tables.
     pub(super) fn describe(&self, node: &Node, tables: &[String]) -> String {
         let name = node.op.name();
         if let Op::Const { raw } = node.op {
@@ -70,7 +70,7 @@ impl Netlist {
         }
     }
 
-    /// Graphviz form: scopes are clusters.
+    /// Graphviz form; scopes become clusters.
     #[must_use]
     pub fn to_dot(&self) -> String {
         let mut text = format!(

@@ -8,11 +8,11 @@ use std::cell::RefCell;
 use std::ops::{Add, BitAnd, BitOr, BitXor, Mul, Neg, Range, Shl, Shr, Sub};
 use std::rc::Rc;
 
-/// A netlist that is written with operators: a thin layer over a [`Builder`], whose rules hold.
+/// A netlist written with operators: a thin layer over a [`Builder`], with the same rules.
 ///
-/// Nodes are [`Wire`]s. Operations are exact, a real number beside one stands for the constant of exactly its value,
-/// and [`Wire::narrow`] is the one way to lose bits. The first mistake comes out of [`Wires::build`], with the line that made
-/// it.
+/// Nodes are [`Wire`]s. Operations are exact, a real operand becomes a constant of exactly its
+/// value, and only [`Wire::narrow`] loses bits. [`Wires::build`] returns the first mistake, with
+/// the source line that made it.
 ///
 /// ```
 /// use fixpath::format::{Format, Overflow::Saturate, Round::HalfEven};
@@ -42,7 +42,7 @@ use std::rc::Rc;
 #[derive(Clone, Debug)]
 pub struct Wires(Rc<RefCell<Builder>>);
 
-/// A node of a netlist in the making.
+/// A node of a netlist under construction.
 #[derive(Clone, Debug)]
 pub struct Wire {
     wires: Wires,
@@ -57,20 +57,21 @@ impl Wires {
         Self(Rc::new(RefCell::new(Builder::new(name))))
     }
 
-    /// As [`Wires::new`], where some nodes have other formats than the recipe's.
+    /// As [`Wires::new`], with overridden formats for some nodes.
     #[must_use]
     #[track_caller]
     pub fn with(name: &str, overrides: &Overrides) -> Self {
         Self(Rc::new(RefCell::new(Builder::with(name, overrides))))
     }
 
-    /// The wire of a builder's node.
+    /// Wraps a builder's node as a wire.
     #[must_use]
     pub fn wire(&self, id: NodeId) -> Wire {
         Wire { wires: self.clone(), id }
     }
 
-    /// Uses the builder itself, as for parts that are written with it. Wires rest meanwhile.
+    /// Gives access to the builder, for parts that are written for it. Wires can't be used
+    /// meanwhile.
     #[track_caller]
     pub fn builder<R>(&self, body: impl FnOnce(&mut Builder) -> R) -> R {
         let mut builder = self.0.replace(Builder::new("resting"));
@@ -87,7 +88,7 @@ impl Wires {
         self.in_scope(name, None, body)
     }
 
-    /// As [`Wires::scope`], for nodes that are counted as one operator.
+    /// As [`Wires::scope`], for nodes that count as one operator.
     #[track_caller]
     pub fn part<R>(&self, part: Part, name: &str, body: impl FnOnce() -> R) -> R {
         self.in_scope(name, Some(part), body)
@@ -113,7 +114,7 @@ impl Wires {
         self.wire(id)
     }
 
-    /// Adds an input port that is an angle in turns.
+    /// Adds an input port for an angle in turns.
     #[track_caller]
     pub fn angle(&self, name: &str, format: Format) -> Wire {
         let id = self.0.borrow_mut().input(name, format, Quantity::Turns);
@@ -151,7 +152,7 @@ impl Wires {
         self.wire(id)
     }
 
-    /// The constant of exactly this value, in the smallest format that has it.
+    /// The constant of exactly this value, in the smallest format that holds it.
     #[track_caller]
     pub fn constant(&self, value: f64) -> Wire {
         let mut builder = self.0.borrow_mut();
@@ -160,7 +161,7 @@ impl Wires {
             None => {
                 builder.misuse(
                     format!("constant {value}"),
-                    "no format of 63 bits and 127 fraction bits has this value",
+                    "no format of up to 63 bits and 127 fraction bits has exactly this value",
                 );
                 builder.constant(0, Format::FLAG)
             }
@@ -169,10 +170,10 @@ impl Wires {
         self.wire(id)
     }
 
-    /// Verifies and freezes the netlist; wires of it are of no use after that.
+    /// Verifies and freezes the netlist; its wires can't be used afterwards.
     ///
     /// # Errors
-    /// The first mistake, as [`Builder::build`] has it.
+    /// The first mistake, as for [`Builder::build`].
     #[track_caller]
     pub fn build(self) -> Result<Netlist> {
         let builder = self.0.replace(Builder::new("built"));
@@ -180,7 +181,8 @@ impl Wires {
     }
 }
 
-/// The word and the smallest format of exactly a value. Integers have no fraction bits if they fit so.
+/// The word of exactly this value, and the smallest format that holds it. An integer has no
+/// fraction bits if it fits that way.
 fn dyadic(value: f64) -> Option<(i64, Format)> {
     if value == 0.0 {
         return Some((0, Format::FLAG));
@@ -197,7 +199,7 @@ fn dyadic(value: f64) -> Option<(i64, Format)> {
     let frac = 1075 - exponent.max(1) - cast::signed_count(zeros);
     let word = |frac: i32, magnitude: i128| -> Option<(i64, Format)> {
         let signed = if value < 0.0 { -magnitude } else { magnitude };
-        // What 63 bits or 127 places don't hold is told apart before it gets to a format.
+        // Check the limits of 63 bits and 127 places before making a format.
         (frac.abs() <= 127).then_some(())?;
         Some((i64::try_from(signed).ok()?, Format::spanning(signed, signed, frac).ok()?))
     };
@@ -223,7 +225,7 @@ impl Wire {
         self.wires.0.borrow().format(self.id)
     }
 
-    /// Names the node, in the scope that it was built in; a node keeps its first name.
+    /// Names the node within its scope; a node keeps its first name.
     #[must_use]
     #[track_caller]
     pub fn named(self, name: &str) -> Self {
@@ -231,7 +233,7 @@ impl Wire {
         self
     }
 
-    /// Says that the node is an angle in turns.
+    /// Marks the node as an angle in turns.
     #[must_use]
     #[track_caller]
     pub fn turns(self) -> Self {
@@ -239,7 +241,7 @@ impl Wire {
         self
     }
 
-    /// The word in `format`: the one way to lose bits.
+    /// The word in `format`; the only operation that loses bits.
     #[must_use]
     #[track_caller]
     pub fn narrow(&self, format: Format, round: Round, overflow: Overflow) -> Self {
@@ -247,7 +249,7 @@ impl Wire {
         self.wires.wire(id)
     }
 
-    /// Says how often this input port takes a new word.
+    /// Sets how often this input port gets a new word.
     #[must_use]
     #[track_caller]
     pub fn per(self, rate: Rate) -> Self {
@@ -255,7 +257,7 @@ impl Wire {
         self
     }
 
-    /// The word of the sample so many before, as [`Builder::delay`].
+    /// The word of `samples` samples earlier, as [`Builder::delay`].
     #[must_use]
     #[track_caller]
     pub fn delay(&self, samples: u32) -> Self {
@@ -287,7 +289,7 @@ impl Wire {
         self.wires.wire(id)
     }
 
-    /// The bits of a range, the lowest one is 0, as an integer.
+    /// The bits in `range`, as an integer; bit 0 is the lowest.
     #[must_use]
     #[track_caller]
     pub fn bits(&self, range: Range<u32>) -> Self {
@@ -296,7 +298,7 @@ impl Wire {
         self.wires.wire(id)
     }
 
-    /// The bits of this integer above those of `low`.
+    /// This integer's bits above those of `low`.
     #[must_use]
     #[track_caller]
     pub fn concat(&self, low: &Self) -> Self {
@@ -304,7 +306,7 @@ impl Wire {
         self.wires.wire(id)
     }
 
-    /// Flag: below `other`.
+    /// Flag: less than `other`.
     #[must_use]
     #[track_caller]
     pub fn lt(&self, other: &Self) -> Self {
@@ -312,7 +314,7 @@ impl Wire {
         self.wires.wire(id)
     }
 
-    /// Flag: above `other`.
+    /// Flag: greater than `other`.
     #[must_use]
     #[track_caller]
     pub fn gt(&self, other: &Self) -> Self {
@@ -320,7 +322,7 @@ impl Wire {
         self.wires.wire(id)
     }
 
-    /// Flag: of the same value as `other`.
+    /// Flag: equal in value to `other`.
     #[must_use]
     #[track_caller]
     pub fn equals(&self, other: &Self) -> Self {
@@ -328,7 +330,7 @@ impl Wire {
         self.wires.wire(id)
     }
 
-    /// `a` where this flag is set, else `b`.
+    /// `a` where this flag is set, otherwise `b`.
     #[must_use]
     #[track_caller]
     pub fn mux(&self, a: &Self, b: &Self) -> Self {
@@ -336,7 +338,7 @@ impl Wire {
         self.wires.wire(id)
     }
 
-    /// `a - b` where this flag is set, else `a + b`.
+    /// `a - b` where this flag is set, otherwise `a + b`.
     #[must_use]
     #[track_caller]
     pub fn addsub(&self, a: &Self, b: &Self) -> Self {
@@ -344,7 +346,7 @@ impl Wire {
         self.wires.wire(id)
     }
 
-    /// Zero bits above the first one of an unsigned word.
+    /// The number of zero bits above the highest one bit of an unsigned word.
     #[must_use]
     #[track_caller]
     pub fn leading_zeros(&self) -> Self {
@@ -388,7 +390,7 @@ impl Neg for Wire {
     }
 }
 
-/// An operator of two wires, of which one may be a real number.
+/// Implements an operator for two wires, owned or borrowed.
 macro_rules! operators {
     ($($operator:ident $method:ident $build:ident;)*) => {$(
         impl $operator<&Wire> for &Wire {
@@ -470,7 +472,7 @@ macro_rules! operators_with_reals {
     )*};
 }
 
-/// Moves of the binary point.
+/// Operators that move the binary point.
 macro_rules! shifts {
     ($($operator:ident $method:ident $left:expr;)*) => {$(
         impl $operator<i32> for &Wire {

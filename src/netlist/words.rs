@@ -4,13 +4,13 @@ use crate::base::cast;
 use crate::number::format::{Format, word_mask};
 use std::fmt;
 
-/// A set of words: what a port or a node can hold. At least one word, in at most
-/// [`Words::MAX_INTERVALS`] intervals; where more would be needed, the smallest gaps are filled.
+/// A set of words that a port or a node can hold. It has at least one word, in at most
+/// [`Words::MAX_INTERVALS`] intervals; if more would be needed, the smallest gaps are filled.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Words(Vec<(i64, i64)>);
 
 impl Words {
-    /// The most intervals that a set is kept in.
+    /// Maximum number of intervals.
     pub const MAX_INTERVALS: usize = 8;
 
     /// The words `lo..=hi`.
@@ -60,7 +60,7 @@ impl Words {
         Self(joined)
     }
 
-    /// The words of a format in several intervals, which may reach past it.
+    /// The part of several intervals that lies within a format.
     pub(crate) fn in_format(intervals: &[(i128, i128)], format: Format) -> Self {
         let (min, max) = (i128::from(format.min_raw()), i128::from(format.max_raw()));
         let inside = intervals.iter().filter(|(lo, hi)| *lo <= max && *hi >= min);
@@ -69,7 +69,7 @@ impl Words {
         )
     }
 
-    /// The intervals, in order; between two of them at least one word is missing.
+    /// The intervals, in order, with at least one missing word between two of them.
     #[must_use]
     pub fn intervals(&self) -> &[(i64, i64)] {
         &self.0
@@ -99,14 +99,14 @@ impl Words {
         self.0.iter().any(|(lo, hi)| (*lo..=*hi).contains(&raw))
     }
 
-    /// The words of both sets.
+    /// The union of both sets.
     #[must_use]
     pub fn union(&self, other: &Self) -> Self {
         Self::of(self.0.iter().chain(&other.0).copied())
     }
 
-    /// The least number of low bits that tell every two words of the set apart; the words are
-    /// addresses of `addr_bits` bits.
+    /// The smallest number of low bits that distinguish all words of the set, which are addresses
+    /// of `addr_bits` bits.
     pub(crate) fn telling_bits(&self, addr_bits: u32) -> u32 {
         let told_apart = |bits: u32| {
             let format = Format::integer(bits).expect("bug: fewer than an address has");

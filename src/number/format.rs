@@ -1,10 +1,10 @@
 //! Fixed-point formats known at run time, and the one place that rounds.
 //!
-//! A *word* (raw) is an integer, a *value* is the real number that it stands
-//! for: `value = raw * 2^-frac_bits`. Formats print as `s16f14` (signed, 16 bits
-//! in all, 14 of them fraction bits) and `u12f12`; a negative number of fraction
-//! bits prints as `u8e2` (8 bits, in steps of 2^2). [`narrow`] is the only
-//! place where a datapath rounds, saturates or wraps a number; [`quantize`] writes reals as words.
+//! A *word* (raw) is an integer. Its *value* is the real number that it stands for:
+//! `value = raw * 2^-frac_bits`. Formats print as `s16f14` (signed, 16 bits in total, 14 of them
+//! fraction bits) and `u12f12`; a negative number of fraction bits prints as `u8e2` (8 bits, in
+//! steps of 2^2). [`narrow`] is the only place where a datapath rounds, saturates or wraps a
+//! number. [`quantize`] converts reals to words.
 
 use crate::base::cast;
 use crate::base::error::{Error, Result};
@@ -19,10 +19,10 @@ pub struct Format {
     frac: i8,
 }
 
-/// What to do with the bits below the last one that is kept.
+/// How to round away the bits below the last one that is kept.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, PartialOrd, Ord)]
 pub enum Round {
-    /// Toward minus infinity: the bits are dropped.
+    /// Toward minus infinity: the bits are truncated.
     Floor,
     /// Toward zero.
     TowardZero,
@@ -45,16 +45,16 @@ impl Round {
     }
 }
 
-/// What to do with a value outside the format.
+/// How to handle a value outside the format.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, PartialOrd, Ord)]
 pub enum Overflow {
     /// Keep the low bits.
     Wrap,
-    /// Take the nearest word of the format.
+    /// Clamp to the nearest word of the format.
     Saturate,
-    /// As `Saturate`, with the most negative word of a signed format left out.
+    /// As `Saturate`, without the most negative word of a signed format.
     Symmetric,
-    /// Keep the low bits and let the run end in an error that names the node.
+    /// Keep the low bits, and end the run with an error that names the node.
     Error,
 }
 
@@ -85,16 +85,16 @@ macro_rules! named {
 named!(Round: Floor = "floor", TowardZero = "toward-zero", HalfUp = "half-up", HalfAway = "half-away", HalfEven = "half-even");
 named!(Overflow: Wrap = "wrap", Saturate = "saturate", Symmetric = "symmetric", Error = "error");
 
-/// Number of bits that it takes to write `x`: 0 for 0, 3 for 4 to 7.
+/// Number of bits needed to write `x`: 0 for 0, 3 for 4 to 7.
 #[must_use]
 pub const fn bit_len(x: u64) -> u32 {
     u64::BITS - x.leading_zeros()
 }
 
-/// Number of address bits that index `entries` entries: 0 for 1, 2 for 3 and 4, 3 for 5.
+/// Number of address bits for `entries` entries: 0 for 1, 2 for 3 and 4, 3 for 5.
 ///
 /// # Panics
-/// If `entries` is 0: nothing can be indexed.
+/// If `entries` is 0.
 #[must_use]
 pub const fn addr_bits(entries: u64) -> u32 {
     assert!(entries > 0, "bug: a table without entries has no addresses");
@@ -102,10 +102,10 @@ pub const fn addr_bits(entries: u64) -> u32 {
 }
 
 impl Format {
-    /// The most bits that a word can have.
+    /// Maximum bits of a word.
     pub const MAX_BITS: u32 = 63;
 
-    /// Makes a format of `bits` bits in all, `frac_bits` of them after the binary point.
+    /// Makes a format of `bits` bits in total, `frac_bits` of them after the binary point.
     ///
     /// # Errors
     /// If `bits` is not in 1 to 63 or `frac_bits` not in -127 to 127.
@@ -165,11 +165,11 @@ impl Format {
         Self::unsigned(bits, 0)
     }
 
-    /// Makes the smallest format with `frac_bits` that holds every word of `lo..=hi`;
-    /// signed if `lo` is negative.
+    /// Makes the smallest format with `frac_bits` that holds every word of `lo..=hi`; it is signed
+    /// if `lo` is negative.
     ///
     /// # Errors
-    /// The number of bits that it would take, if they are more than 63.
+    /// The number of bits needed, if it is more than 63.
     ///
     /// # Panics
     /// If `lo > hi`, or if `frac_bits` is outside -127 to 127.
@@ -233,7 +233,7 @@ impl Format {
         (self.min_raw()..=self.max_raw()).contains(&raw)
     }
 
-    /// Its name and its least and greatest word, for messages.
+    /// Its name, and its smallest and largest word, for messages.
     pub(crate) fn spelled(self) -> (String, i64, i64) {
         (self.to_string(), self.min_raw(), self.max_raw())
     }
@@ -253,7 +253,7 @@ impl Format {
     /// Exact value of a word.
     ///
     /// # Errors
-    /// If `raw` is no word of this format, or its value is no `f64`.
+    /// If `raw` is not a word of this format, or its value is not exactly an `f64`.
     pub fn exact_value(self, raw: i64) -> Result<f64> {
         if !self.contains(raw) {
             return Err(Error::word_range(raw, self.to_string(), self.min_raw(), self.max_raw()));
@@ -267,7 +267,7 @@ impl Format {
         Ok(self.value(raw))
     }
 
-    /// The word with these low `bits` bits.
+    /// The word whose low `bits` bits are those of `raw`.
     #[inline(always)]
     #[must_use]
     pub fn wrap(self, raw: i64) -> i64 {
@@ -303,7 +303,7 @@ impl fmt::Display for Format {
 impl FromStr for Format {
     type Err = Error;
 
-    /// Reads `s16f14`, `u8e2`, `sfix16_En14`, `ufix8_E2`, and `sfix16` for an integer.
+    /// Parses `s16f14`, `u8e2`, `sfix16_En14`, `ufix8_E2`, and `sfix16` for an integer.
     fn from_str(text: &str) -> Result<Self> {
         let bad = || Error::format_text(text);
         let (signed, rest) = match text.as_bytes().first() {
@@ -334,11 +334,11 @@ impl FromStr for Format {
     }
 }
 
-/// Brings a word of `from_frac` fraction bits into format `to`, and says whether it overflowed.
+/// Converts a word of `from_frac` fraction bits to format `to`, and reports whether it overflowed.
 ///
-/// This is the only operation that loses bits. `raw` may be any word of up to 64 bits;
-/// rounding comes first, then overflow is judged on the rounded value. Under
-/// [`Overflow::Error`] the result is as under [`Overflow::Wrap`]: the caller sees the flag.
+/// This is the only operation that loses bits. `raw` may be any word of up to 64 bits. The word is
+/// rounded first; overflow is then judged on the rounded value. Under [`Overflow::Error`] the
+/// result is as under [`Overflow::Wrap`], and the caller must check the flag.
 #[must_use]
 pub fn narrow(
     raw: i64,
@@ -350,10 +350,11 @@ pub fn narrow(
     fit(rounded(raw, from_frac, to.frac_bits(), round), to, overflow)
 }
 
-/// The first half of [`narrow`]: `raw` as a whole number of units of `to_frac` fraction bits; monotone in `raw`.
+/// The first half of [`narrow`]: `raw` rounded to a whole number of units of `to_frac` fraction
+/// bits. Monotone in `raw`.
 pub(crate) fn rounded(raw: i64, from_frac: i32, to_frac: i32, round: Round) -> i128 {
     let dropped_bits = from_frac - to_frac;
-    // |raw| <= 2^63. Beyond these shifts nothing changes: everything is dropped, or all kept bits are 0.
+    // |raw| <= 2^63. Larger shifts change nothing: every bit is dropped, or all kept bits are 0.
     if dropped_bits > 0 {
         round_shift(i128::from(raw), dropped_bits.unsigned_abs().min(100), round)
     } else {
@@ -399,16 +400,16 @@ fn fit(whole: i128, to: Format, overflow: Overflow) -> (i64, bool) {
     (word, true)
 }
 
-/// The value that a float of 20 bits keeps of a number: 1 sign bit, 8 exponent bits and the upper
-/// 11 bits of the mantissa of its nearest `f32`; what lies below is dropped, toward zero. So 12
-/// significant bits, the hidden one among them: off by less than 2^-11 of the value.
+/// The value of a number in 20-bit floating point: 1 sign bit, 8 exponent bits and the upper 11
+/// bits of the mantissa of its nearest `f32`. Lower bits are truncated toward zero. That is 12
+/// significant bits with the hidden one; the error is less than 2^-11 of the value.
 #[inline(always)]
 #[must_use]
 pub fn float20(value: f64) -> f64 {
     f64::from(f32::from_bits(cast::f32_of(value).to_bits() & !0xfff))
 }
 
-/// Writes a real number in a format, and says whether it overflowed.
+/// Converts a real number to a format, and reports whether it overflowed.
 ///
 /// # Errors
 /// If `value` is NaN or infinite, or overflows under [`Overflow::Error`].
@@ -423,18 +424,19 @@ pub fn quantize(value: f64, to: Format, round: Round, overflow: Overflow) -> Res
     Ok((raw, overflowed))
 }
 
-/// `value * 2^frac_bits` rounded to a whole number; past 2^126 any number of that sign and
-/// with 63 zero low bits, which overflows every format in the same way.
+/// `value * 2^frac_bits` rounded to a whole number. From 2^126 on it gives ±2^126, whose 63 low
+/// bits are zero: it overflows every format in the same way.
 fn round_real(value: f64, frac_bits: i32, round: Round) -> i128 {
-    let scaled = value * 2f64.powi(frac_bits); // exact, but for results below the least normal f64
+    let scaled = value * 2f64.powi(frac_bits); // exact, except for subnormal results
     if scaled.abs() >= 2f64.powi(126) {
         return if scaled > 0.0 { 1 << 126 } else { -(1 << 126) };
     }
     if scaled == 0.0 && value != 0.0 {
-        // The product underflowed: only the directed modes can tell it from 0.
+        // The product underflowed: only directed rounding can tell it from 0.
         return if round == Round::Floor && value < 0.0 { -1 } else { 0 };
     }
-    // Toward zero, the difference is exact; from the floor, -½ + 2^-54 would look like a tie.
+    // The difference to the truncated value is exact. From the floor, -½ + 2^-54 would look like a
+    // tie.
     let whole = cast::i128_of(scaled);
     let rest = (scaled - scaled.trunc()).abs(); // 0 <= rest < 1
     let negative = scaled < 0.0;
@@ -452,7 +454,7 @@ fn round_real(value: f64, frac_bits: i32, round: Round) -> i128 {
     }
 }
 
-/// What hardware a `narrow` takes.
+/// The hardware that a `narrow` needs.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Narrowing {
     /// An incrementer.
@@ -474,7 +476,7 @@ impl Narrowing {
         };
         Self {
             rounds: from.frac_bits() > to.frac_bits() && drops_up,
-            // Rounding is monotone, so the ends of the format decide.
+            // Rounding is monotone, so checking both ends of the format suffices.
             saturates: saturating && (overflows(from.min_raw()) || overflows(from.max_raw())),
         }
     }

@@ -1,8 +1,8 @@
-//! Functions that every library has, and words that are correctly rounded from functions.
+//! Library functions, and correctly rounded words of functions.
 //!
-//! Angles are in turns, so that the reduction to the first octant is exact:
-//! sin(½ turn) is 0 and not 1.2e-16. Poles give an infinity of the sign that
-//! the function has on the side where the angle grows.
+//! Angles are in turns, so that the reduction to the first octant is exact: sin(½ turn) is 0 and
+//! not 1.2e-16. At a pole the result is an infinity whose sign is the function's just above the
+//! pole.
 
 use super::real::{Big, Interval, Outward, Precise, Reading};
 use crate::base::cast;
@@ -15,14 +15,15 @@ pub use super::real::{Function, Kernel, Number, cos_turns, sin_turns};
 const BIG_BITS: usize = 160;
 
 impl Function {
-    /// Units in the last place that a kernel may be off.
+    /// Maximum error of a kernel in units in the last place.
     pub const KERNEL_ULP: f64 = 2.5;
 
-    /// Compares the kernel with the expression to high precision at some arguments; gives the largest
-    /// difference in units in the last place and its argument.
+    /// Compares the kernel with the high-precision value of the expression at some arguments.
+    /// Returns the largest difference in units in the last place and its argument.
     ///
     /// # Errors
-    /// If it is past [`Self::KERNEL_ULP`] or the function has no kernel.
+    /// If it exceeds [`Self::KERNEL_ULP`], the function has no kernel, or it has a value at none of
+    /// the arguments.
     pub fn check_kernel(&self, arguments: &[f64]) -> Result<(f64, f64)> {
         let Some(kernel) = self.kernel() else {
             return Err(Error::usage(format!("function `{}` has no kernel", self.name())));
@@ -37,7 +38,7 @@ impl Function {
             let nearest = exact.nearest();
             let ulp = nearest.abs().next_up() - nearest.abs();
             let off = ((is - nearest) - exact.less(nearest)).abs() / ulp;
-            // A NaN is worse than anything.
+            // A NaN counts as the worst.
             if off.is_nan() || off > worst.0 {
                 worst = (off, *x);
             }
@@ -58,19 +59,19 @@ impl Function {
         )))
     }
 
-    /// Value to within a few ulp, one at a time.
+    /// Value of a single argument, within a few ulp.
     #[must_use]
     pub fn eval(&self, x: f64) -> f64 {
         self.expr().eval(&[x])
     }
 
-    /// An interval that holds its values over an interval.
+    /// An interval that contains the function's values over an interval.
     #[must_use]
     pub fn interval(&self, x: Interval) -> Interval {
         self.expr().read(&Outward, &[x])
     }
 
-    /// Value to [`BIG_BITS`] bits; `None` at a pole.
+    /// Value with [`BIG_BITS`] bits; `None` at a pole.
     fn precise(&self, x: f64) -> Option<Big> {
         let reading = Precise::new(BIG_BITS);
         let x = reading.constant(x);
@@ -80,7 +81,7 @@ impl Function {
 
 macro_rules! library {
     ($($name:ident = $function:expr, $text:literal;)+) => {
-        /// Functions that every library has.
+        /// Predefined functions.
         impl Function {$(
             #[doc = $text]
             #[must_use]
@@ -102,8 +103,8 @@ library! {
     recip_sqrt = Function::new("recip_sqrt", |x| 1.0 / x.max(0.0).sqrt()), "1 / sqrt(x); +infinity at 0 and below.";
 }
 
-/// A linear combination of values of a function, the form that every table entry has:
-/// `Σ coefficient * clamp(f(x), lo, hi) + constant`.
+/// A linear combination of function values, the form of every table entry: `Σ coefficient *
+/// clamp(f(x), lo, hi) + constant`.
 #[derive(Clone, Debug)]
 pub struct Combination<'a> {
     /// The function.
@@ -112,15 +113,16 @@ pub struct Combination<'a> {
     pub terms: &'a [(f64, f64)],
     /// Added to the sum; exact.
     pub constant: f64,
-    /// Values of the function are saturated to this range; this is where poles end.
+    /// The function's values are clamped to this range, which also bounds poles.
     pub range: (f64, f64),
 }
 
 impl Combination<'_> {
-    /// The combination in units of 2^-frac_bits, rounded to the nearest whole number; of two the even one.
+    /// The combination in units of 2^-frac_bits, rounded to the nearest whole number, ties to even.
     ///
-    /// An interval decides where both its ends round to the same number, and the evaluation to 160 bits elsewhere (Ziv's
-    /// strategy): near a tie, and for words near the limit of `f64`.
+    /// If both ends of an interval evaluation round to the same number, that is the result.
+    /// Otherwise, near a tie or for words near the limit of `f64`, it is evaluated with 160 bits
+    /// (Ziv's strategy).
     #[must_use]
     pub fn round(&self, frac_bits: i32) -> i64 {
         let (lo, hi) = self.range;
@@ -146,7 +148,8 @@ impl Combination<'_> {
         for &(coefficient, x) in self.terms {
             let value = match self.function.precise(x) {
                 Some(value) => value.clamp(&lo, &hi),
-                // Of a pole the end of its side; past poles inside, as 1 / (1 + 1/x) at 0, what floats give.
+                // A pole gives the end of the range on its side. Where an inner term has a pole,
+                // such as 1 / (1 + 1/x) at 0, it gives the value in floats.
                 None => match self.function.eval(x) {
                     value if value <= self.range.0 => lo.clone(),
                     value if value < self.range.1 => exact(value),
@@ -207,7 +210,7 @@ mod tests {
         assert_eq!(pole(&Function::recip_sqrt(), -1.0), 15);
     }
 
-    /// Past a pole inside, and where there is no value, entries are what floats give, not an end.
+    /// With an inner pole, or where there is no precise value, entries are the values in floats.
     #[test]
     fn what_has_no_precise_value_is_that_of_floats() {
         let entry = |function: Function, x| {

@@ -1,4 +1,4 @@
-//! Words and reals: formats with their one rounding, real functions to any precision.
+//! Words and reals: formats with their only rounding, and real functions to any precision.
 
 pub mod format;
 pub mod function;

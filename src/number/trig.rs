@@ -1,20 +1,22 @@
-//! sin, cos and their inverses of angles in turns, without branches, so that loops over columns
-//! become vectors: for golden models, evaluations on reals, samplers and error angles.
+//! sin, cos and their inverses of angles in turns. They have no branches, so that loops over
+//! columns vectorise. Used by golden models, evaluation on reals, samplers and angle errors.
 //!
-//! The polynomials are those of fdlibm. For sin and cos the reduction to the nearest quarter turn is exact and
-//! the largest error is 2 ulp of the result, or 2^-53 absolute where that is more; the inverses
-//! are within 4 ulp (tested against a high-precision evaluation). Tables don't use these: they are rounded
-//! from `libm` and from the high-precision evaluation of [`crate::number::function`].
+//! The polynomials are fdlibm's. For sin and cos the reduction to the nearest quarter turn is
+//! exact, and the largest error is 2 ulp of the result, or 2^-53 absolute where that is more. The
+//! inverses are within 4 ulp. Both are tested against a high-precision evaluation. Tables don't use
+//! these functions: their words are rounded from `libm` and from the high-precision evaluation of
+//! [`crate::number::function`].
 //!
-//! No figure may depend on the processor. The system's library takes other roundings where it has fused
-//! multiply-add, so nothing here or elsewhere calls it: other functions are those of the crate `libm`.
+//! No figure may depend on the processor. The system's math library rounds differently where it has
+//! fused multiply-add, so this crate never calls it: all other functions come from the crate
+//! `libm`.
 
 use crate::base::simd::{Body, vectorised};
 use glam::{DQuat, DVec3};
 use num_traits::{Float, FloatConst};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
-/// A float that golden models are written in.
+/// A float type for golden models.
 pub trait Real: Float + FloatConst + Default + Send + Sync + 'static {
     /// Sines and cosines of angles in turns below 2^40.
     ///
@@ -54,7 +56,8 @@ impl Body for SinCos<'_> {
     }
 }
 
-/// Added and taken away again, it leaves the nearest whole number; its low bits are then that number.
+/// Adding and then subtracting it rounds to the nearest whole number. After the addition, the low
+/// bits hold that number.
 pub(crate) const ROUNDER: f64 = 6_755_399_441_055_744.0; // 1.5 * 2^52
 
 #[inline(always)]
@@ -77,7 +80,7 @@ fn sin_cos(turns: f64) -> (f64, f64) {
     let half = 0.5 * z;
     let w = 1.0 - half;
     let c = w + ((1.0 - w - half) + z * z * cos_poly);
-    // Quadrants 1 and 3 swap; sin is negative in 2 and 3, cos in 1 and 2.
+    // Quadrants 1 and 3 swap sin and cos; sin is negative in 2 and 3, cos in 1 and 2.
     let swap = 0u64.wrapping_sub(quadrant & 1);
     let pick = |a: f64, b: f64| f64::from_bits(a.to_bits() & swap | b.to_bits() & !swap);
     let negate = |x: f64, bit: u64| f64::from_bits(x.to_bits() ^ (bit << 63));
@@ -86,7 +89,7 @@ fn sin_cos(turns: f64) -> (f64, f64) {
     (sin, cos)
 }
 
-/// sin and cos of one angle in turns, as the columns have them.
+/// sin and cos of one angle in turns, identical to those of columns.
 #[inline(always)]
 #[must_use]
 pub fn sin_cos_turns(turns: f64) -> (f64, f64) {
@@ -100,19 +103,19 @@ pub fn rotation(axis: DVec3, turns: f64) -> DQuat {
     DQuat::from_vec4((axis * sin).extend(cos))
 }
 
-/// Largest error of [`Real::sin_cos_turns`] for `f64`, relative to the larger of the result and 1/2.
+/// Largest error of [`Real::sin_cos_turns`] for `f64`, relative to the larger of the result and
+/// 1/2.
 pub const ERROR: f64 = 2.0 * f64::EPSILON;
 
-/// Turns to the radian.
+/// Turns per radian.
 const TURNS: f64 = 1.0 / TAU;
 
-/// Arcs of sines of at most 1 in magnitude: asin of it and acos of it, in rad; what is beyond 1 is
-/// taken to 1.
+/// asin and acos in rad; arguments beyond ±1 are clamped to ±1.
 #[inline(always)]
 fn asin_acos(x: f64) -> (f64, f64) {
     let size = x.abs();
     let size = if size > 1.0 { 1.0 } else { size };
-    // Below ½ in x², above in (1 - |x|) / 2 = sin² of half the arc that is left to a quarter turn.
+    // Below ½ in x², otherwise in (1 - |x|) / 2, the sin² of half of π/2 - asin |x|.
     let small = size < 0.5;
     let z = if small { size * size } else { 0.5 * (1.0 - size) };
     let t = if small { size } else { z.sqrt() };
@@ -133,31 +136,31 @@ fn asin_acos(x: f64) -> (f64, f64) {
     (signed, if small { FRAC_PI_2 - signed } else { ends })
 }
 
-/// asin in turns, -¼ to ¼, of a number that is taken to ±1 from beyond.
+/// asin in turns, -¼ to ¼; arguments beyond ±1 are clamped.
 #[inline(always)]
 #[must_use]
 pub fn asin_turns(x: f64) -> f64 {
     asin_acos(x).0 * TURNS
 }
 
-/// acos in turns, 0 to ½, of a number that is taken to ±1 from beyond.
+/// acos in turns, 0 to ½; arguments beyond ±1 are clamped.
 #[inline(always)]
 #[must_use]
 pub fn acos_turns(x: f64) -> f64 {
     asin_acos(x).1 * TURNS
 }
 
-/// Direction of (x, y) in rad, -π to π; 0 of (0, 0), and a zero's sign counts in y only.
+/// Direction of (x, y) in rad, -π to π; 0 for (0, 0). Only the sign of a zero y matters.
 #[inline(always)]
 #[must_use]
 pub fn atan2(y: f64, x: f64) -> f64 {
     let (ax, ay) = (x.abs(), y.abs());
-    // Infinities as the largest number, NaNs as they are.
+    // Infinities become the largest number; NaNs stay.
     let finite = |a: f64| if a > f64::MAX { f64::MAX } else { a };
     let steep = ay > ax;
     let least = 0.5 * finite(if steep { ax } else { ay });
     let most = 0.5 * finite(if steep { ay } else { ax });
-    // The arc of least/most is up to π/4; above π/8 it is told from there.
+    // The arc of least/most is up to π/4; above π/8 it is computed relative to π/4.
     let large = least > most * 0.414_213_562_373_095_03;
     let over = if large { least - most } else { least };
     let under = if large { least + most } else { most };
@@ -183,7 +186,7 @@ pub fn atan2(y: f64, x: f64) -> f64 {
     arc.copysign(y)
 }
 
-/// Direction of (x, y) in turns, -½ to ½, as [`atan2`].
+/// Direction of (x, y) in turns, -½ to ½; see [`atan2`].
 #[inline(always)]
 #[must_use]
 pub fn atan2_turns(y: f64, x: f64) -> f64 {
@@ -197,8 +200,8 @@ pub fn atan_turns(x: f64) -> f64 {
     atan2(x, 1.0) * TURNS
 }
 
-/// Angle of (x, y, z) from the z axis in turns, 0 to ½, of numbers whose squares are neither infinite nor
-/// subnormal.
+/// Angle between (x, y, z) and the z axis in turns, 0 to ½. The squares of the numbers must not
+/// overflow or be subnormal.
 #[inline(always)]
 #[must_use]
 pub fn inclination_turns(x: f64, y: f64, z: f64) -> f64 {

@@ -1,36 +1,38 @@
-//! When each node computes, and where: a map from nodes to cycles and, for shared operations,
-//! to units.
+//! When and where each node computes: a map from nodes to cycles and, for shared operations, to
+//! units.
 //!
-//! A *stage* is a cycle counted from the sample's entry: stage 0 works on the input ports (of the slowest rate);
-//! output ports are registers at the stage that is the *latency*. (Printed schedules count from
-//! 1.) A new sample may enter every *interval* cycles. Flat pipelining is the interval of 1 with
-//! nothing shared: between stage s and s + 1 there is a register. A schedule never edits the
-//! netlist. It comes from the delay model below and a target period ([`Schedule::pipeline`]),
-//! from stages given by hand ([`Schedule::from_stages`]), from numbers of units
-//! ([`Schedule::shared`]), or from units and cycles given by hand ([`Schedule::bound`]).
+//! A *stage* is a cycle counted from the sample's entry. Stage 0 works on the input ports (of the
+//! slowest rate); output ports are registers at the stage that equals the *latency*. (Printed
+//! schedules count from 1.) A new sample may enter every *interval* cycles. Flat pipelining has an
+//! interval of 1 and no sharing: there is a register between stages s and s + 1. A schedule never
+//! edits the netlist. It is derived from the delay model below and a target period
+//! ([`Schedule::pipeline`]), from given stages ([`Schedule::from_stages`]), from numbers of units
+//! ([`Schedule::shared`]), or from given units and cycles ([`Schedule::bound`]).
 //!
 //! # Rates
 //!
-//! Ports may take words at several [rates](Rate). Stages are counted from the entry of the slowest. What is of a slow rate is
-//! computed first and held where the next faster rate enters ([`Schedule::entry`], [`Schedule::hold`]); from there its words go
-//! along with each faster sample like those of a port. So the words of a slow rate count for all samples of the next faster one
-//! that come [`Timing::latency`] cycles later and after, until the next ones are held, and with those for samples faster still. Each rate has an interval of its own, a
-//! multiple of that of the next faster one, so that operations of a slow rate share units over a longer time.
+//! Ports may have several [rates](Rate). Stages are counted from the entry of the slowest rate.
+//! Nodes of a slow rate are computed first and held where the next faster rate enters
+//! ([`Schedule::entry`], [`Schedule::hold`]). From there their words accompany each faster sample,
+//! like the words of a port. So a slow word applies to every sample of the next faster rate that
+//! enters [`Timing::latency`] cycles later or after, until the next slow word is held, and to the
+//! even faster samples that go with those. Each rate has its own interval, a multiple of the next
+//! faster rate's, so slow operations can share units over a longer time.
 //!
 //! # Sharing
 //!
-//! What shares a unit, and the unit's hardware, is in [`share`]; how cycles are found in
-//! [`place`]. A unit takes one operation a cycle, at its *issue*, and gives the result *latency*
-//! cycles later, at its *out*: that is the stage of the operation's nodes. Nodes inside are
-//! spread over the latency as evenly as the delay model can, and a latency of 0 is
-//! combinational. Operands come through a multiplexer at the issue, or into operand registers
-//! (*loads*) in the cycle before. **The output of a unit is used from hold registers only, from
-//! out + 1 on**, so that sharing can't make a combinational loop.
+//! [`share`] decides which operations can share a unit and builds the unit's hardware; [`place`]
+//! finds the cycles. A unit accepts one operation per cycle, at its *issue*, and gives the result
+//! *latency* cycles later, at its *out*, which is the stage of the operation's nodes. The unit's
+//! inner nodes are spread over the latency as evenly as the delay model allows; a latency of 0 is
+//! combinational. Operands arrive through a multiplexer at the issue, or in operand registers
+//! (*loads*) in the cycle before. **A unit's output is used only from hold registers, from out + 1
+//! on**, so sharing can't create a combinational loop.
 //!
 //! # Delay model
 //!
-//! Round figures for a mid-range FPGA, in ps; they place registers and are no promise of a
-//! clock (a synthesiser and a router have the last word):
+//! Approximate figures for a mid-range FPGA, in ps. They place registers and don't predict the
+//! clock, which depends on synthesis and routing:
 //!
 //! | operation | delay |
 //! |---|---|
@@ -63,72 +65,74 @@ const ROM_OUTPUT_PS: u32 = 1800;
 /// How tables are read.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Rom {
-    /// On a clock edge, as block RAM does: the word is there a stage later.
+    /// On a clock edge, as in block RAM: the word arrives a stage later.
     Block,
-    /// Without a clock, as distributed logic does.
+    /// Without a clock, as in distributed logic.
     Distributed,
 }
 
-/// How deep to pipeline.
+/// How deeply to pipeline.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Depth {
-    /// As many stages as it takes for this period in ps.
+    /// As many stages as this period in ps needs.
     Period(u32),
     /// This latency in cycles; 0 is combinational.
     Stages(u32),
 }
 
-/// Stage of each node, the latency, the interval, and the units that are shared.
+/// The stage of each node, the latency, the intervals, and the shared units.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Schedule {
     stages: Vec<u32>,
-    /// The rates of the ports, from the slowest.
+    /// The rates of the ports, slowest first.
     entries: Vec<Entry>,
     latency: u32,
     period_ps: u32,
     rom: Rom,
     units: Vec<Unit>,
-    /// Units with the same number serve operations of one structure.
+    /// For each unit the number of its group; units of a group serve operations of the same
+    /// structure.
     same: Vec<usize>,
-    /// Unit and operation that each node is in.
+    /// For each node, its unit and its operation there.
     seated: Vec<Option<(usize, usize)>>,
 }
 
-/// A rate of the ports.
+/// The entry of a port rate.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(in crate::schedule) struct Entry {
     rate: Rate,
-    /// Stage that its words enter in.
+    /// Stage in which its words enter.
     stage: u32,
     /// Cycles from one sample to the next.
     interval: u32,
 }
 
-/// When the words of a rate are taken, and how long until they count.
+/// When the words of a rate enter, and when they take effect.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Timing {
     /// The rate.
     pub rate: Rate,
-    /// Stage that its words enter in.
+    /// Stage in which its words enter.
     pub entry: u32,
-    /// Cycles until the words of the next faster rate that they count for may enter; of the fastest, until the outputs.
+    /// Cycles until words of the next faster rate that use them may enter; for the fastest rate,
+    /// until the outputs.
     pub latency: u32,
-    /// The fewest cycles from its words to the next.
+    /// Minimum cycles between two of its words.
     pub interval: u32,
 }
 
 impl Schedule {
-    /// Places nodes as early as the delay model allows.
+    /// Places each node as early as the delay model allows.
     ///
     /// # Errors
-    /// If the latency asked for is too short for tables that are read on a clock.
+    /// If the requested latency is too short for tables that are read on a clock.
     pub fn pipeline(netlist: &Netlist, rom: Rom, depth: Depth) -> Result<Self> {
         match depth {
             Depth::Period(period_ps) => Ok(Self::greedy(netlist, rom, period_ps)),
             Depth::Stages(0) if netlist.memories().next().is_some() => Err(Error::parameter_value(
                 "stages",
                 "0",
-                "1 or more: words of a memory come on a clock".to_owned(),
+                "1 or more: the words of a memory arrive on a clock edge".to_owned(),
             )),
             Depth::Stages(0) if netlist.rates().len() > 1 => Err(Error::parameter_value(
                 "stages",
@@ -138,7 +142,7 @@ impl Schedule {
             Depth::Stages(0) if netlist.first_delay().is_some() => Err(Error::parameter_value(
                 "stages",
                 "0",
-                "1 or more: a delay is made of registers".to_owned(),
+                "1 or more: a delay consists of registers".to_owned(),
             )),
             Depth::Stages(0) if rom == Rom::Block && !netlist.tables().is_empty() => {
                 Err(Error::parameter_value(
@@ -161,17 +165,18 @@ impl Schedule {
                         if netlist.rates().len() > 1 || netlist.memories().next().is_some() {
                             let least = most.latency;
                             format!(
-                                "{least} or more: reads on a clock, memories and held words take so many"
+                                "{least} or more: clocked reads, memories and held words need that many"
                             )
                         } else {
                             format!(
-                                "{} or more: so many reads on a clock follow each other",
+                                "{} or more: the longest chain of clocked reads needs that many",
                                 most.latency
                             )
                         },
                     ));
                 }
-                // The shortest period that this latency reaches; longer periods never need more stages.
+                // The shortest period that this latency reaches. A longer period never needs more
+                // stages.
                 let (mut short, mut long) = (0, most.period_ps);
                 while long - short > 1 {
                     let middle = short + (long - short) / 2;
@@ -188,10 +193,10 @@ impl Schedule {
         }
     }
 
-    /// Takes stages given by hand.
+    /// Makes a schedule from given stages.
     ///
     /// # Errors
-    /// If a node would be before its operands, or an output after the latency.
+    /// If a node comes before its operands, or an output after the latency.
     pub fn from_stages(
         netlist: &Netlist,
         rom: Rom,
@@ -212,19 +217,19 @@ impl Schedule {
         self.stages[id.index()]
     }
 
-    /// Stage at which a node takes its operands: before its own for a read on a clock.
+    /// Stage in which a node uses its operands: earlier than its own for a read on a clock.
     #[must_use]
     pub fn operand_stage(&self, netlist: &Netlist, id: NodeId) -> u32 {
         self.stage(id) - self.clocks(netlist, id)
     }
 
-    /// True for a read that takes a clock; inside a unit that is the unit's affair.
+    /// True for a read on a clock; false inside a unit, which handles its own clocks.
     #[must_use]
     pub fn is_clocked(&self, netlist: &Netlist, id: NodeId) -> bool {
         self.clocks(netlist, id) > 0
     }
 
-    /// Cycles that a node's word takes from its operands: none but for reads on a clock and of memories.
+    /// Cycles from a node's operands to its word: 0 except for reads on a clock and of memories.
     #[must_use]
     pub fn clocks(&self, netlist: &Netlist, id: NodeId) -> u32 {
         if self.seat(id).is_some() { 0 } else { clocks(netlist, self.rom, id) }
@@ -236,8 +241,9 @@ impl Schedule {
         self.entries[self.place_of(rate)].stage
     }
 
-    /// The rate whose samples a node's word waits for in the register that begins in a stage: there a faster rate enters,
-    /// and the word counts for its samples when those of the rate before are data. `None` in other stages.
+    /// The rate whose valid bit a node's word waits for in the register at the start of a stage. In
+    /// that stage a faster rate enters, and the word applies to its samples once the previous
+    /// rate's sample is valid. `None` in other stages.
     #[must_use]
     pub fn hold(&self, netlist: &Netlist, id: NodeId, stage: u32) -> Option<Rate> {
         let own = self.place_of(netlist.node(id).rate);
@@ -245,12 +251,13 @@ impl Schedule {
         pairs.find(|pair| pair[1].stage == stage).map(|pair| pair[0].rate)
     }
 
-    /// Place among the rates of the ports; what is slower than all, as constants are, is with the slowest.
+    /// Index among the rates of the ports. A slower rate, such as a constant's, maps to the
+    /// slowest.
     pub(crate) fn place_of(&self, rate: Rate) -> usize {
         place_in(self.entries.iter().map(|entry| entry.rate), rate)
     }
 
-    /// From a stage of a node on, the interval that its words go along with, until the stage given beside it: there a
+    /// The interval of a node's words from a stage on, and the stage up to which it holds: there a
     /// faster rate enters.
     #[must_use]
     pub fn pace(&self, netlist: &Netlist, id: NodeId, stage: u32) -> (u32, Option<u32>) {
@@ -261,14 +268,14 @@ impl Schedule {
         (entered.unwrap_or(&self.entries[own]).interval, until)
     }
 
-    /// When the words of the fastest rate are taken.
+    /// Timing of the fastest rate.
     #[must_use]
     pub fn fastest(&self) -> Timing {
         let mut timings = self.timings();
         timings.swap_remove(timings.len() - 1)
     }
 
-    /// When the words of each rate are taken, from the slowest.
+    /// Timing of each rate, slowest first.
     #[must_use]
     pub fn timings(&self) -> Vec<Timing> {
         let ends = self.entries.iter().skip(1).map(|entry| entry.stage).chain([self.latency]);
@@ -287,7 +294,7 @@ impl Schedule {
         self.latency
     }
 
-    /// The period that the slowest stage needs, by the delay model, in ps.
+    /// The period that the slowest stage needs in the delay model, in ps.
     #[must_use]
     pub fn period_ps(&self) -> u32 {
         self.period_ps
@@ -299,13 +306,13 @@ impl Schedule {
         self.rom
     }
 
-    /// Cycles from one sample of the fastest rate to the next.
+    /// Cycles between samples of the fastest rate.
     #[must_use]
     pub fn interval(&self) -> u32 {
         self.entries.last().map_or(1, |entry| entry.interval)
     }
 
-    /// Number of phases: cycles from one sample of the slowest rate to the next.
+    /// Number of phases: cycles between samples of the slowest rate.
     #[must_use]
     pub fn phases(&self) -> u32 {
         self.entries.first().map_or(1, |entry| entry.interval)
@@ -317,13 +324,13 @@ impl Schedule {
         (stage % interval..self.phases()).step_by(step)
     }
 
-    /// The units that operations share.
+    /// The shared units.
     #[must_use]
     pub fn units(&self) -> &[Unit] {
         &self.units
     }
 
-    /// Position of the unit that a node sits in, and of the operation there.
+    /// Index of the unit that a node belongs to, and of its operation there.
     #[must_use]
     pub fn seat(&self, id: NodeId) -> Option<(usize, usize)> {
         self.seated[id.index()]
@@ -394,7 +401,7 @@ impl Schedule {
 
     fn verify(&self, netlist: &Netlist) -> Result<()> {
         if self.entries.len() > 1 {
-            let problem = "stages by hand are for ports of one rate".to_owned();
+            let problem = "given stages need ports of a single rate".to_owned();
             return Err(Error::node(netlist.name().to_owned(), problem));
         }
         if self.stages.len() != netlist.nodes().len() {
@@ -412,7 +419,7 @@ impl Schedule {
                 ));
             }
             if node.op == Op::Input && self.stage(id) != 0 {
-                return bad("input ports are in stage 0".to_owned());
+                return bad("input ports must be in stage 0".to_owned());
             }
             for operand in &node.operands {
                 if self.stage(*operand) > self.operand_stage(netlist, id) {
@@ -435,7 +442,7 @@ impl Schedule {
     }
 }
 
-/// Cycles that a node with hardware of its own takes from its operands.
+/// Cycles from the operands to the word, for a node that isn't in a unit.
 fn clocks(netlist: &Netlist, rom: Rom, id: NodeId) -> u32 {
     match netlist.memory(id) {
         Some(memory) => memory.latency,
@@ -443,32 +450,33 @@ fn clocks(netlist: &Netlist, rom: Rom, id: NodeId) -> u32 {
     }
 }
 
-/// Place of a rate among those of the ports, from the slowest.
+/// Index of a rate among those of the ports, slowest first.
 fn place_in(mut rates: impl ExactSizeIterator<Item = Rate>, rate: Rate) -> usize {
     let last = rates.len().saturating_sub(1);
     rates.position(|known| known >= rate).unwrap_or(last)
 }
 
-/// Place of each node's rate among those of the ports.
+/// Index of each node's rate among those of the ports.
 fn places(netlist: &Netlist) -> Vec<usize> {
     let rates = netlist.rates();
     netlist.nodes().iter().map(|node| place_in(rates.iter().copied(), node.rate)).collect()
 }
 
-/// The rates of a netlist's ports, from the slowest, with the stages that they enter in, found one after the other.
+/// The rates of a netlist's ports, slowest first, with their entry stages, which are found one
+/// after the other.
 struct Entries<'a> {
     netlist: &'a Netlist,
     rates: Vec<Rate>,
     intervals: Vec<u32>,
     found: Vec<Entry>,
-    /// Place of each node's rate.
+    /// Index of each node's rate.
     of: Vec<usize>,
     /// Nodes whose words are held for a faster rate.
     held: Vec<bool>,
 }
 
 impl<'a> Entries<'a> {
-    /// With the interval of each rate.
+    /// Starts before the first rate, with the interval of each rate.
     fn new(netlist: &'a Netlist, intervals: Vec<u32>) -> Self {
         let (rates, of) = (netlist.rates(), places(netlist));
         let mut held = vec![false; of.len()];
@@ -477,14 +485,15 @@ impl<'a> Entries<'a> {
                 held[operand.index()] |= of[operand.index()] < of[id.index()];
             }
         }
-        // Outputs are there for each sample of the fastest rate.
+        // Outputs have a word for each sample of the fastest rate.
         for output in netlist.outputs() {
             held[output.node.index()] |= of[output.node.index()] + 1 < rates.len();
         }
         Self { netlist, rates, intervals, found: Vec::new(), of, held }
     }
 
-    /// Goes on to the next rate, which enters when all that is held for it is there; its place.
+    /// Advances to the next rate, which enters once everything that is held for it is ready;
+    /// returns its index.
     fn next(&mut self, stages: &[u32]) -> Option<usize> {
         let place = self.found.len();
         let rate = *self.rates.get(place)?;
@@ -494,24 +503,25 @@ impl<'a> Entries<'a> {
         });
         let ready = held.map(|id| stages[id.index()] + 1).max().unwrap_or(0);
         let interval = self.intervals[place];
-        // After the rate before: its valid bit says which slower words go with a sample.
+        // Enter after the previous rate, whose valid bit decides which slower words go with a
+        // sample.
         let after = self.found.last().map_or(0, |entry| entry.stage + 1);
         let stage = ready.max(after).next_multiple_of(interval);
         self.found.push(Entry { rate, stage, interval });
         Some(place)
     }
 
-    /// Place of a node's rate.
+    /// Index of a node's rate.
     fn of(&self, id: NodeId) -> usize {
         self.of[id.index()]
     }
 
-    /// The stage that the latest rate enters in.
+    /// The entry stage of the latest rate.
     fn now(&self) -> u32 {
         self.found.last().map_or(0, |entry| entry.stage)
     }
 
-    /// An output port is a register: what is computed in a stage is out after it.
+    /// An output port is a register: a stage's result appears after the stage.
     fn latency(&self, stages: &[u32]) -> u32 {
         let outputs = self.netlist.outputs().iter();
         let last = outputs.map(|output| stages[output.node.index()]).max().unwrap_or(0);
@@ -523,18 +533,18 @@ impl<'a> Entries<'a> {
     }
 }
 
-/// Where a node with hardware of its own comes.
+/// The place of a node that isn't in a unit.
 struct Free {
     stage: u32,
-    /// When its word is there, from the start of its stage.
+    /// Arrival of its word, from the start of its stage.
     arrival_ps: u32,
-    /// The longest path that ends in it.
+    /// The longest path that ends at it.
     longest_ps: u32,
 }
 
 impl Free {
-    /// As early as its operands, each with its stage and arrival, and the time between registers
-    /// allow, and not before a stage.
+    /// Places the node as early as its operands' stages and arrivals and the time between registers
+    /// allow, but not before stage `from`.
     fn after(
         netlist: &Netlist,
         rom: Rom,
@@ -554,7 +564,7 @@ impl Free {
         }
         let clocks = clocks(netlist, rom, id);
         let delay = if clocks > 0 { ROM_SETUP_PS } else { delay_ps(netlist, id) };
-        // What starts at a register may be as slow as it is; nothing shorter can be done.
+        // A path that starts at a register may take as long as it must: it can't be shortened.
         if arrival > 0 && delay > 0 && arrival.saturating_add(delay) > available_ps {
             (stage, arrival) = (stage + 1, 0);
         }
@@ -568,7 +578,7 @@ impl Free {
     }
 }
 
-/// Delay of an operation without a clock, by the table in the module's documentation.
+/// Delay of an operation without a clock, from the table in the module's documentation.
 #[must_use]
 pub fn delay_ps(netlist: &Netlist, id: NodeId) -> u32 {
     let node = netlist.node(id);

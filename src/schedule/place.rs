@@ -1,6 +1,6 @@
-//! Finds stages: as early as the delay model allows, one operation of a unit in each phase.
+//! Finds stages as early as the delay model allows, with one operation of a unit per phase.
 //!
-//! The netlist has no loops, so every operation finds a free phase within one interval: a
+//! The netlist has no loops, so every operation finds a free phase within one interval. So a
 //! schedule at the shortest interval that the units allow always exists.
 
 use super::share::{Hardware, Kind, Operand, Operation, Structure, Unit, operations};
@@ -12,56 +12,56 @@ use crate::number::format::addr_bits;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Units of a kind that are shared.
+/// Sharing of one kind of unit.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Share {
-    /// What is shared.
+    /// The kind.
     pub kind: Kind,
     /// Units for each structure of that kind.
     pub units: u32,
-    /// Cycles from issue to output; by the delay model if `None`.
+    /// Cycles from issue to output; from the delay model if `None`.
     pub latency: Option<u32>,
     /// True if operands are registered in the cycle before the issue.
     pub loads: bool,
 }
 
-/// What to find a schedule for.
+/// What to schedule for.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Plan {
-    /// What is shared; all else has hardware of its own.
+    /// The shared kinds; everything else has its own hardware.
     pub shares: Vec<Share>,
-    /// Cycles from one sample of the fastest rate to the next; as few as the units allow if `None`. Slower ones take as
-    /// few as theirs allow.
+    /// Cycles between samples of the fastest rate; if `None`, as few as the units allow. Slower
+    /// rates always get the fewest that their units allow.
     pub interval: Option<u32>,
 }
 
-/// A schedule given by hand: units, and which operation sits where and when.
+/// A hand-written schedule: the units, and which operation runs where and when.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Binding {
-    /// Cycles from one sample to the next.
+    /// Cycles between samples.
     pub interval: u32,
     /// The units.
     pub units: Vec<BoundUnit>,
-    /// What they serve.
+    /// Their operations.
     pub operations: Vec<BoundOperation>,
 }
 
 /// A unit of a [`Binding`].
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct BoundUnit {
-    /// Name in hardware and waves: `dot1`.
+    /// Name in hardware and waves, such as `dot1`.
     pub name: String,
-    /// Name in the printed table: `Vector Dot Unit #1`.
+    /// Name in the printed table, such as `Vector Dot Unit #1`.
     pub title: String,
-    /// What it is.
+    /// Its kind.
     pub kind: Kind,
-    /// Cycles from issue to output; by the delay model if `None`.
+    /// Cycles from issue to output; from the delay model if `None`.
     pub latency: Option<u32>,
-    /// Which sides have an operand register, which takes its word in the cycle before the issue. A
-    /// side is the position of an operand in its node; an adder's first is the flag that tells sums
-    /// from differences.
+    /// For each side, whether it has an operand register, which stores its word in the cycle before
+    /// the issue. A side is the position of an operand in its node. An adder's first operand is the
+    /// flag that selects subtraction.
     pub registered: Vec<bool>,
-    /// Word for a load in the printed table: `Load`, `Ld`.
+    /// Word for a load in the printed table, such as `Load` or `Ld`.
     pub load: String,
 }
 
@@ -70,22 +70,22 @@ pub struct BoundUnit {
 pub struct BoundOperation {
     /// Label of its scope or node, as in the netlist.
     pub label: String,
-    /// Which of the units.
+    /// Index of its unit.
     pub unit: usize,
     /// Printed cycle of its issue, from 1; as early as possible if `None`.
     pub cycle: Option<u32>,
-    /// What it gives, in the printed table: `Tx`.
+    /// Its result in the printed table, such as `Tx`.
     pub result: String,
-    /// What it does, in the printed table: `M0 · T`; nothing if there is no compute line.
+    /// Its formula in the printed table, such as `M0 · T`; empty for no compute line.
     pub formula: String,
-    /// What each side takes, in the printed table; what is empty isn't told.
+    /// The operand of each side in the printed table; empty ones aren't printed.
     pub operands: Vec<String>,
 }
 
-/// Operations of one structure with the units that serve them.
+/// Operations of one structure, and the units that serve them.
 struct Group {
     kind: Kind,
-    /// Place of their rate among those of the ports.
+    /// Index of their rate among those of the ports.
     rate: usize,
     structure: Structure,
     wanted: Vec<usize>,
@@ -103,7 +103,7 @@ struct Wanted {
 /// How many operations of a structure share how many units.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Load {
-    /// What they are.
+    /// Their kind.
     pub kind: Kind,
     /// Their rate.
     pub rate: Rate,
@@ -114,31 +114,32 @@ pub struct Load {
 }
 
 impl Load {
-    /// The shortest interval that they allow.
+    /// The shortest interval that the units allow.
     #[must_use]
     pub fn interval(&self) -> u32 {
         self.interval_with(0)
     }
 
-    /// The shortest interval that they would allow with so many units more.
+    /// The shortest interval with `more` additional units.
     #[must_use]
     pub fn interval_with(&self, more: u32) -> u32 {
-        // Nodes have 32-bit ids, so there are no more operations, and no more units than these.
+        // Nodes have 32-bit ids, so there are no more operations than that, and no more units.
         cast::id_of(self.operations.len()).div_ceil(cast::id_of(self.units.len()) + more)
     }
 }
 
-/// Delay of a multiplexer of so many cases.
+/// Delay of a multiplexer with `cases` inputs.
 fn mux_ps(cases: usize) -> u32 {
     500 * addr_bits(cast::count_of(cases.max(1)))
 }
 
 impl Schedule {
-    /// Finds a schedule for shared units: as early as possible, the longest way to go first.
+    /// Finds a schedule for shared units: each operation as early as possible, longest remaining
+    /// path first.
     ///
     /// # Errors
-    /// If the interval asked for is too short for the units, words of a unit would be wider
-    /// than 63 bits, or its latency is too short for tables that are read on a clock.
+    /// If the requested interval is too short for the units, a unit's words would be wider than 63
+    /// bits, or its latency is too short for tables that are read on a clock.
     pub fn shared(netlist: &Netlist, rom: Rom, period_ps: u32, plan: &Plan) -> Result<Self> {
         let kinds: Vec<Kind> = plan.shares.iter().map(|share| share.kind).collect();
         let mut groups: Vec<Group> = Vec::new();
@@ -166,7 +167,7 @@ impl Schedule {
                 groups[group].wanted.push(wanted.len());
                 wanted.push(Wanted { operation, group, fixed: None });
             }
-            // What shares with none keeps hardware of its own, unless it is all there is.
+            // An operation that shares with none keeps its own hardware, unless it is the only one.
             if groups.len() > start + 1 {
                 for group in &mut groups[start..] {
                     if group.wanted.len() == 1 {
@@ -174,7 +175,7 @@ impl Schedule {
                     }
                 }
             }
-            // Units of one kind are numbered through.
+            // Units of one kind are numbered across groups.
             let mut number = 0;
             for group in &mut groups[start..] {
                 let units = group.wanted.len().min(cast::index_of(i64::from(share.units)));
@@ -197,16 +198,16 @@ impl Schedule {
                 }
                 Placement::Stuck(operation) => operation,
             };
-            // It would have to be done in two goes: it keeps hardware of its own.
+            // It can't run in one go, so it keeps its own hardware.
             groups.iter_mut().for_each(|group| group.wanted.retain(|at| *at != stuck));
         }
     }
 
-    /// Takes a binding by hand; what it doesn't bind is placed as early as possible.
+    /// Makes a schedule from a binding. Nodes that it doesn't bind are placed as early as possible.
     ///
     /// # Errors
-    /// If it names what isn't there, an operation sits in a unit of another structure, two sit
-    /// in one at the same phase, or an operand isn't there in time.
+    /// If it names an unknown operation, an operation's structure doesn't fit its unit, two
+    /// operations use a unit in the same phase, or an operand isn't ready in time.
     pub fn bound(netlist: &Netlist, rom: Rom, period_ps: u32, binding: &Binding) -> Result<Self> {
         let mut groups: Vec<Group> = Vec::new();
         let mut wanted: Vec<Wanted> = Vec::new();
@@ -236,7 +237,7 @@ impl Schedule {
                     registered: unit.registered.clone(),
                 });
                 if !group.structure.fits(structure) {
-                    return refuse(format!("`{}` has another structure", bound.label));
+                    return refuse(format!("`{}` has a different structure", bound.label));
                 }
                 merge(&mut group.structure.exports, &structure.exports);
                 group.wanted.push(wanted.len());
@@ -247,7 +248,7 @@ impl Schedule {
                 wanted.push(Wanted { operation: operation.clone(), group: groups.len(), fixed });
             }
             let Some(mut group) = group else {
-                return refuse("no operation sits in it".to_owned());
+                return refuse("it has no operation".to_owned());
             };
             group.latency = latency_of(netlist, rom, period_ps, &group, &wanted, unit.latency)?;
             groups.push(group);
@@ -257,12 +258,12 @@ impl Schedule {
             Placement::Done(placed) => finish(netlist, rom, &groups, wanted, placed),
             Placement::Stuck(at) => Err(Error::node(
                 wanted[at].operation.name.clone(),
-                "can't be done in one go: something outside stands between its nodes".to_owned(),
+                "can't run in one go: a node outside it lies between its nodes".to_owned(),
             )),
         }
     }
 
-    /// How the units are loaded, by structure: what the shortest interval comes from.
+    /// The load of the units by structure, which determines the shortest interval.
     #[must_use]
     pub fn loads(&self) -> Vec<Load> {
         let mut loads: Vec<(usize, Load)> = Vec::new();
@@ -288,7 +289,7 @@ impl Schedule {
         loads.into_iter().map(|(_, load)| load).collect()
     }
 
-    /// The shortest interval that its units allow for the fastest rate.
+    /// The shortest interval that the units allow for the fastest rate.
     #[must_use]
     pub fn shortest_interval(&self) -> u32 {
         let fastest = self.entries.last().map(|entry| entry.rate);
@@ -319,7 +320,8 @@ fn too_short(load: &Load, interval: u32) -> Error {
     Error::parameter_value("interval", &interval.to_string(), text)
 }
 
-/// The interval of each rate, from the slowest: as asked for the fastest, as short as units allow for the others.
+/// The interval of each rate, slowest first: as requested for the fastest, and as short as the
+/// units allow for the others.
 fn intervals(
     netlist: &Netlist,
     groups: &[Group],
@@ -364,7 +366,7 @@ fn hardware(
     Hardware::new(netlist, name, group.kind, &group.structure, operations, &registered)
 }
 
-/// Latency of a group's units: as given, or what the delay model takes for this period.
+/// Latency of a group's units: as given, or as the delay model needs for this period.
 fn latency_of(
     netlist: &Netlist,
     rom: Rom,
@@ -387,7 +389,7 @@ fn latency_of(
 
 enum Placement {
     Done(Placed),
-    /// An operation that waits for itself.
+    /// An operation that depends on itself.
     Stuck(usize),
 }
 
@@ -395,7 +397,7 @@ struct Placed {
     stages: Vec<u32>,
     entries: Vec<Entry>,
     latency: u32,
-    /// Unit in its group and issue of each wanted operation.
+    /// Unit within its group, and issue, of each wanted operation.
     seats: Vec<(usize, u32)>,
     longest_ps: u32,
 }
@@ -411,7 +413,7 @@ fn place(
     let nodes = netlist.nodes().len();
     let available = period_ps.saturating_sub(REGISTER_PS);
     let bound: Vec<usize> = groups.iter().flat_map(|group| group.wanted.clone()).collect();
-    // Items: free nodes by their index, operations after them.
+    // Items: free nodes by their index, then operations.
     let mut item: Vec<usize> = (0..nodes).collect();
     for at in &bound {
         wanted[*at].operation.nodes.iter().for_each(|id| item[id.index()] = nodes + at);
@@ -427,7 +429,7 @@ fn place(
             }
         }
     }
-    // The way to the outputs that is still to go.
+    // Delay of the remaining path to the outputs.
     let mut heights = vec![0u32; nodes];
     for id in netlist.ids().rev() {
         let own = heights[id.index()].saturating_add(delay_ps(netlist, id));
@@ -456,7 +458,7 @@ fn place(
             let slot = &mut taken[group][0][phase(group, issue)];
             if let Some(other) = slot.replace(*at) {
                 let problem = format!(
-                    "sits in {} at the phase of `{}`: {} cycles later it starts anew",
+                    "uses {} in the same phase as `{}`: the schedule repeats every {} cycles",
                     groups[group].names[0],
                     wanted[other].operation.name,
                     interval(group)
@@ -507,9 +509,9 @@ fn place(
                 let registered = group.registered.get(side).copied().unwrap_or(false);
                 let first = match *operand {
                     Operand::Constant { .. } => from,
-                    // What is slower is held by now.
+                    // A word of a slower rate is held by now.
                     Operand::Node(id) if entries.of(id) < rate => from,
-                    // The output of a unit is there from hold registers only.
+                    // A unit's output is available only from hold registers.
                     Operand::Node(id) if item[id.index()] >= nodes => stages[id.index()] + 1,
                     Operand::Node(id) => {
                         let arrival = arrivals[id.index()];
@@ -533,7 +535,7 @@ fn place(
                         Some(Operand::Constant { .. }) | None => "its operand".to_owned(),
                     };
                     let problem = format!(
-                        "is bound to cycle {}, and `{operand}` is there for cycle {} at this period: \
+                        "is bound to cycle {}, but `{operand}` is ready for cycle {} at this period: \
                          bind it later, or raise period_ps",
                         issue + 1,
                         earliest + 1
@@ -596,7 +598,7 @@ fn place(
     }
 }
 
-/// Makes the units.
+/// Builds the units.
 fn finish(
     netlist: &Netlist,
     rom: Rom,

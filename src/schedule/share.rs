@@ -1,16 +1,16 @@
-//! Operations that share a unit: which there are, which have the same structure, and the
-//! hardware of a unit that serves several.
+//! Operations that can share a unit: finding them, comparing their structures, and building a unit
+//! that serves several.
 //!
-//! An *operation* is a single node (a product, a sum, a table port) or a whole part (a dot
-//! product, a root, a divider, a table scheme). Two operations can share a unit if they have the
-//! same structure: node by node in creation order the same operations with the same attributes
-//! and the same wiring. Formats may differ where the operations look at values; where one looks
-//! at bit patterns (slices, table reads, leading zeros …), they must be the same too.
+//! An *operation* is a single node (a product, a sum, a table port) or a whole part (a dot product,
+//! a root, a divider, a table scheme). Two operations can share a unit if they have the same
+//! structure: in creation order, their nodes have the same operations, attributes and wiring.
+//! Formats may differ if the operations work on values. If one of them works on bit patterns
+//! (slices, table reads, leading zeros …), the formats must be equal too.
 //!
-//! The unit's hardware is a netlist of its own on the *hulls* of its operands' formats: sign, most
-//! integer bits and most fraction bits of all. Every operation is exact and `narrow` goes by
-//! value, so a node's word is the unit's word with its binary point moved, whichever operation
-//! sits in the unit.
+//! The unit's hardware is a netlist of its own on the *hulls* of its operands' formats: signed if
+//! any is, with the most integer bits and the most fraction bits of all. Every operation is exact
+//! and `narrow` works on values. So a node's word is the unit's word with its binary point moved,
+//! whichever operation is in the unit.
 
 use super::{Rom, Schedule, places};
 use crate::base::error::{Error, Result};
@@ -20,16 +20,16 @@ use crate::number::format::Format;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// What kind of unit operations share.
+/// The kind of a unit.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
 pub enum Kind {
     /// Dot products of three: [`Part::Dot`].
     Dot,
-    /// Products outside of dividers, roots, schemes and shared dot products.
+    /// Products outside dividers, roots, schemes and shared dot products.
     Multiplier,
-    /// Sums and differences, there too; one adder does both.
+    /// Sums and differences outside those; one adder does both.
     Adder,
-    /// Table schemes, and table reads outside of any.
+    /// Table schemes, and table reads outside any scheme.
     Table,
     /// Square roots and reciprocal square roots.
     Root,
@@ -38,7 +38,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// Each with its name in units and parameters.
+    /// Every kind with its name in units and parameters.
     pub const ALL: &'static [(Self, &'static str)] = &[
         (Self::Dot, "dot"),
         (Self::Multiplier, "mul"),
@@ -58,7 +58,7 @@ impl Kind {
     }
 }
 
-/// What an operation takes at a port of its unit.
+/// An operand of an operation.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Operand {
     /// A node's word.
@@ -72,29 +72,29 @@ pub enum Operand {
     },
 }
 
-/// An operation of the netlist that can sit in a unit.
+/// An operation of the netlist that can use a unit.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Operation {
     /// Label of its scope or node.
     pub name: String,
     /// Its nodes in creation order.
     pub nodes: Vec<NodeId>,
-    /// What it takes from outside: one for each place where a node does, in order.
+    /// Its operands from outside: one for each use by a node, in order.
     pub operands: Vec<Operand>,
-    /// Which operand of its node each of those is; an adder's first is the flag that tells sums
-    /// from differences.
+    /// For each operand, its position among its node's operands. An adder's first operand is the
+    /// flag that selects subtraction.
     pub sides: Vec<usize>,
-    /// The netlist's cycle in which it enters its unit, counted from the entry of the slowest rate.
+    /// Cycle in which it enters its unit, counted from the entry of the slowest rate.
     pub issue: u32,
 }
 
-/// How the nodes of an operation hang together.
+/// The wiring of an operation's nodes.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Structure {
     nodes: Vec<Shape>,
-    /// Formats of those operands, where they matter.
+    /// Formats of the operation's operands, if they matter.
     formats: Option<Vec<Format>>,
-    /// Positions of nodes that are used outside, in one operation or another.
+    /// Positions of nodes that are used outside, in any of the operations.
     pub(super) exports: Vec<usize>,
 }
 
@@ -107,20 +107,20 @@ struct Shape {
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Wire {
-    /// Node at this position.
+    /// The node at this position.
     Inner(usize),
-    /// Operand from outside at this place.
+    /// The outside operand at this position.
     Place(usize),
 }
 
 impl Operation {
-    /// The operation of these nodes with its structure, or `None` if something outside stands
-    /// between two of its nodes: it can't be done in one go.
+    /// The operation of these nodes and its structure. `None` if an outside node lies on a path
+    /// between two of them, so that the operation can't run in one go.
     fn of(netlist: &Netlist, name: String, nodes: Vec<NodeId>) -> Option<(Self, Structure)> {
         let place_of: BTreeMap<NodeId, usize> =
             nodes.iter().enumerate().map(|(place, id)| (*id, place)).collect();
         let first = *nodes.first()?;
-        // What hangs on it outside.
+        // Marks outside nodes that depend on it.
         let mut behind = vec![false; netlist.nodes().len()];
         for id in netlist.ids().skip(first.index()) {
             let inside = place_of.contains_key(&id);
@@ -137,7 +137,7 @@ impl Operation {
             let mut wires = Vec::new();
             let adder = nodes.len() == 1 && matches!(node.op, Op::Add | Op::Sub);
             if adder {
-                // One adder does both; the flag tells which.
+                // One adder does both; the flag selects subtraction.
                 wires.push(Wire::Place(operands.len()));
                 let raw = i64::from(node.op == Op::Sub);
                 operands.push(Operand::Constant { raw, format: Format::FLAG });
@@ -188,14 +188,14 @@ pub(super) fn format_of(netlist: &Netlist, operand: Operand) -> Format {
 }
 
 impl Structure {
-    /// True if operations of both can share a unit.
+    /// True if operations of both structures can share a unit.
     pub(super) fn fits(&self, other: &Self) -> bool {
         self.nodes == other.nodes && self.formats == other.formats
     }
 }
 
-/// Operations of one kind in creation order, each with its structure. `whole` are the kinds that
-/// are shared beside it: nodes of a shared dot product are no operations of their own.
+/// Operations of one kind with their structures, in creation order. `whole` lists all shared kinds:
+/// nodes of a shared dot product are not operations by themselves.
 pub(super) fn operations(
     netlist: &Netlist,
     kind: Kind,
@@ -262,7 +262,8 @@ pub(super) fn operations(
             found
         }
     };
-    // What is outside of the datapath, or keeps a word, is no unit's; and a unit takes an operation at once.
+    // A unit can't hold memories, which are outside the datapath, or delays, which keep a word. And
+    // a unit's operands enter together, so its nodes have one rate.
     let rates = places(netlist);
     let fits = |(_, nodes): &(String, Vec<NodeId>)| {
         nodes.iter().all(|id| {
@@ -275,7 +276,7 @@ pub(super) fn operations(
     found.filter_map(|(name, nodes)| Operation::of(netlist, name, nodes)).collect()
 }
 
-/// The outermost dot product that a scope is or stands in.
+/// The outermost dot product that a scope is or lies in.
 fn dot_of(netlist: &Netlist, scope: ScopeId) -> Option<(Part, ScopeId)> {
     let mut found = None;
     let mut at = Some(scope);
@@ -287,8 +288,8 @@ fn dot_of(netlist: &Netlist, scope: ScopeId) -> Option<(Part, ScopeId)> {
     found
 }
 
-/// Label of a node; one without a name is called by the port or by the rounding (with moved
-/// binary points before it) that alone it goes into.
+/// Label of a node. An unnamed node takes the name of its output port, or of the rounding that is
+/// its only user (possibly after moves of the binary point).
 #[must_use]
 pub fn name_of(netlist: &Netlist, id: NodeId) -> String {
     let mut at = id;
@@ -312,39 +313,41 @@ pub fn name_of(netlist: &Netlist, id: NodeId) -> String {
     netlist.label(at)
 }
 
-/// Hardware that serves several operations.
+/// A unit that serves several operations.
 #[derive(Clone, Debug)]
 pub struct Unit {
-    /// Name: `dot1`.
+    /// Its name, such as `dot1`.
     pub name: String,
-    /// What it is.
+    /// Its kind.
     pub kind: Kind,
     /// The rate of its operations.
     pub rate: Rate,
-    /// Cycles from one sample of that rate to the next.
+    /// Cycles between samples of that rate.
     pub interval: u32,
-    /// Its nodes on hull formats: inputs are its ports, outputs are what operations export.
+    /// Its nodes on hull formats. The inputs are its ports, the outputs are the nodes that
+    /// operations export.
     pub netlist: Arc<Netlist>,
-    /// Stages of those nodes, from the issue on; its latency is the unit's.
+    /// Stages of its nodes, counted from the issue; its latency is the unit's.
     pub pipeline: Schedule,
-    /// Its ports in order of the netlist's inputs.
+    /// Its ports, in the order of the netlist's inputs.
     pub ports: Vec<UnitPort>,
-    /// Position in an operation's nodes of each output.
+    /// For each output, its position among an operation's nodes.
     pub exports: Vec<usize>,
-    /// Position in an operation's nodes of each node of the netlist, but for ports and constants.
+    /// For each node of the netlist except ports and constants, its position among an operation's
+    /// nodes.
     pub positions: Vec<Option<usize>>,
-    /// The operations that it serves, by the cycle of their issue.
+    /// Its operations, sorted by issue.
     pub operations: Vec<Operation>,
 }
 
 /// A port of a unit.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct UnitPort {
-    /// Which of [`Operation::operands`] it takes.
+    /// Index into [`Operation::operands`].
     pub place: usize,
-    /// Side of the unit: which operand of its node it is.
+    /// Side of the unit: the operand's position in its node.
     pub side: usize,
-    /// True if a register takes the operand in the cycle before the issue.
+    /// True if a register stores the operand in the cycle before the issue.
     pub registered: bool,
 }
 
@@ -368,7 +371,7 @@ impl Unit {
     }
 }
 
-/// The smallest format that holds the values of all, or the bits that it would take.
+/// The smallest format that holds all values of all formats, or the bits it would need.
 fn hull(formats: impl Iterator<Item = Format>) -> Result<Format, u32> {
     let (mut signed, mut int_bits, mut frac_bits) = (false, i32::MIN, i32::MIN);
     for format in formats {
@@ -380,7 +383,8 @@ fn hull(formats: impl Iterator<Item = Format>) -> Result<Format, u32> {
     Format::new(signed, bits, frac_bits).map_err(|_| bits)
 }
 
-/// Hardware for operations of one structure: the netlist, its ports, and positions of its nodes.
+/// Hardware for operations of one structure: the netlist, its ports, and the positions of its
+/// nodes.
 pub(super) struct Hardware {
     pub(super) netlist: Arc<Netlist>,
     pub(super) ports: Vec<UnitPort>,
@@ -414,7 +418,7 @@ impl Hardware {
                 at_place.push(b.constant(raw, format));
                 continue;
             }
-            // A port serves every place that takes the same in all operations.
+            // A port serves every place that has the same operand in all operations.
             let same = ports.iter().position(|port| {
                 port.registered == registered(side)
                     && operations.iter().all(|o| o.operands[port.place] == o.operands[place])
@@ -432,7 +436,7 @@ impl Hardware {
         let part = match kind {
             Kind::Dot => Some(Part::Dot),
             Kind::Root => {
-                // Which root it is stays with the operation's scope.
+                // The operation's scope knows which root it is.
                 netlist.part_of(netlist.node(operations[0].nodes[0]).scope).map(|(part, _)| part)
             }
             Kind::Divider => Some(Part::Divider),
@@ -501,16 +505,16 @@ impl Hardware {
         Ok(Self { netlist: Arc::new(built), ports, positions })
     }
 
-    /// Stages for a latency, as even as the delay model can.
+    /// Stages for a latency, as even as the delay model allows.
     ///
     /// # Errors
-    /// If reads on a clock take longer.
+    /// If reads on a clock need more cycles.
     pub(super) fn pipeline(&self, name: &str, rom: Rom, latency: u32) -> Result<Schedule> {
         let most = Schedule::greedy(&self.netlist, rom, u32::MAX).latency() - 1;
         if most > latency {
             return Err(Error::usage(format!(
-                "unit `{name}` can't have a latency of {latency} cycles: {most} reads on a clock follow each other there; \
-                 raise share_latency, or take rom=distributed"
+                "unit `{name}` can't have a latency of {latency} cycles: its longest chain of clocked reads needs {most}; \
+                 raise share_latency, or use rom=distributed"
             )));
         }
         let even = Schedule::pipeline(&self.netlist, rom, super::Depth::Stages(latency + 1))?;

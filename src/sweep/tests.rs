@@ -279,7 +279,7 @@ fn formats_and_schemes_are_axes() {
     let folder = tempfile::tempdir().unwrap();
     let unknown = run(&sweep(&[], &["format.xx=s8f6"], FEW), folder.path()).unwrap_err();
     let why =
-        "netlist `rotation` has no node `xx` of a format of its own: there are sincos, x, y, z";
+        "netlist `rotation` has no node `xx` whose format can be set: there are sincos, x, y, z";
     assert!(unknown.to_string().contains(why), "{unknown}");
 }
 

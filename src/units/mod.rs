@@ -135,7 +135,7 @@ mod tests {
             refused(&[own("mine"), own("mine")]),
             "unit `mine`: two units have this name; give it another"
         );
-        assert!(refused(&[own("Mine")]).starts_with("unit `Mine`: a name is a to z first"));
+        assert!(refused(&[own("Mine")]).starts_with("unit `Mine`: a name is a letter a to z"));
         assert!(Unit::find("mine").is_err());
     }
 }

@@ -254,7 +254,7 @@ fn a_missing_yosys_is_named_with_what_brings_it() {
         .unwrap();
     assert_eq!(output.status.code(), Some(2));
     let stderr = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(stderr.trim(), "error: yosys is not found: `apt-get install yosys` brings it");
+    assert_eq!(stderr.trim(), "error: yosys is not found: install it with `apt-get install yosys`");
 }
 
 /// The stated deviations are true for every committed setting of the rotation unit, and no larger than they need be.

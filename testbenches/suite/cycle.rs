@@ -147,7 +147,7 @@ fn stages_by_hand_are_taken_or_refused() {
     let late = by_hand(vec![0, 0, 1, 2, 3], 2).unwrap_err().to_string();
     assert_eq!(late, "node `y`: is ready after the latency of 2");
     let input = by_hand(vec![1, 0, 1, 2, 3], 3).unwrap_err().to_string();
-    assert_eq!(input, "node `x`: input ports are in stage 0");
+    assert_eq!(input, "node `x`: input ports must be in stage 0");
     let short = by_hand(vec![0], 1).unwrap_err().to_string();
     assert_eq!(short, "node `small`: 1 stages for 5 nodes");
 }

@@ -224,11 +224,11 @@ fn of_two_runs_at_once_one_is_refused_and_a_dead_one_refuses_nobody() {
     let mut first = start(here, &[&long[..], &["--out", "out"]].concat());
     wait_for("the list is there", || here.join("out/.fixpath/sweep").exists());
     sleep(Duration::from_millis(100));
-    refused(here, &[&short[..], &["--out", "out"]].concat(), "out: another run is writing into it");
+    refused(here, &[&short[..], &["--out", "out"]].concat(), "out: another run is writing to it");
     refused(
         here,
         &[&short[..], &["--fresh", "--out", "./out"]].concat(),
-        "another run is writing into it",
+        "another run is writing to it",
     );
     first.kill().unwrap();
     first.wait().unwrap();
@@ -242,7 +242,7 @@ fn of_two_runs_at_once_one_is_refused_and_a_dead_one_refuses_nobody() {
     let mut first = start(here, &args("large.toml"));
     wait_for("the list is there", || here.join("pictures/.fixpath/render").exists());
     sleep(Duration::from_millis(100));
-    refused(here, &args("small.toml"), "pictures: another run is writing into it");
+    refused(here, &args("small.toml"), "pictures: another run is writing to it");
     first.kill().unwrap();
     first.wait().unwrap();
     works(here, &args("small.toml"));
@@ -339,7 +339,7 @@ fn a_pipe_is_waited_for_where_a_command_names_it_and_else_refused() {
         ("mesh.toml", "p.obj"),
         ("buffer.toml", "p.bin"),
     ] {
-        let message = format!("{file}: can't read: it is a pipe, and a file is needed");
+        let message = format!("{file}: can't read: it is a pipe; a regular file is needed");
         refused(here, &["render", scene, "--out", "out"], &message);
     }
     // Whoever is late at the other end, here until the note is there, is waited for; a signal ends that.

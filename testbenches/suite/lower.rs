@@ -1407,7 +1407,7 @@ fn module_names_that_some_tool_would_refuse() {
     let long = "a".repeat(65);
     for name in ["", "Unit", "a__b", "a_", "_a", "7a", "a-b", "a b", "ä", "a\n", &long] {
         let why = build(name).unwrap_err();
-        let form = "my_module: a to z first, then a to z, 0 to 9 and single _ between them, up to 64 in all";
+        let form = "my_module: a letter a to z, then a to z, 0 to 9 and single _ between them, at most 64 characters";
         assert!(why.contains(form), "`{name}`: {why}");
     }
     for name in ["in0", "out0"] {

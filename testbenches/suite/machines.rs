@@ -307,7 +307,7 @@ fn slow_rates_come_first_and_are_held() {
     // One bit for the object's words, one for the face's, and those of the pixels.
     assert_eq!(rtl.valid_bits(), rtl.schedule().latency() - 2);
     let error = Schedule::pipeline(&netlist, Rom::Distributed, Depth::Stages(0)).unwrap_err();
-    assert!(error.to_string().contains("words of a memory come on a clock"), "{error}");
+    assert!(error.to_string().contains("the words of a memory arrive on a clock edge"), "{error}");
     let by_hand = Schedule::from_stages(&netlist, Rom::Block, vec![0; 8], 9).unwrap_err();
     assert!(by_hand.to_string().contains("ports of one rate"), "{by_hand}");
 }
@@ -378,7 +378,7 @@ fn what_a_builder_refuses() {
                 let y = b.neg(x);
                 b.rate(y, Rate::Face)
             },
-            "only ports are given a rate",
+            "only ports can be given a rate",
         ),
         (
             |b, x| {
@@ -443,17 +443,17 @@ fn malformed_files_name_the_place() {
         ("latency 3", "latency three", "line 3, column 22: `three` is not a number of cycles"),
         ("latency 3 ", "", "expected `latency` before `height:s8f7`"),
         ("latency 3", "latency 65", "a latency of 65 cycles: legal is 1 to 64"),
-        (" height:s8f7", "", "a table has a column: write NAME:FORMAT"),
-        ("height:s8f7", "height", "`height` is no column"),
+        (" height:s8f7", "", "a table needs a column: write NAME:FORMAT"),
+        ("height:s8f7", "height", "`height` is not a column"),
         (
             "per face",
             "per triangle",
-            "`triangle` is no rate: legal are scene, object, face, vertex, pixel",
+            "`triangle` is not a rate: legal are scene, object, face, vertex, pixel",
         ),
-        ("per face", "per face per object", "a port has one rate"),
-        ("per face", "per", "`@scale` is no rate"),
+        ("per face", "per face per object", "a port has only one rate"),
+        ("per face", "per", "`@scale` is not a rate"),
         (": s12f8", ": s12f8 per face", "only ports have a rate"),
-        ("memory map", "memory map!", "`map!` is no name"),
+        ("memory map", "memory map!", "`map!` is not a name"),
     ];
     for (was, is, part) in cases {
         assert!(good.contains(was), "{was} in {good}");
@@ -585,7 +585,7 @@ fn memories_and_rates_on_the_command_line() {
         "%5 = delay 3 %4 : s16f13\noutput y = %5",
     );
     let delay = of("delay.netlist", &delay);
-    refused(&["sim", &delay, "-p", &map], "errors can't be told of samples by themselves");
+    refused(&["sim", &delay, "-p", &map], "errors can't be measured on independent samples");
 }
 
 /// Ports of a module and what its bench has may be called alike; tables and memories have files of their own.

@@ -245,8 +245,7 @@ fn message(built: fixpath::error::Result<Netlist>) -> String {
     text.strip_suffix(&place).unwrap_or(&text).to_owned()
 }
 
-const RULE: &str =
-    "a name is a to z first, then a to z, 0 to 9 and single _ between them, up to 64 in all";
+const RULE: &str = "a name is a letter a to z, then a to z, 0 to 9 and single _ between them, at most 64 characters";
 
 #[test]
 fn names_that_hardware_languages_refuse_are_refused() {
@@ -318,24 +317,24 @@ fn ports_have_names_of_their_own() {
     };
     assert_eq!(
         refusal(|b, _| port(b, "x")),
-        "input `x` of `wrong`: another input has this name: give one of them another"
+        "input `x` of `wrong`: another input has this name: rename one of them"
     );
     assert_eq!(
         refusal(|b, _| port(b, "y")),
-        "input `y` of `wrong`: an output has this name: give one of them another"
+        "input `y` of `wrong`: an output has this name: rename one of them"
     );
     assert_eq!(
         refusal(|b, x| b.output("y", x)),
-        "output `y` of `wrong`: another output has this name: give one of them another"
+        "output `y` of `wrong`: another output has this name: rename one of them"
     );
     assert_eq!(
         refusal(|b, x| b.output("x", x)),
-        "output `x` of `wrong`: an input has this name: give one of them another"
+        "output `x` of `wrong`: an input has this name: rename one of them"
     );
     // In whatever scope they were declared.
     assert_eq!(
         refusal(|b, _| b.scope("inner", |b| port(b, "x"))),
-        "input `x` of `wrong`: another input has this name: give one of them another"
+        "input `x` of `wrong`: another input has this name: rename one of them"
     );
     assert_eq!(message(Builder::new("empty").build()), "netlist `empty`: it has no output");
 }
@@ -359,11 +358,11 @@ fn tables_are_whole() {
     }
     assert_eq!(
         tables(&|t| t.addr_bits = 4),
-        "table `squares`: column `square` has 8 words and 16 rows: one for each address"
+        "table `squares`: column `square` has 8 words and must have one for each of 16 addresses"
     );
     assert_eq!(
         tables(&|t| t.columns[1].words = Arc::from([])),
-        "table `squares`: column `half` has 0 words and 8 rows: one for each address"
+        "table `squares`: column `half` has 0 words and must have one for each of 8 addresses"
     );
     assert_eq!(
         tables(&|t| t.columns[0].format = format("u5f3")),
@@ -380,14 +379,14 @@ fn tables_are_whole() {
             b.name(address, "address");
             b.read(table, 2, address);
         }),
-        "read of address (u3f0): table `squares` has no column 2: from 0, they are square, half"
+        "read of address (u3f0): table `squares` has no column 2: its columns from 0 are square, half"
     );
     assert_eq!(
         refusal(|b, x| {
             let table = b.table(square_table());
             b.read(table, 0, x);
         }),
-        "node `read of x (s8f4)`: `squares` takes addresses u3f0"
+        "node `read of x (s8f4)`: `squares` takes addresses in format u3f0"
     );
 }
 
@@ -439,7 +438,7 @@ fn what_is_another_builders_is_seen() {
         let address = b.slice(x, 0, 3);
         b.read(table, 0, address);
     });
-    assert_eq!(message, "read of %1 (u3f0): the table is another builder's");
+    assert_eq!(message, "read of %1 (u3f0): the table belongs to another builder");
 }
 
 #[test]
@@ -451,7 +450,10 @@ fn operations_are_asked_what_they_can() {
         }),
         "slice of %1 (u1f0): an unsigned word has no sign"
     );
-    assert_eq!(refusal(|b, x| b.slice(x, 3, 0)), "slice of x (s8f4): no bits are taken");
+    assert_eq!(
+        refusal(|b, x| b.slice(x, 3, 0)),
+        "slice of x (s8f4): a slice needs at least one bit"
+    );
     let far = refusal(|b, x| b.slice(x, u32::MAX, 63));
     assert!(far.starts_with("node `slice of x (s8f4)`: bits "), "{far}");
     let far = refusal(|b, x| {
@@ -475,12 +477,12 @@ fn operations_are_asked_what_they_can() {
     );
     assert_eq!(
         refusal(|b, _| b.operation(Op::Input, &[], Format::FLAG)),
-        "input: a port has a name: take `input`"
+        "input: a port has a name: use `input`"
     );
     // A meaning is of what is there before, and of what stays.
     assert_eq!(
         refusal(|b, x| b.means(x, [x], |[of]| of.floor())),
-        "x (s8f4): means something of x (s8f4): that must be an earlier node"
+        "x (s8f4): its meaning refers to x (s8f4): that must be an earlier node"
     );
     let mut b = Builder::new("wrong");
     let x = b.input("x", format("s8f4"), Quantity::Number);
@@ -490,7 +492,7 @@ fn operations_are_asked_what_they_can() {
     b.output("y", y);
     assert_eq!(
         message(b.build()),
-        "%2 (s9f4): its meaning is of %1 (s16f8), which no output needs: make it an output, too, or leave the meaning out"
+        "%2 (s9f4): its meaning refers to %1 (s16f8), which no output needs: make that an output too, or omit the meaning"
     );
 }
 
@@ -879,7 +881,10 @@ fn functions_that_call_too_much_are_refused() {
     let z = b.part(Part::Dot, "s", |b| b.mul(x, y));
     b.output("z", z);
     assert!(
-        b.build().unwrap_err().to_string().starts_with("scope `s`: it is another part elsewhere")
+        b.build()
+            .unwrap_err()
+            .to_string()
+            .starts_with("scope `s`: it is a different part elsewhere")
     );
     assert!(read("").is_err_and(|error| error.contains("it is empty")));
     let text = SMALL_FILE.replace("input : u1f0 @a", "const 0 : u1f0");
@@ -930,27 +935,23 @@ fn a_small_file() {
 #[test]
 fn malformed_files_are_refused_with_their_place() {
     let cases = [
-        (
-            "fixpath netlist 1",
-            "fixpath netlist 2",
-            "line 1, column 1: a netlist's file begins with",
-        ),
-        ("name small", "nam small", "line 2, column 1: the second line is `name`"),
-        ("name small", "name Small", "line 2, column 6: `Small` is no name"),
-        ("scope tail\n", "scope tail 2\n", "line 3, column 12: `2` is no part"),
+        ("fixpath netlist 1", "fixpath netlist 2", "line 1, column 1: a netlist file begins with"),
+        ("name small", "nam small", "line 2, column 1: the second line must be `name`"),
+        ("name small", "name Small", "line 2, column 6: `Small` is not a name"),
+        ("scope tail\n", "scope tail 2\n", "line 3, column 12: `2` is not a part"),
         (
             "scope tail\n",
             "scope tail\nscope tail\n",
             "line 4, column 7: scope `tail` is declared twice",
         ),
         ("scope tail.lookup", "scope head.lookup", "line 4, column 7: there is no scope `head`"),
-        ("max(x, 0)", "max(y, 0)", "line 5, column 40: `y` is no finite number"),
+        ("max(x, 0)", "max(y, 0)", "line 5, column 40: `y` is neither a finite number"),
         ("table rom 1", "table rom 31", "line 6, column 11: 31 address bits: legal is 1 to 30"),
-        ("up:s4f1", "up", "line 6, column 13: `up` is no column"),
-        ("up:s4f1", "down:s4f1", "line 6, column 23: column `down` stands twice"),
+        ("up:s4f1", "up", "line 6, column 13: `up` is not a column"),
+        ("up:s4f1", "down:s4f1", "line 6, column 23: column `down` is declared twice"),
         ("up:s4f1", "up:s64f1", "line 6, column 16: format of 64 bits"),
         ("  7 -4", "  7", "line 7, column 4: the line ends"),
-        ("  7 -4", "  7 -4 5", "line 7, column 8: the line has ended before `5`"),
+        ("  7 -4", "  7 -4 5", "line 7, column 8: expected the end of the line before `5`"),
         ("  7 -4", "  8 -4", "line 7, column 3: word 8 of column `up` is outside s4f1"),
         ("  7 -4", "  x -4", "line 7, column 3: `x` is not a word of column `up`"),
         (
@@ -958,26 +959,26 @@ fn malformed_files_are_refused_with_their_place() {
             "%1 = input",
             "line 9, column 1: nodes are numbered from %0 up: expected `%0`",
         ),
-        ("%0 = input : u1f0 @a", "%0 = input : u1f0", "line 9, column 6: an input has a name"),
+        ("%0 = input : u1f0 @a", "%0 = input : u1f0", "line 9, column 6: name the input"),
         (
             "%0 = input : u1f0 @a",
             "%0 = input : u1f0 @tail.a",
-            "line 9, column 19: an input is in no scope",
+            "line 9, column 19: an input can't be in a scope",
         ),
-        ("@a\n", "@1a\n", "line 9, column 19: `1a` is no name"),
+        ("@a\n", "@1a\n", "line 9, column 19: `1a` is not a name"),
         ("rom.up", "ram.up", "line 10, column 11: there is no table `ram`"),
         ("rom.up", "rom.left", "line 10, column 11: table `rom` has no column `left`"),
-        ("light(%0)", "light(%1)", "`%1` is no finite number"),
+        ("light(%0)", "light(%1)", "`%1` is neither a finite number"),
         ("light(%0)", "light(%0, 1)", "`light` takes 1 operands, and 2 are given"),
         ("mul %1 %1", "mul %1", "line 11, column 6: `mul` takes 2 operands, and 1 are given"),
-        ("mul %1 %1", "mul %1 %2", "line 11, column 13: `%2` is no node before this line"),
+        ("mul %1 %1", "mul %1 %2", "line 11, column 13: `%2` is not a node before this line"),
         ("mul %1 %1", "cube %1", "line 11, column 6: there is no operation `cube`"),
         (": s8f2", ": s9f2", "line 11, column 18: the result of `mul` is s8f2, not s9f2"),
         (": s8f2 @tail.", ": s8f2 tail", "line 11, column 23: expected turns"),
         ("half-even", "half", "line 13, column 13: `half` is not a rounding"),
         ("output y = %3", "output y = %4", "line 14, column 12: `%4` is no node"),
-        ("output y = %3", "outputs y = %3", "line 14, column 1: `outputs` begins no line"),
-        ("output y = %3\n", "", "line 13, column 1: the file ends, and it has no output"),
+        ("output y = %3", "outputs y = %3", "line 14, column 1: `outputs` can't start a line"),
+        ("output y = %3\n", "", "line 13, column 1: the netlist has no output"),
     ];
     for (from, to, message) in cases {
         assert!(SMALL_FILE.contains(from), "{from}");

@@ -407,20 +407,26 @@ fn words_of_63_bits_pass_and_of_64_are_refused_by_name() {
 fn operands_that_do_not_fit_are_refused() {
     let (s4, u4) = (Format::signed(4, 0).unwrap(), Format::unsigned(4, 1).unwrap());
     let cases: [(&str, String); 9] = [
-        ("bitwise operands have one format", refusal(&[s4, u4], |b, i| b.and(i[0], i[1]))),
-        ("the first operand is a flag", refusal(&[s4, s4], |b, i| b.mux(i[0], i[1], i[0]))),
-        ("the first operand is a flag", refusal(&[s4, s4], |b, i| b.addsub(i[0], i[1], i[0]))),
-        ("bits 3..5 of a 4-bit word", refusal(&[s4], |b, i| b.slice(i[0], 3, 2))),
-        ("unsigned integers are concatenated", refusal(&[s4, s4], |b, i| b.concat(i[0], i[1]))),
         (
-            "leading zeros are counted in unsigned words",
+            "bitwise operands must have the same format",
+            refusal(&[s4, u4], |b, i| b.and(i[0], i[1])),
+        ),
+        ("the first operand must be a flag", refusal(&[s4, s4], |b, i| b.mux(i[0], i[1], i[0]))),
+        ("the first operand must be a flag", refusal(&[s4, s4], |b, i| b.addsub(i[0], i[1], i[0]))),
+        ("bits 3..5 of a 4-bit word", refusal(&[s4], |b, i| b.slice(i[0], 3, 2))),
+        (
+            "only unsigned integers can be concatenated",
+            refusal(&[s4, s4], |b, i| b.concat(i[0], i[1])),
+        ),
+        (
+            "leading zeros can only be counted in unsigned words",
             refusal(&[s4], |b, i| b.leading_zeros(i[0])),
         ),
         (
-            "a shift count is an unsigned integer",
+            "a shift count must be an unsigned integer",
             refusal(&[s4, u4], |b, i| b.shift_left(i[0], i[1], 2)),
         ),
-        ("a residue keeps the fraction bits", refusal(&[s4], |b, i| b.modulo(i[0], u4))),
+        ("a residue must keep the fraction bits", refusal(&[s4], |b, i| b.modulo(i[0], u4))),
         ("word 8 is outside s4f0", refusal(&[s4], |b, _| b.constant(8, s4))),
     ];
     for (expected, message) in cases {
@@ -429,7 +435,7 @@ fn operands_that_do_not_fit_are_refused() {
     let far = Format::signed(4, 100).unwrap();
     assert_eq!(
         refusal(&[far, far], |b, i| b.mul(i[0], i[1])),
-        "node `mul of a (s4f100), b (s4f100)`: fraction bits add up past 127"
+        "node `mul of a (s4f100), b (s4f100)`: the sum of the fraction bits is outside -127 to 127"
     );
     assert_eq!(
         refusal(&[far], |b, i| b.shift(i[0], -28)),
@@ -440,5 +446,8 @@ fn operands_that_do_not_fit_are_refused() {
         let wrong = b.and(i[0], i[1]);
         b.slice(wrong, 60, 60)
     });
-    assert_eq!(first, "node `and of a (s4f0), b (u4f1)`: bitwise operands have one format");
+    assert_eq!(
+        first,
+        "node `and of a (s4f0), b (u4f1)`: bitwise operands must have the same format"
+    );
 }

@@ -404,8 +404,8 @@ fn an_interval_too_short_names_kind_operations_and_remedy() {
     let error = shared(vec![read], None).unwrap_err().to_string();
     assert_eq!(
         error,
-        "unit `root1` can't have a latency of 0 cycles: 1 reads on a clock follow each other there; \
-         raise share_latency, or take rom=distributed"
+        "unit `root1` can't have a latency of 0 cycles: its longest chain of clocked reads needs 1; \
+         raise share_latency, or use rom=distributed"
     );
 }
 
@@ -463,7 +463,7 @@ fn bindings_that_are_wrong_say_how() {
     });
     assert_eq!(
         early,
-        "node `t_dot_l`: is bound to cycle 14, and `t_eye_z` is there for cycle 15 at this period: \
+        "node `t_dot_l`: is bound to cycle 14, but `t_eye_z` is ready for cycle 15 at this period: \
          bind it later, or raise period_ps"
     );
     let twice = wrong(&|b| {
@@ -471,7 +471,7 @@ fn bindings_that_are_wrong_say_how() {
     });
     assert_eq!(
         twice,
-        "node `l_dot_l`: sits in dot2 at the phase of `t_dot_l`: 8 cycles later it starts anew"
+        "node `l_dot_l`: uses dot2 in the same phase as `t_dot_l`: the schedule repeats every 8 cycles"
     );
     let unknown = wrong(&|b| b.operations[0].label = "t_w".to_owned());
     assert!(

@@ -991,7 +991,7 @@ fn long_files_are_read_in_proportion_or_refused() {
     assert!(long < 40.0 * short.max(0.1), "{short} s, {long} s");
     let (code, _, stderr) = command(&format!("{}#{}", set(&BASE), "x".repeat(16 << 20)), &[]);
     assert_eq!(code, 2);
-    assert_eq!(stderr, "error: calls.toml: has more than 16777216 bytes, the most that is read\n");
+    assert_eq!(stderr, "error: calls.toml: is larger than the maximum of 16777216 bytes\n");
 }
 
 /// Neither a call, nor what it did, nor a configuration is hundreds of digits long.
@@ -1129,7 +1129,7 @@ fn malformed_files_are_refused_with_the_line() {
             "[[gx]]\ncall = \"Set\"\n",
             "calls.toml, line 2: no call `Set`: legal is SetTexCoordGen or LoadRegister in `call = \"Set\"`",
         ),
-        ("[[gx]]\ncall = 3\n", "calls.toml, line 2: `call` is a name in quotes in `call = 3`"),
+        ("[[gx]]\ncall = 3\n", "calls.toml, line 2: `call` must be a name in quotes in `call = 3`"),
         (call, "calls.toml, line 1: missing field `func` in `[[gx]]`"),
         (
             &format!("{call}function = \"SRTG\"\n"),

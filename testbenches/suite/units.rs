@@ -314,7 +314,7 @@ fn a_unit_that_is_no_unit_says_why() {
     for name in ["", "Half", "half_", "1st", "two words", "a__b", "half/1"] {
         let message = refused(&unit(name));
         assert!(
-            message.starts_with(&format!("unit `{name}`: a name is a to z first")),
+            message.starts_with(&format!("unit `{name}`: a name is a letter a to z")),
             "{message}"
         );
     }
@@ -357,7 +357,7 @@ fn a_unit_that_is_no_unit_says_why() {
         "unit `half`: parameter `a`: it has the name `x` twice"
     );
     assert!(with(Param::choice("a", ["x,y"])).contains("`x,y` can't be written"));
-    assert!(with(Param::flag("A")).contains("parameter `A`: a name is a to z first"));
+    assert!(with(Param::flag("A")).contains("parameter `A`: a name is a letter a to z"));
 }
 
 #[test]
@@ -580,7 +580,7 @@ fn schemes_of_tables_are_taken_or_refused() {
     let refused = |set: &str| design_error("kim", set);
     let text = refused("scheme.sincs=linear");
     assert!(
-        text.contains("has no table `sincs` of a scheme of its own, did you mean `sincos`"),
+        text.contains("has no table `sincs` whose scheme can be set, did you mean `sincos`"),
         "{text}"
     );
     let text = refused("scheme.sincos=lineer");

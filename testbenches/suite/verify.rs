@@ -458,7 +458,7 @@ mod commands {
             let mut command = fixpath(&["verify", "rotation", "--with", tool]);
             let (code, stdout, stderr) = ended(command.env("PATH", nothing.path()));
             assert_eq!((code, stdout.as_str()), (2, ""), "{stderr}");
-            let says = format!("{tool} is not found: `apt-get install {package}` brings it");
+            let says = format!("{tool} is not found: install it with `apt-get install {package}`");
             assert!(stderr.contains(&says), "{stderr}");
         }
         let mut command = fixpath(&["verify", "rotation"]);
@@ -488,7 +488,7 @@ mod commands {
         assert_eq!(row[..4], ["icarus", "99.5", "7", "3"]);
         assert_eq!(row[5], "DISAGREES");
         for says in [
-            "`apt-get install ghdl` brings it",
+            "install it with `apt-get install ghdl`",
             "first mismatch in icarus: vector 0",
             "phi_a = ",
             "y should be 10000 (word 65536, value 1)",
@@ -677,7 +677,7 @@ mod commands {
         command.args(["--with", "icarus"]);
         let (code, stdout, stderr) = ended(command.env("PATH", tools.path()));
         assert_eq!((code, stdout.as_str()), (2, ""), "{stderr}");
-        let says = "vvp is not found: `apt-get install iverilog` brings it";
+        let says = "vvp is not found: install it with `apt-get install iverilog`";
         assert!(stderr.contains(says), "{stderr}");
     }
 
@@ -696,8 +696,8 @@ mod commands {
         for (tool, says) in [
             ("icarus", "DISAGREES"),
             ("ghdl", "COULD NOT RUN: ghdl ended with status 127: no library"),
-            ("verilator", "`apt-get install verilator` brings it"),
-            ("yosys", "`apt-get install yosys` brings it"),
+            ("verilator", "install it with `apt-get install verilator`"),
+            ("yosys", "install it with `apt-get install yosys`"),
         ] {
             let row = told.lines().find(|line| line.trim().starts_with(tool));
             assert!(row.is_some_and(|row| row.contains(says)), "{tool}: no `{says}` in {told}");

@@ -131,7 +131,7 @@ fn constants_are_exact() {
         w.output("out", &(x + value));
         let why = w.build().unwrap_err().to_string();
         let start = format!(
-            "constant {value}: no format of 63 bits and 127 fraction bits has this value ("
+            "constant {value}: no format of up to 63 bits and 127 fraction bits has exactly this value ("
         );
         assert!(why.starts_with(&start) && why.contains("wires.rs:"), "{why}");
     }
@@ -195,18 +195,18 @@ fn wrong_use_of_wires_is_an_error_with_its_line() {
     assert!(text.starts_with("node `mul of x (s40f0), x (s40f0)` needs 80 bits"), "{text}");
     assert_eq!(line, line!() - 2);
     let (text, line) = why(&|_, x| drop(x.lt(x) & x));
-    assert!(text.ends_with("`: bitwise operands have one format"), "{text}");
+    assert!(text.ends_with("`: bitwise operands must have the same format"), "{text}");
     assert_eq!(line, line!() - 2);
     let (text, line) = why(&|_, x| drop(x.bits(7..7)));
-    assert!(text.starts_with("slice of x (s40f0): no bits are taken ("), "{text}");
+    assert!(text.starts_with("slice of x (s40f0): a slice needs at least one bit ("), "{text}");
     assert_eq!(line, line!() - 2);
     #[expect(clippy::reversed_empty_ranges, reason = "wrong on purpose")]
     let (text, _) = why(&|_, x| drop(x.bits(9..7)));
-    assert!(text.starts_with("slice of x (s40f0): no bits are taken ("), "{text}");
+    assert!(text.starts_with("slice of x (s40f0): a slice needs at least one bit ("), "{text}");
     let (text, _) = why(&|w, x| drop(w.word(9, format("s4f0")) + x));
     assert!(text.starts_with("node `const`: word 9 is outside s4f0"), "{text}");
     let (text, _) = why(&|_, x| drop(x.clone().named("Sum")));
-    assert!(text.starts_with("node `Sum`: a name is a to z first"), "{text}");
+    assert!(text.starts_with("node `Sum`: a name is a letter a to z"), "{text}");
 
     // Wires of two netlists: an error of the one that met the other's, in any order and place.
     for swapped in [false, true] {
@@ -344,10 +344,10 @@ fn formats_of_nodes_that_are_not_there_are_refused() {
     let why = |formats: &[(&str, Format)]| with_formats(formats, recipe).unwrap_err().to_string();
     let to = format("s5f2");
     let text = why(&[("inner.narow_2", to)]);
-    let start = "netlist `recipe` has no node `inner.narow_2` of a format of its own, did you mean `inner.narrow_2`: there are narrow, named, ";
+    let start = "netlist `recipe` has no node `inner.narow_2` whose format can be set, did you mean `inner.narrow_2`: there are narrow, named, ";
     assert!(text.starts_with(start), "{text}");
     assert!(
-        why(&[("x", to)]).starts_with("netlist `recipe` has no node `x` of a format of its own: ")
+        why(&[("x", to)]).starts_with("netlist `recipe` has no node `x` whose format can be set: ")
     );
     assert_eq!(why(&[("named", to), ("named", to)]), "the format of node `named` is given twice");
     let long = "z".repeat(100_000);
@@ -381,5 +381,5 @@ fn formats_of_nodes_that_are_not_there_are_refused() {
         b.build()
     };
     let none = with_formats(&[("y", to)], empty).unwrap_err().to_string();
-    assert_eq!(none, "netlist `empty` has no node `y` of a format of its own: there is none");
+    assert_eq!(none, "netlist `empty` has no node `y` whose format can be set: there is none");
 }

@@ -1,4 +1,4 @@
-//! A file written whole or not at all.
+//! Files that are written whole or not at all.
 
 use super::place::{at, folder_of, place, real_path};
 use super::scratch::{self, Scratch};
@@ -8,20 +8,20 @@ use std::fs::{self, File};
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-/// Refuses a path that can't be written, or leads to a file that this process reads.
+/// Refuses a path that can't be written, or that leads to a file that this process reads.
 ///
 /// # Errors
-/// Always then; says why.
+/// If the path is refused; the message says why.
 pub fn check(path: &Path) -> Result<()> {
     if let Some(input) = input::input_at(path) {
         let also = if input == path { String::new() } else { format!(" {}", input.display()) };
-        return Err(Error::file(path, format!("is the input{also}: give another file to write")));
+        return Err(Error::file(path, format!("is the input{also}: choose another output file")));
     }
     match fs::metadata(path) {
         Ok(there) if there.is_dir() => {
             Err(Error::file(path, "can't write: it is a folder".to_owned()))
         }
-        // The folder may allow another file of the name where the file itself is to stay.
+        // The folder may allow replacing a file that is itself read-only: keep it.
         Ok(there) if there.is_file() => {
             File::options().write(true).open(path).map(|_| ()).map_err(at(path))
         }
@@ -29,7 +29,7 @@ pub fn check(path: &Path) -> Result<()> {
     }
 }
 
-/// Writes a text file, as [`write_file`].
+/// Writes a text file; see [`write_file`].
 ///
 /// # Errors
 /// As [`write_file`].
@@ -37,26 +37,27 @@ pub fn write_text(path: &Path, text: &str) -> Result<()> {
     write_file(path, |to| to.write_all(text.as_bytes()).map_err(at(path)))
 }
 
-/// Writes a file, which takes its place when it is complete; whatever was there stays until then, and
-/// its mode and owner beyond that. What is no regular file (`/dev/stdout`, a pipe) is written directly.
+/// Writes a file and moves it into place when it is complete. An existing file stays until then,
+/// and the new one inherits its mode and owner. A path that is not a regular file (`/dev/stdout`, a
+/// pipe) is written directly.
 ///
 /// # Errors
-/// If the file can't be written or is one that this process reads, or `body` fails; nothing of it is
-/// left then.
+/// If the file can't be written, if this process reads it, or if `body` fails; no partial file is
+/// left.
 pub fn write_file(path: &Path, body: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
     Draft::write(path, body)?.publish()
 }
 
-/// A file that is complete and not in its place yet.
+/// A file that is complete but not yet in place.
 #[derive(Debug)]
 pub struct Draft {
     path: PathBuf,
-    /// None of what was written directly.
+    /// `None` if the path was written directly.
     made: Option<Scratch>,
 }
 
 impl Draft {
-    /// Writes it; see [`write_file`].
+    /// Writes the draft; see [`write_file`].
     ///
     /// # Errors
     /// As [`write_file`].
@@ -76,18 +77,18 @@ impl Draft {
         Ok(Self { path: path.to_owned(), made })
     }
 
-    /// Puts it into its place.
+    /// Moves it into place.
     ///
     /// # Errors
-    /// If it can't be.
+    /// If that fails.
     pub fn publish(self) -> Result<()> {
         Self::publish_all([self])
     }
 
-    /// Puts files into their places, one right after the other.
+    /// Moves several files into place, one right after the other.
     ///
     /// # Errors
-    /// If one of them can't be.
+    /// If one of them can't be moved.
     pub fn publish_all<const N: usize>(drafts: [Self; N]) -> Result<()> {
         let held = scratch::hold();
         let place = |draft: &Self| match &draft.made {

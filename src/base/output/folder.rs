@@ -1,19 +1,19 @@
-//! Folders made and copied.
+//! Making and copying folders.
 
 use super::place::{at, in_place};
 use crate::base::error::{Error, Result};
 use std::fs::{self};
 use std::path::Path;
 
-/// Makes a folder and those above it.
+/// Makes a folder and its parents.
 ///
 /// # Errors
-/// If it can't be made; names it.
+/// If it can't be made; the error names it.
 pub fn make_folder(path: &Path) -> Result<()> {
     fs::create_dir_all(path).map_err(|why| Error::io(&in_place(path), "can't make the folder", why))
 }
 
-/// Copies all that a folder holds into another that is there.
+/// Copies the content of a folder into another existing folder.
 ///
 /// # Errors
 /// If a file can't be read or written.

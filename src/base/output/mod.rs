@@ -1,4 +1,4 @@
-//! Writing files whole or not at all, and never over what is read.
+//! Writes files whole or not at all, and never over an input.
 
 mod file;
 mod folder;
@@ -12,7 +12,7 @@ pub(crate) use place::{at, csv_at};
 pub use scratch::Scratch;
 pub use set::Set;
 
-/// Removes what is not in its place yet; for a handler of interrupts, which ends the process next.
+/// Removes files that are not yet in place. For the interrupt handler, which then ends the process.
 pub(crate) fn abandon() {
     scratch::abandon();
     set::abandon();

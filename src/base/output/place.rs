@@ -1,17 +1,17 @@
-//! Where files go, and errors that name it.
+//! Final paths of files, and errors that name them.
 
 use crate::base::error::Error;
 use std::fs::{self};
 use std::io::{self};
 use std::path::{Component, Path, PathBuf};
 
-/// Folder in an output folder that tells what was written there.
+/// Folder inside an output folder that records what was written there.
 pub(super) const STATE: &str = ".fixpath";
 
-/// Folder in a scratch folder or journal there, for the files.
+/// Folder for the files inside a scratch folder or journal.
 pub(super) const FILES: &str = "files";
 
-/// Where a file of a set will be, if that is a path in its side folder.
+/// The final path of a file in a set's side folder; other paths unchanged.
 pub(super) fn in_place(path: &Path) -> PathBuf {
     let parts: Vec<Component<'_>> = path.components().collect();
     let is_side = |at: usize| parts[at].as_os_str() == STATE && parts[at + 2].as_os_str() == FILES;
@@ -21,12 +21,12 @@ pub(super) fn in_place(path: &Path) -> PathBuf {
     }
 }
 
-/// Names the file in an error of writing to it.
+/// Turns an I/O error into one that names the file being written.
 pub(crate) fn at(path: &Path) -> impl Fn(io::Error) -> Error {
     move |why| Error::io(&in_place(path), "can't write", why)
 }
 
-/// The same for a writer of CSV, whose errors hold that of the file.
+/// [`at`] for a CSV writer, whose errors wrap the file's.
 #[expect(clippy::wildcard_enum_match_arm, reason = "a foreign enum that may grow")]
 pub(crate) fn csv_at(path: &Path) -> impl Fn(csv::Error) -> Error + Copy {
     move |why| match why.into_kind() {
@@ -35,11 +35,11 @@ pub(crate) fn csv_at(path: &Path) -> impl Fn(csv::Error) -> Error + Copy {
     }
 }
 
-/// What a path leads to: a link stays a link.
+/// Follows a link, so that writing to it keeps the link.
 pub(super) fn real_path(path: &Path) -> PathBuf {
     match (fs::canonicalize(path), fs::read_link(path)) {
         (Ok(real), _) => real,
-        // A link to what isn't there yet.
+        // A dangling link.
         (Err(_), Ok(target)) => folder_of(path).join(target),
         (Err(_), Err(_)) => path.to_owned(),
     }
@@ -52,13 +52,13 @@ pub(super) fn folder_of(path: &Path) -> PathBuf {
     }
 }
 
-/// Gives a file its name; of a file that had it, mode and owner stay.
+/// Renames `from` to `to`. A file that is replaced passes on its mode and owner.
 pub(super) fn place(from: &Path, to: &Path) -> io::Result<()> {
     if let Ok(there) = fs::metadata(to) {
         #[cfg(unix)]
         {
             use std::os::unix::fs::{MetadataExt, chown};
-            // Only root may give files away; before the mode, from which it takes bits.
+            // Only root may change an owner. Done before the mode, since it clears mode bits.
             let _ = chown(from, Some(there.uid()), Some(there.gid()));
         }
         fs::set_permissions(from, there.permissions())?;

@@ -1,4 +1,4 @@
-//! Folders for files that are not in their places yet, or never will be.
+//! Folders for files that are temporary or not yet in place.
 
 use crate::base::error::{Error, Result};
 use std::collections::BTreeSet;
@@ -11,40 +11,41 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 /// Folders in use.
 static SCRATCH: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
-/// Folders in which what killed runs left was looked for.
+/// Folders that were already searched for leftovers of killed runs.
 static SWEPT: Mutex<BTreeSet<(PathBuf, String)>> = Mutex::new(BTreeSet::new());
 
 /// Number of the next folder.
 static NEXT: AtomicU64 = AtomicU64::new(0);
 
-/// While this is held, no interrupt ends the process, and no folder is made or goes.
+/// While the guard is held, no interrupt ends the process, and no scratch folder is made or
+/// removed.
 pub(super) fn hold() -> MutexGuard<'static, BTreeSet<PathBuf>> {
     SCRATCH.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Removes all folders in use; for a handler of interrupts, which ends the process next.
+/// Removes all folders in use. For the interrupt handler, which then ends the process.
 pub(super) fn abandon() {
     let folders = hold();
     for folder in &*folders {
-        // A tool's last file may come in between; what can't be removed is swept by the next run.
+        // A tool may still write a last file. The next run sweeps what can't be removed.
         let _ = fs::remove_dir_all(folder).or_else(|_| fs::remove_dir_all(folder));
     }
-    // Locked for ever: other threads make no new ones until the process ends.
+    // Locked forever: no other thread makes a folder before the process ends.
     std::mem::forget(folders);
 }
 
-/// A folder for files of no further use, which goes with it. Where a kill leaves it, the next run that
-/// makes one beside it removes it.
+/// A temporary folder, removed on drop. If the run is killed, the next run that makes one in the
+/// same place removes it.
 #[derive(Debug)]
 pub struct Scratch {
     folder: PathBuf,
-    /// Held until the folder is gone: what has no lock was left by a run that is dead.
+    /// Held until the folder is removed: an unlocked folder belongs to a dead run.
     _lock: Option<File>,
 }
 
 impl Scratch {
-    /// Makes one where the system keeps such folders, with a path that shells and makefiles take
-    /// as it is: outside tools pass it on to them unquoted.
+    /// Makes a folder in the system's temporary folder, at a path that shells and makefiles accept
+    /// unquoted, since outside tools pass it on unquoted.
     ///
     /// # Errors
     /// If it can't be made, or no such path is known.
@@ -57,8 +58,8 @@ impl Scratch {
         let usual = ["/tmp", "/var/tmp"].map(PathBuf::from);
         let Some(place) = std::iter::once(given.clone()).chain(usual).find(plain) else {
             return Err(Error::usage(format!(
-                "outside tools can't work in `{}`: set TMPDIR to a folder whose path has letters, \
-                 digits, `.`, `_`, `-` alone",
+                "outside tools can't work in `{}`: set TMPDIR to a folder whose path has only letters, \
+                 digits, `.`, `_` and `-`",
                 given.display()
             )));
         };
@@ -66,9 +67,9 @@ impl Scratch {
             .map_err(|why| Error::io(&place, "can't make a folder in it", why))
     }
 
-    /// Makes one in a folder, with a name that starts with `prefix`.
+    /// Makes a folder inside `place`, with a name that starts with `prefix`.
     pub(super) fn within(place: &Path, prefix: &str) -> io::Result<Self> {
-        // Locks of folders don't reach other machines, which may share the place.
+        // Locks on folders don't reach other machines that share `place`.
         let prefix = format!("{prefix}{}-", machine());
         sweep(place, &prefix);
         let mut known = hold();
@@ -99,13 +100,13 @@ impl Scratch {
 impl Drop for Scratch {
     fn drop(&mut self) {
         let mut known = hold();
-        // What can't be removed is swept by a later run.
+        // A later run sweeps what can't be removed.
         let _ = fs::remove_dir_all(&self.folder);
         known.remove(&self.folder);
     }
 }
 
-/// Makes a folder for this user alone.
+/// Makes a folder that only this user can access.
 fn make(folder: &Path) -> io::Result<()> {
     let mut builder = fs::DirBuilder::new();
     #[cfg(unix)]
@@ -113,7 +114,7 @@ fn make(folder: &Path) -> io::Result<()> {
     builder.create(folder)
 }
 
-/// Who has locked a folder.
+/// Who holds the lock on a folder.
 enum Lock {
     /// This run, until the file is closed.
     Ours(File),
@@ -131,7 +132,7 @@ fn lock(folder: &Path) -> Lock {
     }
 }
 
-/// Removes folders that runs on this machine left when they were killed, once a run.
+/// Removes folders left by killed runs on this machine; once per run.
 fn sweep(place: &Path, prefix: &str) {
     let place_and_prefix = (place.to_owned(), prefix.to_owned());
     let is_first = SWEPT.lock().unwrap_or_else(PoisonError::into_inner).insert(place_and_prefix);
@@ -143,13 +144,13 @@ fn sweep(place: &Path, prefix: &str) {
         let is_ours = rest.is_some_and(|(id, number)| is_number(id) && is_number(number))
             && entry.file_type().is_ok_and(|kind| kind.is_dir());
         if is_ours && let Lock::Ours(_lock) = lock(&entry.path()) {
-            // Another user's stays.
+            // Another user's folder stays.
             let _ = fs::remove_dir_all(entry.path());
         }
     }
 }
 
-/// The name of this machine, in letters that any path takes.
+/// The name of this machine, restricted to characters that are legal in any path.
 fn machine() -> String {
     #[cfg(unix)]
     let name = rustix::system::uname().nodename().to_string_lossy().into_owned();

@@ -1,4 +1,4 @@
-//! Files that belong together.
+//! Files that are published together.
 
 use super::file::{check, write_file};
 use super::folder::make_folder;
@@ -13,49 +13,51 @@ use std::path::{Component, Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use std::time::UNIX_EPOCH;
 
-/// Names those files, beside them.
+/// The file that lists them, beside them.
 const LIST: &str = "list";
 
-/// The files that a command writes into a folder, where others' may be, too.
+/// The files that a command writes into a folder that may also hold other files.
 ///
-/// They are written into a side folder and take their places together, so that a run that is stopped
-/// leaves all files of one run. Files that the run before made and this one doesn't make go
-/// then, but for those that have changed since or that another set has made since. A second run that wants to write the same set meanwhile is refused; what refuses it falls with
-/// the process.
+/// They are written into a side folder and published together, so that an interrupted run leaves
+/// the files of one run only. Files of the previous run that this one doesn't make are removed,
+/// except those that have changed since or that another set has written since. A second run that
+/// wants to write the same set at the same time is refused; its lock is released when the process
+/// ends.
 ///
-/// # What holds
+/// # Guarantees
 ///
-/// `.fixpath/NAME` lists the files of the last run that came to its end, each with its length and time, by which it is
-/// known again. A run that has written all its files
-/// renames its side folder to `.fixpath/NAME.next`, the journal: from then on its files are those of the set. They go
-/// to their places one by one, those of the run before that are no longer made go away, and at last the journal's
-/// list becomes `.fixpath/NAME`. Whoever is killed before the first rename leaves the files of the run before; whoever
-/// is killed later leaves the journal, and the next run that opens the set finishes it before anything else. So
-/// while there is no journal, all files are of one run; while there is one, they may be of two, and a reader waits or
-/// opens the set. Against a power cut the order of renames is the file system's: nothing is flushed to disk.
+/// `.fixpath/NAME` lists the files of the last completed run, with the length and time of each to
+/// recognise it. A run that has written all its files renames its side folder to
+/// `.fixpath/NAME.next`, the journal. From then on its files are the set's. They are moved into
+/// place one by one, files of the previous run that are no longer made are removed, and finally the
+/// journal's list becomes `.fixpath/NAME`. A run that is killed before the first rename leaves the
+/// previous run's files. A run that is killed later leaves the journal, and the next run that opens
+/// the set finishes it first. So without a journal, all files belong to one run; with a journal,
+/// they may belong to two, and a reader waits or opens the set. After a power cut, the order of
+/// renames depends on the file system: nothing is flushed to disk.
 #[derive(Debug)]
 pub struct Set {
-    /// Goes while the list is still locked.
+    /// Dropped while the list is still locked.
     _trace: Trace,
     folder: PathBuf,
-    /// Lists the files of the run before. It is locked.
+    /// Lists the files of the previous run. It is locked.
     list: PathBuf,
-    /// Where the files of a run are that has come to its end and not to their places.
+    /// The files of a run that has completed but not yet published them.
     journal: PathBuf,
     lock: File,
     earlier: Files,
-    /// What is to be written, if that was told.
+    /// The files to be written, if declared.
     expected: Option<BTreeSet<PathBuf>>,
-    /// Gone when the set is dropped.
+    /// Removed when the set is dropped.
     side: Option<Scratch>,
 }
 
 impl Set {
-    /// Takes the set of a name in a folder, which is made if it isn't there. A run that was killed while its files
-    /// went to their places is finished first.
+    /// Opens the set `name` in a folder, which is created if missing. First finishes a run that was
+    /// killed while publishing.
     ///
     /// # Errors
-    /// If another run has the set, or the folder can't be made or written.
+    /// If another run has the set open, or the folder can't be made or written.
     pub fn open(folder: &Path, name: &str) -> Result<Self> {
         let is_new = !folder.exists();
         make_folder(folder)?;
@@ -64,7 +66,7 @@ impl Set {
         let list = state.join(name);
         let lock = claim(&state, &list).map_err(&fail)?.ok_or_else(|| {
             let problem =
-                "another run is writing into it: wait for its end, or choose another folder";
+                "another run is writing to it: wait until it ends, or choose another folder";
             Error::file(folder, problem.to_owned())
         })?;
         let trace = Trace::new(list.clone(), is_new.then(|| folder.to_owned()));
@@ -87,7 +89,7 @@ impl Set {
         Ok(set)
     }
 
-    /// The side folder: what is written here takes its place at [`Self::commit`].
+    /// The side folder. [`Self::commit`] moves the files written here into place.
     #[must_use]
     pub fn path(&self) -> PathBuf {
         self.side().join(FILES)
@@ -97,10 +99,10 @@ impl Set {
         self.side.as_ref().expect("bug: it goes with the set").path()
     }
 
-    /// Checks before the work that these files can be put into their places: there will be no others in the set.
+    /// Checks in advance that these files can be moved into place. The set will hold no others.
     ///
     /// # Errors
-    /// If one can't, or this process reads it.
+    /// If a file can't be, or this process reads it.
     pub fn expect<P: Into<PathBuf>>(&mut self, files: impl IntoIterator<Item = P>) -> Result<()> {
         let files: BTreeSet<PathBuf> = files.into_iter().map(Into::into).collect();
         for file in &files {
@@ -110,12 +112,12 @@ impl Set {
         Ok(())
     }
 
-    /// Puts all files of the side folder into their places, and removes those of the run before that
+    /// Moves all files of the side folder into place, and removes those of the previous run that
     /// are not among them.
     ///
     /// # Errors
-    /// If a file can't be put there, or this process reads it. Nothing has changed if that is known
-    /// before the first is in its place.
+    /// If a file can't be moved, or this process reads it. If that is known before the first move,
+    /// nothing has changed.
     pub fn commit(mut self) -> Result<()> {
         self.publish()?;
         self.finish()
@@ -139,19 +141,20 @@ impl Set {
             made.iter().try_for_each(|(file, stamp)| {
                 writeln!(list, "{} {} {}", stamp.bytes, stamp.nanoseconds, file.display())
             })?;
-            // An interrupt removes the side folder: before it is the journal, or not at all.
+            // An interrupt removes the side folder, either before it becomes the journal or not at
+            // all.
             let _held = scratch::hold();
             fs::rename(self.side(), &self.journal)
         };
         tell().map_err(at(&self.list))
     }
 
-    /// Puts the files of the journal into their places.
+    /// Moves the files of the journal into place.
     fn finish(&mut self) -> Result<()> {
         let journal = self.journal.clone();
         let list = journal.join(LIST);
         let mut new = match File::open(&list) {
-            // All but the end of the end was done.
+            // Only removing the journal is left to do.
             Err(why) if why.kind() == io::ErrorKind::NotFound => {
                 return fs::remove_dir_all(&journal).map_err(at(&journal));
             }
@@ -162,11 +165,11 @@ impl Set {
         for file in made.keys() {
             let (from, to) = (journal.join(FILES).join(file), self.folder.join(file));
             if !from.exists() {
-                continue; // it is in its place
+                continue; // already in place
             }
             check(&to)?;
             make_folder(to.parent().unwrap_or(&self.folder))?;
-            // What a link leads to may be on another disk.
+            // The target of a link may be on another disk.
             if fs::symlink_metadata(&to).is_ok_and(|there| !there.is_file()) {
                 copy(&from, &to)?;
             } else {
@@ -182,13 +185,13 @@ impl Set {
         for (file, stamp) in stale.filter(|(file, _)| !others.contains(*file)) {
             self.remove(file, *stamp)?;
         }
-        // Nobody else knows it yet; a system without locks has none here either.
+        // No other run knows this list yet. A system without locks has none here either.
         let _ = new.try_lock();
         fs::rename(&list, &self.list).map_err(at(&self.list))?;
         std::mem::swap(&mut self.lock, &mut new);
         self.earlier = made;
         drop(held);
-        // What stays of it says nothing any more.
+        // Whatever remains of the journal has no meaning any more.
         let _ = fs::remove_dir_all(&journal);
         Ok(())
     }
@@ -206,14 +209,14 @@ impl Set {
         Ok(files)
     }
 
-    /// Removes a file of the run before, if it is as that left it, and its folder if that is empty then.
+    /// Removes a file of the previous run if it is unchanged, and then its folders that are empty.
     fn remove(&self, file: &Path, stamp: Stamp) -> Result<()> {
         let path = self.folder.join(file);
         let above = || {
             let folders = file.ancestors().skip(1).filter(|above| !above.as_os_str().is_empty());
             folders.map(|above| self.folder.join(above))
         };
-        // No link on the way leads out of the folder.
+        // Doesn't follow links, which may lead out of the folder.
         let is_here =
             above().all(|above| fs::symlink_metadata(above).is_ok_and(|there| there.is_dir()));
         let is_same = fs::symlink_metadata(&path).is_ok_and(|at| Stamp::of(&at) == Some(stamp));
@@ -227,7 +230,7 @@ impl Set {
             Ok(()) | Err(_) => {}
         }
         for folder in above() {
-            // One with other files stays.
+            // A folder with other files stays.
             let _ = fs::remove_dir(folder);
         }
         Ok(())
@@ -240,14 +243,15 @@ impl Drop for Set {
     }
 }
 
-/// The list of a set that is open and what was made for it: a run that writes nothing leaves nothing.
+/// The list of an open set, and the folder created for it. Both are removed if the run writes
+/// nothing.
 #[derive(Debug)]
 struct Trace(Made);
 
-/// A list, and its folder if that wasn't there before.
+/// A list, and its folder if this run created it.
 type Made = (PathBuf, Option<PathBuf>);
 
-/// Those of all sets that are open.
+/// The traces of all open sets.
 static TRACES: Mutex<BTreeSet<Made>> = Mutex::new(BTreeSet::new());
 
 impl Trace {
@@ -273,12 +277,12 @@ fn fade((list, new_folder): &Made) {
     }
 }
 
-/// What open sets leave when the process ends next.
+/// Removes the traces of open sets; the process ends next.
 pub(super) fn abandon() {
     TRACES.lock().unwrap_or_else(PoisonError::into_inner).iter().for_each(fade);
 }
 
-/// Opens and locks a list, which is made if it isn't there; `None` if another run has it.
+/// Opens and locks a list, which is created if missing; `None` if another run holds the lock.
 fn claim(state: &Path, list: &Path) -> io::Result<Option<File>> {
     loop {
         fs::create_dir_all(state)?;
@@ -293,23 +297,23 @@ fn claim(state: &Path, list: &Path) -> io::Result<Option<File>> {
             // A file system without locks can't refuse anyone.
             Ok(()) | Err(fs::TryLockError::Error(_)) => {}
         }
-        // Whoever had it before may have put another in its place.
+        // The previous holder may have replaced it.
         if input::is_at(&file, list) {
             return Ok(Some(file));
         }
     }
 }
 
-/// What a file is known by, besides its name.
+/// Identifies a file's content without reading it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 struct Stamp {
     bytes: u64,
-    /// When it was written, from 1970 on.
+    /// Modification time, since 1970.
     nanoseconds: u128,
 }
 
 impl Stamp {
-    /// That of a plain file.
+    /// The stamp of a regular file.
     fn of(there: &Metadata) -> Option<Self> {
         let written = there.modified().ok()?.duration_since(UNIX_EPOCH).unwrap_or_default();
         let stamp = Self { bytes: there.len(), nanoseconds: written.as_nanos() };
@@ -320,7 +324,7 @@ impl Stamp {
 /// The files of a set.
 type Files = BTreeMap<PathBuf, Stamp>;
 
-/// What a list names, from its start: a line a file, as `BYTES NANOSECONDS PATH`.
+/// The files in a list, read from its start: one line each, `BYTES NANOSECONDS PATH`.
 fn listed(mut list: &File) -> io::Result<Files> {
     let mut text = Vec::new();
     list.read_to_end(&mut text)?;
@@ -334,12 +338,12 @@ fn listed(mut list: &File) -> io::Result<Files> {
     Ok(String::from_utf8_lossy(&text).lines().filter_map(file).collect())
 }
 
-/// True for a path that leads out of no folder.
+/// True for a path that can't lead out of its folder.
 fn is_within(path: &Path) -> bool {
     path.components().all(|part| matches!(part, Component::Normal(_))) && path != Path::new("")
 }
 
-/// Paths of all files in a folder, from there.
+/// Collects the paths of all files in a folder, relative to it.
 fn files_of(root: &Path, below: &Path, files: &mut Files) -> io::Result<()> {
     for entry in fs::read_dir(root.join(below))? {
         let entry = entry?;
@@ -380,7 +384,7 @@ mod tests {
         named.map(of).collect()
     }
 
-    /// A run that ends by a kill when its first file is in its place, or none.
+    /// A run that is killed after moving its first file into place, or before that.
     fn killed(folder: &Path, placed: bool) {
         let mut set = Set::open(folder, "s").unwrap();
         write(&set, [("a", "2"), ("b", "2")]);
@@ -402,7 +406,7 @@ mod tests {
             write(&set, [("a", "1"), ("old", "1")]);
             set.commit().unwrap();
             killed(folder, placed);
-            // The next run comes to nothing, and the files are still of one.
+            // The next run writes nothing, and all files still belong to one run.
             drop(Set::open(folder, "s").unwrap());
             let of_second = [("a", "2"), ("b", "2")];
             let of_first = [("a", "1"), ("old", "1")];
@@ -433,7 +437,7 @@ mod tests {
         fs::write(folder.join("changed"), "by hand").unwrap();
         fs::remove_file(folder.join("now_folder")).unwrap();
         fs::create_dir(folder.join("now_folder")).unwrap();
-        // The same file by a link.
+        // The same file, reached by a link.
         fs::rename(folder.join("moved"), elsewhere.path().join("moved")).unwrap();
         #[cfg(unix)]
         std::os::unix::fs::symlink(elsewhere.path().join("moved"), folder.join("moved")).unwrap();
@@ -465,7 +469,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let out = folder.path().join("out");
         let set = Set::open(&out, "s").unwrap();
-        fs::remove_dir_all(set.side()).unwrap(); // as the handler does before
+        fs::remove_dir_all(set.side()).unwrap(); // as the interrupt handler does first
         let made = (set.list.clone(), Some(out.clone()));
         assert!(TRACES.lock().unwrap().contains(&made));
         fade(&made);

@@ -1,4 +1,4 @@
-//! Terms, graphs of them, expressions, and functions, which are expressions with a name.
+//! Terms, graphs, expressions, and functions, which are named expressions.
 
 use super::primitive::Primitive;
 use super::rows::Rows;
@@ -9,7 +9,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::ops;
 use std::sync::Arc;
 
-/// A finite `f64` that is ordered and can be a key; equal is bit for bit, and there is no -0.
+/// An `f64` that can be ordered and used as a key. Equality is bitwise, and there is no -0.
 #[derive(Clone, Copy, Debug)]
 pub struct Number(f64);
 
@@ -53,23 +53,24 @@ impl std::hash::Hash for Number {
     }
 }
 
-/// A term of a graph; operands are positions of earlier terms.
+/// A term of a graph; its operands are earlier terms.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub enum Term {
     /// A number.
     Constant(Number),
     /// A variable by its number.
     Variable(u32),
-    /// A primitive of as many earlier terms as it takes; the rest are 0.
+    /// A primitive of earlier terms; unused operands are 0.
     Of(Primitive, [TermId; 3]),
-    /// A named function of an earlier term. In a graph, only one with a kernel of its own: others are what they are made of.
+    /// A named function of an earlier term. In a graph, only a function with its own kernel; other
+    /// calls are expanded.
     Call(Function, TermId),
     /// The value of rows at an earlier term.
     Row(Rows, TermId),
 }
 
 impl Term {
-    /// The earlier terms that it is made of.
+    /// Its operands.
     #[must_use]
     pub fn operands(&self) -> &[TermId] {
         match self {
@@ -92,7 +93,7 @@ impl TermId {
     }
 }
 
-/// Terms, each of which stands once; operands come first.
+/// Terms without duplicates; operands come before their users.
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
     terms: Vec<Term>,
@@ -112,7 +113,7 @@ impl Graph {
         &self.terms
     }
 
-    /// Position of a term, which is added if it isn't there.
+    /// Position of a term, which is added if missing.
     pub fn add(&mut self, term: Term) -> TermId {
         let next = TermId(cast::id_of(self.terms.len()));
         *self.known.entry(term).or_insert_with_key(|term| {
@@ -129,7 +130,7 @@ impl Graph {
     /// A primitive of terms.
     ///
     /// # Panics
-    /// If they are more or fewer than it takes.
+    /// If their number isn't the primitive's arity.
     pub fn of(&mut self, primitive: Primitive, of: &[TermId]) -> TermId {
         assert_eq!(of.len(), primitive.arity(), "bug: operands of {}", primitive.name());
         let mut operands = [TermId::default(); 3];
@@ -137,7 +138,8 @@ impl Graph {
         self.add(Term::Of(primitive, operands))
     }
 
-    /// Adds an expression whose variables are these terms; a function without a kernel becomes what it is made of.
+    /// Adds an expression with these terms as its variables. Functions without a kernel are
+    /// expanded.
     ///
     /// # Panics
     /// If the expression has more variables.
@@ -153,7 +155,7 @@ impl Graph {
         self.add(Term::Call(function.clone(), of))
     }
 
-    /// Adds the terms of an expression; what its variables and calls become is up to the caller.
+    /// Adds the terms of an expression; the callbacks map its variables and calls.
     fn copy(
         &mut self,
         expr: &Expr,
@@ -177,7 +179,7 @@ impl Graph {
         at.last().copied().expect("bug: an expression has a term")
     }
 
-    /// Values of all terms in a reading, from those of the variables.
+    /// Values of all terms in a reading, given those of the variables.
     ///
     /// # Panics
     /// If a variable has no value.
@@ -187,9 +189,9 @@ impl Graph {
     }
 }
 
-/// An expression: a graph of its own, whose last term is its value.
+/// An expression: a graph whose last term is its value.
 ///
-/// Operators take expressions and numbers:
+/// Operators accept expressions and numbers:
 ///
 /// ```
 /// use fixpath::real::Expr;
@@ -201,7 +203,7 @@ impl Graph {
 pub struct Expr(Arc<[Term]>);
 
 impl Expr {
-    /// A number, which must not be NaN.
+    /// A constant, which must not be NaN.
     #[must_use]
     pub fn constant(value: f64) -> Self {
         Self(Arc::new([Term::Constant(value.into())]))
@@ -213,7 +215,7 @@ impl Expr {
         Self(Arc::new([Term::Variable(number)]))
     }
 
-    /// The first so many variables.
+    /// The first `N` variables.
     #[must_use]
     pub fn variables<const N: usize>() -> [Self; N] {
         std::array::from_fn(|i| Self::variable(cast::id_of(i)))
@@ -228,7 +230,7 @@ impl Expr {
     /// A primitive of expressions.
     ///
     /// # Panics
-    /// If they are more or fewer than it takes.
+    /// If their number isn't the primitive's arity.
     #[must_use]
     pub fn of<const N: usize>(primitive: Primitive, of: [&Self; N]) -> Self {
         let mut graph = Graph::default();
@@ -255,7 +257,7 @@ impl Expr {
         values(&self.0, reading, variables).pop().expect("bug: an expression has a term")
     }
 
-    /// With other numbers of variables, which are asked for in the order in which variables first stand.
+    /// Renumbers the variables. `number` is called in the order in which variables first occur.
     #[must_use]
     pub fn renumbered(&self, mut number: impl FnMut(u32) -> u32) -> Self {
         let mut graph = Graph::default();
@@ -264,8 +266,8 @@ impl Expr {
         graph.into_expr()
     }
 
-    /// Why it can't be used, if it can't: a number in it isn't finite, it is too large with all that it calls, or operands
-    /// stand too deep in operands.
+    /// What makes it unusable, if anything: a number that isn't finite, more terms than allowed
+    /// with everything that it calls, or too deep nesting.
     pub(crate) fn problem(&self) -> Option<String> {
         let infinite = |term: &Term| matches!(term, Term::Constant(x) if !x.get().is_finite());
         if self.0.iter().any(infinite) {
@@ -273,23 +275,23 @@ impl Expr {
         }
         let Extent { terms, depth } = self.extent();
         if terms > Extent::MOST.terms {
-            return Some(format!("it is made of more than {} terms", Extent::MOST.terms));
+            return Some(format!("it has more than {} terms", Extent::MOST.terms));
         }
         (depth > Extent::MOST.depth)
-            .then(|| format!("operands stand more than {} deep in it", Extent::MOST.depth))
+            .then(|| format!("its operands are nested more than {} deep", Extent::MOST.depth))
     }
 
-    /// As [`Self::problem`], and of the functions that it calls.
+    /// As [`Self::problem`], and for the functions that it calls.
     pub(crate) fn problem_with_calls(&self) -> Option<String> {
         let called = |term: &Term| match term {
             Term::Call(function, _) => function.problem(),
             Term::Constant(_) | Term::Variable(_) | Term::Of(..) | Term::Row(..) => None,
         };
-        // Too large comes first: then nothing else is gone through.
+        // Check the size first: then the search below is bounded.
         self.problem().or_else(|| self.0.iter().find_map(called))
     }
 
-    /// Its terms with those of what it calls, and how deep they stand.
+    /// Its number of terms including those of calls, and its nesting depth.
     fn extent(&self) -> Extent {
         let mut depths: Vec<u32> = Vec::with_capacity(self.0.len());
         let mut terms = 0u32;
@@ -307,7 +309,7 @@ impl Expr {
         Extent { terms, depth: depths.last().copied().unwrap_or(0) }
     }
 
-    /// How many variables there are up to the last one.
+    /// The highest variable number plus one; 0 without variables.
     #[must_use]
     pub fn arity(&self) -> usize {
         let number = |term: &Term| match term {
@@ -318,7 +320,7 @@ impl Expr {
     }
 }
 
-/// How large an expression is.
+/// The size of an expression.
 #[derive(Clone, Copy)]
 struct Extent {
     terms: u32,
@@ -326,17 +328,17 @@ struct Extent {
 }
 
 impl Extent {
-    /// The most that is used: more is an error, before anything runs through it.
+    /// The limits; a larger expression is refused before anything evaluates it.
     const MOST: Self = Self { terms: 1 << 16, depth: 500 };
 }
 
 impl Graph {
-    /// The expression that is the last term.
+    /// The expression whose value is the last term.
     pub(super) fn into_expr(self) -> Expr {
         Expr(self.terms.into())
     }
 
-    /// Adds the terms of an expression with its own variables.
+    /// Adds the terms of an expression and keeps its variables.
     pub(crate) fn merge(&mut self, expr: &Expr) -> TermId {
         self.copy(expr, |graph, number| graph.add(Term::Variable(number)), Self::call)
     }
@@ -423,22 +425,22 @@ methods! {
     abs() Abs "`|self|`.";
     min(other) Min "The smaller of two.";
     max(other) Max "The larger of two.";
-    floor() Floor "The greatest whole number that is not above.";
-    modulo(low, span) Modulo "Less as many spans as keep it from `low` to below `low + span`.";
+    floor() Floor "The greatest whole number not above it.";
+    modulo(low, span) Modulo "Reduced by multiples of the span to at least `low` and less than `low + span`.";
     sqrt() Sqrt "Square root.";
     exp2() Exp2 "`2^self`.";
     log2() Log2 "Logarithm to base 2.";
-    pow(exponent) Pow "`self^exponent` of what is not below 0; `0^0` is 1.";
+    pow(exponent) Pow "`self^exponent` for `self >= 0`; `0^0` is 1.";
     exponent() Exponent "The whole number `e` with `2^e <= |self| < 2^(e + 1)`.";
     sin_turns() Sin "Sine of an angle in turns.";
     cos_turns() Cos "Cosine of an angle in turns.";
-    asin_turns() Asin "Arc of a sine in turns, -¼ to ¼; what is beyond ±1 is taken to it.";
-    acos_turns() Acos "Arc of a cosine in turns, 0 to ½; what is beyond ±1 is taken to it.";
-    atan_turns() Atan "Arc of a tangent in turns, -¼ to ¼.";
+    asin_turns() Asin "Arcsine in turns, -¼ to ¼; arguments beyond ±1 are clamped.";
+    acos_turns() Acos "Arccosine in turns, 0 to ½; arguments beyond ±1 are clamped.";
+    atan_turns() Atan "Arctangent in turns, -¼ to ¼.";
     atan2_turns(x) Atan2 "Direction of `(x, self)` in turns, -½ to ½.";
-    less(other) Less "1 if `self < other`, else 0.";
-    equal(other) Equal "1 if `self = other`, else 0.";
-    select(yes, no) Select "`yes` where this isn't 0, else `no`.";
+    less(other) Less "1 if `self < other`, otherwise 0.";
+    equal(other) Equal "1 if `self = other`, otherwise 0.";
+    select(yes, no) Select "`yes` where this isn't 0, otherwise `no`.";
 }
 
 impl From<&Expr> for Expr {
@@ -447,21 +449,21 @@ impl From<&Expr> for Expr {
     }
 }
 
-/// What primitives do with values of some kind.
+/// Defines the primitives on some type of value.
 pub trait Reading {
     /// A value.
     type Value: Clone;
 
-    /// A number, without error.
+    /// An exact number.
     fn constant(&self, value: f64) -> Self::Value;
 
-    /// A primitive of as many values as it takes; the rest are any.
+    /// A primitive; operands beyond its arity are arbitrary.
     fn of(&self, primitive: Primitive, of: [&Self::Value; 3]) -> Self::Value;
 
     /// The value of rows at a value.
     fn row(&self, rows: &Rows, of: &Self::Value) -> Self::Value;
 
-    /// A named function: its kernel where the reading has one, else its expression.
+    /// A named function: its kernel if the reading uses kernels, otherwise its expression.
     fn call(&self, function: &Function, of: &Self::Value) -> Self::Value
     where
         Self: Sized,
@@ -491,7 +493,7 @@ fn values<R: Reading>(terms: &[Term], reading: &R, variables: &[R::Value]) -> Ve
     values
 }
 
-/// A real function of one variable: an expression with a name.
+/// A real function of one variable: a named expression.
 ///
 /// ```
 /// use fixpath::function::Function;
@@ -504,30 +506,31 @@ pub struct Function(Arc<Named>);
 struct Named {
     name: String,
     expr: Expr,
-    /// Of name and expression.
+    /// Hash of name and expression.
     hash: u64,
-    /// Of the expression.
+    /// Extent of the expression.
     extent: Extent,
     quarter_wave: Option<QuarterWave>,
     kernel: Option<Kernel>,
 }
 
-/// The symmetry of sine and cosine: `f(½ - x) = f(x)` and `f(x + ½) = -f(x)`, perhaps a quarter turn on.
+/// The symmetry of sine and cosine: `f(½ - x) = f(x)` and `f(x + ½) = -f(x)`, possibly shifted by a
+/// quarter turn.
 #[derive(Clone)]
 enum QuarterWave {
-    /// This function has it.
+    /// The function has the symmetry itself.
     Own,
-    /// It is such a function a quarter turn on: `self(x) = other(x + ¼)`.
+    /// The function is such a function a quarter turn ahead: `self(x) = other(x + ¼)`.
     Advanced(Function),
 }
 
-/// Values of a function of as many arguments, to within [`Function::KERNEL_ULP`].
+/// Writes a function's value for each argument, within [`Function::KERNEL_ULP`].
 pub type Kernel = fn(&[f64], &mut [f64]);
 
 impl Function {
-    /// A function by its name and its expression of one variable.
+    /// Makes a function from its name and its expression of one variable.
     ///
-    /// The name is that of table columns, so it follows the rule of names in netlists.
+    /// The name is also used for tables, so it follows the rule of names in netlists.
     #[must_use]
     pub fn new(name: impl Into<String>, expr: impl FnOnce(Expr) -> Expr) -> Self {
         let (name, expr) = (name.into(), expr(Expr::variable(0)));
@@ -537,7 +540,7 @@ impl Function {
         Self(Arc::new(Named { name, expr, hash, extent, quarter_wave: None, kernel: None }))
     }
 
-    /// Why it can't be used, if it can't: its name is none, or as [`Expr::problem`].
+    /// What makes it unusable, if anything: an illegal name, or [`Expr::problem`].
     pub(crate) fn problem(&self) -> Option<String> {
         if !name::is_legal(self.name()) {
             let given = escape::short(self.name());
@@ -550,7 +553,7 @@ impl Function {
         why.map(|why| format!("function `{}`: {why}", self.name()))
     }
 
-    /// A function by its name and its expression, of variable 0 alone.
+    /// Makes a function from its name and its expression of variable 0.
     pub(crate) fn of_expr(name: &str, expr: Expr) -> Self {
         Self::new(name, |_| expr)
     }
@@ -569,22 +572,24 @@ impl Function {
         Self(Arc::new(named))
     }
 
-    /// With `f(½ - x) = f(x)` and `f(x + ½) = -f(x)`, as the sine of an angle in turns has it: a table may hold a
-    /// quarter turn only.
+    /// Declares `f(½ - x) = f(x)` and `f(x + ½) = -f(x)`, as for the sine of an angle in turns. A
+    /// table may then hold only a quarter turn.
     #[must_use]
     pub fn with_quarter_wave(self) -> Self {
         self.with(|named| named.quarter_wave = Some(QuarterWave::Own))
     }
 
-    /// As [`Self::with_quarter_wave`] where it is `other` a quarter turn on, as the cosine is the sine.
+    /// Declares that the function is `other` a quarter turn ahead, as the cosine is of the sine;
+    /// see [`Self::with_quarter_wave`].
     #[must_use]
     pub fn advanced_of(self, other: &Self) -> Self {
         self.with(|named| named.quarter_wave = Some(QuarterWave::Advanced(other.clone())))
     }
 
-    /// With code of its own for evaluation in blocks, where the expression would be slow or would cancel. It must be
-    /// within [`Self::KERNEL_ULP`] of the expression's value ([`Self::check_kernel`]) and give each argument the same
-    /// value wherever it stands in a block.
+    /// Adds code for evaluation in blocks, for an expression that would be slow or lose digits by
+    /// cancellation. The kernel must be within [`Self::KERNEL_ULP`] of the expression's value
+    /// ([`Self::check_kernel`]), and its result for an argument must not depend on the position in
+    /// a block.
     #[must_use]
     pub fn with_kernel(self, kernel: Kernel) -> Self {
         self.with(|named| named.kernel = Some(kernel))
@@ -602,19 +607,19 @@ impl Function {
         &self.0.expr
     }
 
-    /// The function of an expression.
+    /// Applies the function to an expression.
     #[must_use]
     pub fn of(&self, x: &Expr) -> Expr {
         Expr::call(self, x)
     }
 
-    /// Its code for blocks, if it brings any.
+    /// Its kernel, if it has one.
     pub(crate) fn kernel(&self) -> Option<Kernel> {
         self.0.kernel
     }
 
-    /// The function on the first quarter turn that gives this one by symmetry, and whether this one is it a quarter
-    /// turn on.
+    /// The function whose first quarter turn gives this one by symmetry, and whether this function
+    /// is a quarter turn ahead of it.
     pub(crate) fn quarter_wave(&self) -> Option<(&Self, bool)> {
         match self.0.quarter_wave.as_ref()? {
             QuarterWave::Own => Some((self, false)),
@@ -629,7 +634,7 @@ impl fmt::Debug for Function {
     }
 }
 
-/// Functions are the same if their names and expressions are.
+/// Functions are equal if their names and expressions are.
 impl PartialEq for Function {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0) || self.name() == other.name() && self.expr() == other.expr()

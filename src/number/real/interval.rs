@@ -1,4 +1,4 @@
-//! Intervals that hold every value that their operands allow.
+//! Interval arithmetic that contains every value for its operands.
 
 use super::expr::Reading;
 use super::primitive::Primitive;
@@ -7,7 +7,7 @@ use super::scalar::Scalar;
 use crate::base::cast;
 use std::ops::{Add, Mul};
 
-/// The numbers from `lo` to `hi`, both among them; ends may be infinite.
+/// The numbers from `lo` to `hi` inclusive; ends may be infinite.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Interval {
     /// Lower end.
@@ -28,33 +28,33 @@ impl Interval {
     /// 0 or 1.
     const FLAG: Self = Self { lo: 0.0, hi: 1.0 };
 
-    /// From one number to another.
+    /// The interval between two numbers.
     #[must_use]
     pub fn new(lo: f64, hi: f64) -> Self {
         Self { lo, hi }
     }
 
-    /// True if a number is in it.
+    /// True if the interval contains a number.
     #[must_use]
     pub fn contains(self, value: f64) -> bool {
         self.lo <= value && value <= self.hi
     }
 
-    /// The smallest interval that holds both.
+    /// The smallest interval that contains both.
     #[must_use]
     pub fn hull(self, other: Self) -> Self {
         Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
     }
 
-    /// Each number kept between two.
+    /// The interval with both ends clamped.
     #[must_use]
     pub fn clamp(self, lo: f64, hi: f64) -> Self {
         Self { lo: self.lo.clamp(lo, hi), hi: self.hi.clamp(lo, hi) }
     }
 
-    /// Ends moved outward by what `libm` may be off; an end that is infinite stays.
+    /// Moves the ends outward by the error of `libm`; an infinite end stays.
     fn outward(self) -> Self {
-        // Functions are within an ulp; turns and reduced arguments take three roundings more.
+        // Functions are within an ulp; turns and reduced arguments add three roundings.
         const ULPS: f64 = 4.0 * f64::EPSILON;
         let moved = |x: f64, up: bool| {
             if x.is_infinite() {
@@ -66,7 +66,7 @@ impl Interval {
         Self { lo: moved(self.lo, false), hi: moved(self.hi, true) }
     }
 
-    /// As [`Self::outward`], of a function that is 0 at 0 and nowhere else: there, 0 is exact.
+    /// As [`Self::outward`], for a function whose only zero is at 0, where it is exact.
     fn outward_from(self, argument: Self) -> Self {
         let Self { lo, hi } = self.outward();
         Self {
@@ -75,7 +75,7 @@ impl Interval {
         }
     }
 
-    /// The hull of some ends; every number if one of them is none.
+    /// The hull of some ends; every number if one of them is NaN.
     fn of_ends(ends: &[f64]) -> Self {
         if ends.iter().any(|end| end.is_nan()) {
             return Self::ALL;
@@ -89,19 +89,19 @@ impl Interval {
         self.lo.total_cmp(&self.hi).is_eq()
     }
 
-    /// Of a function that never falls.
+    /// The image under a monotone increasing function.
     fn rising(self, function: impl Fn(f64) -> f64) -> Self {
         Self::of_ends(&[function(self.lo), function(self.hi)])
     }
 
-    /// sin or cos, with its largest value at a whole number of turns and `top`.
+    /// sin or cos, whose maxima are at `top` plus a whole number of turns.
     fn wave(self, function: impl Fn(f64) -> f64, top: f64) -> Self {
         let full = Self { lo: -1.0, hi: 1.0 };
-        // Past this, quarter turns have no code.
+        // Beyond this, an `f64` can't resolve quarter turns.
         if !(self.lo.abs() < 1e12 && self.hi.abs() < 1e12) || self.hi - self.lo >= 1.0 {
             return full;
         }
-        // A zero of a quarter turn is exact: the reduction is.
+        // A zero at a quarter turn is exact, since the reduction is.
         let exact = |x: f64, value: f64| value == 0.0 && (4.0 * x).fract() == 0.0;
         let (at_lo, at_hi) = (function(self.lo), function(self.hi));
         let near = |x: f64, value: f64| {
@@ -109,7 +109,7 @@ impl Interval {
             if exact(x, value) { end } else { end.outward() }
         };
         let ends = near(self.lo, at_lo).hull(near(self.hi, at_hi));
-        // A whole number of turns after `at` is in the interval.
+        // True if `at` plus a whole number of turns lies in the interval.
         let holds = |at: f64| (self.hi - at).floor() >= (self.lo - at).ceil();
         let lo = if holds(top + 0.5) { -1.0 } else { ends.lo.max(-1.0) };
         let hi = if holds(top) { 1.0 } else { ends.hi.min(1.0) };
@@ -130,10 +130,10 @@ impl Interval {
         }
     }
 
-    /// The quotient; a pole at the lower end of the divisor is one from above.
+    /// The quotient. A divisor that starts at 0 is taken as the upper side of the pole.
     fn over(self, other: Self) -> Self {
         if other.contains(0.0) && (other.lo < 0.0 || other.hi == 0.0) {
-            return Self::ALL; // a pole inside, or one whose side isn't known
+            return Self::ALL; // a pole inside, or one whose side is unknown
         }
         let quotient = |a: f64, b: f64, up: bool| {
             let q = a / b;
@@ -148,7 +148,8 @@ impl Interval {
                 } else if b.is_infinite() {
                     ends.push(if a.is_infinite() { f64::NAN } else { 0.0 });
                 } else {
-                    // A zero is that of the upper side: the lower end of what is not negative.
+                    // Adding 0.0 makes a zero positive: it is the lower end of a divisor that is
+                    // not negative.
                     ends.extend([quotient(a, b + 0.0, false), quotient(a, b + 0.0, true)]);
                 }
             }
@@ -157,10 +158,10 @@ impl Interval {
     }
 }
 
-/// Past this, what is left over a product or quotient has a code.
+/// Below this, the remainder of a product or quotient may be too small for an `f64`.
 const SAFE: f64 = 1e-250;
 
-/// The next float up or down; an infinity that was rounded to ends at the largest float.
+/// The next float up or down. It turns an infinity from rounding back into the largest float.
 fn step(x: f64, up: bool) -> f64 {
     if up { x.next_up() } else { x.next_down() }
 }
@@ -171,7 +172,7 @@ impl Add for Interval {
     fn add(self, other: Self) -> Self {
         let sum = |a: f64, b: f64, up: bool| {
             let sum = a + b;
-            // What is left is exact (Knuth).
+            // The remainder of the sum is exact (Knuth).
             let part = sum - a;
             let left = (a - (sum - part)) + (b - part);
             let exact = left == 0.0 || a.is_infinite() || b.is_infinite();
@@ -204,11 +205,13 @@ impl Mul for Interval {
     }
 }
 
-/// Evaluation by intervals, rounded outward: what comes out holds the value for every value of the variables.
+/// Interval evaluation, rounded outward: the result contains the value for all values of the
+/// variables.
 ///
-/// Where a primitive has no value for some of them (a root of a negative number, a pole), every number is in the
-/// result; but a divisor from 0 upwards gives what lies on that side of its pole, so at the pole itself a value of the
-/// other side, as of 1/-0, isn't in it.
+/// Where a primitive is undefined for some of the operands' values (a root of a negative number, a
+/// pole), the result is every number. A divisor that starts at 0 is an exception: it gives the
+/// values on the upper side of the pole, so the result doesn't contain a value from the other side,
+/// such as that of 1/-0.
 #[derive(Clone, Copy, Debug)]
 pub struct Outward;
 
@@ -220,12 +223,12 @@ impl Reading for Outward {
     }
 
     fn row(&self, rows: &Rows, of: &Interval) -> Interval {
-        // So many values are gone through; of more, all count.
+        // Maximum number of rows to scan; beyond that, the range of all rows is used.
         const MOST: usize = 1 << 12;
         let (first, last) = (of.lo.floor(), of.hi.floor());
         let few = last - first < cast::f64_of_len(rows.count().min(MOST));
         let (lo, hi) = rows.range();
-        // Whole numbers of more bits can't be told apart.
+        // Larger whole numbers are not all distinct in an `f64`.
         if !few || first.abs().max(last.abs()) > 2f64.powi(52) {
             return Interval { lo, hi };
         }
@@ -266,7 +269,7 @@ impl Reading for Outward {
                 if whole { power } else { power.outward().at_least(0.0) }
             }
             Primitive::Log2 if a.lo <= 0.0 => Interval::ALL,
-            // The logarithm of 1 is 0 exactly.
+            // The logarithm of 1 is exactly 0.
             Primitive::Log2 => a.rising(one).outward_from(a + Interval::from(-1.0)),
             Primitive::Pow if a.lo < 0.0 || a.lo == 0.0 && b.lo < 0.0 => Interval::ALL,
             Primitive::Pow => {
@@ -303,7 +306,7 @@ impl Reading for Outward {
                     scalar(a_hi, b.hi),
                 ];
                 let direction = Interval::of_ends(&ends);
-                // Along the axis, 0 is exact.
+                // Along the positive axis, 0 is exact.
                 let exact = a.is_point() && a_lo == 0.0 && b.lo >= 0.0;
                 if exact { direction } else { direction.outward().clamp(-0.5, 0.5) }
             }
@@ -339,13 +342,13 @@ impl Reading for Outward {
 }
 
 impl Interval {
-    /// Without what is below a number that its values are known not to be below.
+    /// Clips the interval from below, for values that are known to be at least `least`.
     fn at_least(self, least: f64) -> Self {
         Self { lo: self.lo.max(least), hi: self.hi.max(least) }
     }
 }
 
-/// `a` modulo spans; the whole range if it crosses from one span to the next.
+/// `a` modulo the span; the whole range if the interval crosses a span boundary.
 fn residue(a: Interval, low: Interval, span: Interval) -> Interval {
     let known =
         low.is_point() && span.is_point() && span.lo > 0.0 && a.lo.is_finite() && a.hi.is_finite();

@@ -1,17 +1,19 @@
-//! Expressions over the reals: what nodes, tables and goldens stand for.
+//! Real expressions: the meaning of nodes, tables and golden models.
 //!
-//! An [`Expr`] is a graph of [`Primitive`]s over constants and numbered variables, in which no term stands twice.
-//! It has one meaning and several readings, each of which says what a primitive does with values of its
-//! own ([`Reading`]):
+//! An [`Expr`] is a graph of [`Primitive`]s over constants and numbered variables, without
+//! duplicate terms. It can be evaluated in several ways, each of which defines the primitives on
+//! its own type of value ([`Reading`]):
 //!
-//! - [`Twin`], `f64` by the kernels of [`trig`](super::trig): what evaluation in blocks gives, bit for bit;
-//! - [`Scalar`], `f64` by the crate `libm`, one value at a time, which tables start from;
-//! - [`Outward`], intervals rounded outward, which hold every value of their operands;
-//! - [`Precise`], to any number of bits, from which words of tables are rounded.
+//! - [`Twin`]: `f64` with the functions of [`trig`](super::trig), bit for bit as evaluation in
+//!   blocks;
+//! - [`Scalar`]: `f64` with the crate `libm`, one value at a time, the starting point of tables;
+//! - [`Outward`]: intervals rounded outward, which contain every value for their operands;
+//! - [`Precise`]: any number of bits, from which table words are rounded.
 //!
 //! Angles are in turns, so that their reduction is exact: the sine of ½ is 0 and not 1.2e-16.
 //!
-//! A [`Function`] is an expression of one variable with a name; [`Rows`] are one that is told by its values.
+//! A [`Function`] is a named expression of one variable. [`Rows`] are a function given by its
+//! values.
 
 mod expr;
 mod interval;

@@ -1,4 +1,4 @@
-//! Values to any number of bits.
+//! Evaluation with any number of bits.
 
 use super::expr::Reading;
 use super::primitive::Primitive;
@@ -10,7 +10,7 @@ use std::cmp::Ordering;
 
 type Float = FBig<HalfEven, 2>;
 
-/// A number to so many bits as its reading has.
+/// A number with its reading's number of bits.
 #[derive(Clone, Debug)]
 pub struct Big(Float);
 
@@ -21,7 +21,7 @@ impl Big {
         self.0.to_f64().value()
     }
 
-    /// What is left over a number, as the nearest `f64`; NaN over one that is not finite.
+    /// The difference to `other` as the nearest `f64`; NaN if `other` is not finite.
     #[must_use]
     pub fn less(&self, other: f64) -> f64 {
         let other = Float::try_from(other).ok().filter(|other| !other.repr().is_infinite());
@@ -40,28 +40,29 @@ impl Big {
         Self(&self.0 * &other.0)
     }
 
-    /// Kept between two numbers.
+    /// The number clamped to a range.
     #[must_use]
     pub fn clamp(self, lo: &Self, hi: &Self) -> Self {
         Self(self.0.clamp(lo.0.clone(), hi.0.clone()))
     }
 
-    /// The nearest whole number, to even where two are; `None` past 63 bits.
+    /// The nearest whole number, ties to even; `None` beyond 63 bits.
     #[must_use]
     pub fn round(&self) -> Option<i64> {
         i64::try_from(self.0.to_int().value()).ok()
     }
 }
 
-/// Evaluation to so many bits: the result of each primitive has them, within a few units in its last place. A value is `None` where there is none: at poles,
-/// and at roots and logarithms of negative numbers.
+/// Evaluation with a given number of bits: each primitive's result is within a few units in its
+/// last place. A value is `None` where it is undefined: at poles, and for roots and logarithms of
+/// negative numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct Precise {
     bits: usize,
 }
 
 impl Precise {
-    /// With so many bits.
+    /// A reading with `bits` bits.
     #[must_use]
     pub fn new(bits: usize) -> Self {
         Self { bits }
@@ -85,14 +86,14 @@ impl Precise {
         a.ln() / self.whole(2.0).ln()
     }
 
-    /// `2^a` by the whole part, which is exact, and the rest.
+    /// `2^a` from the whole part, which is exact, and the rest.
     fn exp2(self, a: &Float) -> Option<Float> {
         let whole = a.floor();
         let far = 1 << 20;
         let places = isize::try_from(whole.to_int().value());
         let places = match places {
             Ok(places) if places.abs() <= far => places,
-            // Below what any format tells from 0; above, there is no use for it.
+            // Smaller results are 0 in any format; larger ones are not needed.
             Ok(_) | Err(_) if *a < Float::ZERO => return Some(Float::ZERO),
             Ok(_) | Err(_) => return None,
         };
@@ -201,7 +202,8 @@ impl Reading for Precise {
             Primitive::Equal => flag(a == b()?),
             Primitive::Select => unreachable!("bug: handled above"),
         };
-        // Some results of dashu have the bits of what they are, and go on with those.
+        // Some results of dashu, such as 0, carry only as many bits as they need: restore the
+        // precision.
         Some(Big(value.with_precision(self.bits).value()))
     }
 }

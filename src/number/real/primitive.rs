@@ -1,9 +1,9 @@
-//! What terms are made by.
+//! The operations of terms.
 
 use crate::base::cast;
 use crate::number::trig;
 
-/// What a term does with those before it.
+/// The operation of a term on earlier terms.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
 pub enum Primitive {
     /// `a + b`.
@@ -12,7 +12,7 @@ pub enum Primitive {
     Sub,
     /// `a * b`.
     Mul,
-    /// `a / b`, as floats have it: infinite at `b = 0`, and no number where `a` is 0, too.
+    /// `a / b` as in IEEE arithmetic: infinite at `b = 0`, NaN for 0/0.
     Div,
     /// `-a`.
     Neg,
@@ -22,9 +22,9 @@ pub enum Primitive {
     Min,
     /// The larger of two.
     Max,
-    /// The greatest whole number that is not above `a`.
+    /// The greatest whole number not above `a`.
     Floor,
-    /// `a` less as many spans `c` as keep it from `b` to below `b + c`.
+    /// `a` reduced by multiples of the span `c` to at least `b` and less than `b + c`.
     Modulo,
     /// Square root.
     Sqrt,
@@ -32,28 +32,28 @@ pub enum Primitive {
     Exp2,
     /// Logarithm to base 2.
     Log2,
-    /// `a^b` of `a` not below 0; `0^0` is 1.
+    /// `a^b` for `a >= 0`; `0^0` is 1.
     Pow,
-    /// The whole number `e` with `2^e <= |a| < 2^(e + 1)`, of normal floats.
+    /// The whole number `e` with `2^e <= |a| < 2^(e + 1)`, for normal floats.
     Exponent,
     /// Sine of an angle in turns.
     Sin,
     /// Cosine of an angle in turns.
     Cos,
-    /// Arc of a sine in turns, -¼ to ¼; what is beyond ±1 is taken to it.
+    /// Arcsine in turns, -¼ to ¼; arguments beyond ±1 are clamped.
     Asin,
-    /// Arc of a cosine in turns, 0 to ½; what is beyond ±1 is taken to it.
+    /// Arccosine in turns, 0 to ½; arguments beyond ±1 are clamped.
     Acos,
-    /// Arc of a tangent in turns, -¼ to ¼.
+    /// Arctangent in turns, -¼ to ¼.
     Atan,
-    /// Direction of (b, a) in turns, -½ to ½: operands are ordinate and abscissa; 0 of (0, 0). Half a turn is ½; in blocks,
-    /// of an ordinate of -0, it is -½.
+    /// Direction of (b, a) in turns, -½ to ½; 0 for (0, 0). The operands are y, then x. Half a turn
+    /// is ½; evaluation in blocks gives -½ for y = -0.
     Atan2,
-    /// 1 if `a < b`, else 0.
+    /// 1 if `a < b`, otherwise 0.
     Less,
-    /// 1 if `a = b`, else 0.
+    /// 1 if `a = b`, otherwise 0.
     Equal,
-    /// `b` where `a` isn't 0, else `c`.
+    /// `b` where `a` isn't 0, otherwise `c`.
     Select,
 }
 
@@ -149,7 +149,7 @@ impl Primitive {
 }
 
 impl Primitive {
-    /// Value as evaluation in blocks gives it.
+    /// Value as in evaluation in blocks.
     #[inline(always)]
     pub(crate) fn twin(self, a: f64, b: f64, c: f64) -> f64 {
         let flag = |holds: bool| f64::from(u8::from(holds));
@@ -160,7 +160,7 @@ impl Primitive {
             Self::Div => a / b,
             Self::Neg => -a,
             Self::Abs => a.abs(),
-            // The processor's own, whichever of two zeros comes first.
+            // As the processor's instruction: for two zeros, the second operand.
             Self::Min => {
                 if a < b {
                     a
@@ -201,15 +201,15 @@ impl Primitive {
     }
 }
 
-/// A number less as many spans as keep it from `low` to below `low + span`.
+/// A number reduced by multiples of the span to at least `low` and less than `low + span`.
 #[inline(always)]
 pub(crate) fn modulo(a: f64, low: f64, span: f64) -> f64 {
     let rest = a - span * ((a - low) * span.recip()).floor();
-    // What is below `low` by less than a last place of the span rounds to the far end.
+    // A number below `low` by less than an ulp of the span rounds up to the far end.
     if rest < low + span { rest } else { rest - span }
 }
 
-/// The exponent of a float that is not 0 nor subnormal: `2^exponent <= |x| < 2^(exponent + 1)`.
+/// The exponent of a normal float: `2^exponent <= |x| < 2^(exponent + 1)`.
 #[inline(always)]
 fn exponent(x: f64) -> i32 {
     cast::signed_count(cast::id_of(cast::index_of_bits((x.to_bits() >> 52) & 0x7ff))) - 1023

@@ -1,25 +1,25 @@
-//! Values at whole numbers: what a memory holds.
+//! Functions given by values at whole numbers: the content of a memory.
 
 use crate::base::cast;
 use std::fmt;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 
-/// A function of whole numbers that is told by its values from 0 on and repeats after them. Their number is a power of
-/// two. Its value at any number is that at the number rounded down.
+/// A function given by its values at 0, 1, 2 and so on, which repeat after the last. Their number
+/// is a power of two. At other numbers its value is that at the number rounded down.
 #[derive(Clone)]
 pub struct Rows(Arc<Held>);
 
 struct Held {
     name: String,
     values: Vec<f64>,
-    /// The least and the greatest.
+    /// Smallest and largest value.
     range: (f64, f64),
     hash: u64,
 }
 
 impl Rows {
-    /// With a name for listings and its values from 0 on.
+    /// Makes rows from a name for listings and the values from 0 on.
     pub(crate) fn new(name: String, values: impl Iterator<Item = f64>) -> Self {
         let values: Vec<f64> = values.collect();
         assert!(values.len().is_power_of_two(), "bug: {} values", values.len());
@@ -38,23 +38,23 @@ impl Rows {
         &self.0.name
     }
 
-    /// The value at a number; NaN at none.
+    /// The value at `x`; NaN if `x` is NaN.
     #[must_use]
     pub fn at(&self, x: f64) -> f64 {
         let values = &self.0.values;
         let count = cast::f64_of_len(values.len());
-        // Exact, as the count is a power of two.
+        // Exact, since the count is a power of two.
         let place = x.floor() - count * (x.floor() / count).floor();
         if place.is_nan() { f64::NAN } else { values[cast::index_of(cast::i64_of(place))] }
     }
 
-    /// How many values there are until they repeat.
+    /// Number of values before they repeat.
     #[must_use]
     pub fn count(&self) -> usize {
         self.0.values.len()
     }
 
-    /// The least value and the greatest.
+    /// The smallest and the largest value.
     #[must_use]
     pub fn range(&self) -> (f64, f64) {
         self.0.range

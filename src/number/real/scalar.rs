@@ -1,4 +1,4 @@
-//! One `f64` at a time.
+//! Evaluation of one `f64` at a time.
 
 use super::expr::{Expr, Function, Reading};
 use super::primitive::Primitive;
@@ -6,7 +6,7 @@ use super::rows::Rows;
 use crate::base::cast;
 use std::f64::consts::TAU;
 
-/// `f64` as evaluation in blocks gives it, bit for bit.
+/// `f64`, bit for bit as evaluation in blocks.
 #[derive(Clone, Copy, Debug)]
 pub struct Twin;
 
@@ -31,7 +31,7 @@ impl Reading for Twin {
 }
 
 impl Function {
-    /// Value as evaluation in blocks gives it.
+    /// Value as in evaluation in blocks.
     pub(crate) fn twin(&self, x: f64) -> f64 {
         let mut value = [0.0];
         match self.kernel() {
@@ -42,7 +42,7 @@ impl Function {
     }
 }
 
-/// `f64` by the crate `libm`, within a few ulp of each primitive.
+/// `f64` with the crate `libm`; each primitive is within a few ulp.
 #[derive(Clone, Copy, Debug)]
 pub struct Scalar;
 
@@ -64,7 +64,7 @@ impl Reading for Scalar {
             Primitive::Asin => libm::asin(a.clamp(-1.0, 1.0)) / TAU,
             Primitive::Acos => libm::acos(a.clamp(-1.0, 1.0)) / TAU,
             Primitive::Atan => libm::atan(*a) / TAU,
-            // A zero has no sign here.
+            // The sign of a zero is ignored.
             Primitive::Atan2 => libm::atan2(*a + 0.0, *b + 0.0) / TAU,
             Primitive::Add
             | Primitive::Sub
@@ -105,7 +105,7 @@ fn quarter(x: f64) -> (f64, i64) {
     (x - 0.25 * q, cast::i64_of(q.rem_euclid(4.0)))
 }
 
-/// sin of an angle in turns. At the zeros the sign is that of the function just above.
+/// sin of an angle in turns. A zero has the sign of the function just above it.
 #[must_use]
 pub fn sin_turns(x: f64) -> f64 {
     let (r, quadrant) = quarter(x);
@@ -118,7 +118,7 @@ pub fn sin_turns(x: f64) -> f64 {
     }
 }
 
-/// cos of an angle in turns. At the zeros the sign is that of the function just above.
+/// cos of an angle in turns. A zero has the sign of the function just above it.
 #[must_use]
 pub fn cos_turns(x: f64) -> f64 {
     let (r, quadrant) = quarter(x);

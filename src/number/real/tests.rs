@@ -1,8 +1,8 @@
-//! Readings held to each other: intervals and floats to the evaluation to high precision.
+//! Compares the readings: intervals and floats against the high-precision evaluation.
 
 use super::*;
 
-/// Numbers of all sizes, beside those where primitives end, jump or turn.
+/// Numbers of all magnitudes, and near where primitives end, jump or turn.
 const NUMBERS: [f64; 34] = [
     0.0,
     -0.0,
@@ -46,8 +46,8 @@ fn precise(primitive: Primitive, of: [f64; 3]) -> Option<Big> {
     reading.of(primitive, [&a, &b, &c])
 }
 
-/// False for residues of sizes so different that the bits used here don't tell them, and for exponents of what is not
-/// normal.
+/// False for residues of magnitudes so different that the bits used here can't resolve them, and
+/// for exponents of numbers that aren't normal.
 fn is_told(primitive: Primitive, of: [f64; 3]) -> bool {
     let usual = |x: f64| x == 0.0 || (1e-12..1e12).contains(&x.abs());
     let modulo = primitive == Primitive::Modulo && !of.into_iter().all(usual);
@@ -55,7 +55,7 @@ fn is_told(primitive: Primitive, of: [f64; 3]) -> bool {
     !modulo && !exponent
 }
 
-/// Every choice of operands, with anything for those that aren't taken.
+/// Every combination of operands; unused ones are arbitrary.
 fn operands(primitive: Primitive) -> Vec<[f64; 3]> {
     let mut all = Vec::new();
     for a in NUMBERS {
@@ -68,7 +68,8 @@ fn operands(primitive: Primitive) -> Vec<[f64; 3]> {
     all
 }
 
-/// In units of the last place of the nearest float; below 2^-54 absolutely where that is more, as sine and cosine are.
+/// The error in units in the last place of the nearest float, or in units of 2^-54 where that is
+/// more, as for sine and cosine.
 fn off(is: f64, should: &Big) -> f64 {
     let nearest = should.nearest();
     if nearest.is_infinite() {
@@ -87,7 +88,8 @@ fn floats_are_near_the_value() {
                 continue;
             };
             let spans = (of[0] - of[1]) / of[2];
-            // Residues of numbers that aren't dyadic lose what is cancelled, and have no end in floats at joints.
+            // Residues of non-dyadic numbers lose digits by cancellation, and their error in floats
+            // is unbounded at the joints.
             if primitive == Primitive::Modulo
                 && (of[2] <= 0.0
                     || of[2].log2().fract() != 0.0
@@ -101,7 +103,7 @@ fn floats_are_near_the_value() {
             for (name, is) in
                 [("twin", primitive.twin(a, b, c)), ("scalar", Scalar.of(primitive, [&a, &b, &c]))]
             {
-                // In blocks, numbers are normal, and sines and cosines of fewer than 2^40 turns.
+                // In blocks, numbers are normal, and angles are below 2^40 turns.
                 let subnormal = of.iter().any(|x| x.is_subnormal());
                 let wave = matches!(primitive, Primitive::Sin | Primitive::Cos);
                 let half_turn = primitive == Primitive::Atan2 && a == 0.0 && b < 0.0;
@@ -118,7 +120,7 @@ fn floats_are_near_the_value() {
     }
 }
 
-/// The value at points, and at points inside of wide intervals.
+/// The value at points, and at points inside wide intervals.
 #[test]
 fn intervals_hold_the_value() {
     let holds = |interval: Interval, exact: &Big| {
@@ -169,7 +171,7 @@ fn intervals_hold_the_value() {
     }
 }
 
-/// What one primitive gives goes into the next with all its bits, also where it is 0 or whole.
+/// The result of one primitive enters the next with all its bits, also if it is 0 or whole.
 #[test]
 fn precision_is_kept_from_primitive_to_primitive() {
     let x = Expr::variable(0);
@@ -250,7 +252,7 @@ fn a_branch_that_is_not_taken_may_be_a_pole() {
     assert!((1.0 / &x).read(&reading, &[reading.constant(0.0)]).is_none());
 }
 
-/// Rows are read the same by every reading: rounded down, and again from the start past their end.
+/// All readings treat rows alike: the argument is rounded down, and the rows repeat past their end.
 #[test]
 fn rows_are_read_at_numbers_rounded_down() {
     let values: Vec<f64> = (0..8).map(|i| f64::from(i * i % 7) - 2.5).collect();

@@ -1,6 +1,6 @@
-//! Expressions as text and back: `add(mul(x, x), 1)`.
+//! Writes and parses expressions as text: `add(mul(x, x), 1)`.
 //!
-//! A term that stands in several places has a name where it stands first: `mul(t := sin_turns(x), t)`.
+//! A term that is used several times gets a name at its first use: `mul(t := sin_turns(x), t)`.
 
 use super::expr::{Expr, Function, Graph, Term, TermId};
 use super::primitive::Primitive;
@@ -8,17 +8,17 @@ use std::collections::HashMap;
 use std::fmt;
 use std::fmt::Write as _;
 
-/// What is wrong with a text, and where.
+/// A parse error and its position.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ParseError {
-    /// Bytes before it.
+    /// Byte offset.
     pub at: usize,
     /// What is wrong.
     pub problem: String,
 }
 
 impl Expr {
-    /// As text, with a name for each variable and function.
+    /// Writes the expression; the callbacks give the names of variables and functions.
     #[must_use]
     pub fn to_text(
         &self,
@@ -36,10 +36,11 @@ impl Expr {
         writer.text
     }
 
-    /// Reads text; `variable` and `function` say what names mean. A primitive's name can't be a function's.
+    /// Parses text; `variable` and `function` resolve names. A function can't have a primitive's
+    /// name.
     ///
     /// # Errors
-    /// If it is malformed; with the place.
+    /// If it is malformed; the error has the position.
     pub fn parse(
         text: &str,
         variable: &dyn Fn(&str) -> Option<u32>,
@@ -56,17 +57,17 @@ impl Expr {
         let last = reader.expression(0)?;
         reader.space();
         if reader.at < text.len() {
-            return Err(reader.problem("the expression has ended here"));
+            return Err(reader.problem("expected the end of the expression"));
         }
         if last.index() + 1 != reader.graph.terms().len() {
-            // Only where the whole is a part of itself that stood before, as in `t := x`.
-            return Err(reader.problem("an expression is not one of its own parts"));
+            // Happens only if the whole equals one of its named parts, as in `t := x`.
+            return Err(reader.problem("an expression can't be one of its own parts"));
         }
         Ok(reader.graph.into_expr())
     }
 }
 
-/// With `x` for the only variable, else `x0`, `x1` and so on.
+/// Uses `x` for a single variable, otherwise `x0`, `x1` and so on.
 impl fmt::Display for Expr {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let one = self.arity() < 2;
@@ -127,7 +128,7 @@ struct Reader<'a> {
     graph: Graph,
 }
 
-/// How deep operands may stand in operands.
+/// Maximum nesting depth.
 const DEPTH: usize = 1000;
 
 impl<'a> Reader<'a> {
@@ -154,7 +155,7 @@ impl<'a> Reader<'a> {
         if self.taken(token) { Ok(()) } else { Err(self.problem(format!("expected `{token}`"))) }
     }
 
-    /// Letters, digits and what variables and numbers are made of besides.
+    /// Letters, digits and the other characters of variables and numbers.
     fn word(&mut self) -> &'a str {
         self.space();
         let rest = self.rest();
@@ -166,7 +167,7 @@ impl<'a> Reader<'a> {
 
     fn expression(&mut self, depth: usize) -> Result<TermId, ParseError> {
         if depth > DEPTH {
-            return Err(self.problem(format!("operands stand more than {DEPTH} deep")));
+            return Err(self.problem(format!("operands are nested more than {DEPTH} deep")));
         }
         self.space();
         let start = self.at;
@@ -192,9 +193,7 @@ impl<'a> Reader<'a> {
             Ok(value) if value.is_finite() => Ok(self.graph.constant(value)),
             Ok(_) | Err(_) => {
                 self.at = start;
-                Err(self.problem(format!(
-                    "`{word}` is no finite number, nor a name that is known here"
-                )))
+                Err(self.problem(format!("`{word}` is neither a finite number nor a known name")))
             }
         }
     }
@@ -221,8 +220,7 @@ impl<'a> Reader<'a> {
         } else {
             let names: Vec<&str> =
                 Primitive::ALL.iter().map(|primitive| primitive.name()).collect();
-            let problem =
-                format!("there is no operation `{name}`: the known ones are {}", names.join(", "));
+            let problem = format!("there is no operation `{name}`: legal are {}", names.join(", "));
             Err(ParseError { at: start, problem })
         }
     }
@@ -261,9 +259,9 @@ mod tests {
             ("", 0, "expected a number"),
             ("add(x)", 0, "takes 2 operands, and 1 are given"),
             ("add(x, 1", 8, "expected `)`"),
-            ("add(x, y)", 7, "`y` is no finite number"),
-            ("add(x, inf)", 7, "`inf` is no finite number"),
-            ("x x", 2, "ended here"),
+            ("add(x, y)", 7, "`y` is neither a finite number"),
+            ("add(x, inf)", 7, "`inf` is neither a finite number"),
+            ("x x", 2, "the end of the expression"),
             ("tan(x)", 0, "no operation `tan`"),
             ("add(x, )", 7, "expected a number"),
             ("add(t := x, t := ", 17, "expected a number"),
