@@ -1,4 +1,4 @@
-//! `fixpath texgen`: calls of a texture-coordinate interface, and what they configure.
+//! `fixpath texgen`: calls to a texture-coordinate interface, and the configuration they make.
 
 use super::text;
 use crate::base::document::{self, Document, Lines};
@@ -12,11 +12,12 @@ use std::path::PathBuf;
 
 /// Ends with a file that shows every kind of call.
 pub(super) const HELP: &str = "\
-Each call is checked against the rules of its interface; one that breaks a rule changes nothing and
-is told with its line. Of OpenGL only what GL_NV_texgen_emboss adds is judged: all other commands of
-OpenGL 1.x, what they enable, and planes are kept or passed on. A file has 16 MiB at most. Texture units whose coordinates the extension leaves undefined are told with
-every condition that fails. Exit code 2 if there is any of these. A configuration that is told is one of
-the unit `emboss`: each of its words goes after a `-p` of sim, hdl, cost and so on.
+Each call is checked against the rules of its interface. A call that breaks a rule has no effect and
+is reported with its line. For OpenGL, only what GL_NV_texgen_emboss adds is checked: other commands
+of OpenGL 1.x, what they enable, and planes are kept or passed on. Texture units whose coordinates
+the extension leaves undefined are reported with every condition that fails. Exit code 2 if there is
+any such problem. A file has at most 16 MiB. Each reported configuration is one of the unit `emboss`:
+pass each of its words after a `-p` to sim, hdl, cost and so on.
 
 Examples:
   fixpath texgen calls.toml
@@ -41,17 +42,17 @@ calls.toml, with one emboss coordinate in each interface:
 
   [[nv]]
   call = \"ActiveTexture\"
-  texture = \"TEXTURE1\"             # emboss takes odd units only
+  texture = \"TEXTURE1\"             # emboss works in odd units only
 
   [[nv]]
-  call = \"TexGen\"                  # so for S, T, R and Q
+  call = \"TexGen\"                  # likewise for S, T, R and Q
   coord = \"S\"
   pname = \"TEXTURE_GEN_MODE\"       # or EMBOSS_LIGHT_NV, EMBOSS_CONSTANT_NV, OBJECT_PLANE, EYE_PLANE
   param = \"EMBOSS_MAP_NV\"          # or LIGHT0, 0.0078125, [1, 0, 0, 0]
 
   [[nv]]
-  call = \"Enable\"                  # or Disable; so for S, T, R and Q
-  cap = \"TEXTURE_GEN_S\"            # or LIGHTING, LIGHT0, and what else OpenGL has
+  call = \"Enable\"                  # or Disable; likewise for S, T, R and Q
+  cap = \"TEXTURE_GEN_S\"            # or LIGHTING, LIGHT0, and other OpenGL capabilities
 
   [[nv]]
   call = \"GetTexGen\"
@@ -60,7 +61,7 @@ calls.toml, with one emboss coordinate in each interface:
 
 #[derive(Args)]
 pub(super) struct TexgenArgs {
-    /// TOML file with calls in order.
+    /// TOML file with the calls in order.
     #[arg(value_name = "FILE.toml")]
     file: PathBuf,
     /// As JSON.
@@ -68,10 +69,10 @@ pub(super) struct TexgenArgs {
     json: bool,
 }
 
-/// The longest file that is read: some 780 000 calls.
+/// Largest file to read: some 780 000 calls.
 const MAX_BYTES: u64 = 16 << 20;
 
-/// Makes the calls; returns what to tell, and what is wrong in all.
+/// Runs the calls; returns the text to print, and an error if there are problems.
 pub(super) fn run(args: &TexgenArgs) -> Result<(String, Option<Error>)> {
     let path = args.file.as_path();
     let toml = document::read(path, MAX_BYTES)?;
@@ -115,7 +116,7 @@ fn told(lines: &Lines, outcome: &Outcome) -> String {
             if let Some(broken) = &outcome.unfinished {
                 let _ = writeln!(
                     told,
-                    "  at the end: REFUSED: {broken}; until then registers are left out"
+                    "  at the end: REFUSED: {broken}; registers are left out until it is complete"
                 );
             }
             for advice in &outcome.advice {

@@ -12,7 +12,8 @@ use crate::cli::{ladder, text};
 use crate::shading::render::{Pipeline, SpecialisedStage, mixed, specialise_to};
 use serde_json::json;
 
-/// Renders and writes; returns what to tell, and false if a specialised pipeline differs.
+/// Renders and writes; returns the text to print, and false if a bound is broken or a specialised
+/// pipeline differs.
 pub(in crate::cli) fn run(args: &RenderArgs) -> Result<(String, bool)> {
     let scene = match &args.ladder {
         Some(_) => still_scene_of(&args.scene)?,
