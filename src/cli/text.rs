@@ -175,7 +175,7 @@ pub(super) fn sim(sim: &Sim) -> String {
         text.push_str("  dot: dot product of the result with any unit vector\n");
     }
     for (quantity, what) in sim.design.scales() {
-        let _ = writeln!(text, "  {quantity}: over {what}");
+        let _ = writeln!(text, "  {quantity}: relative to {what}");
     }
     text.push_str("  percentiles are accurate to 1.6 %; 0 means below 2^-44\n");
     for figures in sim.without_value() {
