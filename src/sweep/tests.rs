@@ -268,7 +268,8 @@ fn formats_and_schemes_are_axes() {
         let is_x = |of: &&record::Figures| of.quantity == "x" && of.basis == Basis::Arithmetic;
         figures.iter().find(is_x).unwrap().max.0
     };
-    // Six fraction bits lose up to 2^-7, more than tables of slopes do and less than tables of 64 words.
+    // Six fraction bits lose up to 2^-7, more than tables of slopes do and less than tables of 64
+    // words.
     let [direct, fine, _, coarse] = [0, 1, 2, 3].map(max);
     assert!(fine < 2f64.powi(-8) && coarse > 2f64.powi(-8), "{fine} {coarse}");
     assert!(direct > 2f64.powi(-6), "{direct}");
