@@ -50,8 +50,8 @@ pub(super) enum Along {
     Linear,
     /// Logarithmic, with ticks at powers of 2.
     Log2,
-    /// By their logarithm, ticks at 1, 2 and 5 times powers of 10. Numbers that have none (0) lie
-    /// on the lower edge.
+    /// Logarithmic, with ticks at 1, 2 and 5 times powers of 10. Numbers without a logarithm (0)
+    /// lie on the lower edge.
     Log10,
 }
 
@@ -375,7 +375,7 @@ impl Chart {
         let all: usize = self.series.iter().map(|series| series.points.len()).sum();
         let left_out = all - series.iter().map(Vec::len).sum::<usize>();
         if left_out > 0 {
-            told.push(format!("Left out: {left_out} points without a number (NaN)."));
+            told.push(format!("Left out: {left_out} without a number (NaN)."));
         }
         (told, series)
     }

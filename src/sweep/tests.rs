@@ -106,7 +106,7 @@ fn axis_errors() {
         ("memory.map=a.csv", "`memory.map` can't be swept: set it with -p memory.map=FILE"),
         (
             "period_ps=100..100100",
-            "axis `period_ps=100..100100` has more than 100000 values: a sweep has at most 100000 points; take fewer values or a larger step",
+            "axis `period_ps=100..100100` has more than 100000 values: a sweep has at most 100000 points; use fewer values or a larger step",
         ),
     ];
     for (text, message) in cases {
@@ -122,11 +122,11 @@ fn grid_errors() {
     };
     assert_eq!(
         new(&["frac_bits=8", "frac_bits=9"], FEW),
-        "parameter `frac_bits` has two axes: put all its values in one, as frac_bits=v,v,…"
+        "parameter `frac_bits` has two axes: put all its values in one, such as frac_bits=v,v,…"
     );
     assert_eq!(
         new(&["period_ps=100..50100", "variant=exact,printed"], FEW),
-        "the grid has 50001 × 2 points: a sweep has at most 100000 points; take fewer values or a larger step"
+        "the grid has 50001 × 2 points: a sweep has at most 100000 points; use fewer values or a larger step"
     );
     assert_eq!(new(&[], Inputs { samples: 0, ..FEW }), "a sweep takes at least 1 sample");
 }
@@ -387,7 +387,7 @@ fn points_that_fail_a_check_are_recorded() {
     let again = run(&sweep, folder.path()).unwrap();
     assert_eq!(timeless(&again), timeless(&record));
     let svg = fs::read_to_string(folder.path().join("error_vs_rom.svg")).unwrap();
-    assert!(svg.contains("no error at all"));
+    assert!(svg.contains("lower edge have zero error"));
 }
 
 #[test]
