@@ -554,7 +554,7 @@ fn a_sweep_leaves_somebodys_files_alone() {
     fs::write(folder.path().join("report.md"), "mine").unwrap();
     let here = folder.path().to_str().unwrap();
     let args = ["sweep", "rotation", "--axis", "angle_bits=8", "--samples", "10", "--out", here];
-    refused(&args, "report.md: is in the way and from no sweep");
+    refused(&args, "report.md: is in the way and not from a sweep");
     assert_eq!(fs::read_to_string(folder.path().join("report.md")).unwrap(), "mine");
 }
 

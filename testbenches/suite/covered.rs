@@ -171,7 +171,7 @@ fn what_another_command_does_is_named() {
     );
     refused_with(
         &["sweep", "emboss", "--scene", "lettering-raised", "--axis", "component_bits=8,9"],
-        "`fixpath render SCENE --pipelines emboss-gx,emboss-nv --ladder` climbs",
+        "`fixpath render SCENE --pipelines emboss-gx,emboss-nv --ladder` measures",
     );
     refused_with(
         &["sweep", "tangent", "--scene", "mirrored", "--axis", "component_bits=8,9"],

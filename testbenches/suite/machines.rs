@@ -547,7 +547,7 @@ fn memories_and_rates_on_the_command_line() {
         let set = format!("memory.map={}", of("bad.csv", text));
         refused(&["sim", &unit, "-p", &set], part);
     };
-    bad("", "bad.csv: it is empty: a line of headings comes first");
+    bad("", "bad.csv: the file is empty: it needs a line of headings");
     bad("height,height\n1,1\n", "line 1: two columns are called `height`");
     bad("height\n1\n2\n3\n4\n", "its file has no column `slope`: it has height");
     bad("height,slope\n1,1\n2,2\n", "column `height` has 2 words and 4 rows");
