@@ -197,7 +197,7 @@ fn sections(comparison: &Comparison) -> Vec<Section> {
             title: format!("operators, ours / the paper's: {}", comparison.source),
             table: Table { headings, rows: counts },
             notes: strings(&[
-                "counted from the netlists, by scope; `whole` counts operators that both stages share once",
+                "counted from the netlists, by scope; in whole, operators that both stages share count once",
                 "not counted, as in the paper: operators inside dividers, roots and tables; rounding, negation, multiplexers",
             ]),
         },

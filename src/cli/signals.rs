@@ -1,4 +1,4 @@
-//! Signals that end a run: no half-written file stays behind, and the exit code tells which signal
+//! Signals that end a run: no half-written file stays behind, and the exit code shows which signal
 //! it was.
 
 use crate::base::error::Result;

@@ -31,7 +31,7 @@ pub(super) fn read_stimulus<R: io::Read>(
         }
         if cast::count_of(rows.len()) > MAX_SAMPLES {
             let problem = format!(
-                "more than {MAX_SAMPLES} rows, the limit of a wave: --cycles 0..1e6 takes only the first"
+                "more than {MAX_SAMPLES} rows, the limit of a wave: --cycles 0..1e6 reads only the first"
             );
             return Err(Error::file(samples.path(), problem));
         }

@@ -221,7 +221,7 @@ impl Sweep {
     /// of samples is 0.
     pub fn new(base: Values, axes: Vec<Axis>, inputs: Inputs) -> Result<Self> {
         if inputs.samples == 0 && matches!(inputs.sampler, Sampler::Lit | Sampler::Sphere) {
-            return Err(Error::usage("a sweep takes at least 1 sample".to_owned()));
+            return Err(Error::usage("a sweep needs at least 1 sample".to_owned()));
         }
         Self::check(&base, &axes)?;
         Ok(Self { base, axes, source: Source::Drawn(inputs) })

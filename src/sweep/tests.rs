@@ -30,7 +30,7 @@ fn run(sweep: &Sweep, folder: &Path) -> Result<Record> {
     sweep.run(folder, false, &|_| ())
 }
 
-/// Points without the time that they took, which is another in every run.
+/// Points without their times, which differ in every run.
 fn timeless(record: &Record) -> Vec<serde_json::Value> {
     let strip = |point: &Point| {
         let mut point = serde_json::to_value(point).unwrap();
@@ -128,7 +128,7 @@ fn grid_errors() {
         new(&["period_ps=100..50100", "variant=exact,printed"], FEW),
         "the grid has 50001 × 2 points: a sweep has at most 100000 points; use fewer values or a larger step"
     );
-    assert_eq!(new(&[], Inputs { samples: 0, ..FEW }), "a sweep takes at least 1 sample");
+    assert_eq!(new(&[], Inputs { samples: 0, ..FEW }), "a sweep needs at least 1 sample");
 }
 
 #[test]
@@ -181,7 +181,7 @@ fn goes_on_where_it_was() {
     run(&sweep, folder.path()).unwrap();
     assert_eq!(fs::read_to_string(&json).unwrap(), whole);
     assert_eq!(fs::read(folder.path().join("report.md")).unwrap(), report);
-    // The second half is gone, and what is there is not in grid order.
+    // The second half is missing, and the rest is not in grid order.
     record.points.truncate(3);
     record.points.reverse();
     Record::write_json(&json, &record.header, record.points.iter()).unwrap();
@@ -306,7 +306,7 @@ fn goldens_of_formats_are_not_shared() {
     assert!(max(0) < 0.1 && max(1) > 0.4, "{} {}", max(0), max(1));
 }
 
-/// Runs a sweep whose points have the figures that each has alone.
+/// Runs a sweep, and checks that each point has the same figures as on its own.
 fn check_alone(sweep: &Sweep, inputs: Inputs) -> Record {
     let folder = tempfile::tempdir().unwrap();
     let record = run(sweep, folder.path()).unwrap();
@@ -339,7 +339,7 @@ fn points_that_cannot_be_built_are_recorded() {
     assert!(csv.contains(why), "{csv}");
 }
 
-/// A unit whose outputs are its input, in as many bits as asked for and no more.
+/// A unit whose outputs are its input, in exactly the requested number of bits.
 fn tight() -> Unit {
     Unit::new("tight", "").param(Param::bits("bits", 1..=8).default(8)).design(|values| {
         let mut b = Builder::new("tight");
@@ -377,7 +377,7 @@ fn points_that_fail_a_check_are_recorded() {
                 assert_ne!(bits, 8);
                 assert!(why.contains("under overflow mode `error`"), "{why}");
             }
-            // All words fit, so there is no error at all, which no logarithm can show.
+            // All words fit, so every error is 0, which has no logarithm.
             None => assert_eq!(
                 (bits, point.measured.as_ref().unwrap().lead_max(Basis::Total)),
                 (8, 0.0)

@@ -22,7 +22,7 @@ const SHEET_FRAMES: usize = 12;
 /// the text to print, and false if a bound is broken.
 pub(super) fn run_frames(args: &RenderArgs, scene: &Scene) -> Result<(String, bool)> {
     if args.specialise {
-        let text = "--specialise takes a scene with one picture: leave [orbit] out";
+        let text = "--specialise needs a scene with one picture: leave [orbit] out";
         return Err(Error::usage(text.to_owned()));
     }
     let pipelines = pipelines_of(args, scene)?;

@@ -21,7 +21,7 @@ pub(in crate::cli) fn run(args: &RenderArgs) -> Result<(String, bool)> {
     };
     if let Some(widths) = &args.ladder {
         if args.frames == "setup" {
-            let text = "--ladder takes frames in floating point: leave --frames out";
+            let text = "--ladder needs frames in floating point: leave --frames out";
             return Err(Error::usage(text.to_owned()));
         }
         let exponents = args.exponents.as_deref();
@@ -53,7 +53,7 @@ pub(in crate::cli) fn run(args: &RenderArgs) -> Result<(String, bool)> {
     if args.specialise {
         let pipelines = pipelines_of(args, &scene)?;
         if args.frames == "setup" {
-            let text = "--specialise takes frames in floating point: leave --frames out";
+            let text = "--specialise needs frames in floating point: leave --frames out";
             return Err(Error::usage(text.to_owned()));
         }
         if pipelines.iter().any(|pipeline| pipeline.is_emboss() || pipeline.is_tangent()) {
