@@ -6,7 +6,7 @@ use super::rows::{Row, against, axis_names, axis_values, best, inputs, rows};
 use crate::design::{Role, Unit};
 use crate::measure::Basis;
 
-/// Largest number of series in one plot.
+/// With more series than this, a plot groups points by colour and mark only.
 const MAX_SERIES: usize = 8;
 /// Algorithm errors up to this are rounding of the golden itself; in rad, or absolute.
 const LEAST_ALGORITHM: f64 = 1e-9;
