@@ -32,7 +32,7 @@ pub(super) struct CompareArgs {
     /// Seed of the random fragments.
     #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = number::whole(0..=u64::MAX))]
     seed: u64,
-    /// Scenes to render for the image error: built-in ones or files; none to leave it out.
+    /// Scenes to render for the image error: built-in names or files; `none` skips it.
     #[arg(
         long,
         value_name = "SCENE,…",
@@ -43,12 +43,12 @@ pub(super) struct CompareArgs {
     /// As JSON.
     #[arg(long)]
     json: bool,
-    /// Write it into a file as well: Markdown or CSV, by its ending.
+    /// Also write the tables to a file, as Markdown or CSV by its extension.
     #[arg(long, value_name = "FILE.md|FILE.csv")]
     out: Option<PathBuf>,
 }
 
-/// Counts and measures; returns what to tell.
+/// Counts and measures; returns the text to print.
 pub(super) fn run(args: &CompareArgs) -> Result<String> {
     let ending = args.out.as_ref().map(|path| path.extension().and_then(|e| e.to_str()));
     if let (Some(path), Some(ending)) = (&args.out, ending)
@@ -197,7 +197,7 @@ fn sections(comparison: &Comparison) -> Vec<Section> {
             title: format!("operators, ours / the paper's: {}", comparison.source),
             table: Table { headings, rows: counts },
             notes: strings(&[
-                "counted from the netlists, by scope; whole counts once what both stages share",
+                "counted from the netlists, by scope; in whole, operators that both stages share count once",
                 "not counted, as in the paper: operators inside dividers, roots and tables; rounding, negation, multiplexers",
             ]),
         },
@@ -238,8 +238,8 @@ fn sections(comparison: &Comparison) -> Vec<Section> {
                 comparison.rows.iter().map(error).collect(),
             ),
             notes: strings(&[
-                "vector: angle between L' as it comes and as it should (kugler: N' as its light sees it); dot: N'·L'",
-                "end to end: against the golden of the inputs before quantisation; `fixpath sim` splits each error",
+                "vector: angle between the computed and the golden L' (kugler: N' as its light sees it); dot: N'·L'",
+                "end to end: against the golden model of the inputs before quantisation; `fixpath sim` splits each error",
             ]),
         },
         images(comparison),
@@ -271,7 +271,7 @@ fn images(comparison: &Comparison) -> Section {
         cells
     };
     Section {
-        title: "difference of pictures to the golden, in linear light".to_owned(),
+        title: "difference of each picture from the golden, in linear light".to_owned(),
         table: Table {
             headings,
             rows: if scenes.is_empty() {
@@ -321,7 +321,8 @@ fn write_csv(comparison: &Comparison, to: &mut dyn Write, path: &Path) -> Result
     }
     for SceneRendered { scene, .. } in &comparison.scenes {
         for figure in ["max", "mean", "flip"] {
-            // Scenes of one name, and one with the name of a quantity, are told apart by a number.
+            // A number keeps headings unique if scenes share a name, or one has the name of a
+            // quantity.
             let name = format!("{scene}_{figure}");
             let numbered = (2..).map(|number| format!("{name}_{number}"));
             let mut free = iter::once(name.clone()).chain(numbered);

@@ -1,4 +1,4 @@
-//! `fixpath cost`: what a unit takes on an FPGA.
+//! `fixpath cost`: the FPGA resources of a unit.
 
 use super::options::UnitArgs;
 use super::{number, text};
@@ -24,14 +24,14 @@ use std::time::Duration;
 pub(super) struct CostArgs {
     #[command(flatten)]
     unit: UnitArgs,
-    /// Families of FPGAs.
+    /// FPGA families.
     #[arg(long, value_enum, value_delimiter = ',', default_value = "ice40,ecp5,xilinx")]
     target: Vec<TargetArg>,
-    /// Longest run of a tool in s.
+    /// Time limit of each tool run, in s.
     #[arg(long, value_name = "S", default_value_t = 300, allow_negative_numbers = true, value_parser = number::whole(1..=86_400))]
     time_limit: u64,
-    /// Largest memory of a tool in GiB (Linux); if not given, 4, or half of the machine's where
-    /// that is less.
+    /// Memory limit of a tool in GiB (Linux); default: 4, or half of the machine's memory if that
+    /// is less.
     #[arg(long, value_name = "GIB", allow_negative_numbers = true, value_parser = number::whole(1..=4096))]
     memory_limit: Option<u64>,
     /// As JSON.
@@ -59,7 +59,7 @@ impl TargetArg {
     }
 }
 
-/// What was found for a target.
+/// Results for one target.
 struct Row {
     target: Target,
     synthesis: Synthesis,
@@ -67,7 +67,7 @@ struct Row {
     clock: Clock,
 }
 
-/// Runs the tools; returns what to tell.
+/// Runs the tools; returns the text to print.
 pub(super) fn run(args: &CostArgs) -> Result<String> {
     let design = args.unit.design()?;
     let rtl = Arc::new(design.rtl()?);
@@ -112,7 +112,7 @@ fn clock(clock: &Clock) -> String {
         Clock::TooLarge { device, why } => format!("does not fit {device}: {why}"),
         Clock::CutShort { device, why } => format!("unknown on {device}: {why}"),
         Clock::Missing(how) => format!("nextpnr {how}"),
-        Clock::Unsupported => "no place and route for this target".to_owned(),
+        Clock::Unsupported => "not routed (nextpnr covers iCE40 and ECP5)".to_owned(),
     }
 }
 
@@ -138,7 +138,7 @@ fn told(design: &Design, rows: &[Row], yosys: &str) -> String {
         &["target", "", ">LUTs", ">flip-flops", ">block RAMs", ">DSPs", "clock"],
         &cells,
     ));
-    text.push_str("  the clock is for the unit between registers, with seed 1\n");
+    text.push_str("  the clock is that of the unit between registers, placed with seed 1\n");
     text
 }
 
@@ -162,14 +162,14 @@ fn json_of(design: &Design, rows: &[Row], yosys: &str) -> Value {
     )
 }
 
-/// True for the unit that [`DEVIATIONS`] were measured over.
+/// True for the unit over which [`DEVIATIONS`] were measured.
 fn is_measured(rtl: &Rtl) -> bool {
     rtl.netlist().name() == "rotation" && rtl.units().is_empty()
 }
 
 /// The estimate for every target, for `show`.
 pub(super) fn estimates(rtl: &Arc<Rtl>) -> String {
-    let mut text = "\nestimate of the cost, without tools\n".to_owned();
+    let mut text = "\ncost estimate, without synthesis tools\n".to_owned();
     let mut rows = Vec::new();
     for (target, deviations) in DEVIATIONS {
         let cost = match estimate(rtl, *target) {
@@ -188,18 +188,18 @@ pub(super) fn estimates(rtl: &Arc<Rtl>) -> String {
         &rows,
     ));
     text.push_str(
-        "  flip-flops are the pipeline's bits of registers without those that block RAMs, DSPs and LUTs as delays\n  \
-         take in, with equal ones once, and without those that nothing needs\n",
+        "  flip-flops: register bits of the pipeline, without duplicates, unused ones and those absorbed by block RAMs,\n  \
+         DSPs and LUTs used as delays\n",
     );
     let how_far = if is_measured(rtl) {
         format!(
-            "(N %): the furthest from Yosys {DEVIATIONS_YOSYS} over the {DEVIATIONS_SETTINGS} committed settings of this unit, which it\n  \
-             was fitted to; other settings can be further off"
+            "(N %): worst deviation from Yosys {DEVIATIONS_YOSYS} over the {DEVIATIONS_SETTINGS} committed settings of this unit, to which the\n  \
+             estimate was fitted; other settings can deviate more"
         )
     } else {
-        "how far it is from Yosys was measured for the rotation unit alone".to_owned()
+        "its deviation from Yosys was measured for the rotation unit only".to_owned()
     };
-    let _ = writeln!(text, "  {how_far}; `fixpath cost` asks Yosys itself");
+    let _ = writeln!(text, "  {how_far}; `fixpath cost` runs Yosys itself");
     text
 }
 
@@ -207,7 +207,7 @@ pub(super) fn estimates(rtl: &Arc<Rtl>) -> String {
 pub(super) fn estimates_json(rtl: &Arc<Rtl>) -> Value {
     let mut targets = Map::new();
     for (target, deviations) in DEVIATIONS {
-        // What can't be made as a module has none.
+        // A design that can't be built as a module has no estimate.
         let Ok(cost) = estimate(rtl, *target) else { return Value::Null };
         let mut entry = json!(cost);
         if is_measured(rtl) {

@@ -1,4 +1,4 @@
-//! `fixpath demo`: what takes no outside tool, on built-in settings, into one folder.
+//! `fixpath demo`: everything that needs no outside tool, on built-in settings, into one folder.
 
 use super::print::print;
 use super::render::{self, RenderArgs};
@@ -20,12 +20,12 @@ use crate::sweep::{Axis, Sweep};
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// Samples behind each figure.
+/// Samples per figure.
 const SAMPLES: u64 = 2_000_000;
-/// Samples behind each point of the sweep.
+/// Samples per point of the sweep.
 const SWEEP_SAMPLES: u64 = 200_000;
 
-/// Settings that tell the story: the paper as printed, mended, and the exact unit at growing cost.
+/// The paper's unit as printed and as corrected, and the exact unit with several schemes.
 const SETTINGS: [(&str, &[&str]); 6] = [
     ("printed", &["variant=printed"]),
     ("corrected", &["variant=corrected"]),
@@ -51,9 +51,9 @@ pub(super) fn run(out: &Path) -> Result<bool> {
     let write = output::write_text;
     let mut story = String::from(
         "# fixpath demo\n\nThe polar rotation unit of Lee et al., over lit vectors uniform on the sphere. \
-         Errors are the angle between\nvectors against the golden of the quantised inputs; *algorithm* \
-         is what the method does in exact arithmetic,\n*arithmetic* what words and tables add.\n\n\
-         | setting | algorithm | arithmetic | total | multipliers | ROM bits | with a copy for every two ports |\n|---|---|---|---|---|---|---|\n",
+         Errors are the angle between\nvectors, against the golden model (the same function in double precision) of the quantised inputs; *algorithm* \
+         is the error of the method in exact arithmetic,\n*arithmetic* the error that words and tables add.\n\n\
+         | setting | algorithm | arithmetic | total | multipliers | ROM bits | with one copy per two read ports |\n|---|---|---|---|---|---|---|\n",
     );
     let mut passed = true;
     let inputs = Inputs { sampler: Sampler::Lit, samples: SAMPLES, seed: 1 };
@@ -116,8 +116,8 @@ pub(super) fn run(out: &Path) -> Result<bool> {
     run_sweep(&sweep, &out.join("sweep"), true, false)?;
 
     story.push_str(
-        "\n# Scenes\n\nThe paper's three pictures by whole bump mapping pipelines, and letters by emboss, against the float golden of each: the largest and the mean\n\
-         difference in linear light, in 1/255, and the part of covered\n\
+        "\n# Scenes\n\nThe paper's three pictures by complete bump-mapping pipelines, and letters by emboss, each against its float golden: the largest and the mean\n\
+         difference in linear light, in 1/255, and the share of covered\n\
          pixels that differ in 8 bits; means are over covered pixels, those that see an object.\n\n\
          | scene | pipeline | max | mean | differing | covered pixels |\n|---|---|---|---|---|---|\n",
     );
@@ -132,7 +132,7 @@ pub(super) fn run(out: &Path) -> Result<bool> {
     }
 
     story.push_str(
-        "\n- `sim/`: all figures with the inputs that give the worst, as text and JSON\n\
+        "\n- `sim/`: all figures with the worst-case inputs, as text and JSON\n\
          - `hard_cases.txt`: the hard-case list with f32 and f64 results and a verdict\n\
          - `waves/`: open with `gtkwave waves/exact_linear.vcd waves/exact_linear.gtkw`\n\
          - `hdl/`: Verilog, VHDL, testbenches; `make -C hdl/exact_linear -f rotation_exact_linear_icarus.mk`\n\

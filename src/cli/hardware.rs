@@ -1,4 +1,4 @@
-//! `fixpath hdl`: a design as files of hardware.
+//! `fixpath hdl`: a design as HDL files.
 
 use super::options::UnitArgs;
 use super::print::{note, note_unused};
@@ -18,30 +18,31 @@ use std::sync::LazyLock;
 pub(super) struct HdlArgs {
     #[command(flatten)]
     unit: UnitArgs,
-    /// Folder to write; what an earlier run made there under the same name goes, other modules stay.
+    /// Folder to write. Files that an earlier run wrote there under the same name are removed;
+    /// other modules stay.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
-    /// Name of the module and of the files; the unit's if not given.
+    /// Name of the module and of the files; default: the unit's.
     #[arg(long)]
     name: Option<String>,
-    /// Languages.
+    /// Languages to write.
     #[arg(long, value_enum, value_delimiter = ',', default_value = "verilog,vhdl")]
     language: Vec<LanguageArg>,
-    /// Where the words of tables stand.
+    /// Where the words of tables are stored.
     #[arg(long, value_enum, default_value = "auto")]
     tables: TablesArg,
-    /// Where memories are, whose words the datapath doesn't have.
+    /// Where memories are placed; their words aren't part of the datapath.
     #[arg(long, value_enum, default_value = "ports")]
     memories: MemoriesArg,
     /// Random vectors after the hard-case list.
     #[arg(long, value_name = "N", default_value_t = 10_000, allow_negative_numbers = true, value_parser = number::whole(0..=100_000_000))]
     vectors: u64,
-    /// Seed of the random vectors; 1 if not given.
+    /// Seed of the random vectors; default 1.
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = number::whole(0..=u64::MAX))]
     seed: Option<u64>,
 }
 
-/// One of [`LANGUAGES`], by its place there.
+/// An index into [`LANGUAGES`].
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct LanguageArg(usize);
 
@@ -65,15 +66,15 @@ impl ValueEnum for LanguageArg {
 
 #[derive(Clone, Copy, ValueEnum)]
 pub(super) enum TablesArg {
-    /// Inline for up to 4096 rows in all, else files.
+    /// Inline up to 4096 rows in total, otherwise files.
     Auto,
-    /// An array that is filled at the start.
+    /// An array initialised in the source.
     Inline,
-    /// Hexadecimal files, read at the start.
+    /// Hexadecimal files, loaded at start.
     Files,
-    /// A function with a case for each address: slow in simulators, and each read is a table of
-    /// its own. From Verilog it takes up to twice the block RAM of an array, which two reads
-    /// share; from VHDL by way of GHDL it is logic.
+    /// A function with one case per address. It is slow in simulators, and each read has a table of
+    /// its own. From Verilog it takes up to twice the block RAM of an array, which two reads share;
+    /// from VHDL through GHDL it becomes logic.
     Case,
 }
 
@@ -90,7 +91,7 @@ impl TablesArg {
 
 #[derive(Clone, Copy, ValueEnum)]
 pub(super) enum MemoriesArg {
-    /// Outside: ports for each address that one is read at and for its words.
+    /// Outside the module, which has ports for each read address and for the words read.
     Ports,
     /// In the module: a RAM with a write port.
     Ram,
@@ -105,18 +106,18 @@ impl MemoriesArg {
     }
 }
 
-/// A design whose memories have words to be verified with: random ones where none are bound.
+/// Fills memories without bound words with random ones, so that the design can be verified.
 ///
 /// # Errors
-/// If one has too many.
+/// If a memory has too many words.
 pub(super) fn with_memories(mut design: Design) -> Result<Design> {
     for name in design.fill_memories()? {
-        note(&format!("no words are bound to memory `{name}`: vectors are for random ones"));
+        note(&format!("no words are bound to memory `{name}`: the vectors use random ones"));
     }
     Ok(design)
 }
 
-/// Writes the files; returns what to tell.
+/// Writes the files; returns the text to print.
 pub(super) fn run(args: &HdlArgs) -> Result<String> {
     let mut languages: Vec<LanguageArg> = Vec::new();
     for language in &args.language {
@@ -150,8 +151,10 @@ fn told(package: &Package, vectors: u64, out: &Path) -> String {
     }
     let _ = writeln!(text, "  {}: {vectors} vectors", vectors_file(module));
     for (was, is) in &module.renamed {
-        let _ =
-            writeln!(text, "renamed, since a language or another word has the name: {was} is {is}");
+        let _ = writeln!(
+            text,
+            "renamed, since a language or another word uses the name: {was} to {is}"
+        );
     }
     let makefile = package.companions.iter().find(|file| file.name.ends_with(".mk"));
     if let Some(makefile) = makefile {

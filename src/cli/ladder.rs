@@ -16,10 +16,10 @@ use std::fmt::Write as _;
 use std::ops::RangeInclusive;
 use std::path::Path;
 
-/// Files of a ladder, of whichever pipelines.
+/// Name of the output set of a ladder, whatever its pipelines.
 const SET: &str = "ladder";
 
-/// A list of whole numbers, each legal and none twice.
+/// Parses a list of whole numbers, all legal and none repeated.
 fn numbers(what: &str, list: &str, legal: &RangeInclusive<u32>) -> Result<Vec<u32>> {
     let mut numbers = Vec::new();
     for item in list.split(',').map(str::trim) {
@@ -37,7 +37,8 @@ fn numbers(what: &str, list: &str, legal: &RangeInclusive<u32>) -> Result<Vec<u3
     Ok(numbers)
 }
 
-/// What to climb, from the command line; an empty list of widths, or none of exponents, is the usual one.
+/// The ladder asked for on the command line. An empty list of widths, or no list of exponents,
+/// selects the defaults.
 pub(super) fn ladder(
     pipelines: Vec<Pipeline>,
     widths: &str,
@@ -58,7 +59,7 @@ pub(super) fn ladder(
     })
 }
 
-/// Climbs and writes; returns what to tell.
+/// Runs the ladder and writes its files; returns the text to print.
 pub(super) fn run(
     ladder: &Ladder,
     scene: &Scene,
@@ -79,7 +80,8 @@ pub(super) fn run(
     Ok(told(&record, out))
 }
 
-/// Climbs with emboss pipelines and writes; returns what to tell, and false if a bound is broken.
+/// Runs a ladder of emboss pipelines and writes its files; returns the text to print, and false if
+/// a bound is broken.
 pub(super) fn run_emboss(
     pipelines: &[Pipeline],
     widths: &str,
@@ -105,7 +107,7 @@ pub(super) fn run_emboss(
         return Ok((json::text(&record.json()), held));
     }
     let mut told = format!(
-        "scene {}: {}; differences to the golden, in linear light\n{}",
+        "scene {}: {}; differences from the golden, in linear light\n{}",
         record.scene,
         coverage(record.covered_px, record.background_px),
         record.table().text()
@@ -120,7 +122,7 @@ pub(super) fn run_emboss(
 fn told(record: &Record, out: &Path) -> String {
     let header = &record.header;
     let mut told = format!(
-        "scene {}: {}; differences to the golden, in linear light\n",
+        "scene {}: {}; differences from the golden, in linear light\n",
         header.scene,
         coverage(header.covered_px, header.background_px)
     );
@@ -128,7 +130,7 @@ fn told(record: &Record, out: &Path) -> String {
     if let (Some(table), Some(pipeline)) = (record.exponents_table(), &header.light_pipeline) {
         let _ = writeln!(
             told,
-            "\nmax/255 by exponent n of the highlight and light tables, pipeline {pipeline}, else fine"
+            "\nmax/255 by exponent n of the highlight and light tables, pipeline {pipeline}, all else fine"
         );
         told.push_str(&table.text());
         for refused in record.refused_tables() {

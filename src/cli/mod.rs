@@ -1,5 +1,5 @@
-//! The command line. Exit codes: 0 done, 1 a check failed, 2 wrong use, unreadable
-//! input, or an outside tool that could not finish.
+//! The command line. Exit codes: 0 done, 1 a check failed, 2 wrong use, unreadable input, or an
+//! outside tool that could not finish.
 
 mod compare;
 mod cost;
@@ -42,7 +42,7 @@ use std::process::ExitCode;
 use sweep::run_sweep;
 use wave::{MAX_SAMPLES, read_stimulus, stimulus, write_wave};
 
-/// The most threads.
+/// Largest number of threads.
 const MAX_THREADS: u64 = 1024;
 
 /// Generator and bit-true simulator of fixed-point datapaths.
@@ -64,7 +64,7 @@ const MAX_THREADS: u64 = 1024;
         Formats of files: fixpath help scene, netlist, samples, memory or texgen."
 )]
 struct Cli {
-    /// Threads to use; if not given, as many as RAYON_NUM_THREADS says, else all cores.
+    /// Number of threads; default: RAYON_NUM_THREADS if set, otherwise one per core.
     #[arg(long, global = true, value_name = "N", allow_negative_numbers = true, value_parser = number::whole(1..=MAX_THREADS))]
     threads: Option<u64>,
     #[command(subcommand)]
@@ -73,12 +73,13 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
-    /// List the units; or a unit's formula, ports and parameters with defaults and legal ranges.
+    /// List the units, or one unit's formula, ports and parameters with their defaults and legal
+    /// ranges.
     #[command(
         after_help = "Examples:\n  fixpath list\n  fixpath list rotation\n  fixpath list rotation --json"
     )]
     List {
-        /// All of this unit.
+        /// Unit to describe.
         unit: Option<String>,
         /// As JSON.
         #[arg(long)]
@@ -94,35 +95,38 @@ enum Command {
         /// As JSON.
         #[arg(long, conflicts_with = "dot")]
         json: bool,
-        /// The netlist as a Graphviz graph.
+        /// Print the netlist as a Graphviz graph.
         #[arg(long)]
         dot: bool,
-        /// The whole netlist as a file that every command takes in place of a unit.
+        /// Print the netlist in the file format that every command accepts in place of a unit.
         #[arg(long, conflicts_with_all = ["dot", "json"])]
         netlist: bool,
     },
-    /// Print a time-shared schedule: what sits in which unit in which cycle, and what that takes.
+    /// Print a time-shared schedule: the operation of each unit in each cycle, and the hardware it
+    /// needs.
     #[command(
-        after_help = "Cycles count from 1. A unit with operand registers loads in the cycle before it computes.\n\nExamples:\n  fixpath schedule bump -p schedule=shared -p share_mul=2 -p share_add=2\n  fixpath schedule emboss -p schedule=shared -p share_dot=2 -p interval=8 --json\n  fixpath schedule emboss -p schedule=printed -p l_sign=vertex-light     as US 6,980,218 has it"
+        after_help = "Cycles count from 1. A unit with operand registers loads in the cycle before it computes.\n\nExamples:\n  fixpath schedule bump -p schedule=shared -p share_mul=2 -p share_add=2\n  fixpath schedule emboss -p schedule=shared -p share_dot=2 -p interval=8 --json\n  fixpath schedule emboss -p schedule=printed -p l_sign=vertex-light     the schedule of US 6,980,218"
     )]
     Schedule(schedule::ScheduleArgs),
     /// Run a unit on a CSV of real inputs.
     #[command(
-        after_help = "Input columns are named by port P (see `fixpath list`); for rotation phi_a,theta_a,phi_n,theta_n.\nEach may be its word P_raw, its quantised value P_q or a real P: the first that is there counts, and\nothers have to agree. Commas, semicolons or tabs separate.\nOutput: P_q and P_raw per input port, P, P_raw and P_golden per output port, and in `clipped` the\ninput ports whose value was past their range. It can be read again.\n\nExamples:\n  fixpath eval rotation -p scheme=linear --in vectors.csv --out results.csv --angle degrees\n  fixpath eval rotation --in - --out - < vectors.csv | head -3"
+        after_help = "Input columns are named by port P (see `fixpath list`); for rotation phi_a,theta_a,phi_n,theta_n.\nEach port may be given as its word P_raw, its quantised value P_q or a real number P. If several are\npresent, the first of these counts and the others must agree. Separators: commas, semicolons or tabs.\nOutput: P_q and P_raw per input port, P, P_raw and P_golden per output port, and in `clipped` the\ninput ports whose value was out of range. The output can be read again as input.\n\nExamples:\n  fixpath eval rotation -p scheme=linear --in vectors.csv --out results.csv --angle degrees\n  fixpath eval rotation --in - --out - < vectors.csv | head -3"
     )]
     Eval {
         #[command(flatten)]
         unit: UnitArgs,
-        /// CSV to read; - is the standard input. At a pipe it waits for the other end.
+        /// CSV to read; - reads standard input. A named pipe blocks until its other end opens.
         #[arg(long = "in", value_name = "FILE")]
         input: PathBuf,
-        /// CSV to write; - is the standard output. At a pipe it waits for the other end.
+        /// CSV to write; - writes to standard output. A named pipe blocks until its other end
+        /// opens.
         #[arg(long, value_name = "FILE")]
         out: PathBuf,
         #[command(flatten)]
         table: TableArgs,
     },
-    /// Measure errors against the golden model, with the input that gives the worst.
+    /// Measure errors against the golden model (the same function in double precision), with the
+    /// worst-case inputs.
     #[command(
         after_help = "Examples:\n  fixpath sim rotation --samples 10000000\n  fixpath sim rotation -p variant=corrected --json\n  fixpath sim rotation -p angle_bits=5 --sampler exhaustive\n  fixpath sim rotation -p variant=corrected -p angle_bits=10 --cone sin_theta_x\n  fixpath sim rotation --basis total --samples 100000000\n  fixpath sim rotation --hard --cases cases.csv"
     )]
@@ -131,17 +135,19 @@ enum Command {
         unit: UnitArgs,
         #[command(flatten)]
         inputs: InputArgs,
-        /// The hard-case list: each case with f32 and f64 results and a verdict.
+        /// Run the hard-case list: each case with f32 and f64 results and a verdict.
         #[arg(long, conflicts_with = "sampler")]
         hard: bool,
-        /// Write every hard case with its results into a CSV.
+        /// Write every hard case with its results to a CSV.
         #[arg(long, value_name = "FILE", requires = "hard")]
         cases: Option<PathBuf>,
-        /// Only this node, by its name, that of an output port, or its number as `fixpath show` lists it, against
-        /// its value on reals: over every combination of the words that it depends on (up to 2^32).
+        /// Measure one node only, against its value on reals, over every combination of the words
+        /// that it depends on (up to 2^32). NODE is its name, the name of an output port, or its
+        /// number in `fixpath show`.
         #[arg(long, value_name = "NODE", conflicts_with_all = ["hard", "samples", "seed", "cases", "sampler"])]
         cone: Option<String>,
-        /// Measure errors on these bases only, which takes less time; always on total, of which bounds are.
+        /// Measure errors on these bases only, which is faster. `total` is always included, since
+        /// bounds refer to it.
         #[arg(
             long,
             value_name = "BASIS",
@@ -151,22 +157,22 @@ enum Command {
             conflicts_with = "cone"
         )]
         basis: Vec<BasisArg>,
-        /// Tell which share of the time went where.
+        /// Print the share of time spent in each part.
         #[arg(long)]
         profile: bool,
         /// As JSON.
         #[arg(long)]
         json: bool,
     },
-    /// Simulate the pipeline cycle by cycle into a VCD, with a GTKWave save file beside it.
+    /// Simulate the pipeline cycle by cycle and write a VCD, with a GTKWave save file beside it.
     #[command(
         after_help = "Examples:\n  fixpath wave rotation --out rotation.vcd\n  fixpath wave rotation --in vectors.csv --cycles 0..50 --signals 'x*' --out short.vcd\n  fixpath wave rotation --signals '*error' --out errors.vcd\n  fixpath wave rotation -p stages=0 -p rom=distributed --out combinational.vcd"
     )]
     Wave {
         #[command(flatten)]
         unit: UnitArgs,
-        /// CSV of inputs as `eval` reads it, one row a sample: a cycle, or an interval; - is the standard
-        /// input. Without it, hard cases and random vectors.
+        /// CSV of inputs in the format of `eval`, one row per sample (a cycle or an interval); -
+        /// reads standard input. Without it, hard cases and random vectors.
         #[arg(long = "in", value_name = "FILE")]
         input: Option<PathBuf>,
         #[command(flatten)]
@@ -174,51 +180,53 @@ enum Command {
         /// VCD to write; FILE.gtkw is written beside it.
         #[arg(long, value_name = "FILE")]
         out: PathBuf,
-        /// Samples if there is no CSV; 200 if not given.
+        /// Number of samples without a CSV; default 200.
         #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = number::whole(1..=MAX_SAMPLES))]
         samples: Option<u64>,
-        /// Seed of the random vectors; 1 if not given.
+        /// Seed of the random vectors; default 1.
         #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = number::whole(0..=u64::MAX))]
         seed: Option<u64>,
-        /// Cycles to write, as FIRST..END without END itself.
+        /// Cycles to write, as FIRST..END; END is excluded.
         #[arg(long, value_name = "A..B", allow_hyphen_values = true, value_parser = number::window)]
         cycles: Option<std::ops::Range<u64>>,
-        /// Signals to write, as scope.name (without the unit) with * for any text; *error takes all errors.
+        /// Signals to write, as scope.name without the unit; * matches any text, so *error selects
+        /// all errors.
         #[arg(long, value_name = "PATTERN", value_delimiter = ',')]
         signals: Vec<String>,
-        /// Also unnamed nodes and pipeline registers.
+        /// Include unnamed nodes and pipeline registers.
         #[arg(long)]
         all: bool,
-        /// Leave out the real twins of words.
+        /// Omit the real-valued copies of words.
         #[arg(long)]
         words_only: bool,
     },
-    /// Measure a grid of parameters: CSV, JSON, Markdown and plots.
+    /// Measure a grid of parameter settings; write CSV, JSON, Markdown and plots.
     #[command(
-        after_help = "Results are saved as points finish; the same command continues after an interruption.\n\nExamples:\n  fixpath sweep rotation --axis table_addr_bits=6..14:2 --axis variant=printed,corrected,exact --out sweep\n  fixpath sweep rotation -p scheme=linear --axis frac_bits=8..20 --samples 100000 --out widths\n  fixpath sweep bump --scene sphere --axis angle_bits=8..16:2 --axis scheme=direct,linear --out sphere\n  fixpath sweep bump --scene plane --error flip --axis exponent=8,32,128 --axis light_scheme=direct,linear --out light"
+        after_help = "Results are saved as points finish. After an interruption, the same command resumes.\n\nExamples:\n  fixpath sweep rotation --axis table_addr_bits=6..14:2 --axis variant=printed,corrected,exact --out sweep\n  fixpath sweep rotation -p scheme=linear --axis frac_bits=8..20 --samples 100000 --out widths\n  fixpath sweep bump --scene sphere --axis angle_bits=8..16:2 --axis scheme=direct,linear --out sphere\n  fixpath sweep bump --scene plane --error flip --axis exponent=8,32,128 --axis light_scheme=direct,linear --out light"
     )]
     Sweep {
         #[command(flatten)]
         unit: UnitArgs,
-        /// An axis: key=v,v,… or key=a..b[:step]; several make a grid.
+        /// Axis: key=v,v,… or key=a..b[:step]. Several axes make a grid.
         #[arg(long = "axis", value_name = "KEY=VALUES", required = true)]
         axes: Vec<String>,
         #[command(flatten)]
         inputs: InputArgs,
-        /// Inputs are what the pixels of a scene see: a scene file, or plane, cube, sphere. The error is that
-        /// of the picture; what -p and axes don't say of the material comes from the scene.
+        /// Take the inputs from the pixels of a scene: a scene file, or plane, cube, sphere. The
+        /// error is then that of the picture. Material parameters default to the scene's. One set
+        /// by `-p` or an axis also changes the golden picture.
         #[arg(long, value_name = "SCENE", conflicts_with_all = ["samples", "seed", "sampler"])]
         scene: Option<PathBuf>,
-        /// What pictures are ranked by; each point has all of them.
+        /// Error that ranks the pictures; every point records all errors.
         #[arg(long, value_enum, default_value = "max", requires = "scene")]
         error: ErrorArg,
         /// Folder to write.
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
-        /// Start anew, whatever is in the folder.
+        /// Start over and discard earlier results in the folder.
         #[arg(long)]
         fresh: bool,
-        /// Tell which share of the time went where.
+        /// Print the share of time spent in each part.
         #[arg(long, conflicts_with = "scene")]
         profile: bool,
     },
@@ -227,32 +235,35 @@ enum Command {
         after_help = "Examples:\n  fixpath hdl rotation --out rtl && make -C rtl -f rotation_icarus.mk\n  fixpath hdl rotation -p variant=corrected --name corrected --tables files --out rtl\n  fixpath hdl rotation --language vhdl --vectors 100000 --out rtl"
     )]
     Hdl(hardware::HdlArgs),
-    /// Run a unit's hardware in the outside simulators that are installed, and compare every bit.
+    /// Run a unit's hardware in the outside simulators that are installed, and compare every output
+    /// bit.
     #[command(
-        after_help = "Icarus, Verilator and GHDL take the hard-case list and random vectors; Yosys checks the\nmodule and proves it equal to its combinational reference at small widths, within 60 s.\n\nExamples:\n  fixpath verify rotation\n  fixpath verify rotation -p scheme=linear --with verilator --vectors 10000000\n  fixpath verify rotation -p variant=corrected --keep files --json"
+        after_help = "Icarus, Verilator and GHDL run the hard-case list and random vectors; Yosys checks the\nmodule and proves it equal to its combinational reference at small widths, within 60 s.\n\nExamples:\n  fixpath verify rotation\n  fixpath verify rotation -p scheme=linear --with verilator --vectors 10000000\n  fixpath verify rotation -p variant=corrected --keep files --json"
     )]
     Verify(verify::VerifyArgs),
-    /// Synthesise a unit: LUTs, flip-flops, block RAMs, DSPs, and the clock that it reaches.
+    /// Synthesise a unit: LUTs, flip-flops, block RAMs, DSPs and the clock it reaches.
     #[command(
-        after_help = "Yosys counts; nextpnr, where it is installed, places and routes the unit between registers.\nWhat counts as what: a CCU2C of ECP5 is two LUTs, an SRL16E of Xilinx one; a RAMB36E1 is two\nblock RAMs (RAMB18E1). The estimate is the one of `fixpath show`.\n\nExamples:\n  fixpath cost rotation\n  fixpath cost rotation -p table_addr_bits=8 --target ice40\n  fixpath cost rotation -p variant=corrected --target ecp5,xilinx --json"
+        after_help = "Yosys counts the cells. If nextpnr is installed, it places and routes the unit between registers.\nCounting rules: an ECP5 CCU2C is two LUTs, a Xilinx SRL16E is one; a RAMB36E1 is two\nblock RAMs (RAMB18E1). The estimate is the one that `fixpath show` prints.\n\nExamples:\n  fixpath cost rotation\n  fixpath cost rotation -p table_addr_bits=8 --target ice40\n  fixpath cost rotation -p variant=corrected --target ecp5,xilinx --json"
     )]
     Cost(cost::CostArgs),
-    /// Rebuild Table 1 of Lee et al.: operators beside the paper's, and the error that it lacks.
+    /// Rebuild Table 1 of Lee et al.: operator counts beside the paper's, and the errors that its
+    /// table lacks.
     #[command(
         after_help = "Counts come from the netlists of peercy, kugler, kim, ernst and of every pipeline of bump.\n\nExamples:\n  fixpath compare\n  fixpath compare -p scheme=linear --samples 1000000\n  fixpath compare -p map_addr_bits=20 -p exponent=64 --out table1.md"
     )]
     Compare(compare::CompareArgs),
-    /// Render a scene by pipelines: fixed, golden and difference pictures, and figures.
+    /// Render a scene with fixed-point pipelines: fixed, golden and difference pictures, and
+    /// figures.
     #[command(
         after_help = "Examples:\n  fixpath render sphere --out sphere\n  fixpath render scene.toml --pipelines exact-polar -p angle_bits=12 -p scheme=linear --out pictures\n  fixpath render plane --ladder --out ladder\n  fixpath render sphere --ladder=8,12,16 --pipelines exact-polar,exact-cartesian -p scheme=linear --exponents 8,64 --out ladder\n  fixpath render lettering-raised --pipelines emboss-gx,emboss-nv --out emboss\n  fixpath render light-orbit --pipelines emboss-gx --out frames\n  fixpath render mirrored --pipelines tangent-smooth,tangent-faceted -p mirror=handed --out set-up\n  fixpath render mirrored --pipelines exact-polar --frames setup -p component_bits=12 --out frames"
     )]
     Render(render::RenderArgs),
-    /// Check calls of a texture-coordinate interface: GXSetTexCoordGen, GL_NV_texgen_emboss.
+    /// Check calls to a texture-coordinate interface: GXSetTexCoordGen, GL_NV_texgen_emboss.
     #[command(after_help = texgen::HELP)]
     Texgen(texgen::TexgenArgs),
-    /// Print the JSON Schema of everything that is told or written as JSON.
+    /// Print the JSON Schema of all JSON output.
     #[command(
-        after_help = "A document says what it is: its first fields are tool, version, document and schema_version.\n\nExample:\n  fixpath schema > fixpath.schema.json"
+        after_help = "Every document identifies itself: its first fields are tool, version, document and schema_version.\n\nExample:\n  fixpath schema > fixpath.schema.json"
     )]
     Schema,
     /// Print the help of a command, or the format of a file with every key and its default.
@@ -260,7 +271,8 @@ enum Command {
         after_help = "Examples:\n  fixpath help sweep\n  fixpath help scene\n  fixpath help netlist"
     )]
     Help(help::HelpArgs),
-    /// Measure, waves, hardware and a sweep of built-in settings, in under half a minute.
+    /// Run measurements, waves, hardware, scenes and a sweep on built-in settings, in under half a
+    /// minute.
     #[command(after_help = "Example:\n  fixpath demo --out demo_out")]
     Demo {
         /// Folder to write.
@@ -269,13 +281,14 @@ enum Command {
     },
 }
 
-/// The command line as clap has it, such as for completions and manual pages.
+/// The clap command, for example to generate completions and manual pages.
 #[must_use]
 pub fn command() -> clap::Command {
     Cli::command()
 }
 
-/// Runs the command line, with units of one's own beside those of [`crate::units`]: the whole of a program's `main`.
+/// Runs the command line with the caller's units added to those of [`crate::units`]. A program's
+/// `main` needs nothing else.
 ///
 /// ```no_run
 /// use fixpath::format::{Overflow, Round};
@@ -314,38 +327,39 @@ pub fn main(units: &[Unit]) -> ExitCode {
         Ok(false) => ExitCode::from(1),
         Err(error) if error.is_broken_pipe() => ExitCode::SUCCESS,
         Err(error) => {
-            // The message, not its chain: it already holds the cause. A lost stderr changes nothing.
+            // The message without its source chain: it already includes the cause. A failed write
+            // to stderr is ignored.
             let _ = writeln!(io::stderr(), "error: {error}");
             ExitCode::from(if error.is_failed_check() { 1 } else { 2 })
         }
     }
 }
 
-/// Tells what is wrong with the command line.
+/// Reports an error in the command line.
 fn refuse(error: &clap::Error) -> ExitCode {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
         let _ = error.print();
         return ExitCode::from(2);
     }
-    // One line, as every other error: the message and its tips, without the usage.
+    // One line, like every other error: the message and its tips, without the usage.
     let text = error.to_string();
     let ends = |line: &str| line.starts_with("Usage:") || line.starts_with("For more info");
     let lines = text.lines().take_while(|line| !ends(line));
     let parts: Vec<&str> = lines.map(str::trim).filter(|line| !line.is_empty()).collect();
     let told = escape::message(&parts.join(" "));
-    let _ = writeln!(io::stderr(), "{told}: `fixpath --help` tells more");
+    let _ = writeln!(io::stderr(), "{told}: see `fixpath --help`");
     ExitCode::from(2)
 }
 
-/// Starts the threads that all work is shared among: here, since the library would take any number from
-/// its environment variable, and panic where they can't start.
+/// Starts the thread pool here, because rayon would accept any number from its environment variable
+/// and panic if the threads can't start.
 fn start_threads(asked: Option<u64>) -> Result<()> {
     const VARIABLE: &str = "RAYON_NUM_THREADS";
     let given = std::env::var(VARIABLE).ok();
     let number = given.as_deref().and_then(|text| whole::parse(text.trim()));
     if let (None, None, Some(text)) = (asked, number, &given) {
         note(&format!(
-            "{VARIABLE} = {} is no number of threads, and changes nothing",
+            "{VARIABLE} = {} is not a number of threads and is ignored",
             escape::short(text)
         ));
     }
@@ -365,8 +379,7 @@ fn start_threads(asked: Option<u64>) -> Result<()> {
         .build_global()
         .map_err(|why| {
             let why = std::error::Error::source(&why).map_or(why.to_string(), ToString::to_string);
-            let remedy =
-                "ask for fewer with --threads, or raise the limit on processes (ulimit -u)";
+            let remedy = "set fewer with --threads, or raise the limit on processes (ulimit -u)";
             Error::usage(format!("can't start {threads} threads: {why}: {remedy}"))
         })
 }
@@ -446,11 +459,11 @@ fn run(command: &Command) -> Result<bool> {
             words_only,
         } => {
             let design = unit.design()?;
-            // What comes after the window doesn't matter.
+            // Samples after the window aren't needed.
             let end = cycles.as_ref().map_or(u64::MAX, |cycles| cycles.end);
             let stimulus = match input {
                 Some(path) => {
-                    let why = "the samples are those of --in";
+                    let why = "--in gives the samples";
                     note_unused(&[("--samples", *samples), ("--seed", *seed)], why);
                     read_stimulus(table.open(path, &design)?, end)?
                 }

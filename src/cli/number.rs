@@ -1,9 +1,9 @@
-//! Parsers of numbers for clap; those of whole numbers take every form of [`crate::base::whole`].
+//! Number parsers for clap. Whole numbers may have every form of [`crate::base::whole`].
 
 use crate::base::whole;
 use std::ops::RangeInclusive;
 
-/// A parser of whole numbers in a range; its error tells range and forms.
+/// A parser of whole numbers in a range; its error states the range and the forms.
 pub(super) fn whole(legal: RangeInclusive<u64>) -> impl Fn(&str) -> Result<u64, String> + Clone {
     move |text| {
         whole::parse(text).filter(|number| legal.contains(number)).ok_or_else(|| told(&legal))
@@ -21,7 +21,7 @@ fn told(legal: &RangeInclusive<u64>) -> String {
     )
 }
 
-/// A parser of real numbers; its error tells the form.
+/// A parser of real numbers; its error states the form.
 pub(super) fn real(text: &str) -> Result<f64, String> {
     text.parse().map_err(|_| "write a number, such as 60 or 12.5".to_owned())
 }

@@ -1,4 +1,4 @@
-//! Options that several commands have.
+//! Options shared by several commands.
 
 use super::number;
 use super::print::note_unused;
@@ -15,11 +15,11 @@ use std::path::Path;
 
 #[derive(Args)]
 pub(super) struct UnitArgs {
-    /// Unit, which `fixpath list` names, or a netlist's file, which `fixpath show UNIT --netlist` writes.
+    /// Unit name (see `fixpath list`), or a netlist file written by `fixpath show UNIT --netlist`.
     pub(super) unit: String,
-    /// Set a parameter; by format.NODE=s20f18 the format of a node and by scheme.TABLE=linear the scheme of a table that
-    /// `fixpath show` lists; by memory.NAME=FILE.csv the words of a memory, a column for each of its own and a line for each
-    /// address.
+    /// Set a parameter. format.NODE=s20f18 sets the format of a node, scheme.TABLE=linear the
+    /// scheme of a table; `fixpath show` lists both. memory.NAME=FILE.csv sets the words of a
+    /// memory: one CSV column for each of its columns, one line per address.
     #[arg(short = 'p', long = "param", value_name = "KEY=VALUE")]
     pub(super) params: Vec<String>,
 }
@@ -36,10 +36,10 @@ impl UnitArgs {
 
 #[derive(Args)]
 pub(super) struct InputArgs {
-    /// Number of random samples; 1e6 if not given.
+    /// Number of random samples; default 1e6.
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = number::whole(1..=u64::MAX))]
     pub(super) samples: Option<u64>,
-    /// Seed of the random samples; 1 if not given.
+    /// Seed of the random samples; default 1.
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = number::whole(0..=u64::MAX))]
     pub(super) seed: Option<u64>,
     /// Where samples come from.
@@ -49,9 +49,9 @@ pub(super) struct InputArgs {
 
 #[derive(Clone, Copy, ValueEnum)]
 pub(super) enum AngleArg {
-    /// 2π to the turn.
+    /// 2π per turn.
     Radians,
-    /// 360 to the turn.
+    /// 360 per turn.
     Degrees,
     /// Turns.
     Turns,
@@ -69,9 +69,10 @@ impl AngleArg {
 
 #[derive(Clone, Copy, ValueEnum)]
 pub(super) enum SamplerArg {
-    /// What suits the unit's inputs: vectors uniform on the sphere, light on the lit side of the surface (`list` tells where else).
+    /// Samples suited to the unit's inputs: vectors uniform on the sphere, with the light on the
+    /// lit side of the surface (`fixpath list` says where a unit differs).
     Lit,
-    /// Likewise, on any side: vectors uniform on the sphere.
+    /// The same on both sides of the surface: vectors uniform on the sphere.
     Sphere,
     /// Every combination of input words (up to 2^32).
     Exhaustive,
@@ -130,20 +131,20 @@ impl InputArgs {
         };
         let sampler = if hard { Sampler::Hard } else { sampler };
         if !sampler.is_random() {
-            let why = format!("sampler {} draws nothing", sampler.name());
+            let why = format!("sampler {} draws no random samples", sampler.name());
             note_unused(&[("--samples", self.samples), ("--seed", self.seed)], &why);
         }
         Inputs { sampler, samples: self.samples.unwrap_or(1_000_000), seed: self.seed.unwrap_or(1) }
     }
 }
 
-/// How a table of values is read.
+/// How to read a table of values.
 #[derive(Args)]
 pub(super) struct TableArgs {
     /// Unit of the angles in tables.
     #[arg(long, value_enum, default_value = "radians")]
     pub(super) angle: AngleArg,
-    /// Pass over columns of the input that mean nothing here.
+    /// Ignore input columns that have no meaning here.
     #[arg(long)]
     pub(super) ignore_columns: bool,
 }

@@ -1,4 +1,4 @@
-//! Progress of what takes long, on the terminal.
+//! Progress of long work, on the terminal.
 
 use crate::base::escape;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -15,7 +15,7 @@ pub(super) fn progress_bar(total: u64, what: &str) -> ProgressBar {
     bar
 }
 
-/// Turns a spinner that somebody sees; it takes a thread.
+/// Animates a spinner if it is visible, since that needs a thread.
 pub(super) fn tick(bar: &ProgressBar) {
     if !bar.is_hidden() {
         bar.enable_steady_tick(Duration::from_millis(200));

@@ -32,7 +32,7 @@ pub(super) fn run(args: &ScheduleArgs) -> Result<String> {
     })
 }
 
-/// Operators of a unit or of everything, all sorts together.
+/// Operators of a unit or of the whole design, summed over datapath, table schemes and parts.
 fn operators(counts: &Counts) -> Vec<(&'static str, u64)> {
     let sum = |of: fn(&crate::netlist::Operators) -> u64| {
         of(&counts.datapath) + of(&counts.schemes) + of(&counts.parts)
@@ -49,14 +49,14 @@ fn operators(counts: &Counts) -> Vec<(&'static str, u64)> {
     ]
 }
 
-/// What there is some of, in words.
+/// The operators that occur, in words.
 pub(super) fn told(counts: &Counts) -> String {
     let some = operators(counts).into_iter().filter(|(_, count)| *count > 0);
     let text: Vec<String> = some.map(|(name, count)| format!("{count} {name}")).collect();
     if text.is_empty() { "wires".to_owned() } else { text.join(", ") }
 }
 
-/// When words of each rate are taken, where ports have several rates.
+/// When words of each rate enter, if ports have several rates.
 pub(super) fn rates(rtl: &Rtl) -> String {
     let timings = rtl.schedule().timings();
     if timings.len() < 2 {
@@ -81,7 +81,7 @@ pub(super) fn rates(rtl: &Rtl) -> String {
         })
         .collect();
     let mut text = String::from(
-        "\nrates, in cycles: words of a slow rate count for what comes at the next rate a latency later and after\n",
+        "\nrates, in cycles: a slow word applies to every faster word that enters a latency later or after, until the next slow word is held\n",
     );
     text.push_str(&text::table(&["rate", "ports", ">entry", ">latency", ">interval"], &rows));
     text
@@ -110,8 +110,8 @@ fn fifos(rtl: &Rtl) -> Vec<(String, usize, u32)> {
     fifos
 }
 
-/// For each set of units: kind, units, operations, interval, and with one more the shortest
-/// interval of them and of everything.
+/// For each set of units: kind, units, operations and interval; then, with one more unit, the
+/// shortest interval of the set and of the whole design.
 fn one_more(rtl: &Rtl) -> Vec<(&'static str, usize, usize, u32, u32, u32)> {
     let loads = &rtl.schedule().loads();
     let others = |at: usize| {
@@ -143,7 +143,7 @@ fn as_text(design: &Design, rtl: &Rtl, table: &Timetable) -> String {
     if rtl.units().is_empty() {
         let remedy = match design.values.choice("schedule") {
             "shared" => "the netlist has no two operations of a kind that share_…=N names",
-            _ => "take schedule=shared and share_…=N",
+            _ => "use schedule=shared and share_…=N",
         };
         let _ = writeln!(
             text,
@@ -165,7 +165,7 @@ fn as_text(design: &Design, rtl: &Rtl, table: &Timetable) -> String {
 
     let _ = writeln!(
         text,
-        "\ninterval {} cycles (shortest for these units: {}), latency {} cycles: {} samples are under way; {} ps by the delay model",
+        "\ninterval {} cycles (shortest for these units: {}), latency {} cycles: {} samples in flight; {} ps by the delay model",
         schedule.interval(),
         schedule.shortest_interval(),
         schedule.latency(),
@@ -193,7 +193,7 @@ fn as_text(design: &Design, rtl: &Rtl, table: &Timetable) -> String {
         &["unit", "", ">latency", ">phases", ">used", ">operand bits", ">bits inside", "operators"],
         &rows,
     ));
-    text.push_str("\nwhat one more unit would buy\n");
+    text.push_str("\neffect of one more unit\n");
     let rows: Vec<Vec<String>> = one_more(rtl)
         .into_iter()
         .map(|(kind, units, operations, now, more, all)| {
@@ -214,14 +214,14 @@ fn as_text(design: &Design, rtl: &Rtl, table: &Timetable) -> String {
             ">operations",
             ">shortest interval",
             ">with one more",
-            ">and of all units then",
+            ">of all units then",
         ],
         &rows,
     ));
     let _ = writeln!(text, "\nhardware: {}", told(&counts.operators));
     let _ = writeln!(
         text,
-        "  {} flip-flops: {} in hold registers ({} of them in delay FIFOs), {}{} in operand registers, {} inside units, {} for the phase, the rest valid bits and reads on a clock; {} multiplexer bits before units",
+        "  {} flip-flops: {} in hold registers ({} of them in delay FIFOs), {}{} in operand registers, {} inside units, {} for the phase, the rest for valid bits and synchronous reads; {} multiplexer bits before units",
         counts.register_bits,
         counts.hold_bits,
         counts.fifo_bits,

@@ -6,14 +6,14 @@ use std::path::Path;
 pub(super) fn word(path: &Path) -> String {
     let bytes = path.as_os_str().as_encoded_bytes();
     let is_plain = |b: &u8| b.is_ascii_alphanumeric() || b"/._-+,:@%=".contains(b) || *b >= 0x80;
-    // Programs take it as an option else.
+    // Otherwise programs would read it as an option.
     let before = if bytes.first() == Some(&b'-') { "./" } else { "" };
     match path.to_str() {
         Some(text) if !text.is_empty() && bytes.iter().all(is_plain) => format!("{before}{text}"),
         Some(text) if !text.chars().any(char::is_control) => {
             format!("'{before}{}'", text.replace('\'', r"'\''"))
         }
-        // Bytes that a terminal would act on, or that are no text.
+        // Bytes that a terminal would interpret, or that aren't text.
         Some(_) | None => {
             let escape = |b: &u8| match b {
                 b'\'' | b'\\' => format!("\\{}", char::from(*b)),

@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 use std::fmt::Write as _;
 use std::sync::Arc;
 
-/// Ports as a table, and as JSON; with rates where there are others than the usual one.
+/// Ports as a table and as JSON; the table has rates if there are any but the default.
 fn ports(netlist: &Netlist) -> (String, Value) {
     let inputs = netlist.inputs().iter().enumerate();
     let inputs = inputs.map(|(port, id)| ("in", netlist.input_name(port), netlist.node(*id)));
@@ -20,7 +20,7 @@ fn ports(netlist: &Netlist) -> (String, Value) {
     let outputs = outputs.map(|output| ("out", &output.name[..], netlist.node(output.node)));
     let rates = netlist.rates();
     let fastest = rates[rates.len() - 1];
-    // An output is there for each sample.
+    // An output has a word for each sample.
     let rate = |way: &str, node: &Node| if way == "in" { node.rate } else { fastest };
     let (mut rows, mut json) = (Vec::new(), Vec::new());
     for (way, name, node) in inputs.chain(outputs) {
@@ -39,7 +39,7 @@ fn ports(netlist: &Netlist) -> (String, Value) {
     (table(&headings[..columns], &rows), Value::Array(json))
 }
 
-/// Exact statistics of every table scheme that can be gone through.
+/// Exact statistics of every table scheme that is small enough to enumerate.
 fn tables(design: &Design) -> Result<Vec<TableFigures>> {
     let mut all = Vec::new();
     for tabulated in &design.tabulated {
@@ -116,12 +116,12 @@ pub(super) fn show(design: &Design) -> Result<String> {
     if parts.iter().any(|(count, _)| *count > 0) {
         let parts = parts.iter().filter(|(count, _)| *count > 0);
         let parts: Vec<String> = parts.map(|(count, name)| format!("{count} {name}")).collect();
-        let _ = writeln!(text, "  of which each is counted as one: {}", parts.join(", "));
+        let _ = writeln!(text, "  each counted as one: {}", parts.join(", "));
     }
 
     let _ = writeln!(
         text,
-        "\ntables: {}; words read {}, ports {}; ROM {} bits, {} with a copy for every two ports",
+        "\ntables: {}; words read {}, ports {}; ROM {} bits, {} with one copy per two read ports",
         counts.tables, counts.reads, counts.ports, counts.rom_bits, counts.rom_bits_dual_port
     );
     let mut rows = Vec::new();
@@ -137,7 +137,7 @@ pub(super) fn show(design: &Design) -> Result<String> {
     if counts.memories > 0 {
         let _ = writeln!(
             text,
-            "\nmemories, whose words -p memory.NAME=FILE.csv binds: {}; ports {}; {} bits",
+            "\nmemories (-p memory.NAME=FILE.csv binds their words): {}; ports {}; {} bits",
             counts.memories, counts.memory_ports, counts.memory_bits
         );
         let rows: Vec<Vec<String>> = netlist.memories().map(memory_row).collect();
@@ -150,7 +150,7 @@ pub(super) fn show(design: &Design) -> Result<String> {
     let figures = tables(design)?;
     if !figures.is_empty() {
         text.push_str(
-            "\ntable schemes over every word of their argument, against the function saturated to the output\n",
+            "\ntable schemes over every argument word, against the function saturated to the output format\n",
         );
         let rows: Vec<Vec<String>> = figures
             .iter()
@@ -175,13 +175,13 @@ pub(super) fn show(design: &Design) -> Result<String> {
     if unjudged > 0 {
         let _ = writeln!(
             text,
-            "  {unjudged} more have arguments of more than {} bits: too many words to go through",
+            "  {unjudged} more have arguments of more than {} bits: too many words to enumerate",
             measure::TABLE_ARGUMENT_BITS
         );
     }
 
     if !netlist.choices().is_empty() {
-        text.push_str("\nformats that -p format.NODE=… sets\n");
+        text.push_str("\nformats, set with -p format.NODE=…\n");
         let rows: Vec<Vec<String>> = netlist
             .choices()
             .iter()
@@ -194,7 +194,7 @@ pub(super) fn show(design: &Design) -> Result<String> {
     }
 
     if !netlist.schemes().is_empty() {
-        text.push_str("\nschemes that -p scheme.TABLE=… sets\n");
+        text.push_str("\nschemes, set with -p scheme.TABLE=…\n");
         let row = |choice: &SchemeChoice| {
             let set = if choice.overridden { "set" } else { "" };
             vec![choice.table.clone(), choice.scheme.clone(), set.to_owned()]
@@ -206,7 +206,7 @@ pub(super) fn show(design: &Design) -> Result<String> {
     let schedule = rtl.schedule();
     let _ = writeln!(
         text,
-        "\npipeline: latency {} cycles, {} bits of registers, tables read {}, {} ps by the delay model (target {} ps)",
+        "\npipeline: latency {} cycles, {} register bits, tables read {}, {} ps by the delay model (target {} ps)",
         schedule.latency(),
         rtl.register_bits(),
         if schedule.rom() == crate::schedule::Rom::Block {
@@ -225,7 +225,7 @@ pub(super) fn show(design: &Design) -> Result<String> {
         let _ = writeln!(
             text,
             "  time-shared: a sample every {} cycles, {} units for {} operations; the operators above are the \
-             netlist's, the hardware has {}; `fixpath schedule` shows it all",
+             netlist's, the hardware has {}; `fixpath schedule` prints the schedule",
             schedule.interval(),
             rtl.units().len(),
             schedule.units().iter().map(|unit| unit.operations.len()).sum::<usize>(),

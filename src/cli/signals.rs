@@ -1,11 +1,12 @@
-//! Signals that end a run: it leaves no half-written file behind, and says by its exit code which it was.
+//! Signals that end a run: no half-written file stays behind, and the exit code shows which signal
+//! it was.
 
 use crate::base::error::Result;
 
 /// Watches for signals from now on.
 ///
 /// # Errors
-/// If there is no thread to watch.
+/// If the watching thread can't start.
 #[cfg(unix)]
 pub(super) fn watch() -> Result<()> {
     use crate::base::error::Error;
@@ -15,9 +16,9 @@ pub(super) fn watch() -> Result<()> {
     use std::sync::Arc;
 
     let fail = |why: io::Error| Error::usage(format!("can't watch for signals: {why}"));
-    // Writing past a limit on file sizes is an error of writing then, not an end.
+    // A write past the limit on file sizes then fails with an error instead of ending the process.
     signal_hook::flag::register(SIGXFSZ, Arc::default()).map_err(fail)?;
-    // Who starts a run under nohup, or in the background of a script, wants it to live on.
+    // A run under nohup, or in the background of a script, must go on ignoring these signals.
     let ignored = ignored();
     let heeded = [SIGINT, SIGTERM, SIGHUP].into_iter().filter(|signal| !ignored(*signal));
     let mut signals = signal_hook::iterator::Signals::new(heeded).map_err(fail)?;
@@ -29,7 +30,7 @@ pub(super) fn watch() -> Result<()> {
                 io::stderr(),
                 "interrupted: what was finished is saved, nothing half-written is left"
             );
-            // As shells tell it.
+            // The exit code that shells use.
             std::process::exit(128 + signal);
         }
     };
@@ -37,7 +38,7 @@ pub(super) fn watch() -> Result<()> {
     Ok(())
 }
 
-/// Which signals this process was started to ignore, where the system tells it in `/proc`.
+/// The signals that this process was started to ignore, if the system lists them in `/proc`.
 #[cfg(unix)]
 fn ignored() -> impl Fn(i32) -> bool {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
@@ -46,7 +47,7 @@ fn ignored() -> impl Fn(i32) -> bool {
     move |signal| mask >> (signal - 1) & 1 == 1
 }
 
-/// The system ends the run; the next one removes what it left.
+/// The system ends the run; the next run removes its leftovers.
 #[cfg(not(unix))]
 pub(super) fn watch() -> Result<()> {
     Ok(())

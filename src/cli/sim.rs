@@ -1,4 +1,4 @@
-//! `fixpath sim`: what is measured, and the cases of a table.
+//! `fixpath sim`: the measurement, and the CSV of hard cases.
 
 use super::progress::progress_bar;
 use crate::base::columns::{self, Field};
@@ -8,7 +8,7 @@ use crate::measure::{self, Basis, BoundCheck, Figures, Inputs, Profile, Report};
 use std::io::Write;
 use std::path::Path;
 
-/// A measured design with all that `sim` tells.
+/// A measured design with everything that `sim` prints.
 pub(super) struct Sim {
     pub(super) design: Design,
     pub(super) inputs: Inputs,
@@ -39,7 +39,7 @@ impl Sim {
             && self.without_value().next().is_none()
     }
 
-    /// Quantities whose golden, or value on reals, is no number at some input.
+    /// Quantities whose golden, or value on reals, is NaN at some input.
     pub(super) fn without_value(&self) -> impl Iterator<Item = &Figures> {
         self.report.figures.iter().filter(|figures| figures.max.is_nan())
     }
@@ -73,7 +73,7 @@ pub(super) fn write_cases(sim: &Sim, to: &mut dyn Write, path: &Path) -> Result<
     columns::write(to, path, &heading, rows)
 }
 
-/// Seconds of each part beside what was measured.
+/// Adds the seconds of each part to a report.
 pub(super) fn with_profile(
     mut json: serde_json::Value,
     times: Option<&Profile>,

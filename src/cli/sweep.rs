@@ -8,7 +8,7 @@ use crate::measure::Profile;
 use crate::sweep::Sweep;
 use std::path::Path;
 
-/// Runs a sweep into a folder; returns what to tell.
+/// Runs a sweep into a folder; returns the text to print.
 pub(super) fn run_sweep(sweep: &Sweep, out: &Path, fresh: bool, profile: bool) -> Result<String> {
     let bar = progress_bar(cast::count_of(sweep.points()), "points");
     let record = sweep.run(out, fresh, &|progress| {
@@ -17,7 +17,7 @@ pub(super) fn run_sweep(sweep: &Sweep, out: &Path, fresh: bool, profile: bool) -
     bar.finish_and_clear();
     let mut told = text::sweep(&record, out);
     if profile {
-        // Points that were on disk already took none.
+        // Points that were already on disk took no time.
         let mut times = Profile::default();
         let measured = record.points.iter().filter_map(|point| point.measured.as_ref());
         measured.for_each(|measured| times.add(&measured.speed.profile));

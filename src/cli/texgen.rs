@@ -1,4 +1,4 @@
-//! `fixpath texgen`: calls of a texture-coordinate interface, and what they configure.
+//! `fixpath texgen`: calls to a texture-coordinate interface, and the configuration they make.
 
 use super::text;
 use crate::base::document::{Document, Lines};
@@ -18,7 +18,7 @@ pub(super) const HELP: &str = concat!(
 
 #[derive(Args)]
 pub(super) struct TexgenArgs {
-    /// TOML file with calls in order.
+    /// TOML file with the calls in order.
     #[arg(value_name = "FILE.toml")]
     file: PathBuf,
     /// As JSON.
@@ -26,10 +26,10 @@ pub(super) struct TexgenArgs {
     json: bool,
 }
 
-/// The longest file that is read: some 780 000 calls.
+/// Largest file to read: some 780 000 calls.
 const MAX_BYTES: u64 = 16 << 20;
 
-/// Makes the calls; returns what to tell, and what is wrong in all.
+/// Runs the calls; returns the text to print, and an error if there are problems.
 pub(super) fn run(args: &TexgenArgs) -> Result<(String, Option<Error>)> {
     let path = args.file.as_path();
     let toml = input::text(path, MAX_BYTES)?;
@@ -73,7 +73,7 @@ fn told(lines: &Lines, outcome: &Outcome) -> String {
             if let Some(broken) = &outcome.unfinished {
                 let _ = writeln!(
                     told,
-                    "  at the end: REFUSED: {broken}; until then registers are left out"
+                    "  at the end: REFUSED: {broken}; registers are left out until it is complete"
                 );
             }
             for advice in &outcome.advice {

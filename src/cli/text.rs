@@ -14,12 +14,12 @@ use std::path::Path;
 
 pub(super) const BROKEN: &str = "a stated bound is BROKEN\n";
 
-/// A table that is shown and nothing else.
+/// A table as text, for the terminal.
 pub(super) fn table(headings: &[&str], rows: &[Vec<String>]) -> String {
     Table::new(headings, rows.to_vec()).text()
 }
 
-/// A number to four digits, in the form that is easiest to read.
+/// A number to three or four digits, in the form that is easiest to read.
 pub(super) fn number(x: f64) -> String {
     if x == 0.0 {
         "0".to_owned()
@@ -42,7 +42,7 @@ fn rate(per_second: f64) -> String {
     format!("{:.1} M/s", per_second / 1e6)
 }
 
-/// What a unit says of its ports, or else the names of those that it has by default.
+/// A unit's own description of its ports, or the port names of its default design.
 fn ports_of(unit: &Unit) -> (String, String) {
     if !unit.inputs.is_empty() || !unit.outputs.is_empty() {
         return (unit.inputs.clone(), unit.outputs.clone());
@@ -72,13 +72,13 @@ pub(super) fn list(units: &[&Unit]) -> String {
     let row = |unit: &&Unit| vec![unit.name.clone(), unit.summary.clone()];
     let rows: Vec<Vec<String>> = units.iter().map(row).collect();
     format!(
-        "{}\n`fixpath list UNIT` prints a unit's formula, ports and parameters. Every unit has these parameters besides:\n\n{}",
+        "{}\n`fixpath list UNIT` prints a unit's formula, ports and parameters. Every unit also has these parameters:\n\n{}",
         table(&["unit", "what it computes"], &rows),
         parameter_table(PIPELINE.iter())
     )
 }
 
-/// All that is known of a unit without building it.
+/// A unit's summary, source, ports, formula and parameters.
 pub(super) fn list_unit(unit: &Unit) -> String {
     let mut text = format!("{}: {}\n", unit.name, unit.summary);
     if !unit.source.is_empty() {
@@ -93,9 +93,9 @@ pub(super) fn list_unit(unit: &Unit) -> String {
     let own = parameter_table(&unit.params);
     if !own.is_empty() {
         text.push_str(&own);
-        text.push_str("  the largest widths don't all go together: a word has at most 63 bits, and more is refused\n");
+        text.push_str("  the largest widths can't all be combined: a word has at most 63 bits, and more is refused\n");
     }
-    text.push_str("  and the parameters of the pipeline, which `fixpath list` prints\n");
+    text.push_str("  plus the pipeline parameters, which `fixpath list` prints\n");
     text
 }
 
@@ -144,7 +144,7 @@ pub(super) fn parameter_line(values: &Values) -> String {
     pairs.join(" ")
 }
 
-/// `phi_a=12 (0.0012), …` of a witness.
+/// The input words of a witness, such as `phi_a=12 theta_a=7`.
 fn witness(netlist: &Netlist, witness: &Witness) -> String {
     let port = |i: usize| format!("{}={}", netlist.input_name(i), witness.words[i]);
     let words: Vec<String> = (0..witness.words.len()).map(port).collect();
@@ -157,7 +157,7 @@ pub(super) fn sim(sim: &Sim) -> String {
     let mut text = format!("{} {}\n", design.values.unit().name, parameter_line(&design.values));
     let _ = writeln!(
         text,
-        "{} samples, sampler {}{}; errors are absolute but where told, with the input words of the worst\n",
+        "{} samples, sampler {}{}; errors are absolute unless stated otherwise, with the input words of the worst\n",
         report.samples,
         sim.inputs.sampler.name(),
         if sim.inputs.sampler.is_random() {
@@ -172,17 +172,17 @@ pub(super) fn sim(sim: &Sim) -> String {
         let _ = writeln!(text, "  {}: {}", basis.name(), basis.meaning());
     }
     if sim.design.groups.iter().any(|group| group.shape.is_direction()) {
-        text.push_str("  dot: of any unit vector with the result\n");
+        text.push_str("  dot: dot product of the result with any unit vector\n");
     }
     for (quantity, what) in sim.design.scales() {
-        let _ = writeln!(text, "  {quantity}: over {what}");
+        let _ = writeln!(text, "  {quantity}: relative to {what}");
     }
-    text.push_str("  percentiles are known to 1.6 %; 0 means below 2^-44\n");
+    text.push_str("  percentiles are accurate to 1.6 %; 0 means below 2^-44\n");
     for figures in sim.without_value() {
         let (basis, quantity) = (figures.basis.name(), &figures.quantity);
         let _ = writeln!(
             text,
-            "{basis} {quantity}: NO VALUE at some input: a pole, or a root or logarithm of what is below 0"
+            "{basis} {quantity}: NO VALUE at some input: a pole, or a root or logarithm of a negative number"
         );
     }
     text.push_str(&overflows(report));
@@ -280,13 +280,13 @@ pub(super) fn cone(design: &Design, cone: &Cone, measured: &ConeReport) -> Strin
         figures(netlist, &report.figures),
     );
     text.push_str(
-        "  arithmetic: bit-true against the netlist on reals, of the same words; no golden knows inner nodes\n  \
-           percentiles are known to 1.6 %; 0 means below 2^-44\n",
+        "  arithmetic: bit-true against the netlist on reals, for the same words; the golden model has no inner nodes\n  \
+           percentiles are accurate to 1.6 %; 0 means below 2^-44\n",
     );
     if measured.past_format > 0 {
         let _ = writeln!(
             text,
-            "  left out: {} samples whose value on reals is past the node's format, as at poles; words saturate there",
+            "  left out: {} samples whose value on reals is outside the node's format, such as at poles; words saturate there",
             measured.past_format
         );
     }
@@ -306,7 +306,7 @@ pub(super) fn cone_json(design: &Design, cone: &Cone, measured: &ConeReport) -> 
                 "sampler": "exhaustive",
                 "samples": report.samples,
                 "left_out_past_format": measured.past_format,
-                // The fastest first; a witness has words of all ports of the unit.
+                // The fastest-changing port first; a witness has words of all ports of the unit.
                 "counted": cone.ports.iter().map(|port| netlist.input_name(*port)).collect::<Vec<_>>(),
                 "ports": (0..netlist.inputs().len()).map(|i| netlist.input_name(i)).collect::<Vec<_>>(),
             },
@@ -317,12 +317,12 @@ pub(super) fn cone_json(design: &Design, cone: &Cone, measured: &ConeReport) -> 
     )
 }
 
-/// Where the time of a measurement went.
+/// Share of time of each part of a measurement.
 pub(super) fn profile(profile: &Profile) -> String {
     let parts = profile.parts();
     let total: f64 = parts.iter().map(|(_, seconds)| seconds).sum();
     if total == 0.0 {
-        return "nothing was measured, so no time is told\n".to_owned();
+        return "nothing was measured, so there are no times\n".to_owned();
     }
     let share = |(name, seconds): &(&str, f64)| format!("{name} {:.1} %", 100.0 * seconds / total);
     let shares: Vec<String> = parts.iter().map(share).collect();
@@ -378,10 +378,10 @@ pub(super) fn hard_cases(sim: &Sim) -> String {
     let columns = measure::hard_columns(&sim.design).join(", ");
     let _ = writeln!(
         text,
-        "  fixed, f32, f64: ({columns}); errors are absolute, of angles in rad, against f64; of several quantities the one nearest to its bound"
+        "  fixed, f32, f64: ({columns}); errors are absolute, against f64, for angles in rad; of several quantities, the one nearest to its bound is shown"
     );
     if sim.design.golden_f32.is_none() {
-        text.push_str("  f32 is not judged: the unit brings no golden model in it\n");
+        text.push_str("  f32 is not judged: the unit has no golden model in f32\n");
     }
     text
 }
@@ -423,7 +423,7 @@ pub(super) fn sim_json(sim: &Sim) -> Value {
             "counts": design.netlist.counts(),
             "figures": report.figures,
             "overflows": report.overflows,
-            // The first on its own too, as units with one bound have always told it.
+            // The first bound also on its own: a field from when units had one bound.
             "bound": stated.first().map_or_else(|| json!({
                 "quantity": null, "of": [], "over": null, "bound": null, "seen": null, "holds": null,
             }), Clone::clone),
@@ -436,18 +436,18 @@ pub(super) fn sim_json(sim: &Sim) -> Value {
     if !sim.hard.is_empty() {
         fields.insert("hard_cases".to_owned(), json!(sim.hard));
     }
-    // Last and apart: the only figures that differ from run to run.
+    // Last and separate: the only figures that differ from run to run.
     fields.insert("speed".to_owned(), json!(report.speed));
     value
 }
 
-/// Angle figures of one basis in a line, for the demo.
+/// Angle figures of one basis on one line, for the demo.
 pub(super) fn angle_line(report: &Report, basis: Basis) -> String {
     let f = report.figures("angle", basis);
     format!("mean {}°, max {}°", number(f.mean.to_degrees()), number(f.max.to_degrees()))
 }
 
-/// What a sweep leaves, and its best points.
+/// Summary of a sweep, and its best points.
 pub(super) fn sweep(record: &Record, out: &Path) -> String {
     let measured: Vec<(&Point, &Measured)> =
         record.points.iter().filter_map(|p| Some((p, p.measured.as_ref()?))).collect();
@@ -476,13 +476,13 @@ pub(super) fn sweep(record: &Record, out: &Path) -> String {
         })
         .collect();
     let ranked = if image {
-        format!("{} ({}) to the golden picture", lead.what, lead.unit)
+        format!("{} ({}) against the golden picture", lead.what, lead.unit)
     } else {
         format!("worst {} ({} error)", lead.quantity, basis.name())
     };
     let _ = writeln!(
         text,
-        "Pareto-optimal points, by the {ranked} and ROM bits (a copy for every two ports)"
+        "Pareto-optimal points by {ranked} and ROM bits (one copy per two read ports)"
     );
     let mut headings = axes;
     let worst = if image { format!(">{}", lead.what) } else { format!(">worst {}", lead.quantity) };

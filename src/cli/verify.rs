@@ -20,27 +20,27 @@ use std::time::Duration;
 pub(super) struct VerifyArgs {
     #[command(flatten)]
     unit: UnitArgs,
-    /// Only with these tools, which must be there: icarus, verilator, ghdl, yosys.
+    /// Use only these tools, which must be installed: icarus, verilator, ghdl, yosys.
     #[arg(long = "with", value_name = "TOOLS", value_delimiter = ',')]
     with: Vec<String>,
-    /// Random vectors after the hard-case list; if not given, 1000000 in Verilator and 10000 in
-    /// Icarus and GHDL.
+    /// Random vectors after the hard-case list; default: 1000000 in Verilator, 10000 in Icarus and
+    /// GHDL.
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = number::whole(0..=1_000_000_000))]
     vectors: Option<u64>,
-    /// Seed of the random vectors; 1 if not given.
+    /// Seed of the random vectors; default 1.
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = number::whole(0..=u64::MAX))]
     seed: Option<u64>,
-    /// Where the words of tables stand.
+    /// Where the words of tables are stored.
     #[arg(long, value_enum, default_value = "auto")]
     tables: TablesArg,
-    /// Where memories are, whose words the datapath doesn't have.
+    /// Where memories are placed; their words aren't part of the datapath.
     #[arg(long, value_enum, default_value = "ports")]
     memories: MemoriesArg,
-    /// Longest run of a tool in s.
+    /// Time limit of each tool run, in s.
     #[arg(long, value_name = "S", default_value_t = 600, allow_negative_numbers = true, value_parser = number::whole(1..=86_400))]
     time_limit: u64,
-    /// Largest memory of each process of a tool, in GiB (Linux); if not given, 4, or half of the
-    /// machine's where that is less.
+    /// Memory limit of each process of a tool, in GiB (Linux); default: 4, or half of the machine's
+    /// memory if that is less.
     #[arg(long, value_name = "GIB", allow_negative_numbers = true, value_parser = number::whole(1..=4096))]
     memory_limit: Option<u64>,
     /// Keep the generated files in this folder.
@@ -51,8 +51,8 @@ pub(super) struct VerifyArgs {
     pub(super) json: bool,
 }
 
-/// Runs the tools; returns what to tell, and whether all that ran agree: an error where none
-/// disagrees and one didn't finish.
+/// Runs the tools. Returns the text to print, and whether all tools that ran agree. The latter is
+/// an error if none disagrees but one didn't finish.
 pub(super) fn run(args: &VerifyArgs) -> Result<(String, Result<bool>)> {
     let simulators = if args.with.is_empty() {
         Simulator::ALL.to_vec()
@@ -60,7 +60,7 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(String, Result<bool>)> {
         verify::simulators_of(&args.with)?
     };
     if simulators == [Simulator::Yosys] {
-        let why = "Yosys proves and draws no vectors";
+        let why = "Yosys proves equality and draws no vectors";
         note_unused(&[("--vectors", args.vectors), ("--seed", args.seed)], why);
     } else if args.vectors == Some(0) {
         note_unused(&[("--seed", args.seed)], "no vectors are drawn");
@@ -77,7 +77,7 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(String, Result<bool>)> {
         ..Request::default()
     };
     let design = with_memories(args.unit.design()?)?;
-    // What was asked for by name has to be there, before anything runs.
+    // Tools named by the user must be installed: check before anything runs.
     if !args.with.is_empty() {
         for simulator in &request.simulators {
             simulator.version().map_err(Error::usage)?;
@@ -95,13 +95,13 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(String, Result<bool>)> {
         let missing: Vec<String> = rows.iter().map(|row| verdict(&row.verdict)).collect();
         return Err(Error::usage(missing.join("; ")));
     }
-    // What was asked for by name has to be proved, too.
+    // Tools named by the user must also complete their proof.
     let is_well =
         |row: &Row| row.agrees() || row.is_missing() || row.is_unproved() && args.with.is_empty();
     let ended = if !rows.iter().all(|row| is_well(row) || row.is_unfinished()) {
         Ok(false)
     } else if let Some(row) = rows.iter().find(|row| row.is_unfinished()) {
-        let text = format!("{} did not finish, so nothing is known of it", row.tool);
+        let text = format!("{} did not finish, so its verdict is unknown", row.tool);
         Err(Error::usage(text))
     } else {
         Ok(true)
@@ -130,7 +130,7 @@ fn told(design: &Design, rows: &[Row]) -> String {
     let cells: Vec<Vec<String>> = rows
         .iter()
         .map(|row| {
-            // A tool that took no vectors compared none.
+            // A tool that ran no vectors compared none.
             let compared = row.vectors > 0;
             let count = |n: u64| if compared { n.to_string() } else { "-".to_owned() };
             vec![

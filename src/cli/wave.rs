@@ -1,4 +1,4 @@
-//! `fixpath wave`: samples clock by clock.
+//! `fixpath wave`: samples cycle by cycle.
 
 use super::print::{note_clipped, note_unused};
 use super::progress::progress_bar;
@@ -13,10 +13,10 @@ use crate::measure::{self, Inputs};
 use std::io;
 use std::path::Path;
 
-/// The most samples of a wave, which are held at once.
+/// Largest number of samples in a wave; all are held in memory.
 pub(super) const MAX_SAMPLES: u64 = 10_000_000;
 
-/// Input words of a table's samples up to the end of the window.
+/// Input words from a table, up to the end of the window.
 pub(super) fn read_stimulus<R: io::Read>(
     mut samples: SampleFile<'_, R>,
     end: u64,
@@ -31,15 +31,15 @@ pub(super) fn read_stimulus<R: io::Read>(
         }
         if cast::count_of(rows.len()) > MAX_SAMPLES {
             let problem = format!(
-                "more than {MAX_SAMPLES} rows, which a wave doesn't hold: --cycles 0..1e6 takes the first"
+                "more than {MAX_SAMPLES} rows, the limit of a wave: --cycles 0..1e6 reads only the first"
             );
             return Err(Error::file(samples.path(), problem));
         }
     }
 }
 
-/// One vector of each hard case, then a turn of the first input with the others held, which
-/// makes smooth curves, then random vectors.
+/// One vector of each hard case; then a full turn of the first input with the others fixed, for
+/// smooth curves; then random vectors.
 pub(super) fn stimulus(design: &Design, samples: u64, seed: Option<u64>) -> Result<Vec<Vec<i64>>> {
     const RAMP: u64 = 64;
     let mut rows: Vec<Vec<i64>> =
@@ -55,7 +55,7 @@ pub(super) fn stimulus(design: &Design, samples: u64, seed: Option<u64>) -> Resu
         rows.push(ports.collect());
     }
     if cast::count_of(rows.len()) >= samples {
-        note_unused(&[("--seed", seed)], "hard cases and the curve are all of the samples");
+        note_unused(&[("--seed", seed)], "hard cases and the curve fill all samples");
     }
     let inputs = Inputs { sampler: Sampler::Lit, samples, seed: seed.unwrap_or(1) };
     rows.extend(measure::sample_words(design, &inputs)?);
@@ -63,7 +63,7 @@ pub(super) fn stimulus(design: &Design, samples: u64, seed: Option<u64>) -> Resu
     Ok(rows)
 }
 
-/// Writes a VCD and its save file; returns what to tell.
+/// Writes a VCD and its save file; returns the text to print.
 pub(super) fn write_wave(
     design: &Design,
     options: Options,
@@ -87,7 +87,7 @@ pub(super) fn write_wave(
         )));
     }
     let mut cycles = 0;
-    // Before the work, not after it.
+    // Check before the work starts.
     output::check(&save)?;
     let dump = Draft::write(out, |to| {
         let bar = progress_bar(end, "cycles");

@@ -4,17 +4,17 @@ use super::unit::Values;
 use std::fmt;
 use std::sync::Arc;
 
-/// A bound from parameters and the exact worst error of each table scheme by its name.
+/// A bound computed from the parameters and the exact worst error of each table scheme, by name.
 pub type BoundFn = dyn Fn(&Values, &dyn Fn(&str) -> f64) -> f64 + Send + Sync;
 
 /// A stated bound on the error against the golden of the quantised inputs.
 #[derive(Clone)]
 pub struct Bound {
-    /// What is bounded, in a word.
+    /// What is bounded, in a few words.
     pub what: String,
-    /// The quantities that it holds for, by their names in reports.
+    /// The quantities that it bounds, by their names in reports.
     pub quantities: Vec<String>,
-    /// The bound, in the unit of those.
+    /// The bound, in the unit of those quantities.
     pub bound: Arc<BoundFn>,
 }
 
@@ -37,19 +37,19 @@ impl fmt::Debug for Bound {
     }
 }
 
-/// What a design promises of its errors.
+/// The error bounds that a design states.
 #[derive(Clone, Debug)]
 pub enum Bounds {
-    /// These.
+    /// These bounds.
     Stated(Vec<Bound>),
-    /// These, for such inputs only.
+    /// These bounds, for the described inputs only.
     Within(String, Vec<Bound>),
-    /// Nothing, and why.
+    /// No bound, and why.
     Unstated(String),
 }
 
 impl Bounds {
-    /// Those that are stated.
+    /// The stated bounds.
     #[must_use]
     pub fn stated(&self) -> &[Bound] {
         match self {
@@ -58,7 +58,7 @@ impl Bounds {
         }
     }
 
-    /// None, and why.
+    /// No bound, and why.
     #[must_use]
     pub fn unstated(why: impl Into<String>) -> Self {
         Self::Unstated(why.into())

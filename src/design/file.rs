@@ -7,11 +7,12 @@ use crate::number::format::{Format, Overflow, Round, quantize};
 use crate::sim::real::Program;
 use std::sync::Arc;
 
-const NO_GOLDEN: &str = "a netlist brings no golden model: its errors are told against its own value on reals, so the total error is the arithmetic error";
+const NO_GOLDEN: &str = "a netlist has no golden model: its errors are measured against its own value on reals, so the total error is the arithmetic error";
 
 impl Unit {
-    /// A netlist as a unit, with no parameters but the pipeline's. What it is judged by are the values of its outputs on
-    /// reals, so its total error is its arithmetic error; an output of bits that has none is its own golden.
+    /// A netlist as a unit, with no parameters but the pipeline's. Its golden is the value of its
+    /// outputs on reals, so its total error is its arithmetic error. An output of bits without such
+    /// a value is its own golden.
     #[must_use]
     pub fn of_netlist(netlist: Netlist) -> Self {
         let names = |names: Vec<&str>| names.join(", ");
@@ -25,7 +26,7 @@ impl Unit {
             .outputs(outputs)
             .design(move |values| {
                 let design = Design::new(values, (*netlist).clone());
-                // With what is bound to memories.
+                // The design's netlist, which includes the words bound to memories.
                 let own = Arc::clone(&design.netlist);
                 Ok(design.golden(move |_| on_reals(own)).bounds(Bounds::unstated(NO_GOLDEN)))
             })
@@ -53,10 +54,9 @@ fn on_reals(netlist: Arc<Netlist>) -> Golden<f64> {
     })
 }
 
-/// Fills the columns of outputs without a value on reals with the values of their words; those of earlier samples aren't
-/// known here.
+/// Fills the columns of outputs that have no value on reals with the values of their words.
 fn by_words(netlist: &Netlist, outputs: &[NodeId], inputs: &[&[f64]], columns: &mut [Vec<f64>]) {
-    // What is behind a delay depends on samples that aren't known here.
+    // Nodes behind a delay depend on earlier samples, which aren't known here.
     let mut known: Vec<bool> = Vec::with_capacity(netlist.nodes().len());
     for node in netlist.nodes() {
         let of = node.operands.iter().all(|id| known[id.index()]);

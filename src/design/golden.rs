@@ -9,24 +9,24 @@ use std::sync::Arc;
 
 type GoldenFn<F> = dyn Fn(&[&[F]], &mut [Vec<F>]) + Send + Sync;
 
-/// A golden model for one setting of the parameters: plain floating point, written from the mathematics and not from
-/// the netlist. From input columns it gives the columns of all groups, in order, and then the scales of those that
-/// have one.
+/// A golden model for one setting of the parameters: the unit's function in plain floating point,
+/// written from the mathematics and not from the netlist. From the input columns it computes the
+/// columns of all groups, in order, followed by the scales of those that have any.
 #[derive(Clone)]
 pub struct Golden<F> {
     run: Arc<GoldenFn<F>>,
-    /// Inputs and columns, where the closure's type says them.
+    /// Number of inputs and columns, if the closure's type fixes them.
     takes: Option<[usize; 2]>,
 }
 
 impl<F: Copy + 'static> Golden<F> {
-    /// A model on blocks: the columns that it fills are as long as those of the inputs.
+    /// A model on blocks. The columns to fill have the length of the inputs.
     #[must_use]
     pub fn new(run: impl Fn(&[&[F]], &mut [Vec<F>]) + Send + Sync + 'static) -> Self {
         Self { run: Arc::new(run), takes: None }
     }
 
-    /// A model of one sample: from the inputs in order to the columns in order.
+    /// A model of one sample: it maps the inputs in order to the columns in order.
     #[must_use]
     pub fn each<const INPUTS: usize, const COLUMNS: usize>(
         sample: impl Fn([F; INPUTS]) -> [F; COLUMNS] + Send + Sync + 'static,
@@ -42,7 +42,7 @@ impl<F: Copy + 'static> Golden<F> {
         Self { run: Arc::new(run), takes: Some([INPUTS, COLUMNS]) }
     }
 
-    /// Fills the columns, which are as long as those of the inputs.
+    /// Fills the columns, which have the length of the inputs.
     pub fn run(&self, inputs: &[&[F]], outputs: &mut [Vec<F>]) {
         (self.run)(inputs, outputs);
     }
@@ -60,12 +60,12 @@ impl<F> fmt::Debug for Golden<F> {
 
 type DrawFn = dyn Fn(Sampler, &mut Uniform, &mut [Vec<f64>], usize) + Send + Sync;
 
-/// What draws random inputs, for one setting of the parameters.
+/// Draws random inputs, for one setting of the parameters.
 #[derive(Clone)]
 pub struct Draw(Arc<DrawFn>);
 
 impl Draw {
-    /// Fills one column per input with as many values as asked for.
+    /// A closure that fills one column per input with the requested number of values.
     #[must_use]
     pub fn new(
         run: impl Fn(Sampler, &mut Uniform, &mut [Vec<f64>], usize) + Send + Sync + 'static,
@@ -73,8 +73,8 @@ impl Draw {
         Self(Arc::new(run))
     }
 
-    /// Numbers of both signs and all sizes: the exponent is uniform over a port's bits for half of the rows, as the value
-    /// is for the others. Angles are uniform.
+    /// Numbers of both signs and all sizes: for half of the rows the exponent is uniform over a
+    /// port's bits, for the others the value is uniform. Angles are uniform.
     #[must_use]
     pub fn words(ports: &InputPorts<'_>) -> Self {
         let all = (0..ports.len()).map(|at| (ports.format(at), ports.quantity(at)));
@@ -116,11 +116,11 @@ impl fmt::Debug for Draw {
     }
 }
 
-/// The input ports of a netlist, as a sampler is made from them.
+/// The input ports of a netlist, as a sampler sees them.
 #[derive(Debug)]
 pub struct InputPorts<'a> {
     netlist: &'a Netlist,
-    /// Whether more than names was asked for: then what is drawn depends on it.
+    /// Whether a format or quantity was read: then the drawn values depend on formats.
     more: Cell<bool>,
 }
 
@@ -129,7 +129,7 @@ impl<'a> InputPorts<'a> {
         Self { netlist, more: Cell::new(false) }
     }
 
-    /// How many.
+    /// Number of ports.
     #[must_use]
     pub fn len(&self) -> usize {
         self.netlist.inputs().len()
@@ -147,14 +147,14 @@ impl<'a> InputPorts<'a> {
         (0..self.len()).map(move |at| netlist.input_name(at))
     }
 
-    /// Format of one.
+    /// Format of a port.
     #[must_use]
     pub fn format(&self, at: usize) -> Format {
         self.more.set(true);
         self.netlist.node(self.netlist.inputs()[at]).format
     }
 
-    /// What one measures.
+    /// Quantity of a port.
     #[must_use]
     pub fn quantity(&self, at: usize) -> Quantity {
         self.more.set(true);

@@ -1,10 +1,10 @@
-//! Nodes with one meaning, which the golden model has too.
+//! Groups of nodes that the golden model computes, too.
 
 use crate::base::error::{Error, Result};
 use crate::netlist::{Netlist, NodeId};
 use std::f64::consts::TAU;
 
-/// What some nodes are together.
+/// What the nodes of a group represent.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Shape {
     /// A direction in three components; the golden gives x, y, z.
@@ -15,23 +15,24 @@ pub enum Shape {
     Scalar,
     /// An angle in turns, whose errors are modulo a turn; the golden gives it.
     Turns,
-    /// A number whose error counts beside scales of its own: absolute and, as `NAME_SCALE`, over
-    /// each of them. The golden gives it, and its scales in
-    /// columns of their own after those of all groups.
+    /// A number with one or more scales: its error is reported absolutely and, as `NAME_SCALE`,
+    /// relative to each scale. The golden computes it, and its scales in separate columns after
+    /// those of all groups.
     Scaled {
         /// The scales.
         scales: Vec<Scale>,
-        /// Texels of a texture whose coordinate it moves: the error is also told in them.
+        /// Size in texels of a texture whose coordinate the number shifts: the error is also
+        /// reported in texels.
         texels: Option<u32>,
     },
 }
 
-/// What an error is told over.
+/// A scale that errors are divided by.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Scale {
-    /// Name after the quantity's.
+    /// Suffix after the quantity's name.
     pub name: String,
-    /// What it is, in words: errors are told over that.
+    /// Description of the scale, in words.
     pub what: String,
 }
 
@@ -53,7 +54,7 @@ impl Shape {
         }
     }
 
-    /// How many nodes it takes.
+    /// Number of nodes in the group.
     #[must_use]
     pub fn nodes(&self) -> usize {
         match self {
@@ -63,7 +64,7 @@ impl Shape {
         }
     }
 
-    /// True if it is a direction.
+    /// True for a direction.
     #[must_use]
     pub fn is_direction(&self) -> bool {
         matches!(self, Self::Cartesian | Self::Polar)
@@ -78,7 +79,7 @@ impl Shape {
         }
     }
 
-    /// Values that golden columns mean for the nodes; angles in turns, 0 to 1.
+    /// Converts golden columns to values of the nodes; angles in turns, 0 to 1.
     #[must_use]
     pub fn of_golden(&self, golden: &[f64]) -> Vec<f64> {
         match (self, golden) {
@@ -94,12 +95,12 @@ impl Shape {
     }
 }
 
-/// Nodes with one meaning, which the golden model has too.
+/// Nodes that together represent a quantity of the golden model.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Group {
-    /// Name in front of its quantities; nothing for the only one.
+    /// Prefix of its quantities; empty for the only group.
     pub name: String,
-    /// What the nodes are together.
+    /// What the nodes represent.
     pub shape: Shape,
     /// The nodes.
     pub nodes: Vec<NodeId>,
@@ -133,10 +134,10 @@ impl Group {
         parts.chain(self.columns()).collect()
     }
 
-    /// One number for each output port of a netlist of these names, named as the port.
+    /// One scalar group per named output port of a netlist, with the port's name.
     ///
     /// # Errors
-    /// If a name is no output port.
+    /// If a name is not an output port.
     pub fn ports<N: AsRef<str>>(
         netlist: &Netlist,
         names: impl IntoIterator<Item = N>,
@@ -150,10 +151,10 @@ impl Group {
         names.into_iter().map(group).collect()
     }
 
-    /// Nodes inside, by their labels.
+    /// A group of nodes inside the netlist, given by their labels.
     ///
     /// # Errors
-    /// If there is no node of a label.
+    /// If no node has one of the labels.
     pub fn inside<N: AsRef<str>>(
         netlist: &Netlist,
         name: impl Into<String>,
@@ -170,12 +171,12 @@ impl Group {
 
 fn none(netlist: &Netlist, what: &str, name: &str) -> Error {
     Error::usage(format!(
-        "a group of `{}` names the {what} `{name}`, and there is none",
+        "a group of `{}` names the {what} `{name}`, which doesn't exist",
         netlist.name()
     ))
 }
 
-/// `group_part`, or the one that isn't empty.
+/// `group_part`; if one is empty, the other alone.
 pub(super) fn prefixed(group: &str, part: &str) -> String {
     match (group, part) {
         ("", name) | (name, "") => name.to_owned(),

@@ -1,4 +1,4 @@
-//! Where inputs come from.
+//! Sources of inputs.
 
 use crate::base::cast;
 use crate::netlist::Netlist;
@@ -9,7 +9,7 @@ use rand_pcg::Pcg64Mcg;
 /// A group of hard cases.
 #[derive(Clone, Debug)]
 pub struct HardCase {
-    /// What is hard about them.
+    /// What makes these cases hard.
     pub name: String,
     /// Input words, one vector per case.
     pub words: Vec<Vec<i64>>,
@@ -22,7 +22,8 @@ impl HardCase {
         Self { name: name.into(), words }
     }
 
-    /// Words at and beside the ends of formats, in every port and turn about.
+    /// Words at and next to the ends of the formats: in all ports, in one port at a time, and
+    /// alternating.
     #[must_use]
     pub fn extremes(netlist: &Netlist) -> Vec<Self> {
         let formats: Vec<Format> =
@@ -42,7 +43,7 @@ impl HardCase {
             Self::new("all words 0", vec![each(&|_, _| 0)]),
             Self::new("one word, of one LSB", [alone(&|_| 1), alone(&|_| -1)].concat()),
             Self::new("the most negative words", vec![each(&|_, f| f.min_raw())]),
-            Self::new("the largest words, and both ends turn about", {
+            Self::new("the largest words, and alternating ends", {
                 let turn = |of: usize| {
                     each(&move |port, f| if port % of == 0 { f.min_raw() } else { f.max_raw() })
                 };
@@ -62,7 +63,7 @@ impl HardCase {
     }
 }
 
-/// Where inputs come from.
+/// Source of inputs.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Sampler {
     /// Vectors uniform on the sphere, with the light on the lit side of the surface.
@@ -84,7 +85,7 @@ impl Sampler {
         (Self::Hard, "hard"),
     ];
 
-    /// True if it draws, so that a number of samples and a seed mean something.
+    /// True for random samplers, which use a number of samples and a seed.
     #[must_use]
     pub fn is_random(self) -> bool {
         match self {
@@ -103,7 +104,7 @@ impl Sampler {
     }
 }
 
-/// Random numbers: a stream for each seed, the same everywhere.
+/// Random numbers: one stream per seed, the same on all machines.
 #[derive(Debug)]
 pub struct Uniform(Pcg64Mcg);
 
@@ -114,7 +115,7 @@ impl Uniform {
         Self(Pcg64Mcg::seed_from_u64(seed))
     }
 
-    /// The next number, uniform in 0 to 1 without 1, of 53 bits.
+    /// The next number with 53 bits, uniform from 0 to below 1.
     #[inline]
     pub fn draw(&mut self) -> f64 {
         cast::f64_of(cast::word_of_bits(self.0.next_u64() >> 11)) * 2f64.powi(-53)

@@ -1,4 +1,4 @@
-//! Words for memories, from files.
+//! Words of memories, from files.
 
 use super::{Design, Values};
 use crate::base::cast;
@@ -11,12 +11,13 @@ use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// The most bytes of a file of words.
+/// Largest file of words, in bytes.
 const MAX_BYTES: u64 = 1 << 32;
-/// The most bits of a memory that gets random words.
+/// Largest memory that gets random words, in bits.
 const RANDOM_BITS: u64 = 1 << 28;
 
-/// Words of a memory from a file: a table in CSV with a heading for each column and a line of words for each address.
+/// Words of a memory from a CSV file with a heading for each column and a line of words for each
+/// address.
 #[derive(Clone, Debug)]
 pub(super) struct MemoryFile {
     path: PathBuf,
@@ -27,7 +28,8 @@ pub(super) struct MemoryFile {
 struct FileColumn {
     name: String,
     words: Vec<i64>,
-    /// The first field that is no word, and its line: an error where a memory takes the column.
+    /// The first field that is not a word, and its line. It is an error only if a memory uses the
+    /// column.
     wrong: Option<(u64, String)>,
 }
 
@@ -43,8 +45,7 @@ impl MemoryFile {
         let mut columns: Vec<FileColumn> =
             reader.headers().map_err(malformed)?.iter().map(column).collect();
         if columns.is_empty() {
-            let problem =
-                "it is empty: a line of headings comes first, then one of words for each address";
+            let problem = "the file is empty: it needs a line of headings, then a line of words for each address";
             return Err(Error::file(path, problem.to_owned()));
         }
         let mut known = HashSet::new();
@@ -66,13 +67,14 @@ impl MemoryFile {
         Ok(Self { path: path.to_owned(), columns })
     }
 
-    /// Its words in the order of a memory's columns. Columns that the memory lacks may hold anything.
+    /// Its words, in the order of a memory's columns. Columns that the memory doesn't have may hold
+    /// anything.
     fn words(&self, memory: &Table) -> Result<Vec<Arc<[i64]>>> {
         let of = |wanted: &Column| {
             let Some(column) = self.columns.iter().find(|column| column.name == wanted.name) else {
                 let names: Vec<&str> = self.columns.iter().map(|column| &column.name[..]).collect();
                 return Err(Error::usage(format!(
-                    "memory `{}`: its file has no column `{}`: there are {}",
+                    "memory `{}`: its file has no column `{}`: it has {}",
                     memory.name,
                     wanted.name,
                     names.join(", ")
@@ -80,7 +82,7 @@ impl MemoryFile {
             };
             if let Some((line, field)) = &column.wrong {
                 let problem =
-                    format!("`{}` is no word: it is a whole number", escape::short(field));
+                    format!("`{}` is not a word: write a whole number", escape::short(field));
                 return Err(Error::csv(&self.path, *line, Some(&column.name), problem));
             }
             Ok(Arc::from(&column.words[..]))
@@ -93,7 +95,7 @@ impl Values {
     /// A netlist with the words that were set for its memories.
     ///
     /// # Errors
-    /// If it has no memory of a name, or a file's words don't fit it.
+    /// If the netlist has no memory of a given name, or a file's words don't fit it.
     pub(super) fn bound(&self, netlist: &Netlist) -> Result<Netlist> {
         let mut bound = netlist.clone();
         for (name, file) in self.memory_files() {
@@ -110,7 +112,7 @@ impl Values {
 }
 
 impl Design {
-    /// Sets the words of a memory, a list for each column, for where no others are set by `memory.NAME=FILE`.
+    /// Sets the words of a memory, one list per column, unless `memory.NAME=FILE` sets others.
     #[must_use]
     pub fn memory(mut self, name: &str, columns: &[Arc<[i64]>]) -> Self {
         if self.values.memory_files().all(|(known, _)| known != name) {
@@ -124,10 +126,11 @@ impl Design {
         self
     }
 
-    /// Binds random words to memories that have none, so that hardware can be held to the engine; their names.
+    /// Binds random words to memories that have none, so that the hardware can be compared with the
+    /// engine. Returns their names.
     ///
     /// # Errors
-    /// If there are too many to be made up.
+    /// If a memory is too large for random words.
     pub(crate) fn fill_memories(&mut self) -> Result<Vec<String>> {
         let mut netlist = (*self.netlist).clone();
         let mut rng = Pcg64Mcg::seed_from_u64(1);
@@ -135,7 +138,7 @@ impl Design {
         for memory in self.netlist.memories().filter(|memory| memory.is_unbound()) {
             if memory.rom_bits() > RANDOM_BITS {
                 return Err(Error::usage(format!(
-                    "memory `{}` has {} bits, and up to {RANDOM_BITS} are made up: bind words with -p memory.{}=FILE.csv",
+                    "memory `{}` has {} bits, and random words are limited to {RANDOM_BITS} bits: bind words with -p memory.{}=FILE.csv",
                     memory.name,
                     memory.rom_bits(),
                     memory.name
@@ -158,12 +161,12 @@ impl Design {
         Ok(filled)
     }
 
-    /// True if a memory has random words: then no error means anything.
+    /// True if a memory has random words: then errors are meaningless.
     pub(crate) fn is_filled(&self) -> bool {
         self.made.filled
     }
 
-    /// Refuses what can't be judged sample by sample.
+    /// Refuses a design that can't be judged sample by sample.
     pub(crate) fn check_samples(&self) -> Result<()> {
         self.netlist.check_bound()?;
         match self.netlist.first_delay() {

@@ -1,7 +1,7 @@
-//! What a datapath promises: a unit is a recipe, parameters turn it into a design.
+//! Units and designs: parameters turn a unit into a design.
 //!
-//! A [`Unit`] says its parameters ([`Param`]) and makes, from their [`Values`], a [`Design`]: a netlist with its
-//! golden model, the sampler of its inputs, its hard cases and its stated bounds.
+//! A [`Unit`] declares its parameters ([`Param`]). From their [`Values`] it makes a [`Design`]: a
+//! netlist with its golden model, input sampler, hard cases and stated bounds.
 
 mod bound;
 mod file;
@@ -29,49 +29,51 @@ use group::prefixed;
 use std::fmt::Display;
 use std::sync::Arc;
 
-/// A datapath with what it takes to run and judge it: made by [`Design::new`] and setters, checked where a unit is built.
+/// A datapath with everything needed to run and judge it. [`Design::new`] and setters make it;
+/// building a unit checks it.
 #[derive(Debug)]
 pub struct Design {
     /// Parameters that made it.
     pub values: Values,
     /// The datapath.
     pub netlist: Arc<Netlist>,
-    /// What is judged: the output ports in order, then nodes inside.
+    /// The judged nodes: the output ports in order, then inner nodes.
     pub groups: Vec<Group>,
     /// Golden model in `f64`.
     pub golden: Golden<f64>,
-    /// The same in `f32`, to be judged as a rival.
+    /// The golden model in `f32`, which is judged as a rival.
     pub golden_f32: Option<Golden<f32>>,
     /// Stated error bounds.
     pub bounds: Bounds,
-    /// Table schemes in use.
+    /// The table schemes in use.
     pub tabulated: Vec<Tabulated>,
     /// The hard cases.
     pub hard: Vec<HardCase>,
     /// Input sampler.
     pub draw: Draw,
-    /// A schedule given by hand, for `schedule=printed`.
+    /// A hand-written schedule, for `schedule=printed`.
     pub binding: Option<Binding>,
     made: Made,
 }
 
-/// How golden models and sampler were made.
+/// How the golden models and the sampler were made.
 #[derive(Debug)]
 struct Made {
     has_golden: bool,
-    /// Which parameters were read, by parameter.
+    /// For each parameter, whether it was read.
     read: Vec<bool>,
     /// Whether the sampler depends on the formats of the ports.
     drawn_by_format: bool,
-    /// The first read of a parameter that isn't there, or words that don't fit a memory.
+    /// The first read of an unknown parameter, or words that don't fit a memory.
     wrong: Option<Error>,
     /// Whether a memory has random words.
     filled: bool,
 }
 
 impl Design {
-    /// The design of a netlist, made from such values. Until they are set, each output port is a number or angle of its own, hard
-    /// cases are the ends of formats, inputs are numbers of all sizes, and no bound is stated. A golden model must be set.
+    /// A design of a netlist, made from these values. Defaults until set: each output port is a
+    /// number or angle of its own, the hard cases are the ends of the formats, inputs are numbers
+    /// of all sizes, and no bound is stated. A golden model must be set.
     #[must_use]
     pub fn new(values: &Values, netlist: Netlist) -> Self {
         let values = values.clone();
@@ -108,16 +110,16 @@ impl Design {
         }
     }
 
-    /// Sets what is judged: the output ports in order, then nodes inside.
+    /// Sets the judged nodes: the output ports in order, then inner nodes.
     #[must_use]
     pub fn groups(mut self, groups: Vec<Group>) -> Self {
         self.groups = groups;
         self
     }
 
-    /// Sets the golden model. `make` reads the parameters that it depends on through what it is given, and nothing else
-    /// of the design: points of a sweep that agree in what was read share its values. (One that captures something
-    /// counts as one that reads all.)
+    /// Sets the golden model. `make` must depend on nothing of the design but the parameters that
+    /// it reads through its argument: points of a sweep with equal values of these share golden
+    /// values. (A closure that captures something counts as reading all parameters.)
     #[must_use]
     pub fn golden<M: FnOnce(&Values) -> Golden<f64>>(mut self, make: M) -> Self {
         self.golden = self.made_by::<M, _>(make);
@@ -125,7 +127,7 @@ impl Design {
         self
     }
 
-    /// Sets the golden model in `f64`, and in `f32` as a rival that hard cases judge.
+    /// Sets the golden model in `f64`, and a rival in `f32` that is judged on the hard cases.
     #[must_use]
     pub fn goldens<M, N>(mut self, make: M, make_f32: N) -> Self
     where
@@ -136,7 +138,7 @@ impl Design {
         self.golden(make)
     }
 
-    /// Sets the sampler of the inputs; `make` reads parameters as that of [`Design::golden`].
+    /// Sets the sampler of the inputs; `make` reads parameters as in [`Design::golden`].
     #[must_use]
     pub fn draw<M: FnOnce(&Values, &InputPorts<'_>) -> Draw>(mut self, make: M) -> Self {
         let netlist = Arc::clone(&self.netlist);
@@ -146,7 +148,7 @@ impl Design {
         self
     }
 
-    /// Makes something of the parameters and notes which; `M` is what the unit gave.
+    /// Makes something from the parameters and records which were read; `M` is the unit's closure.
     fn made_by<M, T>(&mut self, make: impl FnOnce(&Values) -> T) -> T {
         let noting = self.values.noting();
         let made = make(&noting);
@@ -165,33 +167,33 @@ impl Design {
         self
     }
 
-    /// Sets what it promises of its errors.
+    /// Sets the error bounds that the design states.
     #[must_use]
     pub fn bounds(mut self, bounds: Bounds) -> Self {
         self.bounds = bounds;
         self
     }
 
-    /// Sets the table schemes in use, whose own errors are told and which bounds ask for.
+    /// Sets the table schemes in use: their own errors are reported, and bounds may refer to them.
     #[must_use]
     pub fn tabulated(mut self, tabulated: Vec<Tabulated>) -> Self {
         self.tabulated = tabulated;
         self
     }
 
-    /// Sets a schedule given by hand, for `schedule=printed`.
+    /// Sets a hand-written schedule, for `schedule=printed`.
     #[must_use]
     pub fn binding(mut self, binding: Option<Binding>) -> Self {
         self.binding = binding;
         self
     }
 
-    /// Refuses what doesn't fit together.
+    /// Refuses an inconsistent design.
     ///
     /// # Errors
-    /// If there is no golden model or it takes other numbers of inputs or columns, a group isn't as its shape says or the
-    /// first ones aren't the output ports, a hard case isn't one word of its format for each port, or a bound is on a
-    /// quantity that isn't measured.
+    /// If there is no golden model, or it has the wrong number of inputs or columns; if a group
+    /// doesn't match its shape, or the first groups aren't the output ports; if a hard case isn't
+    /// one word of its format per port; or if a bound is on a quantity that isn't measured.
     pub fn check(&self) -> Result<()> {
         let unit = &self.values.unit().name;
         let netlist = &self.netlist;
@@ -202,11 +204,11 @@ impl Design {
         for Group { name, shape, nodes } in &self.groups {
             let (takes, given) = (shape.nodes(), nodes.len());
             if takes != given {
-                return refuse(&format!("group `{name}` takes {takes} nodes and has {given}"));
+                return refuse(&format!("group `{name}` needs {takes} nodes and has {given}"));
             }
             if nodes.iter().any(|id| !id.is_finished() || id.index() >= netlist.nodes().len()) {
                 return refuse(&format!(
-                    "group `{name}` has a node of another netlist or of a builder: take ids of the built netlist"
+                    "group `{name}` has a node of another netlist or of a builder: use ids of the built netlist"
                 ));
             }
             if !name.is_empty() && !name::is_legal(name) {
@@ -225,11 +227,11 @@ impl Design {
         let of_f32 = self.golden_f32.as_ref().and_then(Golden::takes);
         for [takes, gives] in self.golden.takes().into_iter().chain(of_f32) {
             if takes != ports {
-                return refuse(&format!("its golden takes {takes} inputs, and there are {ports}"));
+                return refuse(&format!("its golden takes {takes} inputs, but there are {ports}"));
             }
             if gives != columns {
                 return refuse(&format!(
-                    "its golden gives {gives} columns, and groups take {columns}"
+                    "its golden gives {gives} columns, but the groups have {columns}"
                 ));
             }
         }
@@ -257,12 +259,14 @@ impl Design {
         if let Some((_, twice)) =
             quantities.iter().enumerate().find(|(at, name)| quantities[..*at].contains(name))
         {
-            return refuse(&format!("two quantities are called `{twice}`: name its groups apart"));
+            return refuse(&format!(
+                "two quantities are called `{twice}`: give its groups different names"
+            ));
         }
         for bound in self.bounds.stated() {
             if let Some(none) = bound.quantities.iter().find(|name| !quantities.contains(name)) {
                 return refuse(&format!(
-                    "its bound on `{}` is on `{none}`, which isn't measured: that are {}",
+                    "its bound on `{}` is on `{none}`, which isn't measured; measured are {}",
                     bound.what,
                     quantities.join(", ")
                 ));
@@ -271,7 +275,7 @@ impl Design {
         self.check_lengths()
     }
 
-    /// Runs sampler and golden once, over few samples.
+    /// Runs the sampler and the golden once, over few samples.
     fn check_lengths(&self) -> Result<()> {
         const SAMPLES: usize = 2;
         let unit = &self.values.unit().name;
@@ -294,7 +298,7 @@ impl Design {
         Ok(())
     }
 
-    /// The nodes of all groups in order, which start with the output ports.
+    /// The nodes of all groups in order; the output ports come first.
     #[must_use]
     pub fn judged(&self) -> Vec<NodeId> {
         self.groups.iter().flat_map(|group| group.nodes.iter().copied()).collect()
@@ -307,7 +311,7 @@ impl Design {
         self.groups.iter().map(|group| columns(&group.shape)).sum()
     }
 
-    /// What the errors of some quantities are told over, by the quantities' names.
+    /// The scale of each relative quantity, by the quantity's name.
     #[must_use]
     pub fn scales(&self) -> Vec<(String, String)> {
         let of = |group: &Group| -> Vec<(String, String)> {
@@ -317,7 +321,7 @@ impl Design {
         self.groups.iter().flat_map(of).collect()
     }
 
-    /// Values that a row of golden columns means for the judged nodes.
+    /// Converts a row of golden columns to values of the judged nodes.
     #[must_use]
     pub fn of_golden(&self, row: &[f64]) -> Vec<f64> {
         let mut values = Vec::new();
@@ -330,13 +334,15 @@ impl Design {
         values
     }
 
-    /// What golden model and sampler depend on: designs of a unit with equal keys have the same.
+    /// Everything that the golden model and the sampler depend on: designs of a unit with equal
+    /// keys have the same.
     pub(crate) fn golden_key(&self) -> impl PartialEq {
         let all = self.values.all().iter().zip(&self.made.read).enumerate();
         let read = all.filter(|(_, (_, read))| **read).map(|(at, (value, _))| (at, value.clone()));
         let ports: Vec<String> =
             InputPorts::new(&self.netlist).names().map(str::to_owned).collect();
-        // Who reads all may have read what is set by name, too; words of memories are part of the netlist that is judged.
+        // A closure that reads all parameters may also have read values set by name. Words of
+        // memories are part of the judged netlist.
         let reads_all = self.made.read.iter().all(|read| *read);
         let named = self.values.named();
         let named = named.filter(|(key, _)| reads_all || key.starts_with(unit::MEMORY));
@@ -345,12 +351,12 @@ impl Design {
         (read.collect::<Vec<_>>(), self.golden_columns(), ports, named)
     }
 
-    /// Whether what is drawn depends on the formats of the ports, too.
+    /// Whether the drawn values also depend on the formats of the ports.
     pub(crate) fn is_drawn_by_format(&self) -> bool {
         self.made.drawn_by_format
     }
 
-    /// The schedule by hand, if the parameters ask for it.
+    /// The hand-written schedule, if the parameters ask for it.
     #[must_use]
     pub fn printed(&self) -> Option<&Binding> {
         self.binding.as_ref().filter(|_| self.values.choice("schedule") == "printed")

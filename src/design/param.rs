@@ -1,4 +1,4 @@
-//! Parameters of units: what they are for, which values they take.
+//! Parameters of units: their roles and legal values.
 
 use crate::base::cast;
 use crate::base::error::{Error, Result};
@@ -13,44 +13,44 @@ use std::fmt;
 use std::ops::RangeInclusive;
 use std::sync::{Arc, LazyLock};
 
-/// What a parameter is for. Whatever treats some parameters alike goes by this and not by their names.
+/// What a parameter is for. Code that treats some parameters alike uses the role, not the name.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Role {
-    /// Bits of words, or of their whole, fraction or guard part.
+    /// Bits of words, or of their integer, fraction or guard part.
     Width,
     /// Address bits of tables.
     TableSize,
     /// Size of a map that the datapath addresses.
     MapSize,
-    /// Steps of an algorithm that is unrolled.
+    /// Number of steps of an unrolled algorithm.
     Iterations,
-    /// Which of several algorithms the unit is.
+    /// Selects one of several algorithms.
     Variant,
-    /// As [`Role::Variant`], where each is a pipeline of its own on a scene, with a name.
+    /// As [`Role::Variant`], but each choice is a named pipeline of its own on a scene.
     Pipeline,
     /// How tables approximate.
     Scheme,
-    /// What becomes of bits that are dropped.
+    /// How dropped bits are rounded.
     Rounding,
-    /// What becomes of values past a format.
+    /// How values outside a format are handled.
     Overflow,
-    /// How a part of the datapath is made, or whether it is there.
+    /// How a part of the datapath is built, or whether it exists.
     Switch,
     /// A number that the datapath holds.
     Constant,
-    /// How many ports of a kind there are.
+    /// Number of ports of a kind.
     Count,
-    /// A part of the reflection formula: on a scene it comes from material and light.
+    /// A part of the reflection formula: on a scene, the material and the light give it.
     Material(Reflection),
-    /// Told, and of no effect.
+    /// Reported only, without effect.
     Label,
     /// Clock, latency, and how tables are read.
     Timing,
-    /// Which kind of schedule there is.
+    /// Kind of schedule.
     Schedule,
-    /// What counts with a schedule that shares units.
+    /// Used only with a schedule that shares units.
     Sharing,
-    /// How many units serve operations of a kind, with such a schedule.
+    /// Number of units for operations of a kind, with such a schedule.
     Share(Shared),
 }
 
@@ -79,7 +79,7 @@ impl Role {
         }
     }
 
-    /// True if it counts only with another schedule than the flat one.
+    /// True if it is used only with a schedule other than the flat one.
     pub(crate) fn is_of_sharing(self) -> bool {
         matches!(self, Self::Sharing | Self::Share(_))
     }
@@ -98,7 +98,7 @@ pub enum Reflection {
     Exponent,
 }
 
-/// A parameter of a unit: its constructor says what values it takes, the setters all else.
+/// A parameter of a unit: the constructor sets its legal values, the setters everything else.
 ///
 /// ```
 /// use fixpath::units::{Param, Role, Value};
@@ -112,9 +112,9 @@ pub enum Reflection {
 pub struct Param {
     /// Name on the command line: lower case, digits and single underscores.
     pub name: String,
-    /// What it is for.
+    /// Its role.
     pub role: Role,
-    /// What values it takes.
+    /// Its legal values.
     pub kind: Kind,
     /// Its default.
     pub default: Value,
@@ -122,10 +122,10 @@ pub struct Param {
     pub help: String,
 }
 
-/// What values a parameter takes.
+/// The legal values of a parameter.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Kind {
-    /// A whole number in a range, or `auto` if there is a text that says what that means.
+    /// A whole number in a range, or `auto` if there is a text that explains it.
     Int {
         /// Least legal value.
         min: i64,
@@ -152,7 +152,7 @@ impl Kind {
         match self {
             Self::Int { min, max, auto: None } => format!("{min} to {max}"),
             Self::Int { min, max, auto: Some(auto) } => format!("{min} to {max}, or auto ({auto})"),
-            Self::Real { min, max } => format!("{min} to {max}, also with fractions"),
+            Self::Real { min, max } => format!("{min} to {max}, fractions allowed"),
             Self::Choice(names) => names.join(", "),
         }
     }
@@ -168,7 +168,7 @@ impl Kind {
         }
     }
 
-    /// The default where none is set: the least value, or the first name.
+    /// The default if none is set: the least value, or the first name.
     fn first(&self) -> Value {
         match self {
             Self::Int { min, .. } => Value::Int(*min),
@@ -222,7 +222,7 @@ values! {
     Overflow: value => Self::Choice(value.name().into());
 }
 
-/// Names of a switch that is off or on.
+/// Names of the two states of a switch.
 pub(super) const FLAG: [&str; 2] = ["off", "on"];
 
 impl Param {
@@ -230,28 +230,28 @@ impl Param {
         Self { name: name.into(), role, default: kind.first(), kind, help: String::new() }
     }
 
-    /// A count of bits, of [`Role::Width`].
+    /// A number of bits, with [`Role::Width`].
     #[must_use]
     pub fn bits(name: impl Into<String>, range: RangeInclusive<u32>) -> Self {
         let (min, max) = (i64::from(*range.start()), i64::from(*range.end()));
         Self::new(name, Role::Width, Kind::Int { min, max, auto: None })
     }
 
-    /// A whole number, of [`Role::Constant`].
+    /// A whole number, with [`Role::Constant`].
     #[must_use]
     pub fn int(name: impl Into<String>, range: RangeInclusive<i64>) -> Self {
         let (min, max) = range.into_inner();
         Self::new(name, Role::Constant, Kind::Int { min, max, auto: None })
     }
 
-    /// A number, of [`Role::Constant`].
+    /// A real number, with [`Role::Constant`].
     #[must_use]
     pub fn real(name: impl Into<String>, range: RangeInclusive<f64>) -> Self {
         let (min, max) = range.into_inner();
         Self::new(name, Role::Constant, Kind::Real { min, max })
     }
 
-    /// One of some names, of [`Role::Switch`].
+    /// One of several names, with [`Role::Switch`].
     #[must_use]
     pub fn choice<N: Into<Arc<str>>>(
         name: impl Into<String>,
@@ -261,7 +261,7 @@ impl Param {
         Self::new(name, Role::Switch, Kind::Choice(names))
     }
 
-    /// `off` or `on`, of [`Role::Switch`].
+    /// `off` or `on`, with [`Role::Switch`].
     #[must_use]
     pub fn flag(name: impl Into<String>) -> Self {
         Self::choice(name, FLAG)
@@ -284,16 +284,16 @@ impl Param {
             .help("rounding wherever bits are dropped")
     }
 
-    /// What becomes of values past a format.
+    /// How values outside a format are handled.
     #[must_use]
     pub fn overflow(name: impl Into<String>) -> Self {
         Self::choice(name, Overflow::ALL.iter().map(|overflow| overflow.name()))
             .role(Role::Overflow)
             .default(Overflow::Saturate)
-            .help("what becomes of values past the format")
+            .help("overflow: how values outside the format are handled")
     }
 
-    /// Only these of a choice's names, in this order.
+    /// Keeps only these names of a choice, in this order.
     #[must_use]
     pub fn among<V: Into<Value>>(mut self, some: impl IntoIterator<Item = V>) -> Self {
         if let Kind::Choice(names) = &mut self.kind {
@@ -306,7 +306,8 @@ impl Param {
         self
     }
 
-    /// A whole number may be `auto` too, with this meaning; that is the default, unless one is set after.
+    /// Also allows `auto` for a whole number, with this meaning. It becomes the default unless one
+    /// is set later.
     #[must_use]
     pub fn auto(mut self, meaning: impl Into<String>) -> Self {
         if let Kind::Int { auto, .. } = &mut self.kind {
@@ -316,7 +317,7 @@ impl Param {
         self
     }
 
-    /// Sets the default. Without it, it is the least value, the first name or `auto`.
+    /// Sets the default. Without it, the default is the least value, the first name or `auto`.
     #[must_use]
     pub fn default(mut self, value: impl Into<Value>) -> Self {
         self.default = match (&self.kind, value.into()) {
@@ -334,14 +335,14 @@ impl Param {
         self
     }
 
-    /// Sets what it is for.
+    /// Sets its role.
     #[must_use]
     pub fn role(mut self, role: Role) -> Self {
         self.role = role;
         self
     }
 
-    /// Reads a value.
+    /// Parses a value.
     ///
     /// # Errors
     /// If it is not legal; the message names the legal values.
@@ -365,10 +366,10 @@ impl Param {
             return Err(Error::name("parameter", name));
         }
         let problem = match &self.kind {
-            // A range that runs backwards holds nothing.
-            Kind::Int { min, max, .. } if min > max => format!("{min} to {max} is no range"),
+            // A reversed range has no values.
+            Kind::Int { min, max, .. } if min > max => format!("{min} to {max} is not a range"),
             Kind::Real { min, max } if min.partial_cmp(max).is_none_or(Ordering::is_gt) => {
-                format!("{min} to {max} is no range")
+                format!("{min} to {max} is not a range")
             }
             Kind::Choice(names) => {
                 let plain = |name: &Arc<str>| {
@@ -376,11 +377,11 @@ impl Param {
                 };
                 let doubled = |at: usize| names[..at].contains(&names[at]);
                 if names.is_empty() {
-                    "it has no names to choose from".to_owned()
+                    "it has no choices".to_owned()
                 } else if let Some(at) = (0..names.len()).find(|at| doubled(*at)) {
                     format!("it has the name `{}` twice", names[at])
                 } else if let Some(odd) = names.iter().find(|name| !plain(name)) {
-                    format!("its name `{odd}` can't be written: no blanks, no commas, ASCII")
+                    format!("its name `{odd}` can't be written: use ASCII without blanks or commas")
                 } else {
                     String::new()
                 }
@@ -393,7 +394,7 @@ impl Param {
         if !self.kind.holds(&self.default) {
             let (default, legal) = (&self.default, self.kind.legal());
             return Err(Error::usage(format!(
-                "parameter `{name}`: its default {default} isn't legal, which is {legal}"
+                "parameter `{name}`: its default {default} isn't legal; legal is {legal}"
             )));
         }
         Ok(())
@@ -409,14 +410,14 @@ pub static PIPELINE: LazyLock<Vec<Param>> = LazyLock::new(|| {
             .help("target clock period of the pipeline in ps, by the stated delay model"),
         Param::int("stages", 0..=256)
             .role(Role::Timing)
-            .auto("as many as the target period asks for")
-            .help("latency in cycles, over period_ps; 0 is combinational and asks for rom=distributed"),
+            .auto("as many as the target period needs")
+            .help("latency in cycles; overrides period_ps; 0 is combinational and needs rom=distributed"),
         Param::choice("rom", ["block", "distributed"])
             .role(Role::Timing)
-            .help("table reads take a clock (block RAM) or none (distributed logic)"),
+            .help("table reads are synchronous (block RAM) or combinational (distributed logic)"),
         Param::choice("schedule", ["flat", "shared", "printed"])
             .role(Role::Schedule)
-            .help("flat: a sample a cycle; shared: operations share units by share_*; printed: as bound by hand, where a unit brings that"),
+            .help("flat: one sample per cycle; shared: operations share units as set by share_*; printed: the unit's hand-written schedule, if it has one"),
         Param::int("interval", 1..=1024)
             .role(Role::Sharing)
             .auto("as short as the units allow")
@@ -424,9 +425,9 @@ pub static PIPELINE: LazyLock<Vec<Param>> = LazyLock::new(|| {
         share(Shared::Dot, "share_dot")
             .help("dot products of three: units for each structure, with schedule=shared"),
         share(Shared::Multiplier, "share_mul")
-            .help("multipliers outside of roots, dividers, table schemes and dot products that share_dot shares: units, with schedule=shared"),
+            .help("multipliers, except in roots, dividers, table schemes and dot products shared by share_dot: units, with schedule=shared"),
         share(Shared::Adder, "share_add")
-            .help("adders outside of the same: units, with schedule=shared"),
+            .help("adders, with the same exceptions: units, with schedule=shared"),
         share(Shared::Table, "share_table")
             .help("table schemes: units for each structure, with schedule=shared"),
         share(Shared::Root, "share_root")
@@ -439,7 +440,7 @@ pub static PIPELINE: LazyLock<Vec<Param>> = LazyLock::new(|| {
             .help("cycles from issue to output of each shared unit"),
         Param::choice("share_loads", ["no", "yes"])
             .role(Role::Sharing)
-            .help("operands of shared units are registered in the cycle before the issue"),
+            .help("register the operands of shared units in the cycle before issue"),
     ]
 });
 

@@ -1,4 +1,4 @@
-//! A unit, and values of its parameters.
+//! A unit, and the values of its parameters.
 
 use super::memory::MemoryFile;
 use super::param::{FLAG, Kind, PIPELINE, Param, Reflection, Role, Value};
@@ -17,8 +17,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 /// A parameterised datapath: a recipe that makes a [`Design`] from values of its parameters.
 ///
-/// It is a value: made by [`Unit::new`] and setters, shared when it is cloned, and equal to its clones. Every command and
-/// function of this crate takes one's own as it takes those of [`crate::units`].
+/// It is a value: made by [`Unit::new`] and setters, cheap to clone, and equal to its clones. Every
+/// command and function of this crate accepts user-defined units like those of [`crate::units`].
 ///
 /// ```
 /// use fixpath::format::{Format, Overflow};
@@ -44,20 +44,20 @@ use std::sync::{Arc, Mutex, PoisonError};
 #[derive(Clone, Debug)]
 pub struct Unit(Arc<Recipe>);
 
-/// What a unit says of itself.
+/// The description of a unit.
 #[derive(Clone)]
 pub struct Recipe {
     /// Name on the command line: lower case, digits and single underscores.
     pub name: String,
     /// What it computes, in one line.
     pub summary: String,
-    /// Where it comes from.
+    /// Its source, such as a paper.
     pub source: String,
-    /// What it computes, in formulas: lines for `list`.
+    /// Its formulas: lines for `list`.
     pub formula: String,
     /// Its own parameters; [`PIPELINE`] follows them.
     pub params: Vec<Param>,
-    /// Names of the input ports with what they measure, for `list`.
+    /// Names and quantities of the input ports, for `list`.
     pub inputs: String,
     /// Names of the output ports, for `list`.
     pub outputs: String,
@@ -90,20 +90,22 @@ impl PartialEq for Unit {
 
 impl Eq for Unit {}
 
-/// Whether a unit shades the pixels of a scene: its inputs are then those of a [fragment](crate::units::fragment), and it has outputs
-/// `diffuse` and, if it has highlights, `specular`.
+/// Whether a unit shades the pixels of a scene. If it does, its inputs are those of a
+/// [fragment](crate::units::fragment), and it has the output `diffuse` and, if it has highlights,
+/// `specular`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Shading {
-    /// It doesn't.
+    /// No.
     None,
-    /// It does, from vectors that floating point turned into the texture frame.
+    /// Yes, from vectors that floating point rotated into the texture frame.
     Part,
-    /// It is a pipeline of its own, or has a parameter of [`Role::Pipeline`] whose choices are.
+    /// Yes, as a complete pipeline, or with a parameter of [`Role::Pipeline`] whose choices are
+    /// complete pipelines.
     Pipeline,
 }
 
 impl Unit {
-    /// A unit of a name, with what it computes in one line.
+    /// A unit with a name and a one-line summary.
     #[must_use]
     pub fn new(name: impl Into<String>, summary: impl Into<String>) -> Self {
         Self(Arc::new(Recipe {
@@ -124,13 +126,13 @@ impl Unit {
         self
     }
 
-    /// Sets where it comes from.
+    /// Sets its source.
     #[must_use]
     pub fn source(self, source: impl Into<String>) -> Self {
         self.with(|recipe| recipe.source = source.into())
     }
 
-    /// Sets what it computes, in formulas with signs and units: one or more lines, for `list`.
+    /// Sets its formulas, with signs and units: one or more lines, for `list`.
     #[must_use]
     pub fn formula(self, formula: impl Into<String>) -> Self {
         self.with(|recipe| recipe.formula = formula.into())
@@ -148,13 +150,13 @@ impl Unit {
         self.with(|recipe| recipe.params.extend(params))
     }
 
-    /// Sets what `list` says of the input ports.
+    /// Sets the description of the input ports for `list`.
     #[must_use]
     pub fn inputs(self, inputs: impl Into<String>) -> Self {
         self.with(|recipe| recipe.inputs = inputs.into())
     }
 
-    /// Sets what `list` says of the output ports.
+    /// Sets the description of the output ports for `list`.
     #[must_use]
     pub fn outputs(self, outputs: impl Into<String>) -> Self {
         self.with(|recipe| recipe.outputs = outputs.into())
@@ -166,7 +168,7 @@ impl Unit {
         self.with(|recipe| recipe.shades = shades)
     }
 
-    /// Sets what makes the datapath.
+    /// Sets the closure that makes the datapath.
     #[must_use]
     pub fn design(
         self,
@@ -186,11 +188,11 @@ impl Unit {
         self.all_params().find(|param| param.name == name)
     }
 
-    /// Refuses a unit that can't be used.
+    /// Refuses an unusable unit.
     ///
     /// # Errors
-    /// If its name or one of a parameter is no identifier, two parameters share a name, a default isn't legal, a text has
-    /// more than one line, or nothing makes its datapath.
+    /// If the name of the unit or of a parameter is not an identifier, two parameters share a name,
+    /// a default isn't legal, a text has more than one line, or the unit has no `design`.
     pub fn check(&self) -> Result<()> {
         if !name::is_legal(&self.name) {
             return Err(Error::name("unit", &self.name));
@@ -200,7 +202,7 @@ impl Unit {
         let texts = lines.into_iter().chain(self.formula.split('\n'));
         if let Some(text) = texts.into_iter().find(|text| text.contains(char::is_control)) {
             let text = escape::short(text);
-            let why = format!("unit `{}`: `{text}` is to be one line of text", self.name);
+            let why = format!("unit `{}`: `{text}` must be one line of text", self.name);
             return Err(Error::usage(why));
         }
         let of_unit = |why: &dyn fmt::Display| Error::usage(format!("unit `{}`: {why}", self.name));
@@ -208,12 +210,13 @@ impl Unit {
             param.check().map_err(|why| of_unit(&why))?;
             let same = |known: &Param| known.name == param.name;
             if self.params[..at].iter().any(same) || PIPELINE.iter().any(same) {
-                let whose = if PIPELINE.iter().any(same) { "every unit has one" } else { "two" };
+                let whose =
+                    if PIPELINE.iter().any(same) { "every unit has one" } else { "two parameters" };
                 return Err(of_unit(&format!("parameter `{}`: {whose} of this name", param.name)));
             }
         }
         if self.design.is_none() {
-            return Err(of_unit(&"nothing makes its datapath: give it a `design`"));
+            return Err(of_unit(&"it has no datapath: give it a `design`"));
         }
         Ok(())
     }
@@ -234,10 +237,11 @@ impl Unit {
         }
     }
 
-    /// A value for an axis of a sweep: one that [`Values::set`] takes, but for memories, whose words are not a point's.
+    /// A value for an axis of a sweep. Everything that [`Values::set`] accepts is legal, except
+    /// memories: their words aren't part of a point.
     ///
     /// # Errors
-    /// As [`Values::set`], or if it is a memory's.
+    /// As [`Values::set`], or if the key is a memory.
     pub(crate) fn value(&self, key: &str, text: &str) -> Result<Value> {
         if key.starts_with(MEMORY) {
             let key = escape::short(key);
@@ -250,7 +254,7 @@ impl Unit {
         Ok(value.clone())
     }
 
-    /// The defaults with some `key=value` assignments.
+    /// The defaults, changed by `key=value` assignments.
     ///
     /// # Errors
     /// If a name is unknown or given twice, or a value is not legal.
@@ -273,30 +277,34 @@ impl Unit {
 
 /// One value for each parameter of a unit.
 ///
-/// While a unit makes its design they note what is read through them: so what a golden model depends on is known, and
-/// reading a parameter that isn't there makes the design an error. Elsewhere that panics.
+/// While a unit makes its design, the values record which parameters are read. This shows what a
+/// golden model depends on, and turns a read of an unknown parameter into an error of the design.
+/// Elsewhere such a read panics.
 #[derive(Debug)]
 pub struct Values {
     unit: Unit,
     values: Vec<Value>,
-    /// Formats of nodes in place of the recipe's: the key with [`FORMAT`] in front, the value as text, the format.
+    /// Formats of nodes that override the recipe's: the key including [`FORMAT`], the value as
+    /// text, the format.
     formats: Vec<(String, Value, Format)>,
-    /// Schemes of tables in place of the recipe's: the key with [`SCHEME`] in front, the value as text, the scheme.
+    /// Schemes of tables that override the recipe's: the key including [`SCHEME`], the value as
+    /// text, the scheme.
     schemes: Vec<(String, Value, Scheme)>,
-    /// Words of memories: the key with [`MEMORY`] in front, the file's path as text, its words.
+    /// Words of memories: the key including [`MEMORY`], the file's path as text, its words.
     memories: Vec<(String, Value, Arc<MemoryFile>)>,
-    /// Formats and schemes by the places where the recipe asks for them; known while a design is made.
+    /// Formats and schemes by the places where the recipe asks for them; known while a design is
+    /// made.
     overrides: Overrides,
     notes: Option<Arc<Notes>>,
 }
 
-/// What keys of formats of nodes begin with: `format.NODE=s20f18`.
+/// Prefix of keys for formats of nodes: `format.NODE=s20f18`.
 const FORMAT: &str = "format.";
 
-/// What keys of schemes of tables begin with: `scheme.TABLE=linear`.
+/// Prefix of keys for schemes of tables: `scheme.TABLE=linear`.
 const SCHEME: &str = "scheme.";
 
-/// What keys of words of memories begin with: `memory.NAME=words.csv`.
+/// Prefix of keys for words of memories: `memory.NAME=words.csv`.
 pub(super) const MEMORY: &str = "memory.";
 
 /// What was read.
@@ -304,12 +312,13 @@ pub(super) const MEMORY: &str = "memory.";
 struct Notes {
     /// By parameter.
     read: Vec<AtomicBool>,
-    /// The first read of what isn't there.
+    /// The first read of an unknown parameter.
     wrong: Mutex<Option<Error>>,
 }
 
 impl Clone for Values {
-    /// A copy that notes nothing. It may be read at any time, so it counts as a read of all.
+    /// A copy that records nothing. It may be read at any time, so it counts as a read of all
+    /// parameters.
     fn clone(&self) -> Self {
         self.note_all();
         self.with_notes(None)
@@ -317,7 +326,7 @@ impl Clone for Values {
 }
 
 impl Values {
-    /// The unit that they belong to.
+    /// The unit that the values belong to.
     #[must_use]
     pub fn unit(&self) -> &Unit {
         &self.unit
@@ -335,12 +344,14 @@ impl Values {
         }
     }
 
-    /// Sets one parameter from text. `format.NODE` sets the format of a node in place of the recipe's, by its
-    /// [stable name](crate::netlist::Choice::name), `scheme.TABLE` a table's scheme, and `memory.NAME` binds words to a memory, from a file in CSV with a
-    /// heading for each column and a line of words for each address. What isn't there is an error where the design is made.
+    /// Sets one parameter from text. `format.NODE` overrides the format of a node, by its
+    /// [stable name](crate::netlist::Choice::name). `scheme.TABLE` overrides the scheme of a table.
+    /// `memory.NAME` binds words to a memory, from a CSV file with a heading for each column and a
+    /// line of words for each address. Unknown nodes, tables and memories are reported when the
+    /// design is made.
     ///
     /// # Errors
-    /// If the name is unknown, the value not legal, or the file can't be read.
+    /// If the name is unknown, the value isn't legal, or the file can't be read.
     pub fn set(&mut self, name: &str, text: &str) -> Result<()> {
         if name.starts_with(FORMAT) {
             let Ok(format) = text.parse::<Format>() else {
@@ -363,7 +374,7 @@ impl Values {
         }
         if name.starts_with(MEMORY) {
             if text.is_empty() {
-                let legal = "the path of a file in CSV".to_owned();
+                let legal = "the path of a CSV file".to_owned();
                 return Err(Error::parameter_value(&escape::short(name), text, legal));
             }
             let file = Arc::new(MemoryFile::read(Path::new(text))?);
@@ -385,7 +396,7 @@ impl Values {
         })
     }
 
-    /// As [`Values::iter`], without what only counts for shared units where none are.
+    /// As [`Values::iter`], without parameters of sharing if the schedule is flat.
     pub fn told(&self) -> impl Iterator<Item = (&str, &Value)> {
         let flat = self.choice("schedule") == "flat";
         let silent = move |role: Role| flat && (role == Role::Schedule || role.is_of_sharing());
@@ -404,14 +415,14 @@ impl Values {
             .chain(self.memories.iter().map(|(key, value, _)| (key.as_str(), value)))
     }
 
-    /// Words that were set for memories, by their names.
+    /// The words that were set for memories, by memory name.
     pub(super) fn memory_files(&self) -> impl Iterator<Item = (&str, &MemoryFile)> {
         self.memories
             .iter()
             .map(|(key, _, file)| (key.strip_prefix(MEMORY).unwrap_or_default(), &**file))
     }
 
-    /// A builder for the netlist, which gives nodes the formats that were set. Recipes start with it.
+    /// A builder for the netlist that applies the formats that were set. Recipes start with it.
     #[must_use]
     #[track_caller]
     pub fn builder(&self, name: &str) -> Builder {
@@ -435,7 +446,8 @@ impl Values {
         self.unit.find_param(name).is_some()
     }
 
-    /// What a parameter's value says to `of`, and something legal where that is nothing.
+    /// Reads a parameter's value through `of`. If the parameter is missing or `of` returns `None`,
+    /// records an error or panics.
     fn read<'a, T>(
         &'a self,
         name: &str,
@@ -454,7 +466,7 @@ impl Values {
                 }
                 let legal = param.kind.legal();
                 Error::usage(format!(
-                    "unit `{}` reads its parameter `{name}` as {what}, and it is {value} of {legal}",
+                    "unit `{}` reads its parameter `{name}` as {what}, but it is {value} of {legal}",
                     self.unit.name
                 ))
             }
@@ -468,7 +480,8 @@ impl Values {
     /// The value of a parameter.
     ///
     /// # Panics
-    /// If there is no such parameter; while a design is made, that is an error of it.
+    /// If there is no such parameter. While a design is made, this is an error of the design
+    /// instead.
     #[must_use]
     pub fn get(&self, name: &str) -> &Value {
         self.read(name, "a value", Some).unwrap_or(&Value::Auto)
@@ -477,7 +490,7 @@ impl Values {
     /// A whole number; `None` for `auto`.
     ///
     /// # Panics
-    /// As [`Values::get`], or if the parameter is none.
+    /// As [`Values::get`], or if the parameter is not a whole number.
     #[must_use]
     pub fn int(&self, name: &str) -> Option<i64> {
         let of = |value: &Value| match value {
@@ -488,7 +501,7 @@ impl Values {
         self.read(name, "a whole number", of).flatten()
     }
 
-    /// The value of what it takes of the reflection formula, if it takes that.
+    /// The value of a part of the reflection formula, if the unit has that parameter.
     #[must_use]
     pub fn reflection(&self, part: Reflection) -> Option<&Value> {
         self.params().find(|(param, _)| param.role == Role::Material(part)).map(|(_, value)| value)
@@ -497,7 +510,7 @@ impl Values {
     /// A number.
     ///
     /// # Panics
-    /// As [`Values::get`], or if the parameter is none.
+    /// As [`Values::get`], or if the parameter is not a real number.
     #[must_use]
     pub fn real(&self, name: &str) -> f64 {
         let of = |value: &Value| match value {
@@ -507,10 +520,10 @@ impl Values {
         self.read(name, "a number with fractions", of).unwrap_or_default()
     }
 
-    /// A count of bits that has no `auto`.
+    /// A number of bits, for parameters without `auto`.
     ///
     /// # Panics
-    /// As [`Values::get`], or if the parameter is none.
+    /// As [`Values::get`], or if the parameter is not a count.
     #[must_use]
     pub fn bits(&self, name: &str) -> u32 {
         let of = |value: &Value| match value {
@@ -523,7 +536,7 @@ impl Values {
     /// A name.
     ///
     /// # Panics
-    /// As [`Values::get`], or if the parameter is none.
+    /// As [`Values::get`], or if the parameter is not a choice.
     #[must_use]
     pub fn choice(&self, name: &str) -> &str {
         self.read(name, "a name", Self::name_of).unwrap_or_default()
@@ -539,7 +552,7 @@ impl Values {
     /// A switch: true for `on`.
     ///
     /// # Panics
-    /// As [`Values::get`], or if the parameter is none.
+    /// As [`Values::get`], or if the parameter is not a switch.
     #[must_use]
     pub fn flag(&self, name: &str) -> bool {
         let of = |value| FLAG.iter().position(|known| Self::name_of(value) == Some(known));
@@ -549,7 +562,7 @@ impl Values {
     /// A table scheme.
     ///
     /// # Panics
-    /// As [`Values::get`], or if the parameter is none.
+    /// As [`Values::get`], or if the parameter is not a table scheme.
     #[must_use]
     pub fn scheme(&self, name: &str) -> Scheme {
         let of = |value| {
@@ -558,10 +571,10 @@ impl Values {
         self.read(name, "a table scheme", of).unwrap_or(Scheme::Direct)
     }
 
-    /// The scheme of a table: the one set by its name, else that of a parameter.
+    /// The scheme of a table: the one set for its name, otherwise that of a parameter.
     ///
     /// # Panics
-    /// As [`Values::get`], or if the parameter is none.
+    /// As [`Values::get`], or if the parameter is not a table scheme.
     pub(crate) fn scheme_of(&self, table: &str, name: &str) -> Scheme {
         let own = self.scheme(name);
         let is_of = |key: &str| key.strip_prefix(SCHEME) == Some(table);
@@ -571,42 +584,42 @@ impl Values {
     /// A rounding.
     ///
     /// # Panics
-    /// As [`Values::get`], or if the parameter is none.
+    /// As [`Values::get`], or if the parameter is not a rounding.
     #[must_use]
     pub fn rounding(&self, name: &str) -> Round {
         let of = |value| Self::name_of(value)?.parse().ok();
         self.read(name, "a rounding", of).unwrap_or(Round::HalfEven)
     }
 
-    /// What becomes of values past a format.
+    /// How values outside a format are handled.
     ///
     /// # Panics
-    /// As [`Values::get`], or if the parameter is none.
+    /// As [`Values::get`], or if the parameter is not an overflow mode.
     #[must_use]
     pub fn overflow(&self, name: &str) -> Overflow {
         let of = |value| Self::name_of(value)?.parse().ok();
         self.read(name, "an overflow mode", of).unwrap_or(Overflow::Saturate)
     }
 
-    /// The error for a value that is legal by itself and not together with others.
+    /// The error for a value that is legal by itself but not in combination with others.
     #[must_use]
     pub fn refuse(&self, name: &str, legal: &str) -> Error {
         Error::parameter_value(name, &self.get(name).to_string(), legal.to_owned())
     }
 
-    /// The same values, noting what is read of them.
+    /// The same values, recording which are read.
     pub(crate) fn noting(&self) -> Self {
         let read = self.values.iter().map(|_| AtomicBool::new(false)).collect();
         self.with_notes(Some(Arc::new(Notes { read, wrong: Mutex::new(None) })))
     }
 
-    /// Which were read, by parameter.
+    /// For each parameter, whether it was read.
     pub(super) fn were_read(&self) -> Vec<bool> {
         let notes = self.notes.iter().flat_map(|notes| &notes.read);
         notes.map(|read| read.load(Ordering::Relaxed)).collect()
     }
 
-    /// The first read of a parameter that isn't there.
+    /// The first read of an unknown parameter.
     pub(crate) fn wrong(&self) -> Option<Error> {
         self.notes.as_ref()?.wrong.lock().unwrap_or_else(PoisonError::into_inner).take()
     }
@@ -624,19 +637,20 @@ impl Values {
     /// Builds the datapath.
     ///
     /// # Errors
-    /// If these values don't go together, a word would be wider than 63 bits, or the unit or what it makes is no
-    /// design ([`Unit::check`], [`Design::check`]).
+    /// If these values can't be combined, a word would be wider than 63 bits, or the unit or its
+    /// design is invalid ([`Unit::check`], [`Design::check`]).
     pub fn build(&self) -> Result<Design> {
         self.design()
             .map_err(|error| self.with_remedy(error, &|values| values.design().map(|_| ())))
     }
 
-    /// The same without a remedy for words that are too wide.
+    /// The same, without suggesting a remedy for words that are too wide.
     pub(crate) fn design(&self) -> Result<Design> {
         if self.formats.is_empty() && self.schemes.is_empty() {
             return self.design_of_recipe();
         }
-        // The plain design knows its nodes by name; with their places the recipe is run again.
+        // The design without overrides has the names of its nodes; with their places, the recipe
+        // runs again.
         let mut values = self.clone();
         let formats = std::mem::take(&mut values.formats);
         let schemes = std::mem::take(&mut values.schemes);
@@ -647,7 +661,7 @@ impl Values {
         let named: Vec<(String, Format)> = formats.iter().map(of).collect();
         if !named.is_empty() && plain.netlist.choices().is_empty() {
             return Err(Error::usage(format!(
-                "unit `{}` chooses no formats that a name could set: those of a netlist's file stand in it",
+                "unit `{}` has no formats to set by name: a netlist file fixes its own",
                 self.unit.name
             )));
         }
@@ -673,13 +687,13 @@ impl Values {
         });
         if let Some(what) = unmet {
             return Err(Error::usage(format!(
-                "unit `{}` takes no {what}: its recipe starts with a builder of its own and not with that of its \
+                "unit `{}` ignores the {what}: its recipe starts with its own builder instead of that of its \
                  parameters",
                 self.unit.name
             )));
         }
         Ok(design.bounds(Bounds::unstated(
-            "formats of nodes or schemes of tables are not the unit's own, and its bounds are for those",
+            "formats of nodes or schemes of tables were overridden, and the unit's bounds hold only for its own",
         )))
     }
 
@@ -694,7 +708,7 @@ impl Values {
         let design = made?;
         if design.values.unit != self.unit || design.values.values != self.values {
             return Err(Error::usage(format!(
-                "unit `{}` makes a design of other values than it is given",
+                "unit `{}` makes a design from other values than it was given",
                 self.unit.name
             )));
         }
@@ -702,7 +716,7 @@ impl Values {
         Ok(design)
     }
 
-    /// An error of a word that is too wide in what `make` makes, with the parameters that make it narrower.
+    /// Adds to an error about a too wide word of `make` the parameters that would narrow it.
     pub(crate) fn with_remedy(&self, error: Error, make: &dyn Fn(&Self) -> Result<()>) -> Error {
         let (node, place, needed) = match error.bits_needed() {
             Some((node, place, bits)) if bits > Format::MAX_BITS => (node, place, bits),
@@ -720,7 +734,8 @@ impl Values {
             let helps = changed != *number
                 && match make(&other) {
                     Ok(()) => true,
-                    // Another node is the next one that is too wide: the first one isn't any more.
+                    // Another node is now the next one that is too wide, so the first one no longer
+                    // is.
                     Err(other) => other.bits_needed().is_some_and(|(other, later, bits)| {
                         bits < needed || (other != node && later > place)
                     }),
@@ -730,7 +745,8 @@ impl Values {
         let all = |step| -> Vec<String> {
             self.unit.params.iter().enumerate().filter_map(|param| narrower(step, param)).collect()
         };
-        // Where one bit shows nothing, many may: sums of many terms pass the limit at another term.
+        // If one bit shows no effect, many may: sums of many terms exceed the limit at another
+        // term.
         let steps = [(-1, "lower"), (-64, "lower"), (1, "raise")];
         let mut remedies = steps.into_iter().filter_map(|(step, verb)| {
             let names = all(step);

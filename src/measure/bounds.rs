@@ -1,4 +1,4 @@
-//! Stated bounds and the hard-case list, judged.
+//! Verdicts on stated bounds and on the hard-case list.
 
 use super::golden::{as_golden, run_golden};
 use super::inputs::values_of;
@@ -16,23 +16,24 @@ use std::cell::RefCell;
 /// A stated bound, evaluated.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct StatedBound {
-    /// What is bounded, in a word.
+    /// What is bounded, in a few words.
     pub quantity: String,
-    /// The quantities that it holds for, by their names in reports.
+    /// The quantities that it bounds, by their names in reports.
     pub of: Vec<String>,
-    /// The bound, in the unit of those.
+    /// The bound, in the unit of those quantities.
     pub bound: f64,
-    /// What it is told over, if it isn't absolute.
+    /// What the error is relative to, if it isn't absolute.
     pub over: Option<String>,
 }
 
 impl StatedBound {
-    /// What it is a bound on: each of its quantity, also where that says so itself, and what that is
-    /// told over.
+    /// The subject of the bound: "each" and its quantity (with "each" only once), and what the
+    /// error is relative to.
     #[must_use]
     pub fn subject(&self) -> String {
         let each = if self.quantity.starts_with("each ") { "" } else { "each " };
-        let over = self.over.as_ref().map_or_else(String::new, |what| format!(" (over {what})"));
+        let over =
+            self.over.as_ref().map_or_else(String::new, |what| format!(" (relative to {what})"));
         format!("{each}{}{over}", self.quantity)
     }
 
@@ -44,7 +45,7 @@ impl StatedBound {
         all.fold(0.0, |a, b| if a >= b || a.is_nan() { a } else { b })
     }
 
-    /// True unless it is broken.
+    /// True unless the bound is broken.
     #[must_use]
     pub fn holds(&self, report: &Report) -> bool {
         self.seen(report) <= self.bound // false for NaN
@@ -54,19 +55,19 @@ impl StatedBound {
 /// The stated bounds of a design.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BoundCheck {
-    /// Each of them.
+    /// The stated bounds.
     pub stated: Vec<StatedBound>,
     /// The inputs that they hold for, if not for all.
     pub inputs: Option<String>,
-    /// Why there is none.
+    /// Why no bound is stated.
     pub why_none: Option<String>,
 }
 
 impl BoundCheck {
-    /// Evaluates the bounds of a design: needs the exact worst error of each table scheme.
+    /// Evaluates the bounds of a design, which needs the exact worst error of each table scheme.
     ///
     /// # Errors
-    /// As [`table_figures`], or if a bound asks for a table or a parameter that isn't there.
+    /// As [`table_figures`], or if a bound refers to an unknown table or parameter.
     pub fn new(design: &Design) -> Result<Self> {
         design.check_samples()?;
         let (bounds, inputs) = match &design.bounds {
@@ -78,7 +79,7 @@ impl BoundCheck {
         for tabulated in &design.tabulated {
             let Some(figures) = table_figures(tabulated)? else {
                 return Ok(Self::unstated(
-                    "it rests on the exact worst error of each table, and one has too many words to go through",
+                    "a bound needs the exact worst error of each table, and one table has too many words to enumerate",
                 ));
             };
             worst.extend(figures.into_iter().map(|figures| (figures.table, figures.worst)));
@@ -104,7 +105,7 @@ impl BoundCheck {
             if let Some(table) = missing.take() {
                 let unit = &design.values.unit().name;
                 return Err(Error::usage(format!(
-                    "unit `{unit}`: its bound on `{quantity}` asks for the table `{table}`, which isn't among its `tabulated`"
+                    "unit `{unit}`: its bound on `{quantity}` refers to the table `{table}`, which isn't among its `tabulated`"
                 )));
             }
             Ok(StatedBound { quantity, of, bound, over })
@@ -117,34 +118,34 @@ impl BoundCheck {
         Self { stated: Vec::new(), inputs: None, why_none: Some(why.to_owned()) }
     }
 
-    /// True unless one is broken.
+    /// True unless a bound is broken.
     #[must_use]
     pub fn hold(&self, report: &Report) -> bool {
         self.stated.iter().all(|bound| bound.holds(report))
     }
 }
 
-/// A hard case beside plain floating point.
+/// The result of a hard case, compared with plain floating point.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct HardResult {
     /// Input words.
     pub words: Vec<i64>,
-    /// Bit-true results, as the golden has them: directions as x, y, z.
+    /// Bit-true results in the golden's columns: directions as x, y, z.
     #[serde(serialize_with = "json::reals")]
     pub fixed: Vec<f64>,
-    /// Results of the golden in `f32`, if the unit brings one.
+    /// Results of the golden in `f32`, if the unit has one.
     #[serde(serialize_with = "json::known_reals")]
     pub float32: Option<Vec<f64>>,
     /// Results of the golden in `f64`.
     #[serde(serialize_with = "json::reals")]
     pub float64: Vec<f64>,
-    /// The quantity that is nearest to its bound or furthest past it; without a bound, the first
-    /// quantity of a direction, and else the one with the largest error.
+    /// The quantity nearest to its bound or furthest past it. Without a bound: the angle of a
+    /// direction, otherwise the quantity with the largest error.
     pub quantity: String,
-    /// Its error, bit-true against `f64`.
+    /// Its error: bit-true against `f64`.
     #[serde(serialize_with = "json::real")]
     pub error: f64,
-    /// The largest error of `f32` in the same quantities.
+    /// The largest error of `f32` in the judged quantities.
     #[serde(serialize_with = "json::known_real")]
     pub float32_error: Option<f64>,
     /// Its bound.
@@ -159,7 +160,7 @@ impl HardResult {
         self.bound.map(|bound| self.error <= bound) // false for NaN
     }
 
-    /// What cases are ranked by: the error in units of its bound. A NaN is worst.
+    /// The rank of a case: the error in units of its bound. A NaN is worst.
     fn rank(&self) -> f64 {
         if self.error == 0.0 {
             return 0.0; // also beside a bound of 0
@@ -169,14 +170,14 @@ impl HardResult {
     }
 }
 
-/// The worst of a group of hard cases.
+/// The worst case of a group of hard cases.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct HardVerdict {
-    /// What is hard about them.
+    /// What makes these cases hard.
     pub name: String,
     /// Number of cases.
     pub cases: usize,
-    /// The case with the largest error, by its bound.
+    /// The case with the largest error relative to its bound.
     #[serde(flatten)]
     pub worst: HardResult,
     /// The largest error of `f32` over the group.
@@ -192,8 +193,8 @@ pub fn hard_columns(design: &Design) -> Vec<String> {
     design.groups.iter().flat_map(crate::design::Group::columns).collect()
 }
 
-/// Names of the columns of a table of hard cases that are no inputs: the group's, which stands before those, and
-/// what came of a case, behind them.
+/// Names of the columns of a table of hard cases, except the inputs: the group's, which precedes
+/// the inputs, and those of the results, which follow them.
 #[must_use]
 pub fn case_columns(design: &Design) -> (&'static str, Vec<String>) {
     let names = hard_columns(design);
@@ -204,10 +205,10 @@ pub fn case_columns(design: &Design) -> (&'static str, Vec<String>) {
     ("case", numbers.chain(verdict).collect())
 }
 
-/// Runs a group of hard cases, in its order.
+/// Runs a group of hard cases, in order.
 ///
 /// # Panics
-/// If a case doesn't have one word of its format per input port: that is wrong code.
+/// If a case doesn't have one word of its format per input port, which is a bug.
 #[must_use]
 pub fn hard_results(design: &Design, group: &HardCase, bounds: &BoundCheck) -> Vec<HardResult> {
     let netlist = &design.netlist;
@@ -236,7 +237,7 @@ pub fn hard_results(design: &Design, group: &HardCase, bounds: &BoundCheck) -> V
         columns.iter().map(wide).collect()
     });
 
-    // Which quantities count, and against what.
+    // The quantities that count, and their bounds.
     let mut judged: Vec<(Measurand, Option<f64>)> = Vec::new();
     for measurand in Measurand::all(design) {
         let bound = bounds.stated.iter().find(|bound| bound.of.contains(&measurand.name));
@@ -258,7 +259,7 @@ pub fn hard_results(design: &Design, group: &HardCase, bounds: &BoundCheck) -> V
     };
     let (fixed_errors, float32_errors) = (errors(&fixed), float32.as_deref().map(errors));
     let result = |i: usize| {
-        // Without the golden's scales.
+        // Excluding the golden's scales.
         let at = |columns: &[Vec<f64>]| {
             columns.iter().take(fixed.len()).map(|column| column[i]).collect()
         };

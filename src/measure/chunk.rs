@@ -1,4 +1,4 @@
-//! A chunk of samples by compiled designs.
+//! Runs compiled designs over a chunk of samples.
 
 use super::golden::{as_golden, run_golden};
 use super::inputs::{Inputs, quantize_inputs, values_of};
@@ -13,7 +13,7 @@ use crate::sim::batch::{Program, Runner};
 use crate::sim::real;
 use std::time::Instant;
 
-/// Compiled design.
+/// A compiled design.
 pub(super) struct Compiled<'a> {
     pub(super) design: &'a Design,
     pub(super) bases: &'a [Basis],
@@ -21,12 +21,12 @@ pub(super) struct Compiled<'a> {
     pub(super) reals: real::Program,
     pub(super) judged: Vec<NodeId>,
     pub(super) measurands: Vec<Measurand>,
-    /// Which set of quantised inputs it shares.
+    /// The index of its set of quantised inputs.
     pub(super) set: usize,
 }
 
 impl Compiled<'_> {
-    /// Measurands on each basis.
+    /// Number of measurands times bases.
     pub(super) fn streams(&self) -> usize {
         self.measurands.len() * self.bases.len()
     }
@@ -34,9 +34,9 @@ impl Compiled<'_> {
 
 /// Designs with the same input words and the same golden model.
 pub(super) struct Set<'a> {
-    /// One of them.
+    /// One of the designs.
     pub(super) design: &'a Design,
-    /// The set whose values before quantisation, and their golden, are its own too.
+    /// The set that draws the values before quantisation, and their golden, for this one.
     pub(super) drawn: usize,
 }
 
@@ -50,7 +50,7 @@ pub(super) struct Lanes<'a> {
     counts: Counts<'a>,
 }
 
-/// Columns of one thread that designs share.
+/// Columns of one thread that all designs share.
 #[derive(Default)]
 pub(super) struct Shared {
     sets: Vec<SetColumns>,
@@ -62,7 +62,7 @@ pub(super) struct Shared {
 /// Columns of a set of designs.
 #[derive(Clone, Default)]
 struct SetColumns {
-    /// Inputs before quantisation, and their golden; empty if those of another set serve.
+    /// Inputs before quantisation, and their golden; empty if another set draws them.
     values: Vec<Vec<f64>>,
     real_golden: Vec<Vec<f64>>,
     words: Vec<Vec<i64>>,
@@ -70,7 +70,7 @@ struct SetColumns {
     golden: Vec<Vec<f64>>,
 }
 
-/// What a chunk gave for one design.
+/// The results of a chunk for one design.
 pub(super) struct Partial {
     pub(super) streams: Vec<(Stream, Witness)>,
     pub(super) overflows: Vec<u64>,
@@ -110,7 +110,7 @@ pub(super) fn measure_chunk(
     let mut together = Profile::default();
     let bases = compiled.first().map_or(&[][..], |c| c.bases);
     let needs_reals = bases.contains(&Basis::Arithmetic) || bases.contains(&Basis::Algorithm);
-    // Words are their own real inputs.
+    // For samplers of words, the words are the real inputs.
     let needs_drawn = bases.contains(&Basis::EndToEnd) && !inputs.are_words();
     for (i, Set { design, drawn }) in sets.iter().enumerate() {
         let netlist = &design.netlist;

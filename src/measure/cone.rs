@@ -1,8 +1,9 @@
-//! A named node over every combination of the words that it depends on.
+//! Measures one node over every combination of the words that it depends on.
 //!
-//! Words are counted up, the first of the ports fastest; the ports that most nodes of the cone depend
-//! on are the slowest. In a run of samples the slow ports stay and the fastest repeat from block to block,
-//! so what depends on those only is computed once a run, by the engine and on reals.
+//! Samples count through the words, with the first port fastest; the ports on which most nodes of
+//! the cone depend are the slowest. Within a run of samples the slow ports are constant and the
+//! fastest repeat from block to block. The engine and the evaluation on reals compute nodes that
+//! depend only on those once per run.
 
 use super::inputs::{EXHAUSTIVE_BITS, Scale};
 use super::report::{Basis, Figures, Lap, Profile, Report, Speed, Witness, overflow_counts};
@@ -20,22 +21,23 @@ use std::f64::consts::TAU;
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
-/// Samples in a run: blocks enough that what they share costs little.
+/// Samples in a run: enough blocks to make the shared work cheap.
 const RUN_BITS: u32 = 14;
 
-/// A node and the input ports that its words and its value on reals depend on.
+/// A node, and the input ports that its words and its value on reals depend on.
 #[derive(Clone, Debug)]
 pub struct Cone {
     /// The node.
     pub node: NodeId,
-    /// Numbers of the ports, the one that is counted fastest first.
+    /// Indices of the ports, fastest-counting first.
     pub ports: Vec<usize>,
-    /// Bits of all of them.
+    /// Total bits of the ports.
     pub bits: u32,
 }
 
 impl Cone {
-    /// The cone of a node by its label, by the name of an output port, or by its number, as in `%3`.
+    /// The cone of a node, given by its label, the name of an output port, or its number, as in
+    /// `%3`.
     ///
     /// # Errors
     /// If there is no such node, it has no value on reals, or there are too many combinations.
@@ -47,13 +49,13 @@ impl Cone {
             names.sort_unstable();
             names.dedup();
             return Err(Error::usage(format!(
-                "there is no node `{label}`: the named ones are {}; others go by their number, such as %3",
+                "there is no node `{label}`: the named ones are {}; use a number for others, such as %3",
                 names.join(", ")
             )));
         };
         if netlist.node(node).real.is_none() {
             return Err(Error::usage(format!(
-                "node `{label}` is bits without a value on reals, so it has no error: take a node that `fixpath wave` gives a value"
+                "node `{label}` is bits without a value on reals, so it has no error: choose a node for which `fixpath wave` shows a value"
             )));
         }
         let nodes = netlist.nodes();
@@ -99,20 +101,21 @@ impl Cone {
                 .map(|port| format!("{} of {} bits", netlist.input_name(*port), bits(port)))
                 .collect();
             return Err(Error::usage(format!(
-                "node `{label}` depends on {}: 2^{total} combinations, and an exhaustive run goes up to 2^{EXHAUSTIVE_BITS}: take narrower inputs or a node further up",
+                "node `{label}` depends on {}: 2^{total} combinations, but an exhaustive run is limited to 2^{EXHAUSTIVE_BITS}: use narrower inputs or a node further up",
                 each.join(", ")
             )));
         }
         Ok(Self { node, ports, bits: total })
     }
 
-    /// Combinations of words.
+    /// Number of combinations of words.
     #[must_use]
     pub fn samples(&self) -> u64 {
         1 << self.bits
     }
 
-    /// Measures the node's words against its value on reals; `progress` gets the samples done.
+    /// Measures the node's words against its value on reals; `progress` receives the number of
+    /// samples done.
     ///
     /// # Errors
     /// If a `narrow` under overflow mode `error` overflowed.
@@ -136,7 +139,7 @@ impl Cone {
             let partials: Vec<_> = these
                 .par_iter()
                 .map(|run| {
-                    // Columns are made once per thread.
+                    // Columns are created once per thread.
                     let free = || lanes.lock().unwrap_or_else(PoisonError::into_inner);
                     let known = free().pop();
                     let mut lane = known.unwrap_or_else(|| pass.lane());
@@ -152,7 +155,7 @@ impl Cone {
                 let ports = words.iter().zip(netlist.inputs());
                 let values = ports.map(|(word, id)| netlist.node(*id).format.value(*word));
                 let values = values.collect();
-                // The node's own word stands for the outputs.
+                // The node's own word stands in for the outputs.
                 let ran = netlist.eval(&words)?;
                 let outputs = vec![ran.0[self.node.index()]];
                 merged.merge(&stream, Witness { sample: stream.at, words, values, outputs });
@@ -162,7 +165,7 @@ impl Cone {
             next += round;
             progress((next << pass.run_bits).min(self.samples()));
         }
-        // Each adds its histogram.
+        // Dropping a lane adds its counts to the histogram.
         drop(lanes);
         let elapsed = start.elapsed().as_secs_f64();
         let rate = |seconds: f64| {
@@ -196,17 +199,17 @@ impl Cone {
     }
 }
 
-/// What was measured of a cone.
+/// The measurement of a cone.
 #[derive(Clone, Debug)]
 pub struct ConeReport {
     /// The figures, on the arithmetic basis.
     pub report: Report,
-    /// Samples that the figures leave out: their value on reals is past the node's format by more than an ulp, or
-    /// infinite, as at poles, so that words saturate.
+    /// Samples left out of the figures: their value on reals is outside the node's format by more
+    /// than an ulp, or infinite, such as at poles, so that words saturate.
     pub past_format: u64,
 }
 
-/// The node of a label, of an output port, or of a number such as `%3`.
+/// The node with a label, of an output port, or with a number such as `%3`.
 fn named(netlist: &Netlist, label: &str) -> Option<NodeId> {
     let by_label = netlist.ids().find(|id| netlist.label(*id) == label);
     let port = || netlist.outputs().iter().find(|output| output.name == label);
@@ -218,7 +221,7 @@ fn named(netlist: &Netlist, label: &str) -> Option<NodeId> {
     })
 }
 
-/// True if a node is an angle in turns, or made of angles such that whole turns mean nothing.
+/// True if a node is an angle in turns, or computed from angles so that whole turns don't matter.
 fn is_angle(netlist: &Netlist, node: NodeId) -> bool {
     let Node { op, operands, quantity, meaning, .. } = netlist.node(node);
     let angle = |id: &NodeId| is_angle(netlist, *id);
@@ -227,18 +230,18 @@ fn is_angle(netlist: &Netlist, node: NodeId) -> bool {
     }
     let sum = matches!(op, Op::Add | Op::Sub | Op::Neg | Op::Modulo | Op::Narrow { .. });
     let choice = matches!(op, Op::AddSub | Op::Mux);
-    // The first operand of a choice is what it goes by.
+    // The first operand of a choice only selects.
     meaning.is_none()
         && (sum && operands.iter().any(angle) || choice && operands[1..].iter().any(angle))
 }
 
-/// What all threads share.
+/// Data shared by all threads.
 struct Pass<'a> {
     cone: &'a Cone,
-    /// Errors are modulo a turn.
+    /// Whether errors are modulo a turn.
     is_angle: bool,
     netlist: &'a Netlist,
-    /// Numbers of ports, and the first of their bits in a sample's number.
+    /// Port indices, each with the position of its first bit in a sample's number.
     offsets: Vec<(usize, u32)>,
     /// Ports whose words are the same in each block of a run.
     repeats: Vec<bool>,
@@ -248,7 +251,7 @@ struct Pass<'a> {
     histograms: Histograms,
 }
 
-/// What a run gave.
+/// The results of a run.
 struct Partial {
     stream: Stream,
     past: u64,
@@ -297,7 +300,7 @@ impl<'a> Pass<'a> {
         }
     }
 
-    /// The word at each port for a sample's number; 0 at ports outside the cone.
+    /// The word of each port for a sample's number; 0 for ports outside the cone.
     fn words(&self, sample: u64) -> Vec<i64> {
         let mut words = vec![0; self.netlist.inputs().len()];
         for (port, at) in &self.offsets {
@@ -316,7 +319,7 @@ impl<'a> Pass<'a> {
         for (i, (port, at)) in self.offsets.iter().enumerate() {
             let format = self.netlist.node(self.netlist.inputs()[*port]).format;
             let words = &mut lane.words[i];
-            // Of what repeats, only the first block is read.
+            // Only the first block of repeating ports is read.
             let len = if self.repeats[*port] { words.len().min(BLOCK) } else { words.len() };
             let words = &mut words[..len];
             for (word, sample) in words.iter_mut().zip(from..) {
@@ -349,7 +352,7 @@ impl<'a> Pass<'a> {
         }
         let past = self.leave_out(&lane.ideal[0], &mut lane.errors);
         let mut stream = Stream::of(&lane.errors, from, lane.counts.of(0));
-        // They were taken for errors of 0.
+        // The samples left out were counted as errors of 0.
         stream.count -= u64::from(past);
         lane.counts.of(0)[0] -= past;
         let overflows = lane.runner.overflows().iter().zip(before);
@@ -360,7 +363,7 @@ impl<'a> Pass<'a> {
 }
 
 impl Pass<'_> {
-    /// Clears the errors of samples whose value on reals is past the format, and counts them.
+    /// Clears and counts the errors of samples whose value on reals is outside the format.
     fn leave_out(&self, ideal: &[f64], errors: &mut [f64]) -> u32 {
         let format = self.netlist.node(self.cone.node).format;
         let (low, high) = if self.is_angle {
@@ -385,10 +388,10 @@ impl Pass<'_> {
 struct Lane<'a> {
     runner: batch::Runner,
     real_runner: real::Runner,
-    /// Of the cone's ports.
+    /// For the cone's ports.
     words: Vec<Vec<i64>>,
     values: Vec<Vec<f64>>,
-    /// Of all others.
+    /// For all other ports.
     zero_words: Vec<i64>,
     zero_values: Vec<f64>,
     given: Vec<Vec<i64>>,
@@ -398,7 +401,7 @@ struct Lane<'a> {
     counts: Counts<'a>,
 }
 
-/// Differences of angles in turns become arcs in rad, of half a turn at most.
+/// Converts differences of angles in turns to arcs in rad, at most half a turn.
 struct Arcs<'a> {
     errors: &'a mut [f64],
 }

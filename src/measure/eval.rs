@@ -1,11 +1,11 @@
-//! A unit on a table of values: one row in, one row out.
+//! Runs a unit on a table of values: one row in, one row out.
 //!
-//! Rows are read by the rule of [`crate::measure::samples`]. For each input
-//! port `P` the output has its quantised value `P_q` and word `P_raw`, and for each output port
-//! its value `P`, its word `P_raw` and the golden `P_golden` of the quantised inputs; the last column, `clipped`, names
-//! the input ports whose value was past their range. Values are
-//! written with as many digits as it takes to read the same `f64` back. Rows are read and
-//! written in blocks, and what was read is written before more is waited for.
+//! Rows are read by the rules of [`crate::measure::samples`]. For each input port `P` the output
+//! has its quantised value `P_q` and word `P_raw`. For each output port it has the value `P`, the
+//! word `P_raw` and the golden value `P_golden` of the quantised inputs. The last column,
+//! `clipped`, names the input ports whose value was out of range. Values have as many digits as are
+//! needed to read the same `f64` back. Rows are read and written in blocks, and pending output is
+//! written before waiting for more input.
 
 use crate::base::cast;
 use crate::base::columns::Field;
@@ -53,7 +53,7 @@ pub fn eval(
     let mut golden = vec![Vec::new(); design.golden_columns()];
     let mut rows = 0;
     loop {
-        // Who reads on sees what there is before more is waited for.
+        // A reader gets the rows done so far before this waits for more.
         writer.flush().map_err(output::at(to_path))?;
         let count = samples.read(&mut block)?;
         if count == 0 {

@@ -1,10 +1,10 @@
-//! Golden columns: of inputs, and of judged nodes.
+//! Golden columns, computed from inputs or from judged nodes.
 
 use crate::design::{Design, Group, Shape};
 use crate::number::trig::Real;
 
-/// Columns of judged nodes as the golden has them: directions as x, y, z. It takes the columns and leaves
-/// others.
+/// Converts columns of judged nodes to the golden's columns: directions become x, y, z. It swaps
+/// columns of `nodes` for others.
 pub(crate) fn as_golden(groups: &[Group], nodes: &mut [Vec<f64>], to: &mut Vec<Vec<f64>>) {
     let columns = groups.iter().map(|group| group.shape.columns().len()).sum();
     to.resize(columns, Vec::new());
@@ -36,7 +36,7 @@ pub(crate) fn as_golden(groups: &[Group], nodes: &mut [Vec<f64>], to: &mut Vec<V
     }
 }
 
-/// Golden columns of columns of inputs.
+/// Computes the golden columns of input columns.
 pub(crate) fn run_golden(design: &Design, inputs: &[Vec<f64>], to: &mut Vec<Vec<f64>>) {
     let len = inputs.first().map_or(0, Vec::len);
     to.resize(design.golden_columns(), Vec::new());

@@ -1,4 +1,4 @@
-//! Where inputs come from, and their words.
+//! Input samples, and their words.
 
 use crate::base::cast;
 use crate::base::error::{Error, Result};
@@ -11,22 +11,22 @@ use crate::sim::batch::BLOCK;
 
 /// Samples per chunk.
 pub(super) const CHUNK: u64 = 1 << 12;
-/// The most input words that `exhaustive` goes through.
+/// Largest number of input bits that `exhaustive` enumerates.
 pub(super) const EXHAUSTIVE_BITS: u32 = 32;
 
-/// Which inputs to measure over.
+/// The inputs to measure over.
 #[derive(Clone, Copy, Debug)]
 pub struct Inputs {
-    /// Where they come from.
+    /// Their source.
     pub sampler: Sampler,
-    /// How many, for the random samplers.
+    /// Number of samples, for the random samplers.
     pub samples: u64,
-    /// Seed of the random samplers.
+    /// Seed, for the random samplers.
     pub seed: u64,
 }
 
 impl Inputs {
-    /// How many samples a design gets.
+    /// Number of samples for a design.
     ///
     /// # Errors
     /// If an exhaustive run would be too long.
@@ -42,7 +42,7 @@ impl Inputs {
                     netlist.inputs().iter().map(|id| netlist.node(*id).format.bits()).sum();
                 if bits > EXHAUSTIVE_BITS {
                     return Err(Error::usage(format!(
-                        "the inputs have 2^{bits} combinations and an exhaustive run goes up to 2^{EXHAUSTIVE_BITS}: take narrower inputs or another sampler"
+                        "the inputs have 2^{bits} combinations but an exhaustive run is limited to 2^{EXHAUSTIVE_BITS}: use narrower inputs or another sampler"
                     )));
                 }
                 Ok(1 << bits)
@@ -50,19 +50,19 @@ impl Inputs {
         }
     }
 
-    /// True if each design has inputs of its own: words, and not numbers to be quantised.
+    /// True if the sampler gives each design's words directly, not numbers to be quantised.
     pub(crate) fn are_words(&self) -> bool {
         !self.sampler.is_random()
     }
 
-    /// True if two designs get the same values before quantisation, and the same golden of them.
+    /// True if two designs get the same values before quantisation, and the same golden for them.
     pub(crate) fn same_values(&self, a: &Design, b: &Design) -> bool {
-        // Of the formats a sampler may know or not.
+        // A sampler may or may not depend on the formats.
         let drawn = !a.is_drawn_by_format() || ports(a) == ports(b);
         !self.are_words() && a.golden_key() == b.golden_key() && drawn
     }
 
-    /// True if two designs get the same input words, and the same golden of them.
+    /// True if two designs get the same input words, and the same golden for them.
     pub(crate) fn same(&self, a: &Design, b: &Design) -> bool {
         if a.golden_key() != b.golden_key() {
             return false;
@@ -73,8 +73,8 @@ impl Inputs {
         ports(a) == ports(b) && (self.sampler != Sampler::Hard || hard(a) == hard(b))
     }
 
-    /// Ports whose words are the same in each block of a chunk: of every combination, those that are counted
-    /// within a block or from chunk to chunk.
+    /// Ports whose words are the same in each block of a chunk: in an exhaustive run, those that
+    /// count within a block or from chunk to chunk.
     pub(super) fn repeats(&self, design: &Design) -> Vec<bool> {
         let mut at = 0;
         let repeats = |id: &NodeId| {
@@ -97,7 +97,7 @@ impl Inputs {
         columns.resize(netlist.inputs().len(), Vec::new());
         match self.sampler {
             Sampler::Lit | Sampler::Sphere => {
-                // One stream per chunk: any chunk can be drawn on its own.
+                // One random stream per chunk, so that any chunk can be drawn on its own.
                 let chunk = (start / CHUNK).wrapping_mul(0x9e37_79b9_7f4a_7c15);
                 let mut uniform = Uniform::new(self.seed ^ chunk);
                 design.draw.run(self.sampler, &mut uniform, columns, count);
@@ -128,15 +128,15 @@ impl Inputs {
     }
 }
 
-/// What the input ports of a design hold.
+/// Formats and quantities of a design's input ports.
 fn ports(design: &Design) -> Vec<(Format, Quantity)> {
     let netlist = &design.netlist;
     let of = |id: &NodeId| (netlist.node(*id).format, netlist.node(*id).quantity);
     netlist.inputs().iter().map(of).collect()
 }
 
-/// Writes input columns as words of the ports: to nearest, angles modulo a turn, numbers saturated;
-/// what comes as a float of 20 bits is cut down to it before.
+/// Quantises input columns to words of the ports: rounds to nearest, wraps angles modulo a turn,
+/// and saturates numbers. A [`Quantity::Float20`] is first truncated to a float of 20 bits.
 ///
 /// # Errors
 /// If a value is not finite.
@@ -162,7 +162,8 @@ pub fn quantize_inputs(
     Ok(())
 }
 
-/// The word of one value of an input port, as [`quantize_inputs`] has it, and whether the value is past the port's range.
+/// The word of one value of an input port, by the rules of [`quantize_inputs`], and whether the
+/// value is outside the port's range.
 ///
 /// # Errors
 /// If it is not finite.
@@ -170,7 +171,7 @@ pub(crate) fn quantize_input(node: &Node, value: f64) -> Result<(i64, bool)> {
     let (value, overflow) = match node.quantity {
         Quantity::Turns => (value % 1.0, Overflow::Wrap),
         Quantity::Number => (value, Overflow::Saturate),
-        // Past the range of `f32` is past that of any port.
+        // Values outside the range of `f32` are outside that of any port.
         Quantity::Float20 if value.is_finite() => {
             (float20(value.clamp(f32::MIN.into(), f32::MAX.into())), Overflow::Saturate)
         }
@@ -180,7 +181,8 @@ pub(crate) fn quantize_input(node: &Node, value: f64) -> Result<(i64, bool)> {
     Ok((word, overflowed && overflow == Overflow::Saturate))
 }
 
-/// Words of a column; those of numbers that are far out or not finite are wrong, and told.
+/// Quantises a column. Words of numbers that are far out of range or not finite are wrong, and
+/// `far` is set.
 struct Quantise<'a> {
     column: &'a [f64],
     to: &'a mut [i64],
@@ -201,7 +203,7 @@ impl Body for Quantise<'_> {
         let mut whole = |value: f64| {
             let scaled = value * scale;
             any_far |= scaled.is_nan() || scaled.abs() >= 2f64.powi(51);
-            // What is far is done again.
+            // Far values are redone by the caller.
             let bits = cast::word_of_bits((scaled + ROUNDER).to_bits());
             bits.wrapping_sub(cast::word_of_bits(ROUNDER.to_bits()))
         };
@@ -223,7 +225,7 @@ impl Body for Quantise<'_> {
     }
 }
 
-/// Real values of columns of words.
+/// Values of columns of words.
 pub(crate) fn values_of(
     netlist: &Netlist,
     nodes: &[NodeId],

@@ -4,7 +4,7 @@ use super::stream::{Angles, Differences, Lengths};
 use crate::base::simd::vectorised;
 use crate::design::{Design, Shape};
 
-/// How an error comes from golden columns.
+/// How an error is computed from golden columns.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Kind {
     /// Angle between the directions of three columns.
@@ -13,9 +13,9 @@ enum Kind {
     Dot,
     /// Difference of one column.
     Number,
-    /// The same modulo a turn, of angles in turns.
+    /// Difference modulo a turn, of angles in turns.
     Turns,
-    /// The same over the golden's scale, in this column.
+    /// Difference of one column, divided by the golden's scale in this column.
     Relative(usize),
     /// Difference of one column in texels of a texture of that size.
     Texels(u32),
@@ -26,9 +26,9 @@ enum Kind {
 pub(super) struct Measurand {
     pub(super) name: String,
     kind: Kind,
-    /// The first golden column that it takes.
+    /// Its first golden column.
     pub(super) column: usize,
-    /// Last place of the node, where the column is a node.
+    /// Ulp of the node, if the column is a node.
     pub(super) ulp: Option<f64>,
 }
 
@@ -43,7 +43,7 @@ impl Measurand {
         }
     }
 
-    /// True if it stands for its group where no bound is stated: the angle of a direction, or a
+    /// True if it represents its group when no bound is stated: the angle of a direction, or a
     /// number itself.
     pub(super) fn counts_unbounded(&self, design: &Design) -> bool {
         let direction = design.groups.iter().any(|group| group.shape.is_direction());
@@ -54,7 +54,7 @@ impl Measurand {
         }
     }
 
-    /// All of a design, in reporting order: the same for all designs of a unit.
+    /// All measurands of a design, in reporting order, which is the same for all designs of a unit.
     pub(super) fn all(design: &Design) -> Vec<Self> {
         let mut all = Vec::new();
         let mut column = 0;
@@ -89,7 +89,7 @@ impl Measurand {
         all
     }
 
-    /// Errors of samples; scales are those of the golden.
+    /// Errors of samples; `golden` has the scales.
     pub(super) fn errors(
         &self,
         is: &[Vec<f64>],
@@ -119,24 +119,24 @@ impl Measurand {
         }
         if let Kind::Relative(scale) = self.kind {
             for (error, scale) in errors.iter_mut().zip(&golden[scale]) {
-                // Of nothing nothing is no error.
+                // 0/0 counts as no error.
                 *error = if *error == 0.0 { 0.0 } else { *error / scale };
             }
         }
     }
 
-    /// Its columns, of a vector.
+    /// The three columns of a vector.
     fn three<'a>(&self, columns: &'a [Vec<f64>]) -> [&'a [f64]; 3] {
         [0, 1, 2].map(|axis| columns[self.column + axis].as_slice())
     }
 }
 
-/// Names of the angles whose error is measured, one for each direction.
+/// Names of the angles whose errors are measured, one for each direction.
 pub(crate) fn angle_quantities(design: &Design) -> Vec<String> {
     angles(design).map(|measurand| measurand.name).collect()
 }
 
-/// The same errors in rad, of golden columns of samples; each is a column.
+/// The errors of those angles in rad, one column each, from golden columns of samples.
 pub(crate) fn angle_errors(design: &Design, is: &[Vec<f64>], should: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let errors = |measurand: Measurand| {
         let mut errors = Vec::new();

@@ -1,14 +1,15 @@
-//! Error measurement: bit-true words and real evaluations against the golden.
+//! Error measurement: bit-true words and evaluations on reals against the golden model, which is
+//! the same function in double precision.
 //!
-//! An error is always told with its *basis*:
+//! Every error is reported with its *basis*:
 //!
 //! - `total`: bit-true against the golden of the same quantised inputs;
-//! - `arithmetic`: bit-true against the netlist on reals: what words and tables do;
-//! - `algorithm`: the netlist on reals against the golden: what the method itself does;
+//! - `arithmetic`: bit-true against the netlist on reals: the effect of words and tables;
+//! - `algorithm`: the netlist on reals against the golden: the effect of the method itself;
 //! - `end-to-end`: bit-true against the golden of the inputs before quantisation.
 //!
-//! Samples come in chunks, each with a random stream of its own; partial results are merged in
-//! chunk order, so the figures don't depend on the number of threads. Designs measured together
+//! Samples come in chunks, each with its own random stream. Partial results are merged in chunk
+//! order, so the figures don't depend on the number of threads. Designs that are measured together
 //! share inputs and golden values.
 
 mod bounds;

@@ -1,11 +1,11 @@
-//! What was measured, and the time that it took.
+//! The results of a measurement, and the time it took.
 
 use crate::base::json;
 use crate::netlist::{Netlist, NodeId};
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
 
-/// What an error is measured against.
+/// What is compared with what.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize, PartialOrd, Ord)]
 #[serde(rename_all = "kebab-case")]
 pub enum Basis {
@@ -34,18 +34,18 @@ impl Basis {
         }
     }
 
-    /// What it sets beside what.
+    /// What is compared with what, in words.
     #[must_use]
     pub const fn meaning(self) -> &'static str {
         match self {
             Self::Total => {
-                "bit-true against the golden of the quantised inputs: arithmetic and algorithm together"
+                "bit-true against the golden model (double precision) of the quantised inputs: arithmetic and algorithm together"
             }
             Self::Arithmetic => "bit-true against the netlist on reals: words and tables",
             Self::Algorithm => {
-                "the netlist on reals against the golden of the quantised inputs: the method itself"
+                "the netlist on reals against the golden model of the quantised inputs: the method itself"
             }
-            Self::EndToEnd => "bit-true against the golden of the inputs before quantisation",
+            Self::EndToEnd => "bit-true against the golden model of the inputs before quantisation",
         }
     }
 }
@@ -66,15 +66,16 @@ pub struct Witness {
 /// Statistics of one quantity on one basis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Figures {
-    /// What is measured: of a direction angle (between vectors), dot (largest error of a dot
-    /// product with any unit vector: the length of the difference) and each component; a number
-    /// by its own name.
+    /// The quantity. A direction has `angle` (between vectors), `dot` (largest error of a dot
+    /// product with any unit vector: the length of the difference) and each component; a number has
+    /// its own name.
     pub quantity: String,
-    /// `rad`, `texel`, `rel` over a scale of the golden ([`Design::scales`](crate::design::Design::scales)), or `1` for absolute errors.
+    /// `rad`, `texel`, `turn`, `rel` for errors relative to a scale of the golden
+    /// ([`Design::scales`](crate::design::Design::scales)), or `1` for absolute errors.
     pub unit: &'static str,
-    /// What it is told over, in words, where it isn't absolute.
+    /// What the error is relative to, in words, if it isn't absolute.
     pub over: Option<String>,
-    /// Against what.
+    /// What is compared with what.
     pub basis: Basis,
     /// Largest absolute value.
     #[serde(serialize_with = "json::real")]
@@ -82,7 +83,7 @@ pub struct Figures {
     /// The same in ulp of the port or node, for numbers and Cartesian components.
     #[serde(serialize_with = "json::known_real")]
     pub max_ulp: Option<f64>,
-    /// Input that gave it.
+    /// The input that gave it.
     pub witness: Option<Witness>,
     /// Mean of the absolute value.
     #[serde(serialize_with = "json::real")]
@@ -111,11 +112,11 @@ pub struct OverflowCount {
     pub node: String,
     /// Its overflow mode.
     pub mode: &'static str,
-    /// How often.
+    /// Number of overflows.
     pub count: u64,
 }
 
-/// Those of some `narrow` nodes that overflowed.
+/// Counts of the `narrow` nodes that overflowed.
 pub(crate) fn overflow_counts(
     netlist: &Netlist,
     narrows: &[NodeId],
@@ -133,15 +134,15 @@ pub(crate) fn overflow_counts(
         .collect()
 }
 
-/// Seconds of all threads together that each part of a measurement took. What designs measured
-/// together share counts in equal parts for each.
+/// Seconds that each part of a measurement took, summed over all threads. Designs that are measured
+/// together split the shared time equally.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Profile {
     /// Drawing inputs.
     pub draw: f64,
-    /// Writing them as words, and their values.
+    /// Quantising them to words, and converting these back to values.
     pub quantise: f64,
-    /// The golden of the inputs before quantisation and after.
+    /// The golden of the inputs before and after quantisation.
     pub golden: f64,
     /// The bit-true engine.
     pub engine: f64,
@@ -176,7 +177,7 @@ impl Profile {
     }
 }
 
-/// Tells the time since it was last asked.
+/// Returns the time since the last call.
 pub(super) struct Lap(pub(super) Instant);
 
 impl Lap {
@@ -194,16 +195,16 @@ pub struct Speed {
     /// Bit-true samples per second and thread: the engine alone.
     pub engine_samples_per_second_per_thread: f64,
     /// Samples per second of the whole run on all threads: inputs, golden, both evaluations,
-    /// statistics; of all designs together where several were measured at once.
+    /// statistics. If several designs were measured at once, it counts the samples of all.
     pub samples_per_second: f64,
-    /// Threads.
+    /// Number of threads.
     pub threads: usize,
     /// Where the time went; not kept in files.
     #[serde(skip)]
     pub profile: Profile,
 }
 
-/// What was measured of a design.
+/// The measurement of a design.
 #[derive(Clone, Debug, Serialize)]
 pub struct Report {
     /// Samples measured.

@@ -1,4 +1,4 @@
-//! Designs measured together, chunk by chunk on all threads.
+//! Measures designs together, chunk by chunk on all threads.
 
 use super::chunk::{Chunk, Compiled, Lanes, Partial, Set, Shared, measure_chunk, new_lanes};
 use super::inputs::{CHUNK, Inputs};
@@ -14,11 +14,12 @@ use rayon::prelude::*;
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
-/// Measures designs of one unit over the same inputs, on all bases; `progress` gets the samples done.
+/// Measures designs of one unit over the same inputs, on all bases; `progress` receives the number
+/// of samples done.
 ///
 /// # Errors
-/// If the inputs are too many to go through, a `narrow` under overflow mode `error` overflowed, or the designs belong
-/// to different units.
+/// If an exhaustive run would be too long, a `narrow` under overflow mode `error` overflowed, or
+/// the designs belong to different units.
 pub fn measure(
     designs: &[&Design],
     inputs: &Inputs,
@@ -27,8 +28,8 @@ pub fn measure(
     measure_on(&Basis::ALL, designs, inputs, progress)
 }
 
-/// As [`measure`], on some bases: what the others need isn't computed. [`BoundCheck`](crate::measure::BoundCheck) needs
-/// [`Basis::Total`].
+/// As [`measure`], on some bases only; the work for the others is skipped.
+/// [`BoundCheck`](crate::measure::BoundCheck) needs [`Basis::Total`].
 ///
 /// # Errors
 /// As [`measure`].
@@ -83,7 +84,7 @@ pub fn measure_on(
     let start = Instant::now();
     let chunks = count.div_ceil(CHUNK);
     let threads = rayon::current_num_threads();
-    // Some chunks per thread at a time: memory doesn't grow with samples.
+    // A few chunks per thread at a time, so that memory doesn't grow with the number of samples.
     let round = cast::count_of(threads) * 16;
     let mut merged: Vec<Vec<Merged>> =
         compiled.iter().map(|c| vec![Merged::EMPTY; c.streams()]).collect();
@@ -130,7 +131,7 @@ pub fn measure_on(
         next += round;
         progress((next * CHUNK).min(count));
     }
-    // Their counts go to the histograms.
+    // Dropping the columns adds their counts to the histograms.
     drop(idle);
     let elapsed = start.elapsed().as_secs_f64();
     let rate = |seconds: f64| {
@@ -155,7 +156,7 @@ pub fn measure_on(
         .collect())
 }
 
-/// Columns that no thread uses now: a run makes as many as threads, once.
+/// Columns that no thread uses at the moment. A run creates one set per thread.
 struct Idle<T>(Mutex<Vec<T>>);
 
 impl<T> Default for Idle<T> {
@@ -165,7 +166,7 @@ impl<T> Default for Idle<T> {
 }
 
 impl<T> Idle<T> {
-    // A panic elsewhere ends the run; what is here is whole.
+    // A panic elsewhere ends the run; the columns here are intact.
     fn take(&self) -> Option<T> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).pop()
     }

@@ -1,4 +1,4 @@
-//! Accumulated errors: sums, the largest with its sample, a histogram for quantiles.
+//! Accumulated errors: sums, the largest error with its sample, and a histogram for quantiles.
 
 use super::report::{Basis, Figures, Witness};
 use crate::base::cast;
@@ -7,8 +7,8 @@ use crate::number::trig::atan2;
 use std::f64::consts::PI;
 use std::sync::{Mutex, PoisonError};
 
-/// Angle between two vectors in rad, good for small angles too. A null vector has no
-/// direction and counts as opposite to all but another.
+/// Angle between two vectors in rad, accurate for small angles too. A null vector has no direction:
+/// its angle to any other vector is π, and to another null vector 0.
 #[inline(always)]
 #[must_use]
 pub fn angle_between(u: [f64; 3], v: [f64; 3]) -> f64 {
@@ -75,22 +75,22 @@ impl Body for Lengths<'_> {
     }
 }
 
-/// Octaves of the histogram: from 2^-44 to 2^24, for texels and reciprocals too.
+/// Octaves of the histogram: from 2^-44 to 2^24, which covers texels and reciprocals too.
 const OCTAVES: usize = 68;
 const LEAST_EXPONENT: u64 = 1023 - 44;
-/// What is below it is in the first bin.
+/// Errors below it go to the first bin.
 const LEAST: f64 = 5.684_341_886_080_802e-14; // 2^-44
-/// The same with the first bits of the mantissa below it.
+/// The exponent of [`LEAST`], shifted left by the mantissa bits of a bin.
 const LEAST_KEY: i32 = (1023 - 44) << BINS_PER_OCTAVE_BITS;
 const LAST_BIN: i32 = 68 * (1 << BINS_PER_OCTAVE_BITS) - 1;
-/// Bins per octave: a quantile is known to 1.6 %.
+/// log2 of the bins per octave: a quantile is accurate to 1.6 %.
 const BINS_PER_OCTAVE_BITS: u32 = 5;
 pub(crate) const BINS: usize = OCTAVES << BINS_PER_OCTAVE_BITS;
-// The numbers written twice, for want of casts, are the same.
+// Constants written twice, since casts aren't available, must agree.
 const _: () = assert!(LEAST_EXPONENT << BINS_PER_OCTAVE_BITS == LEAST_KEY.unsigned_abs() as u64);
 const _: () = assert!(BINS == LAST_BIN.unsigned_abs() as usize + 1);
 
-/// Sums over errors of one quantity on one basis, and the largest.
+/// Sums of the errors of one quantity on one basis, and the largest error.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stream {
     pub(super) count: u64,
@@ -108,10 +108,10 @@ impl Stream {
 
     /// Sums errors of consecutive samples from `start`, and counts them in a histogram.
     ///
-    /// Sums run in [`LANES`] lanes whatever the processor, so their roundings are the same on all.
+    /// Sums use [`LANES`] lanes on every processor, so roundings are the same everywhere.
     pub(crate) fn of(errors: &[f64], start: u64, histogram: &mut [u32]) -> Self {
         let mut sums = Sums::default();
-        // Where the largest is: a run of errors, searched when all are seen.
+        // The run of errors that contains the largest; it is searched at the end.
         let mut largest = 0..0;
         for run in (0..errors.len()).step_by(RUN) {
             let run = run..errors.len().min(run + RUN);
@@ -134,7 +134,7 @@ impl Stream {
             sum_squares: total(sums.squares),
             ..Self::EMPTY
         };
-        // A NaN is larger than everything. Only a NaN makes a sum of absolute values one.
+        // A NaN is larger than everything. Only a NaN makes a sum of absolute values NaN.
         let at = if stream.sum_abs.is_nan() {
             errors.iter().position(|error| error.is_nan())
         } else {
@@ -149,7 +149,7 @@ impl Stream {
         stream
     }
 
-    /// Adds the sums of later samples; true if the largest of all is one of theirs.
+    /// Adds the sums of later samples; true if the overall largest error is one of theirs.
     pub(crate) fn merge(&mut self, later: &Self) -> bool {
         let larger = later.max > self.max || later.max.is_nan() && !self.max.is_nan();
         if larger {
@@ -162,7 +162,7 @@ impl Stream {
         larger
     }
 
-    /// Figures without scale, ulp and witness, with the quantiles of a histogram.
+    /// Figures without scale, ulp and witness; the quantiles come from a histogram.
     pub(crate) fn figures(
         &self,
         quantity: &str,
@@ -189,14 +189,14 @@ impl Stream {
         }
     }
 
-    /// The error that `share` of all are not above, to the width of a bin.
+    /// The error that `share` of all errors don't exceed, to the width of a bin.
     fn quantile(&self, histogram: &[u64], share: f64) -> f64 {
         let wanted = (share * cast::f64_of_count(self.count)).ceil();
         let mut seen = 0;
         for (index, count) in histogram.iter().enumerate() {
             seen += count;
             if cast::f64_of_count(seen) >= wanted && seen > 0 {
-                // The last bin holds all above, too.
+                // The last bin also holds all larger errors.
                 let middle = if index + 1 == BINS { self.max } else { bin_middle(index) };
                 return middle.min(self.max);
             }
@@ -205,7 +205,7 @@ impl Stream {
     }
 }
 
-/// Lanes of the sums over a block.
+/// Lanes of the sums.
 const LANES: usize = 8;
 
 /// Sums over a block, lane by lane.
@@ -224,13 +224,13 @@ impl Default for Sums {
 }
 
 impl Sums {
-    /// The largest absolute value; NaNs don't count.
+    /// The largest absolute value; NaNs are ignored.
     fn largest(&self) -> f64 {
         self.max.into_iter().fold(-1.0, f64::max)
     }
 }
 
-/// Errors in one pass over sums and one over the histogram: they stay in the first-level cache.
+/// Errors per pass over the sums and then the histogram: they stay in the first-level cache.
 const RUN: usize = 512;
 
 struct Accumulate<'a> {
@@ -263,7 +263,7 @@ impl Body for Accumulate<'_> {
     }
 }
 
-/// Counts errors of a run in a histogram.
+/// Counts the errors of a run in a histogram.
 struct Count<'a> {
     errors: &'a [f64],
     histogram: &'a mut [u32],
@@ -273,7 +273,8 @@ impl Body for Count<'_> {
     #[inline(always)]
     fn run(self) {
         let Self { errors, histogram } = self;
-        // All bins first, in vectors: a count waits for nothing then but the one before in its bin.
+        // Compute all bins first, vectorised. A count then waits only for the previous one in its
+        // bin.
         let mut bins = [0; RUN];
         let bins = &mut bins[..errors.len()];
         for (bin_of, error) in bins.iter_mut().zip(errors) {
@@ -285,7 +286,8 @@ impl Body for Count<'_> {
     }
 }
 
-/// Histograms of all quantities of a design: whole numbers, so threads may add in any order.
+/// Histograms of all quantities of a design. Counts are whole numbers, so threads may add them in
+/// any order.
 #[derive(Debug)]
 pub(crate) struct Histograms(Mutex<Vec<u64>>);
 
@@ -310,12 +312,12 @@ impl Histograms {
     }
 }
 
-/// A thread's counts; what it has counted is added to all when it is done.
+/// A thread's counts, which are added to the totals when it is done.
 #[derive(Debug)]
 pub(super) struct Counts<'a> {
     all: &'a Histograms,
     own: Vec<u32>,
-    /// Samples counted since all were added, at most.
+    /// Upper bound on the samples counted since the last addition to the totals.
     samples: u32,
 }
 
@@ -324,7 +326,7 @@ impl<'a> Counts<'a> {
         Self { all, own: vec![0; streams * BINS], samples: 0 }
     }
 
-    /// Adds what there is where so many samples more could be too many for a count.
+    /// Adds the counts to the totals if this many more samples could overflow a count.
     pub(super) fn make_room(&mut self, samples: usize) {
         let samples = cast::id_of(samples);
         self.samples = self.samples.checked_add(samples).unwrap_or_else(|| {
@@ -348,7 +350,7 @@ impl Drop for Counts<'_> {
 /// Bin of the histogram: the exponent and the first bits of the mantissa.
 #[inline(always)]
 fn bin(size: f64) -> i32 {
-    // The sign is clear, so 17 bits are left.
+    // The sign bit is clear, so 17 bits are left.
     let key = size.to_bits() >> (f64::MANTISSA_DIGITS - 1 - BINS_PER_OCTAVE_BITS);
     let bin = cast::low_i32(cast::word_of_bits(key)) - LEAST_KEY;
     let bin = if bin < 0 { 0 } else { bin };

@@ -9,7 +9,7 @@ fn figures_are_the_same_with_every_set_of_processor_features() {
     let inputs = Inputs { sampler: Sampler::Lit, samples: 2000, seed: 7 };
     for unit in UNITS.iter() {
         let design = unit.defaults().build().unwrap();
-        // As text, in which each float has a text of its own and a NaN is like another.
+        // As text: every float has its own text, and all NaNs have the same.
         let figures = |features: &Features| {
             let measured = || measure(&[&design], &inputs, &|_| {}).unwrap();
             format!("{:#?}", limit::to(*features, measured)[0].figures)

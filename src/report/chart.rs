@@ -1,7 +1,7 @@
-//! Drawing of one chart: scales, marks, lines, labels and a legend, as SVG text.
+//! Draws one chart as SVG text: scales, marks, lines, labels and a legend.
 //!
-//! Scales and layout are done here and not by the plotting crate, whose logarithmic axes can't
-//! hold zeros and whose legends lie over the data.
+//! Scales and layout are computed here, not by the plotting crate: its logarithmic axes can't hold
+//! zeros, and its legends cover the data.
 
 use crate::base::cast;
 use crate::base::escape;
@@ -18,18 +18,18 @@ const AXIS: f64 = 16.0;
 const SMALL: f64 = 14.0;
 /// Height of a line of small text.
 const LINE: i32 = 20;
-/// Width of a character over the height of its font, on the safe side.
+/// Width of a character relative to the height of its font, with a margin.
 const CHARACTER: f64 = 0.56;
 /// Half the size of a mark.
 const MARK: i32 = 5;
-/// The most labels in a chart.
+/// Largest number of labels in a chart.
 const MAX_LABELS: usize = 12;
 
 const TEXT: RGBColor = RGBColor(30, 30, 30);
 const FAINT: RGBColor = RGBColor(225, 225, 225);
 const LEADER: RGBColor = RGBColor(130, 130, 130);
-/// Okabe and Ito's palette, told apart with every common kind of colour blindness; without
-/// yellow, which is faint on white.
+/// Okabe and Ito's palette, which is distinguishable with every common kind of colour blindness;
+/// without yellow, which is faint on white.
 const PALETTE: [RGBColor; 7] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
@@ -43,19 +43,19 @@ const PALETTE: [RGBColor; 7] = [
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Place = (i32, i32);
 
-/// How numbers lie along an axis.
+/// The scale of an axis.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Along {
-    /// Evenly.
+    /// Linear.
     Linear,
-    /// By their logarithm, ticks at powers of 2.
+    /// Logarithmic, with ticks at powers of 2.
     Log2,
-    /// By their logarithm, ticks at 1, 2 and 5 times powers of 10. Numbers that have none (0)
+    /// Logarithmic, with ticks at 1, 2 and 5 times powers of 10. Numbers without a logarithm (0)
     /// lie on the lower edge.
     Log10,
 }
 
-/// How a series is shown.
+/// How a series is drawn.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Style {
     /// Marks joined by lines.
@@ -66,7 +66,7 @@ pub(super) enum Style {
     Dashed,
 }
 
-/// Numbers that belong together.
+/// A series of points.
 pub(super) struct Series {
     pub(super) label: String,
     pub(super) colour: usize,
@@ -91,22 +91,22 @@ pub(super) struct Chart {
     pub(super) front: Option<Front>,
 }
 
-/// Numbers to pixels.
+/// Maps numbers to pixels.
 struct Scale {
     along: Along,
-    /// Ends of the axis, as logarithms where it is logarithmic.
+    /// Ends of the axis, as logarithms on a logarithmic axis.
     lo: f64,
     hi: f64,
     from_px: f64,
     to_px: f64,
 }
 
-/// Where 1, 2 and 5 lie in a decade.
+/// Positions of 1, 2 and 5 in a decade.
 const STEPS: [(u32, f64); 3] =
     [(1, 0.0), (2, std::f64::consts::LOG10_2), (5, 0.698_970_004_336_018_8)];
 const CLOSE: f64 = 1e-9;
 
-/// The mark at 1, 2 or 5 times a power of 10 at or below a decimal logarithm.
+/// The tick at 1, 2 or 5 times a power of 10 at or below a decimal logarithm.
 fn step_below(x: f64) -> f64 {
     let decade = (x + CLOSE).floor();
     let steps = STEPS.iter().rev();
@@ -114,7 +114,7 @@ fn step_below(x: f64) -> f64 {
     below.next().unwrap_or(decade)
 }
 
-/// The one at or above.
+/// The tick at or above.
 fn step_above(x: f64) -> f64 {
     let decade = (x + CLOSE).floor();
     let mut above = STEPS.iter().map(|(_, step)| decade + step).filter(|mark| *mark >= x - CLOSE);
@@ -122,7 +122,8 @@ fn step_above(x: f64) -> f64 {
 }
 
 impl Scale {
-    /// A scale that holds the numbers; it has a length even if they are all equal or there is none.
+    /// A scale that covers the numbers. It has a nonzero length even if all are equal or there is
+    /// none.
     fn fit(
         numbers: impl Iterator<Item = f64> + Clone,
         along: Along,
@@ -144,7 +145,7 @@ impl Scale {
             }
             Along::Log2 => (lo, hi) = (lo - 0.4, hi + 0.4),
             Along::Log10 => {
-                // Room for marks, and for the zeros below everything else.
+                // Leave room for marks, and for zeros below everything else.
                 let zeros = numbers.into_iter().any(|x| x <= 0.0);
                 let pad = 0.03 * (hi - lo) + 0.02;
                 lo = step_below(lo - pad - if zeros { 0.3 } else { 0.0 });
@@ -166,7 +167,7 @@ impl Scale {
         cast::pixel_of(self.from_px + share * (self.to_px - self.from_px))
     }
 
-    /// Places with their labels; not more than fit with `room_px` each.
+    /// Tick positions with their labels; at most as many as fit with `room_px` each.
     fn ticks(&self, room_px: f64) -> Vec<(i32, String)> {
         let most = ((self.to_px - self.from_px).abs() / room_px).max(2.0);
         let numbers: Vec<f64> = match self.along {
@@ -189,7 +190,7 @@ impl Scale {
                     .flat_map(|decade| {
                         STEPS[..if fine { 3 } else { 1 }].iter().map(move |(m, _)| (*m, decade))
                     })
-                    // Through text, so that 0.002 is the nearest to 0.002.
+                    // Parsed from text, so that 0.002 is the `f64` nearest to 0.002.
                     .filter_map(|(m, decade)| format!("{m}e{decade}").parse::<f64>().ok())
                     .filter(|x| {
                         let placed = libm::log10(*x);
@@ -224,7 +225,7 @@ fn label(x: f64, along: Along) -> String {
     rounded(x)
 }
 
-/// A number without the noise of its last bits.
+/// A number without the noise in its last bits.
 fn rounded(x: f64) -> String {
     let text = format!("{x:.6}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
@@ -235,7 +236,7 @@ fn width(text: &str, size: f64) -> i32 {
     cast::pixel_of(cast::f64_of_len(text.chars().count()) * size * CHARACTER)
 }
 
-/// Lines of a text that fit into the chart.
+/// Breaks a text into lines that fit the chart.
 fn wrapped(text: &str) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split(' ') {
@@ -268,7 +269,7 @@ impl Box4 {
     }
 }
 
-/// What is drawn on; drawing into a string can't fail.
+/// The drawing surface; drawing into a string can't fail.
 struct Canvas<'a>(Area<'a>);
 
 impl<'a> Canvas<'a> {
@@ -289,7 +290,7 @@ impl<'a> Canvas<'a> {
         self.draw(&PathElement::new(points, style));
     }
 
-    /// Dashes along a line, in phase over its corners.
+    /// Draws dashes along a line, in phase across its corners.
     fn dashes(&self, points: &[Place], style: ShapeStyle) {
         const DASH: f64 = 7.0;
         const PERIOD: f64 = 12.0;
@@ -352,8 +353,8 @@ impl Chart {
         svg
     }
 
-    /// Points that have a place, series by series, and a word on those that an axis can't show: no number has no
-    /// place, infinity lies on the edge, and so does 0 where the axis is logarithmic.
+    /// Points that have a position, by series, and notes on those that an axis can't show. NaN has
+    /// no position; infinity lies on the edge, and so does 0 on a logarithmic axis.
     fn placed(&self) -> (Vec<String>, Vec<Vec<(f64, f64)>>) {
         let is_placed = |(x, y): &(f64, f64)| !x.is_nan() && !y.is_nan();
         let kept = |series: &Series| series.points.iter().copied().filter(is_placed).collect();
@@ -362,7 +363,7 @@ impl Chart {
         let none = |x: f64, along| along != Along::Linear && x <= 0.0;
         let mut told = Vec::new();
         for (there, text) in [
-            (any(&|p| none(p.1, self.y.1)), "Points on the lower edge have no error at all."),
+            (any(&|p| none(p.1, self.y.1)), "Points on the lower edge have zero error."),
             (any(&|p| p.1 == f64::INFINITY), "Points on the upper edge are infinite."),
             (any(&|p| none(p.0, self.x.1)), "Points on the left edge are at 0."),
             (any(&|p| p.0 == f64::INFINITY), "Points on the right edge are infinite."),
@@ -419,7 +420,7 @@ impl Chart {
             canvas.line(points.clone(), BLACK.stroke_width(1));
             points.iter().for_each(|at| canvas.ring(*at));
             let others: Vec<Place> = series.iter().flatten().map(place).collect();
-            // A label may lie beside a line of a series, not on it.
+            // A label may lie beside a line of a series, but not on it.
             let joined = self.series.iter().zip(&series);
             let joined = joined.filter(|(series, _)| series.style == Style::Joined);
             let mut lines: Vec<Vec<Place>> =
@@ -447,7 +448,7 @@ impl Chart {
         canvas.upright_text(&self.y.0, (20, middle.1), AXIS);
     }
 
-    /// Entries of the legend with their places: x in px and row.
+    /// Entries of the legend with their positions: x in px and row.
     fn legend(&self, room: i32) -> Vec<(usize, Place)> {
         let mut labels: Vec<&str> =
             self.series.iter().map(|series| series.label.as_str()).collect();
@@ -495,15 +496,15 @@ impl Chart {
     }
 }
 
-/// A place on the way from `a` to `b`, `px` from `a`.
+/// The point `px` from `a` on the way to `b`.
 fn toward(a: Place, b: Place, px: i32) -> Place {
     let (dx, dy) = (f64::from(b.0 - a.0), f64::from(b.1 - a.1));
     let share = f64::from(px) / libm::hypot(dx, dy).max(1.0);
     (a.0 + cast::pixel_of(share * dx), a.1 + cast::pixel_of(share * dy))
 }
 
-/// Writes labels beside the front's points: below and to the left, where a front leaves room, or
-/// else wherever no label, mark or edge is met. A label without room is left out.
+/// Writes labels beside the front's points: below and to the left, where a front leaves room,
+/// otherwise wherever no label, mark or edge is in the way. A label without room is left out.
 fn labels(
     canvas: &Canvas<'_>,
     plot: &Box4,
@@ -522,7 +523,7 @@ fn labels(
         taken.extend((0..length).step_by(8).map(|px| Box4::around(toward(a, b, px), 1)));
     }
     for i in 0..shown {
-        // Evenly over the front, both ends included.
+        // Evenly spaced along the front, both ends included.
         let index = if shown > 1 { i * (points.len() - 1) / (shown - 1) } else { 0 };
         let (text, (x, y)) = (&front.points[index].2, points[index]);
         let wide = width(text, SMALL);
@@ -542,7 +543,7 @@ fn labels(
         let boxes = offers.map(|(left, top)| Box4(left, top, left + wide, top + LINE));
         let free = |area: &Box4| area.inside(plot) && taken.iter().all(|other| !area.meets(other));
         let Some(area) = boxes.clone().find(free) else { continue };
-        // A thin line says which point the label means.
+        // A thin line connects the label with its point.
         let corner = (x.clamp(area.0, area.2), y.clamp(area.1 + 3, area.3 - 3));
         canvas.line(vec![toward((x, y), corner, MARK + 4), corner], LEADER.stroke_width(1));
         canvas.text(

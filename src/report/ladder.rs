@@ -1,10 +1,10 @@
 //! A ladder of whole pipelines on a scene: its figures as JSON, CSV, Markdown and plots.
 //!
 //! `ladder.json` holds a `header`, `rungs` (each pipeline at each width) and `exponents` (the light
-//! tables at each exponent of the highlight), each a point as in `sweep.json`; its parameters are
-//! those of the design for the first material and light. `ladder.csv` has a row for each rung and
-//! `exponents.csv` one for each of the latter: what tells them apart, then the figures of [`FIGURES`],
-//! then `error`, why there are none.
+//! tables at each exponent of the highlight). Each rung and exponent is a point as in `sweep.json`;
+//! its parameters are those of the design for the first material and light. `ladder.csv` has a row
+//! for each rung, `exponents.csv` one for each exponent. Their columns are those that identify the
+//! row, then the figures of [`FIGURES`], then `error`, the reason if there are none.
 
 use super::chart::{Along, Chart, Front, Series, Style};
 use super::markdown::short;
@@ -34,15 +34,15 @@ pub struct Header {
     pub covered_px: u64,
     /// The other pixels.
     pub background_px: u64,
-    /// Lights of the scene: a pixel takes a sample for each.
+    /// Number of lights of the scene: a pixel takes one sample per light.
     pub lights: usize,
-    /// Pixels per degree of sight, for FLIP.
+    /// Pixels per degree of visual angle, for FLIP.
     pub pixels_per_degree: f64,
-    /// Parameters of a rung, and what each is less than its width.
+    /// Parameters of a rung, with the amount to subtract from its width.
     pub rung: Vec<(String, u32)>,
     /// Widths of the rungs.
     pub widths_bits: Vec<u32>,
-    /// The pipeline that the light tables were judged in, if any was.
+    /// The pipeline in which the light tables were judged, if any.
     pub light_pipeline: Option<String>,
     /// Its parameters, unless others were set.
     pub light_parameters: Vec<String>,
@@ -90,8 +90,8 @@ pub struct Record {
 /// A figure of a point.
 type Pick = fn(&Header, &Measured) -> Field;
 
-/// Figures in columns of the CSV files: differences in linear light, 0 to 1; simulated pixels per second
-/// and thread are those of the bit-true engine alone.
+/// Figures in columns of the CSV files. Differences are in linear light, 0 to 1. Simulated pixels
+/// per second and thread are those of the bit-true engine alone.
 pub const FIGURES: [(&str, Pick); 20] = [
     ("picture_covered_px", |_, m| m.picture.map(|p| p.covered_px).into()),
     ("picture_background_px", |_, m| m.picture.map(|p| p.background_px).into()),
@@ -120,7 +120,7 @@ fn figure(measured: &Measured, quantity: &str, max: bool) -> Option<f64> {
     Some(if max { figures.max.0 } else { figures.mean.0 })
 }
 
-/// A count for a chart; NaN if it isn't known.
+/// A count for a chart; NaN if unknown.
 fn count(measured: &Measured, name: &str) -> f64 {
     measured.count(name).map_or(f64::NAN, cast::f64_of_count)
 }
@@ -153,7 +153,8 @@ impl Record {
         json::document("ladder", self)
     }
 
-    /// Writes `ladder.json`, `ladder.csv`, `ladder.md`, `exponents.csv` and the plots into a folder.
+    /// Writes `ladder.json`, `ladder.csv`, `ladder.md`, `exponents.csv` and the plots into a
+    /// folder.
     ///
     /// # Errors
     /// If a file can't be written.
@@ -247,7 +248,7 @@ impl Record {
         Table::new(&headings, rows)
     }
 
-    /// Light tables with their points, exponent by exponent.
+    /// Light tables with their points, in order of exponent.
     fn light_tables(&self) -> Vec<((&str, u32), Vec<&LightPoint>)> {
         let mut tables: Vec<((&str, u32), Vec<&LightPoint>)> = Vec::new();
         for light in &self.exponents {
@@ -260,7 +261,7 @@ impl Record {
         tables
     }
 
-    /// The largest difference by light table and exponent; `None` if they weren't judged.
+    /// The largest difference by light table and exponent; `None` if light tables weren't judged.
     #[must_use]
     pub fn exponents_table(&self) -> Option<Table> {
         let tables = self.light_tables();
@@ -269,7 +270,7 @@ impl Record {
         headings.extend(first.iter().map(|light| format!(">n = {}", light.exponent)));
         let row = |((scheme, addr_bits), lights): &((&str, u32), Vec<&LightPoint>)| {
             let mut row = vec![format!("{scheme}, 2^{addr_bits}")];
-            // Tables grow a little with the exponent: slopes take more bits.
+            // Tables grow a little with the exponent because slopes need more bits.
             let measured = lights.iter().filter_map(|light| light.point.measured.as_ref());
             let most = |get: fn(&Measured) -> u64| {
                 let most = measured.clone().map(get).max();
@@ -287,7 +288,7 @@ impl Record {
         Some(Table { headings, rows })
     }
 
-    /// Why light tables were refused, a line for each reason.
+    /// Why light tables were refused, one line per reason.
     #[must_use]
     pub fn refused_tables(&self) -> Vec<String> {
         let mut reasons: Vec<(&str, Vec<String>)> = Vec::new();
@@ -306,7 +307,8 @@ impl Record {
         reasons.into_iter().map(line).collect()
     }
 
-    /// What the light tables come to, in words; `None` if they weren't judged, or one of these was refused.
+    /// What the light tables achieve, in words; `None` if they weren't judged, or one of those
+    /// named was refused.
     #[must_use]
     pub fn remedy(&self) -> Option<String> {
         let sharpest = self.exponents.iter().map(|light| light.exponent).max()?;
@@ -322,7 +324,7 @@ impl Record {
             point.measured.is_some().then(|| short(error(point)))
         };
         Some(format!(
-            "At exponent {sharpest} the picture by direct tables of 2^{most} entries is up to {}/255 off; by linear ones (`light_scheme=linear`) of 2^{least} entries {}/255, of 2^{most} {}/255; by bipartite ones of 2^{most} entries {}/255.",
+            "At exponent {sharpest}, the picture is off by up to {}/255 with direct tables of 2^{most} entries, {}/255 with linear ones (`light_scheme=linear`) of 2^{least} entries, {}/255 with linear ones of 2^{most} entries, and {}/255 with bipartite ones of 2^{most} entries.",
             shown("direct", most)?,
             shown("linear", least)?,
             shown("linear", most)?,
@@ -332,12 +334,12 @@ impl Record {
 
     fn caption(&self) -> Vec<String> {
         vec![format!(
-            "Scene {}; largest difference of any channel to the golden picture, in linear light.",
+            "Scene {}; largest difference of any channel from the golden picture, in linear light.",
             self.header.scene.name
         )]
     }
 
-    /// The plots with their files.
+    /// The plots and their files.
     fn charts(&self) -> Vec<(&'static str, Chart)> {
         let mut charts = vec![
             ("ladder_error_vs_rom.svg", self.error_vs_rom()),
@@ -349,7 +351,7 @@ impl Record {
         charts
     }
 
-    /// A line for each pipeline, from rung to rung.
+    /// One line per pipeline, from rung to rung.
     fn by_pipeline(&self, x: impl Fn(&Measured) -> f64) -> Vec<Series> {
         let mut all: Vec<Series> = Vec::new();
         for rung in &self.rungs {
@@ -371,7 +373,7 @@ impl Record {
 
     fn widths(&self) -> String {
         let widths: Vec<String> = self.header.widths_bits.iter().map(u32::to_string).collect();
-        format!("Marks along a line: rungs of {} bits.", widths.join(", "))
+        format!("Marks along a line are rungs of {} bits.", widths.join(", "))
     }
 
     fn error_vs_rom(&self) -> Chart {
@@ -389,7 +391,7 @@ impl Record {
         Chart {
             title: format!("{}: picture error against ROM bits", self.header.scene.name),
             caption,
-            x: ("ROM bits, copies for two ports each".to_owned(), Along::Log10),
+            x: ("ROM bits, one copy per two read ports".to_owned(), Along::Log10),
             y: ("largest difference (1/255)".to_owned(), Along::Log10),
             series: self.by_pipeline(rom),
             front: Some(Front { label: "Pareto-optimal".to_owned(), points }),
@@ -398,8 +400,10 @@ impl Record {
 
     fn error_vs_speed(&self) -> Chart {
         let mut caption = self.caption();
-        caption
-            .push(format!("{} Wall-clock time: other load on the machine shows.", self.widths()));
+        caption.push(format!(
+            "{} Wall-clock time: affected by other load on the machine.",
+            self.widths()
+        ));
         Chart {
             title: format!("{}: picture error against simulation speed", self.header.scene.name),
             caption,
@@ -433,7 +437,7 @@ impl Record {
             });
         }
         let mut caption = self.caption();
-        caption.push("Colours are schemes of the light tables, marks their sizes.".to_owned());
+        caption.push("Colours show the scheme of the light tables, marks their size.".to_owned());
         Chart {
             title: format!("{}: picture error against the exponent", self.header.scene.name),
             caption,
@@ -473,7 +477,7 @@ impl Record {
         let parts: Vec<String> = header.rung.iter().map(rung).collect();
         writeln!(
             text,
-            "- A rung of w bits is {}; a pipeline does without those that its unit lacks, and keeps those that were set (`ladder.csv` has them).",
+            "- A rung of w bits sets {}. A pipeline skips parameters that its unit lacks, and keeps those that were set explicitly (`ladder.csv` lists them).",
             parts.join(", ")
         )?;
         for note in &header.scene.notes {
@@ -481,11 +485,11 @@ impl Record {
         }
         writeln!(
             text,
-            "- Differences are those to the golden picture (tangent-space bump mapping in `f64`) of every channel of those pixels, in linear light, here in 1/255. FLIP is of the 8-bit sRGB pictures. L' angle is the angle between the rotated light vector and that of the inputs before quantisation."
+            "- Differences are those from the golden picture (tangent-space bump mapping in `f64`), over every channel of the covered pixels, in linear light, here in 1/255. FLIP compares the 8-bit sRGB pictures. L' angle is the angle between the rotated light vector and that of the inputs before quantisation."
         )?;
         writeln!(
             text,
-            "- Multipliers, adders, tables and cycles are those of one pass: a pixel under one light. Copies are those that each table needs for two ports a copy. Pixels per second are those of the bit-true engine alone, per thread; other load on the machine shows.\n"
+            "- Multipliers, adders, tables and cycles are those of one pass: a pixel under one light. \"With copies\" stores each table once per two read ports. Pixels per second are those of the bit-true engine alone, per thread; other load on the machine affects them.\n"
         )?;
         writeln!(text, "## Pipelines\n")?;
         text.push_str(&self.pipelines_table().markdown());
@@ -506,7 +510,7 @@ impl Record {
             header.light_parameters.iter().map(|set| format!("`{set}`")).collect();
         writeln!(
             text,
-            "\n## Light tables over exponents\n\nThe largest difference in 1/255 by pipeline {pipeline}, whose other parameters are so fine that the light tables show: {}, unless others were set. The exponent takes the place of the scene's, in the golden too; diffuse and specular table are of one size. ROM bits and multipliers are of the whole pipeline.\n",
+            "\n## Light tables over exponents\n\nThe largest difference in 1/255 of pipeline {pipeline}. Its other parameters are so fine that the light tables dominate: {}, unless others were set. The exponent replaces the scene's, in the golden too. The diffuse and the specular table have the same size. ROM bits and multipliers are those of the whole pipeline.\n",
             parameters.join(", ")
         )?;
         text.push_str(&lights.markdown());
@@ -520,7 +524,7 @@ impl Record {
     }
 }
 
-/// Fills rows that have no figures, and tells why in a column more, if there are any.
+/// Fills rows that have no figures; if there are any, adds a column with the reasons.
 pub fn refusals<'a>(
     headings: &mut Vec<&str>,
     rows: &mut [Vec<String>],

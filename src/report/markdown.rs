@@ -9,7 +9,7 @@ use crate::measure::Basis;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-/// The most rows of the table of points: `sweep.csv` has all.
+/// Largest number of rows in the table of points; `sweep.csv` has all.
 const MAX_ROWS: usize = 1000;
 
 /// The report.
@@ -53,18 +53,18 @@ fn head(text: &mut String, record: &Record, measured: usize) -> std::fmt::Result
         }
         writeln!(
             text,
-            "- The golden picture is tangent-space bump mapping in `f64`, with the same material. Differences are in linear light, of every channel of those pixels, here in 1/255 (`sweep.csv` and `sweep.json` have 0 to 1); SSIM, FLIP and codes are of the 8-bit sRGB pictures. L' angle is the angle between the rotated light vector and that of the inputs before quantisation."
+            "- The golden picture is tangent-space bump mapping in `f64`, with the same material. Differences are in linear light, over every channel of the covered pixels, here in 1/255 (`sweep.csv` and `sweep.json` have 0 to 1); SSIM, FLIP and codes compare the 8-bit sRGB pictures. L' angle is the angle between the rotated light vector and that of the inputs before quantisation."
         )?;
         writeln!(
             text,
-            "- `scene` is a parameter of the material that comes from the scene; one that is given takes its place in pipeline and golden alike."
+            "- `scene`: this material parameter comes from the scene. One that is set explicitly replaces the scene's, in the pipeline and the golden alike."
         )?;
     } else {
         measures(text, record)?;
     }
     writeln!(
         text,
-        "- ROM bits count a table as often as it is copied for two ports per copy. Multipliers are those of the datapath + those inside table schemes. Engine speed is that of the bit-true simulation alone, per thread.\n"
+        "- ROM bits include one copy of each table per two read ports. Multipliers are those of the datapath + those inside table schemes. Engine speed is that of the bit-true simulation alone, per thread.\n"
     )
 }
 
@@ -77,7 +77,7 @@ fn measures(text: &mut String, record: &Record) -> std::fmt::Result {
         .collect();
     let scaled = match scales.is_empty() {
         true => String::new(),
-        false => format!(", but for {}", scales.into_iter().collect::<Vec<_>>().join("; ")),
+        false => format!(", except {}", scales.into_iter().collect::<Vec<_>>().join("; ")),
     };
     writeln!(
         text,
@@ -85,11 +85,11 @@ fn measures(text: &mut String, record: &Record) -> std::fmt::Result {
     )?;
     writeln!(
         text,
-        "- *Total* is bit-true against the golden of the quantised inputs. It has two parts: *algorithm* is the netlist on reals against that golden, what the method does; *arithmetic* is bit-true against the netlist on reals, what words and tables do. *End-to-end* is bit-true against the golden of the inputs before quantisation."
+        "- *Total* is bit-true against the golden model (the same function in double precision) of the quantised inputs. It has two parts: *algorithm* is the netlist on reals against that golden, the error of the method; *arithmetic* is bit-true against the netlist on reals, the error of words and tables. *End-to-end* is bit-true against the golden model of the inputs before quantisation."
     )?;
     writeln!(
         text,
-        "- *Max* is the largest seen over these inputs; `sweep.json` names the input that gave it. Quantiles are known to 1.6 %."
+        "- *Max* is the largest seen over these inputs; `sweep.json` names the input that gave it. Quantiles are accurate to 1.6 %."
     )
 }
 
@@ -98,7 +98,7 @@ fn front(text: &mut String, record: &Record, rows: &[Row<'_>]) -> std::fmt::Resu
     let lead = record.lead();
     writeln!(
         text,
-        "By the {} against {}: no other point is as good in both numbers and better in one.\n",
+        "By the {} against {}: no other point is as good in both and better in one.\n",
         lead.what,
         against(record)
     )?;

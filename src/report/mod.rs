@@ -1,7 +1,7 @@
 //! Reports: the result of a sweep or a ladder as Markdown and plots.
 //!
-//! A sweep's is made from a [`record::Record`] alone, so a sweep that was stopped and went
-//! on gives the same report as one that ran through.
+//! The report of a sweep is made from a [`record::Record`] alone, so a sweep that was stopped and
+//! resumed gives the same report as one that ran through.
 
 mod chart;
 pub mod ladder;

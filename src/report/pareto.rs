@@ -1,8 +1,8 @@
 //! The Pareto front.
 
-/// Positions of the pairs that no other pair beats: one that is as small in both numbers and
-/// smaller in one. Equal pairs stay together; pairs with a NaN are left out. The result goes up
-/// in the first number, and equal pairs keep their order.
+/// Positions of the pairs that no other pair beats. A pair beats another if it is no larger in both
+/// numbers and smaller in one. Equal pairs stay together; pairs with a NaN are left out. The result
+/// is ascending in the first number, and equal pairs keep their order.
 #[must_use]
 pub fn pareto(costs: &[(f64, f64)]) -> Vec<usize> {
     let mut order: Vec<usize> =

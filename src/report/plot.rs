@@ -6,9 +6,9 @@ use super::rows::{Row, against, axis_names, axis_values, best, inputs, rows};
 use crate::design::{Role, Unit};
 use crate::measure::Basis;
 
-/// The most series that are told apart in one plot.
+/// With more series than this, a plot groups points by colour and mark only.
 const MAX_SERIES: usize = 8;
-/// Algorithm errors up to here are rounding of the golden itself; rad, or absolute.
+/// Algorithm errors up to this are rounding of the golden itself; in rad, or absolute.
 const LEAST_ALGORITHM: f64 = 1e-9;
 
 /// A plot and its file.
@@ -18,7 +18,7 @@ pub(super) struct Plot {
     pub(super) svg: String,
 }
 
-/// Every plot that the sweep has numbers for.
+/// All plots for which the sweep has numbers.
 pub(super) fn plots(record: &Record) -> Vec<Plot> {
     let rows = rows(record);
     let charts = [
@@ -33,46 +33,46 @@ pub(super) fn plots(record: &Record) -> Vec<Plot> {
         .collect()
 }
 
-/// Title of every error axis.
+/// Title of the error axis.
 fn error_axis(record: &Record) -> (String, Along) {
     let lead = record.lead();
     let unit = match lead.unit {
         "deg" => "degrees",
         "abs" => "absolute",
         "texel" => "texels",
-        "rel" => "of its scale",
+        "rel" => "relative to its scale",
         unit => unit,
     };
     (format!("{} ({unit})", lead.what), Along::Log10)
 }
 
-/// What the errors of a plot are.
+/// Caption on what the errors are relative to.
 fn caption(record: &Record) -> Vec<String> {
     vec![format!("Bit-true against {}; {}.", against(record), inputs(record))]
 }
 
-/// Axes that take more than one value.
+/// Axes with more than one value.
 fn varied(record: &Record) -> impl Iterator<Item = &Axis> + Clone {
     record.header.axes.iter().filter(|axis| axis.values.len() > 1)
 }
 
-/// What the parameter of an axis is for.
+/// Role of the parameter of an axis.
 fn role(record: &Record, axis: &Axis) -> Option<Role> {
     Some(Unit::find(&record.header.unit).ok()?.find_param(&axis.key)?.role)
 }
 
-/// The axis whose values are told apart by colour: a unit has one such parameter at most.
+/// The axis whose values have different colours: a unit has at most one such parameter.
 fn coloured(record: &Record) -> Option<&Axis> {
     let is_variant = |role| matches!(role, Some(Role::Variant | Role::Pipeline));
     varied(record).find(|axis| is_variant(role(record, axis)))
 }
 
-/// The axis whose values are told apart by marks, before others.
+/// The axis whose values have different marks, in preference to others.
 fn marked(record: &Record) -> Option<&Axis> {
     varied(record).find(|axis| role(record, axis) == Some(Role::Scheme))
 }
 
-/// A way to put points into series: by the values of some axes.
+/// A grouping of points into series, by the values of some axes.
 struct Groups<'a> {
     axes: Vec<&'a Axis>,
     coloured: Option<&'a Axis>,
@@ -84,7 +84,7 @@ impl<'a> Groups<'a> {
         Self { axes, coloured: coloured(record), marked: marked(record) }
     }
 
-    /// By colour and mark alone.
+    /// Groups by colour and mark alone.
     fn few(record: &'a Record) -> Self {
         let [coloured, marked] = [coloured(record), marked(record)];
         let axes = varied(record).filter(|axis| [coloured, marked].contains(&Some(axis)));
@@ -95,7 +95,7 @@ impl<'a> Groups<'a> {
         self.axes.iter().map(|axis| axis.values.len()).product()
     }
 
-    /// Number of the group of a point among all combinations.
+    /// Index of a point's group among all combinations.
     fn of(&self, row: &Row<'_>) -> usize {
         self.axes.iter().fold(0, |group, axis| {
             let text = row.point.text(&axis.key);
@@ -132,7 +132,8 @@ impl<'a> Groups<'a> {
             .collect()
     }
 
-    /// Series of points with a place, in the order of the rows; groups without points are left out.
+    /// Series of the points that have a place, in the order of the rows. Groups without points are
+    /// left out.
     fn series(
         &self,
         rows: &[Row<'_>],
@@ -152,7 +153,7 @@ impl<'a> Groups<'a> {
     }
 }
 
-/// Sorts points along x and keeps one for each x, as `keep` picks.
+/// Sorts points along x and keeps one for each x, as picked by `keep`.
 fn one_per_x(points: &mut Vec<(f64, f64)>, keep: fn(f64, f64) -> f64) {
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     points.dedup_by(|later, kept| {
@@ -164,7 +165,7 @@ fn one_per_x(points: &mut Vec<(f64, f64)>, keep: fn(f64, f64) -> f64) {
     });
 }
 
-/// Error against table size, or against the first axis of numbers.
+/// Error against table size, or against the first numeric axis.
 fn error_vs_axis(record: &Record, rows: &[Row<'_>]) -> Option<(&'static str, Chart)> {
     let numeric =
         || varied(record).filter(|axis| axis.values.iter().any(|value| value.is_number()));
@@ -205,7 +206,7 @@ fn error_vs_axis(record: &Record, rows: &[Row<'_>]) -> Option<(&'static str, Cha
     }
     let algorithm = algorithm_errors(record, rows, x_of);
     if !algorithm.is_empty() {
-        caption.push("Dashed: what the algorithm alone does, on real numbers.".to_owned());
+        caption.push("Dashed: error of the algorithm alone, on real numbers.".to_owned());
     }
     series.extend(algorithm);
     let title = format!("{}: error against {title}", record.header.unit);
@@ -236,7 +237,7 @@ fn algorithm_errors(
     series
 }
 
-/// Error against ROM bits, with the points that no other beats.
+/// Error against ROM bits, with the Pareto-optimal points.
 fn error_vs_rom(record: &Record, rows: &[Row<'_>]) -> Chart {
     let series =
         Groups::few(record).series(rows, Style::Marks, |row| Some((row.rom_bits, row.error)));
@@ -251,7 +252,7 @@ fn error_vs_rom(record: &Record, rows: &[Row<'_>]) -> Chart {
     Chart {
         title: format!("{}: error against ROM bits", record.header.unit),
         caption,
-        x: ("ROM bits, copies for two ports each".to_owned(), Along::Log10),
+        x: ("ROM bits, one copy per two read ports".to_owned(), Along::Log10),
         y: error_axis(record),
         series,
         front: Some(Front { label: "Pareto-optimal".to_owned(), points }),
@@ -265,7 +266,7 @@ fn error_vs_speed(record: &Record, rows: &[Row<'_>]) -> Chart {
         title: format!("{}: error against simulation speed", record.header.unit),
         caption: {
             let mut caption = caption(record);
-            caption.push("Wall-clock time: other load on the machine shows.".to_owned());
+            caption.push("Wall-clock time: affected by other load on the machine.".to_owned());
             caption
         },
         x: ("bit-true engine alone (samples per second and thread)".to_owned(), Along::Log10),

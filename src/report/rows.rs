@@ -1,16 +1,16 @@
-//! What reports say of a record: its measured points, what it is over and against what.
+//! A record's measured points, inputs and reference, for reports.
 
 use super::pareto::pareto;
 use super::record::{Measured, Point, Record};
 use crate::base::cast;
 use crate::measure::Basis;
 
-/// A measured point with what it is judged by.
+/// A measured point with the figures that rank it.
 pub(super) struct Row<'a> {
     pub(super) point: &'a Point,
     pub(super) measured: &'a Measured,
-    /// Largest error of the leading quantity on the basis that the record is ranked by, as it is
-    /// shown; NaN if it is none.
+    /// Largest error of the leading quantity on the basis that ranks the record, as shown; NaN if
+    /// there is none.
     pub(super) error: f64,
     pub(super) rom_bits: f64,
     /// Engine samples per second and thread.
@@ -35,13 +35,13 @@ pub(super) fn rows(record: &Record) -> Vec<Row<'_>> {
     record.points.iter().filter_map(row).collect()
 }
 
-/// Positions of the rows that are best: error against ROM bits, cheapest first.
+/// Positions of the Pareto-optimal rows: error against ROM bits, cheapest first.
 pub(super) fn best(rows: &[Row<'_>]) -> Vec<usize> {
     let costs: Vec<_> = rows.iter().map(|row| (row.rom_bits, row.error)).collect();
     pareto(&costs)
 }
 
-/// Values of the axes at a point, as `exact, 10, 16`.
+/// Values of the axes at a point, such as `exact, 10, 16`.
 pub(super) fn axis_values(record: &Record, point: &Point) -> String {
     let values: Vec<String> = record.header.axes.iter().map(|axis| point.text(&axis.key)).collect();
     if values.is_empty() { record.header.unit.clone() } else { values.join(", ") }
@@ -53,21 +53,21 @@ pub(super) fn axis_names(record: &Record) -> String {
     names.join(", ")
 }
 
-/// Against what points are ranked, in words.
+/// What points are ranked against, in words.
 pub(super) fn against(record: &Record) -> &'static str {
     if record.header.scene.is_some() {
         "the golden picture"
     } else if record.ranking() == Basis::EndToEnd {
-        "the golden of the real inputs (end-to-end)"
+        "the golden model of the real inputs (end-to-end)"
     } else if record.inputs_differ() {
-        // Such samplers give words: nothing is known of inputs before quantisation.
-        "the golden of each point's own input words (total): not comparable where those differ"
+        // Such samplers give words, so there are no inputs before quantisation.
+        "the golden model of each point's own input words (total): not comparable if those differ"
     } else {
-        "the golden of the quantised inputs (total)"
+        "the golden model of the quantised inputs (total)"
     }
 }
 
-/// Over which inputs, in words.
+/// The inputs, in words.
 pub(super) fn inputs(record: &Record) -> String {
     let header = &record.header;
     if let Some(scene) = &header.scene {

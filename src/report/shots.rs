@@ -1,4 +1,4 @@
-//! Shots of a scene, measured.
+//! Measures shots of a scene.
 
 use super::record::Measured;
 use crate::base::error::Result;
@@ -6,11 +6,12 @@ use crate::shading::render::{Shader, shoot};
 use crate::shading::scene::Scene;
 use rayon::prelude::*;
 
-/// Renders a scene by shaders made for it and measures every shot; `pixels_per_degree` is FLIP's.
-/// `progress` gets the rows done.
+/// Renders a scene with shaders made for it, and measures every shot. `pixels_per_degree` is for
+/// FLIP; `progress` receives the number of rows done.
 ///
 /// # Errors
-/// If a `narrow` under overflow mode `error` overflowed, no pixel sees an object, or FLIP can't look that finely.
+/// If a `narrow` under overflow mode `error` overflowed, no pixel sees an object, or
+/// `pixels_per_degree` is too large for FLIP.
 pub fn shots(
     scene: &Scene,
     shaders: &[&Shader],

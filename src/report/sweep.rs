@@ -1,4 +1,4 @@
-//! The report of a sweep as files.
+//! Writes the report of a sweep to files.
 
 use super::markdown;
 use super::plot;

@@ -4,14 +4,14 @@ use crate::base::escape;
 
 /// Rows under headings.
 pub struct Table {
-    /// Headings; those of columns that are flush right start with `>`.
+    /// Headings; those of right-aligned columns start with `>`.
     pub headings: Vec<String>,
     /// Rows.
     pub rows: Vec<Vec<String>>,
 }
 
 impl Table {
-    /// Rows under headings; those of columns that are flush right start with `>`.
+    /// Rows under headings; those of right-aligned columns start with `>`.
     #[must_use]
     pub fn new(headings: &[impl AsRef<str>], rows: Vec<Vec<String>>) -> Self {
         Self {
@@ -20,13 +20,13 @@ impl Table {
         }
     }
 
-    /// Headings as they are shown, and which columns are flush right.
+    /// The shown headings, and whether their columns are right-aligned.
     fn columns(&self) -> impl Iterator<Item = (&str, bool)> {
         let right = |heading: &String| heading.starts_with('>');
         self.headings.iter().map(move |heading| (heading.trim_start_matches('>'), right(heading)))
     }
 
-    /// Columns padded to their widest cell. A cell stays on its line.
+    /// Columns padded to their widest cell. Every cell stays on one line.
     #[must_use]
     pub fn text(&self) -> String {
         let cells = |row: &Vec<String>| row.iter().map(|cell| escape::message(cell)).collect();

@@ -135,7 +135,7 @@ fn reports_of_odd_numbers() {
         assert!(text.contains(&format!("{} measured, 0 failed", errors.len())), "{text}");
         let plot = std::fs::read_to_string(folder.path().join("error_vs_rom.svg")).unwrap();
         for (there, word) in [
-            (errors.iter().any(|(error, _)| *error == 0.0), "lower edge have no error"),
+            (errors.iter().any(|(error, _)| *error == 0.0), "lower edge have zero error"),
             (errors.iter().any(|(error, _)| *error == f64::INFINITY), "upper edge are infinite"),
             (errors.iter().any(|(_, rom)| *rom == 0), "left edge are at 0"),
             (errors.iter().any(|(error, _)| error.is_nan()), "Left out: 1 without a number"),

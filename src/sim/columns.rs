@@ -1,4 +1,4 @@
-//! Which column holds which term, in the program on reals.
+//! Assigns terms to columns, for the program on reals.
 
 use crate::number::real::{Graph, Term, TermId};
 
@@ -11,10 +11,11 @@ pub(super) struct Columns {
 }
 
 impl Columns {
-    /// Gives each term of `order` a column; one whose users are all done goes
-    /// to a later term. Outputs keep theirs. So do constants, which are filled once, and ports,
-    /// which are filled before the first step: their columns were no other term's before;
-    /// and of the first terms, so many as `repeated` says, those that later ones read.
+    /// Gives each term of `order` a column, and reuses a column once all users of its term are
+    /// done. Some columns are not reused: those of outputs; those of constants, which are filled
+    /// once; those of ports, which are filled before the first step; and, of the first `repeated`
+    /// terms, those that later terms read. Constants and ports also don't take a column that
+    /// another term used before.
     pub(super) fn new(graph: &Graph, order: &[usize], repeated: usize, outputs: &[TermId]) -> Self {
         let terms = graph.terms();
         let mut place = vec![usize::MAX; terms.len()];
@@ -60,7 +61,7 @@ impl Columns {
         self.of[index]
     }
 
-    /// Columns of up to three operands; the rest are 0, and what is there means nothing.
+    /// Columns of up to three operands; the rest are 0 and unused.
     pub(super) fn operands(&self, operands: &[TermId]) -> [usize; 3] {
         let mut of = [0; 3];
         for (column, operand) in of.iter_mut().zip(operands) {

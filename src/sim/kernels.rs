@@ -1,8 +1,9 @@
 //! The loops of [`super::batch`]: one instruction over one block of lanes.
 //!
-//! Plain Rust without branches on samples, which the compiler vectorises; inlined into the bodies
-//! that [`crate::base::simd`] compiles for each set of processor features. A table has 2^n rows and is read
-//! at an address masked to n bits, so no read is out of bounds, and the compiler sees it.
+//! Plain Rust without branches on samples, which the compiler vectorises. The loops are inlined
+//! into the bodies that [`crate::base::simd`] compiles for each set of processor features. A table
+//! has 2^n rows and is read at an address masked to n bits, so no read is out of bounds, and the
+//! compiler can see that.
 
 use super::lanes::Width;
 use crate::base::cast;
@@ -11,7 +12,7 @@ use num_traits::{
     PrimInt, WrappingAdd, WrappingMul, WrappingNeg, WrappingShl, WrappingShr, WrappingSub,
 };
 
-/// An integer that columns hold.
+/// An integer type of lanes.
 pub(super) trait Lane:
     PrimInt
     + WrappingAdd
@@ -26,20 +27,20 @@ pub(super) trait Lane:
     const WIDTH: Width;
     /// Bits of the lane.
     const BITS: u32;
-    /// Two lanes as one load of a table brings them.
+    /// Two lanes, as one load from a table returns them.
     type Pair: Copy + Send + Sync + std::fmt::Debug;
-    /// Puts two lanes side by side.
+    /// Joins two lanes.
     fn pair(first: Self, second: Self) -> Self::Pair;
-    /// The two lanes.
+    /// Splits two lanes.
     fn split(pair: Self::Pair) -> [Self; 2];
-    /// Four patterns, not extended by the sign, taken apart in registers: four loads of them
-    /// would take turns with those of the table.
+    /// Four bit patterns, zero-extended, from one load that is split in registers: four separate
+    /// loads would compete with those of the table.
     fn four(lanes: &[Self; 4]) -> [u64; 4];
     /// The low bits of a word.
     fn of(raw: i64) -> Self;
-    /// The word of a lane extended by its sign.
+    /// The word of a lane, sign-extended.
     fn raw(self) -> i64;
-    /// The word of a lane extended by zeros; of the widest, by its sign.
+    /// The word of a lane, zero-extended; for the widest lane, sign-extended.
     fn raw_of_pattern(self) -> i64;
     /// 1 if set.
     #[inline(always)]
@@ -145,10 +146,10 @@ impl Lane for i64 {
     }
 }
 
-/// An instruction on lanes of one width; shifts align operands to the result's fraction bits.
+/// An instruction on lanes of one width. Shifts align operands to the result's fraction bits.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Kernel {
-    /// What [`Fit`] makes of a sum, difference or product.
+    /// A sum, difference or product, with an optional [`Fit`] of the result.
     Add {
         shifts: [u32; 2],
         fit: Option<Fit>,
@@ -157,7 +158,7 @@ pub(super) enum Kernel {
         shifts: [u32; 2],
         fit: Option<Fit>,
     },
-    /// The first of three, and the others, which a flag takes away.
+    /// The sum of three operands; flags subtract the second and third.
     Sum {
         shifts: [u32; 3],
         minus: [bool; 2],
@@ -191,7 +192,7 @@ pub(super) enum Kernel {
     Concat {
         low_bits: u32,
     },
-    /// Zeros above the first one of a pattern, and `more`.
+    /// Leading zeros of a pattern, plus `more`.
     LeadingZeros {
         more: i64,
     },
@@ -202,34 +203,34 @@ pub(super) enum Kernel {
     Slow(Slow),
 }
 
-/// `narrow` where lanes hold all its steps: `((a << up) + bias) >> down`, then a limit.
+/// `narrow` if the lanes hold all its steps: `((a << up) + bias) >> down`, then a limit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fit {
     pub(super) up: u32,
     pub(super) down: u32,
     pub(super) bias: i64,
-    /// Added to negative words.
+    /// Added if the word is negative.
     pub(super) bias_below_0: i64,
-    /// Added where the quotient is odd.
+    /// Added if the quotient is odd.
     pub(super) bias_if_odd: i64,
     pub(super) limit: Limit,
-    /// True if words of 64 bits, rounded and not limited yet, fit 32.
+    /// True if rounded 64-bit words, before limiting, fit 32 bits.
     pub(super) halves: bool,
-    /// Counter of overflows.
+    /// Index of the overflow counter.
     pub(super) counter: usize,
 }
 
-/// What becomes of words outside the format.
+/// How words outside the format are handled.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Limit {
-    /// There are none.
+    /// No word is outside.
     Free,
     Clamp {
         lo: i64,
         hi: i64,
     },
     Wrap(Wrap),
-    /// This many low bits are a slice, and the rest is no overflow.
+    /// Keeps this many low bits as a slice; dropped bits don't count as overflow.
     Slice {
         bits: u32,
     },
@@ -257,7 +258,7 @@ impl Fit {
     }
 }
 
-/// `narrow` by the reference: where shifts are as wide as lanes.
+/// `narrow` by the reference function, for shifts as wide as lanes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slow {
     pub(super) from_frac: i32,
@@ -267,7 +268,8 @@ pub(super) struct Slow {
     pub(super) counter: usize,
 }
 
-/// Keeps the low bits of a word: up against the top of the lane and back, with or without sign.
+/// Keeps the low bits of a word, signed or unsigned. The signed form shifts them to the top of the
+/// lane and back.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Wrap {
     pub(super) signed: bool,
@@ -282,10 +284,10 @@ impl Wrap {
     }
 }
 
-/// An instruction's operands, which may be empty if it has fewer.
+/// An instruction's operands; those that it doesn't have may be empty.
 pub(super) type Operands<'a, L> = [&'a [L]; 3];
 
-/// Runs an instruction whose result has lanes as wide as its operands.
+/// Runs an instruction whose result has the lane width of its operands.
 #[inline(always)]
 pub(super) fn step<L: Lane>(
     kernel: Kernel,
@@ -372,7 +374,7 @@ pub(super) fn step<L: Lane>(
     }
 }
 
-/// Runs `narrow`, alone or on a sum, difference or product in the same pass.
+/// Runs `narrow`, alone or fused with a sum, difference or product.
 #[inline(always)]
 #[expect(clippy::wildcard_enum_match_arm, reason = "no other kernel has anything to fit")]
 pub(super) fn fitted<L: Lane, To: Lane>(
@@ -415,7 +417,7 @@ pub(super) fn fitted<L: Lane, To: Lane>(
     }
 }
 
-/// Sums of three shifted terms, of which the last two may count as negative.
+/// Sums of three shifted terms; the last two may be negated.
 #[inline(always)]
 fn sums<L: Lane>(
     [sa, sb, sc]: [u32; 3],
@@ -431,7 +433,7 @@ fn sums<L: Lane>(
     })
 }
 
-/// The product of 32-bit lanes, which needs 64.
+/// The product of 32-bit lanes, computed in 64 bits.
 #[inline(always)]
 pub(super) fn wide_product<To: Lane>(
     fit: Option<Fit>,
@@ -450,13 +452,13 @@ pub(super) fn wide_product<To: Lane>(
     }
 }
 
-/// Rounds with one bias for all words.
+/// Rounds with the same bias for all words.
 #[inline(always)]
 fn evenly<L: Lane, To: Lane>(fit: Fit, words: impl Iterator<Item = L>, to: &mut [To]) -> u64 {
     let (up, down, bias) = (fit.up, fit.down, L::of(fit.bias));
     let biased = move |a: L| a.wrapping_shl(up).wrapping_add(&bias);
     if L::WIDTH == Width::W64 && To::WIDTH == Width::W32 && fit.halves {
-        // The low half of the quotient is all of it, and needs no sign from the shift.
+        // The low half of the quotient is all of it, so the shift needs no sign.
         let low = move |a: L| {
             let bits = cast::bits_of(biased(a).raw()).wrapping_shr(down);
             To::of(cast::word_of_bits(bits))
@@ -467,7 +469,7 @@ fn evenly<L: Lane, To: Lane>(fit: Fit, words: impl Iterator<Item = L>, to: &mut 
     }
 }
 
-/// Limits rounded words and counts those outside.
+/// Limits rounded words and counts those outside the limits.
 #[inline(always)]
 fn limited<L: Lane, To: Lane>(limit: Limit, words: impl Iterator<Item = L>, to: &mut [To]) -> u64 {
     // A block's count fits the narrowest lane.
@@ -511,7 +513,7 @@ fn limited<L: Lane, To: Lane>(limit: Limit, words: impl Iterator<Item = L>, to: 
     changed.raw().unsigned_abs()
 }
 
-/// The reference on each word: for shifts as wide as the lane.
+/// Applies the reference function to each word, for shifts as wide as the lane.
 #[inline(never)]
 fn narrow_slowly<L: Lane>(slow: Slow, from: &[L], to: &mut [L], counts: &mut [u64]) {
     for (to, a) in to.iter_mut().zip(from) {
@@ -522,7 +524,7 @@ fn narrow_slowly<L: Lane>(slow: Slow, from: &[L], to: &mut [L], counts: &mut [u6
     }
 }
 
-/// Lanes as lanes of another width.
+/// Converts lanes to another width.
 #[inline(always)]
 pub(super) fn convert<From: Lane, To: Lane>(zero: bool, from: &[From], to: &mut [To]) {
     let pairs = to.iter_mut().zip(from);
@@ -533,8 +535,8 @@ pub(super) fn convert<From: Lane, To: Lane>(zero: bool, from: &[From], to: &mut 
     }
 }
 
-/// The row of an address. Addresses have as many bits as the table has; the mask tells the compiler
-/// so, and no check is left.
+/// The row of an address. An address has at most as many bits as the table; the mask tells the
+/// compiler so, which removes the bounds check.
 #[inline(always)]
 fn row(address: u64, mask: usize) -> usize {
     let address = cast::index_of_bits(address);
@@ -542,7 +544,7 @@ fn row(address: u64, mask: usize) -> usize {
     address & mask
 }
 
-/// A table's words at addresses.
+/// Reads a table's words at addresses.
 #[inline(always)]
 pub(super) fn read<A: Lane, L: Lane>(words: &[L], addresses: &[A], to: &mut [L]) {
     let mask = words.len().wrapping_sub(1);
@@ -557,7 +559,7 @@ pub(super) fn read<A: Lane, L: Lane>(words: &[L], addresses: &[A], to: &mut [L])
     }
 }
 
-/// Two tables' words at one address, kept side by side.
+/// Reads two tables' words, stored side by side, at one address.
 #[inline(always)]
 pub(super) fn read_pair<A: Lane, L: Lane>(
     words: &[L::Pair],
@@ -581,7 +583,7 @@ pub(super) fn read_pair<A: Lane, L: Lane>(
     }
 }
 
-/// A slice of 32-bit lanes that is an address of 16 bits.
+/// A slice of 32-bit lanes that becomes a 16-bit address.
 #[inline(always)]
 pub(super) fn slice_to_address(lo: u32, bits: u32, from: &[i32], to: &mut [i16]) {
     let mask = i32::of(word_mask(bits));

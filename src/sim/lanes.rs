@@ -1,13 +1,14 @@
-//! How wide a lane each node needs, and which bits of it.
+//! The lane width of each node, and which of its bits must be right.
 //!
-//! Two analyses decide. Forwards, the words that a node can hold ([`ranges`]), which are fewer than
-//! its format has. Backwards, the bits that its users look at: a sum of angles modulo a turn needs
-//! only its low bits, and then so do its own operands, as two's complement sums, products and
-//! selections of low bits depend on low bits only. A lane is the narrowest that holds what is asked.
+//! Two analyses decide. Forwards: the words that a node can hold ([`ranges`]), which are fewer than
+//! its format has. Backwards: the bits that its users read. A sum of angles modulo a turn needs
+//! only its low bits, and then so do its operands, because low bits of two's complement sums,
+//! products and selections depend only on low bits. A lane is the narrowest that holds the bits
+//! needed.
 //!
-//! A node whose lane holds every word of it is *whole*: extending the lane, by its sign or by
-//! zeros, gives the word in any wider lane. Of other nodes only the low bits asked for are right,
-//! and nobody looks at the rest.
+//! A node whose lane holds all of its words is *whole*: extending the lane, by its sign or by
+//! zeros, gives the word in any wider lane. For other nodes only the requested low bits are right,
+//! and nothing reads the rest.
 
 use crate::netlist::op::Op;
 use crate::netlist::ranges::ranges;
@@ -39,7 +40,7 @@ impl Width {
         Self::ALL.into_iter().find(|width| width.bits() >= bits).unwrap_or(Self::W64)
     }
 
-    /// The narrowest whose signed words hold an interval; `None` past 64 bits.
+    /// The narrowest whose signed words hold an interval; `None` beyond 64 bits.
     fn signed(lo: i128, hi: i128) -> Option<Self> {
         let holds = |width: &Self| {
             let half = 1i128 << (width.bits() - 1);
@@ -48,7 +49,7 @@ impl Width {
         Self::ALL.into_iter().find(holds)
     }
 
-    /// The narrowest that holds an interval of words, and whether it does so without a sign.
+    /// The narrowest that holds an interval of words, and whether only its unsigned words do.
     fn of_words((lo, hi): (i64, i64)) -> (Self, bool) {
         let (lo, hi) = (i128::from(lo), i128::from(hi));
         let holds = |width: &Self| {
@@ -60,22 +61,22 @@ impl Width {
     }
 }
 
-/// What becomes of a node.
+/// How a node is computed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Way {
-    /// Nobody asks for it.
+    /// Nothing reads it.
     Unused,
-    /// This word, always.
+    /// Always this word.
     Constant(i64),
-    /// Its operand's lanes serve.
+    /// It shares its operand's lanes.
     Same(usize),
-    /// The low bits of its operand, as wide as its own lane, and nothing to compute.
+    /// The low bits of its operand, as wide as its own lane: nothing to compute.
     Low(usize),
-    /// An instruction in lanes of `Placed::compute`.
+    /// An instruction on lanes of `Placed::compute`.
     Computed,
 }
 
-/// A node's place.
+/// Lane and computation of a node.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Placed {
     pub(super) way: Way,
@@ -83,38 +84,38 @@ pub(super) struct Placed {
     pub(super) width: Width,
     /// Lane of the operands.
     pub(super) compute: Width,
-    /// True if the lane is extended by zeros and not by its sign.
+    /// True if the lane is extended by zeros, not by its sign.
     pub(super) zero: bool,
     /// Least and greatest word.
     pub(super) range: (i64, i64),
 }
 
-/// What users ask of a node.
+/// What users need of a node.
 #[derive(Clone, Copy, Default)]
 struct Asked {
     /// The word.
     whole: bool,
     /// This many low bits.
     low: u32,
-    /// The word, as an address of a table; then by nobody else unless the others are set too.
+    /// The word, as an address of a table. If the other fields are unset, only tables read it.
     address: bool,
 }
 
-/// `narrow` as an engine does it: `(a << up) + bias >> down`, then limits.
+/// `narrow` as an engine computes it: `((a << up) + bias) >> down`, then limits.
 pub(super) struct Narrowed {
-    /// Places to the left.
+    /// Shift to the left.
     pub(super) up: u32,
-    /// Places to the right.
+    /// Shift to the right.
     pub(super) down: u32,
-    /// Lanes in which nothing is lost on the way; `None` if there is none.
+    /// Lanes in which no intermediate bit is lost; `None` if there are none.
     pub(super) compute: Option<Width>,
     /// True if a word can overflow.
     pub(super) overflows: bool,
-    /// True if words, rounded and not limited yet, fit 32 bits.
+    /// True if rounded words, before limiting, fit 32 bits.
     pub(super) halves: bool,
 }
 
-/// Least word that doesn't overflow.
+/// The least word that doesn't overflow.
 pub(super) fn least(to: Format, overflow: Overflow) -> i64 {
     match overflow {
         Overflow::Symmetric if to.is_signed() => -to.max_raw(),
@@ -164,8 +165,8 @@ pub(super) fn alignment(a: Format, b: Format) -> [u32; 2] {
     [a, b].map(|format| frac.abs_diff(format.frac_bits()))
 }
 
-/// Places every node; `outputs` are asked for as words, and every `narrow` that can overflow and is
-/// `counted` is computed so that it can be counted.
+/// Places every node. `outputs` are needed as words. Every `narrow` that can overflow and is
+/// `counted` is computed so that its overflows can be counted.
 pub(super) fn place(netlist: &Netlist, outputs: &[NodeId], counted: &[bool]) -> Vec<Placed> {
     let nodes = netlist.nodes();
     let all: Vec<Words> =
@@ -208,22 +209,22 @@ pub(super) fn place(netlist: &Netlist, outputs: &[NodeId], counted: &[bool]) -> 
             place.zero = natural_zero;
             continue;
         }
-        // Low bits that must be right, and the narrowest lane with them. Who asks for more than the
-        // natural lane has extends it, and so needs the word.
+        // The low bits that must be right, and the narrowest lane with them. A user that needs more
+        // bits than the natural lane has extends it, and so needs the whole word.
         let is_whole = want.whole || want.address || want.low > natural.bits();
         let low = if is_whole { natural.bits() } else { want.low.max(1) };
         let mut width = Width::of_bits(low);
         let mut compute = None;
         let mut way = Way::Computed;
-        // A lane has room for more than the shift, so that shifts are defined.
+        // A lane must have more bits than the shift, so that the shift is defined.
         let above = |width: Width, shift: u32| width.max(Width::of_bits(shift + 1));
-        // A word must fill a lane that is wider than it needs.
+        // A whole word must fill a lane that is wider than it needs.
         let filled = |width: Width| if is_whole { width.bits() } else { low };
         let mut ask_low = |i: usize, bits: u32| {
             let low = &mut asked[of(i)].low;
             *low = (*low).max(bits.clamp(1, 64));
         };
-        // Whole operands are collected, as both closures would borrow.
+        // Whole operands are collected here because both closures would borrow `asked`.
         let mut whole: Vec<usize> = Vec::new();
         match node.op {
             Op::Input => {}
@@ -286,7 +287,7 @@ pub(super) fn place(netlist: &Netlist, outputs: &[NodeId], counted: &[bool]) -> 
                     if lo == 0 && width.bits() == bits {
                         way = Way::Low(of(0));
                     } else if !want.whole && want.low == 0 && width == Width::W32 {
-                        // An address and nothing else: read four at once from narrow lanes.
+                        // Used only as an address: narrow lanes let four be read at once.
                         compute = Some(width);
                         width = natural;
                     }
@@ -309,7 +310,7 @@ pub(super) fn place(netlist: &Netlist, outputs: &[NodeId], counted: &[bool]) -> 
             }
             Op::ShiftLeft { max } => {
                 width = above(width.max(Width::W32), max).max(Width::of_words(words[of(1)]).0);
-                // A count is compared with a sign.
+                // The count is compared as a signed number.
                 let (lo, hi) = words[of(1)];
                 width = width.max(Width::signed(lo.into(), hi.into()).unwrap_or(Width::W64));
                 ask_low(0, filled(width));
@@ -337,7 +338,8 @@ pub(super) fn place(netlist: &Netlist, outputs: &[NodeId], counted: &[bool]) -> 
                 if narrowed.up == 0 && narrowed.down == 0 && !narrowed.overflows {
                     way = Way::Same(of(0));
                 } else {
-                    // The result in its own lane if the words on the way are twice as wide.
+                    // Intermediate words are twice as wide as the result: give the result its own
+                    // lane.
                     let lanes = narrowed.compute.unwrap_or(Width::W64);
                     let own = Width::signed(range.0.into(), range.1.into()).unwrap_or(Width::W64);
                     let lanes = lanes.max(own);
@@ -374,7 +376,7 @@ pub(super) fn place(netlist: &Netlist, outputs: &[NodeId], counted: &[bool]) -> 
     placed
 }
 
-/// True if a product of two whole 32-bit lanes is what a 64-bit lane holds.
+/// True if a 64-bit lane holds a product of two whole 32-bit lanes.
 pub(super) fn wide_product(width: Width, a: (i64, i64), b: (i64, i64)) -> bool {
     let narrow = |(lo, hi): (i64, i64)| {
         Width::signed(lo.into(), hi.into()).is_some_and(|width| width <= Width::W32)

@@ -1,4 +1,5 @@
-//! Simulation of a netlist: [`batch`] for many independent samples, [`real`] for the same on reals.
+//! Simulation of a netlist: [`batch`] bit-true over many independent samples, [`real`] the same on
+//! reals.
 
 pub mod batch;
 mod columns;

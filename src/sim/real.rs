@@ -1,7 +1,7 @@
-//! Evaluation of many samples on reals: the algorithm's value at every node.
+//! Evaluates many samples on reals: the algorithm's value at every node.
 //!
-//! The twin of [`super::batch`] on `f64` columns: `narrow` keeps its operand and a table is the
-//! function that it stands for. What is evaluated are the terms of [`Netlist::reals`].
+//! The counterpart of [`super::batch`] on `f64` columns: `narrow` passes its operand through, and a
+//! table is the function that it approximates. It evaluates the terms of [`Netlist::reals`].
 
 use super::batch::BLOCK;
 use super::columns::Columns;
@@ -13,24 +13,25 @@ use crate::number::real::{Graph, Primitive, Rows, Term, TermId, modulo};
 use crate::number::trig::Real;
 use std::collections::{HashMap, HashSet};
 
-/// How a term gets its value.
+/// How a term is computed.
 #[derive(Clone, Debug)]
 enum Kernel {
     /// A primitive.
     Of(Primitive),
-    /// Less as many spans as keep it from `low` to below `low + span`, where those are numbers.
+    /// Subtracts a multiple of `span` so that the result is from `low` to below `low + span`, both
+    /// constants.
     Modulo { low: f64, span: f64 },
-    /// A product with a number.
+    /// Multiplication by a constant.
     Times(f64),
     /// Sine and cosine of one angle; the cosine goes to this column.
     SinCos(usize),
-    /// A function with a kernel of its own.
+    /// A function with its own kernel.
     Call(function::Kernel),
-    /// The value of rows.
+    /// The value in a list of rows.
     Row(Rows),
 }
 
-/// A netlist's reals compiled for blocks; the twin of [`Netlist::eval_reals`], bit for bit.
+/// A netlist's reals compiled for blocks; bit-identical to [`Netlist::eval_reals`].
 #[derive(Clone, Debug)]
 pub struct Program {
     steps: Vec<(Kernel, [usize; 3], usize)>,
@@ -38,14 +39,14 @@ pub struct Program {
     slots: usize,
     inputs: Vec<usize>,
     outputs: Vec<usize>,
-    /// The first steps give the same in each block of a run, so many of them.
+    /// The number of leading steps that give the same values in each block of a run.
     repeated: usize,
-    /// Which ports hold the same in each block of a run.
+    /// Which ports hold the same values in each block of a run.
     repeats: Vec<bool>,
 }
 
 impl Program {
-    /// Compiles what the nodes of `outputs` need.
+    /// Compiles everything that the nodes of `outputs` need.
     ///
     /// # Errors
     /// If one of them is bits without a value on reals.
@@ -53,14 +54,14 @@ impl Program {
         Self::compile_repeated(netlist, outputs, &vec![false; netlist.inputs().len()])
     }
 
-    /// As [`Program::compile`], where the values at some ports are the same in each block of a run:
-    /// what depends on such ports only is computed once a run.
+    /// As [`Program::compile`], with ports marked whose values are the same in each block of a run.
+    /// Terms that depend only on those are computed once per run.
     ///
     /// # Errors
     /// As [`Program::compile`].
     ///
     /// # Panics
-    /// If there is not one `repeats` per port.
+    /// If `repeats` doesn't have one entry per port.
     pub fn compile_repeated(
         netlist: &Netlist,
         outputs: &[NodeId],
@@ -70,7 +71,7 @@ impl Program {
         let real = |id: &NodeId| {
             netlist.node(*id).real.ok_or_else(|| {
                 Error::usage(format!(
-                    "`{}` of `{}` is bits without a value on reals, so no error of it can be told: say what it means, or leave it out",
+                    "`{}` of `{}` is bits without a value on reals, so its error can't be measured: give it a meaning, or leave it out",
                     netlist.label(*id),
                     netlist.name()
                 ))
@@ -80,7 +81,8 @@ impl Program {
         Ok(Self::of_graph(netlist.reals(), &outputs, repeats))
     }
 
-    /// Compiles what some terms need of a graph, whose first terms are its variables.
+    /// Compiles everything that some terms of a graph need. The first terms of the graph are its
+    /// variables.
     fn of_graph(graph: &Graph, outputs: &[TermId], repeats: &[bool]) -> Self {
         let terms = graph.terms();
         let mut needed = vec![false; terms.len()];
@@ -96,7 +98,7 @@ impl Program {
         for index in repeats.len()..terms.len() {
             same[index] = terms[index].operands().iter().all(|id| same[id.index()]);
         }
-        // Ports and what repeats first; order among them stays.
+        // Ports and repeated terms first, in unchanged order.
         let early = |index: &usize| same[*index] || *index < repeats.len();
         let (mut order, rest): (Vec<usize>, Vec<usize>) =
             (0..terms.len()).filter(|index| needed[*index]).partition(early);
@@ -153,7 +155,7 @@ impl Program {
         program
     }
 
-    /// Makes columns for one thread.
+    /// Allocates columns for one thread.
     #[must_use]
     pub fn runner(&self) -> Runner {
         let mut columns = vec![vec![0.0; BLOCK]; self.slots];
@@ -187,7 +189,7 @@ impl Runner {
     }
 }
 
-/// A run over all blocks, to be compiled for the processor.
+/// A run over all blocks, compiled for the processor's features.
 struct Run<'a, 'b> {
     program: &'a Program,
     columns: &'a mut [Vec<f64>],
@@ -229,8 +231,9 @@ impl Body for Run<'_, '_> {
     }
 }
 
-/// A loop of its own for each primitive, so that those without branches become vectors. They are written out:
-/// closures aren't always inlined, and only what is inlined uses the processor's features.
+/// A separate loop for each primitive, so that the compiler vectorises those without branches. The
+/// loops are written out because closures aren't always inlined, and only inlined code uses the
+/// processor's features.
 macro_rules! loops {
     ($primitive:expr, $of:expr, $to:expr; $($known:ident),+) => {
         match $primitive {
@@ -273,14 +276,14 @@ fn step(kernel: &Kernel, of: [&[f64]; 3], to: &mut [f64], other: &mut [f64]) {
     }
 }
 
-/// Operands that are not used read some column; any will do.
+/// Unused operands read some column; any will do.
 #[inline(always)]
 fn filled([a, b, c]: [&[f64]; 3]) -> [&[f64]; 3] {
     let filler = if a.is_empty() { b } else { a };
     [a, b, c].map(|x| if x.is_empty() { filler } else { x })
 }
 
-/// The loop for a primitive, some of whose operands are numbers.
+/// The loop for a primitive, some of whose operands are constants.
 fn kernel(primitive: Primitive, numbers: [Option<f64>; 3], of: &mut [usize; 3]) -> Kernel {
     if primitive == Primitive::Mul {
         if let Some(factor) = numbers[1] {
@@ -299,7 +302,8 @@ fn kernel(primitive: Primitive, numbers: [Option<f64>; 3], of: &mut [usize; 3]) 
     Kernel::Of(primitive)
 }
 
-/// The same order with each cosine right after the sine of its angle, so that one step gives both.
+/// The same order, but with each cosine right after the sine of its angle, so that one step
+/// computes both.
 fn beside(terms: &[Term], order: &[usize]) -> Vec<usize> {
     let wave = |index: usize| match terms[index] {
         Term::Of(primitive @ (Primitive::Sin | Primitive::Cos), [of, ..]) => Some((primitive, of)),

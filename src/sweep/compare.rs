@@ -1,9 +1,9 @@
-//! Table 1 of Lee et al. rebuilt: what the architectures take, counted from their netlists beside the
-//! paper's figures, and their error, which the paper lacks.
+//! Table 1 of Lee et al. rebuilt: the operators of the architectures, counted from their netlists,
+//! beside the paper's figures; and their errors, which the paper lacks.
 //!
 //! A node belongs to the set-up if its outermost scope is one of the architecture's set-up scopes,
-//! and else to the illumination. Operators inside dividers, roots and table schemes are not counted
-//! as the datapath's, as in the paper. A *look-up* is a word that a table gives, whatever its
+//! otherwise to the illumination. As in the paper, operators inside dividers, roots and table
+//! schemes don't count as the datapath's. A *look-up* is a word that a table returns, whatever its
 //! scheme; a *map* is a table of two or three angles.
 
 use crate::base::cast;
@@ -19,7 +19,7 @@ use crate::shading::scene::Scene;
 use serde::{Serialize, Serializer};
 use std::collections::BTreeSet;
 
-/// Where the paper's figures are.
+/// The source of the paper's figures.
 pub const SOURCE: &str = "Lee et al., Table 1 and section 4.3";
 
 /// Operators of a stage.
@@ -55,7 +55,7 @@ impl Hardware {
         [multipliers, adders, lookups, maps, dividers, square_roots]
     }
 
-    /// Of two stages that share nothing.
+    /// The sum of two stages that share nothing.
     fn plus(self, other: Self) -> Self {
         let (a, b) = (self.counts(), other.counts());
         Self::new(std::array::from_fn(|i| a[i] + b[i]))
@@ -69,7 +69,7 @@ pub struct Paper {
     pub name: &'static str,
     /// Illumination environment set-up.
     pub set_up: Hardware,
-    /// Illumination calculation, where it is available.
+    /// Illumination calculation, if available.
     pub illumination: Option<Hardware>,
 }
 
@@ -103,7 +103,7 @@ pub struct Architecture {
     pub name: &'static str,
     /// Its unit.
     pub unit: &'static str,
-    /// Parameters of the unit that make it this architecture.
+    /// Parameters of the unit that select this architecture.
     pub params: &'static [&'static str],
     /// The paper's counts.
     pub paper: Paper,
@@ -115,16 +115,16 @@ pub struct Architecture {
     pub differences: &'static [Note],
 }
 
-/// A count that is not the paper's at the defaults.
+/// A count that differs from the paper's at the defaults.
 #[derive(Clone, Copy, Debug)]
 pub struct Note {
     /// Stage.
     pub stage: Stage,
-    /// What is counted, of [`COUNTS`].
+    /// The counted operator, one of [`COUNTS`].
     pub count: &'static str,
     /// Ours.
     pub ours: u64,
-    /// Why, in a line.
+    /// The reason, in one line.
     pub why: &'static str,
 }
 
@@ -156,11 +156,13 @@ impl Stage {
 use Stage::{Illumination, SetUp};
 
 const ROTATIONS: &[&str] = &["light", "half", "bump"];
-/// Why a count differs where it isn't the one at the defaults.
+/// The reason for differences that don't appear at the defaults.
 pub const BY_PARAMETERS: &str = "it comes with the parameters that were set";
 
-const FOR_PSI: &str = "one more turns N' by psi, for texture axes that don't follow N's own frame";
-const TABLES: &str = "the paper counts 6 tables for each vector: sines and cosines at X and Y are 4 words of one of them";
+const FOR_PSI: &str =
+    "one more rotates N' by psi, for texture axes that don't follow N's own frame";
+const TABLES: &str =
+    "the paper counts 6 tables per vector: sines and cosines at X and Y are 4 words of one of them";
 const TEXT: &str = "the paper's section 4.2 says 13 as well, its Table 1 says 11";
 
 const SEED: &[Note] = &[
@@ -169,7 +171,7 @@ const SEED: &[Note] = &[
     note(Illumination, "adders", 13, TEXT),
 ];
 
-/// Every architecture, in the paper's order, and this project's pipelines after the paper's.
+/// Every architecture, in the paper's order; this project's pipelines follow.
 pub static ARCHITECTURES: &[Architecture] = &[
     Architecture {
         name: "peercy",
@@ -192,7 +194,7 @@ pub static ARCHITECTURES: &[Architecture] = &[
                 SetUp,
                 "multipliers",
                 3,
-                "reconstruction: two ratios and a length turn the normal into angles; what the paper's 5 do it doesn't say",
+                "reconstruction: two ratios and a length turn the normal into angles; the paper doesn't say what its 5 do",
             ),
             note(
                 SetUp,
@@ -204,7 +206,7 @@ pub static ARCHITECTURES: &[Architecture] = &[
                 SetUp,
                 "look-ups",
                 5,
-                "the normal's angles take two reciprocals, two arctangents and a secant, words of two tables",
+                "the normal's angles need two reciprocals, two arctangents and a secant, words of two tables",
             ),
             note(
                 Illumination,
@@ -222,7 +224,7 @@ pub static ARCHITECTURES: &[Architecture] = &[
                 Illumination,
                 "look-ups",
                 0,
-                "addresses come from the set-up's map and not from LUTs",
+                "addresses come from the set-up's map, not from LUTs",
             ),
             note(
                 Illumination,
@@ -250,7 +252,7 @@ pub static ARCHITECTURES: &[Architecture] = &[
                 SetUp,
                 "adders",
                 19,
-                "reconstruction: 10 in the transforms, 8 that fold octants of angles, 1 for psi",
+                "reconstruction: 10 in the transforms, 8 fold octants of angles, 1 for psi",
             ),
             note(
                 SetUp,
@@ -323,13 +325,13 @@ pub static ARCHITECTURES: &[Architecture] = &[
                 SetUp,
                 "multipliers",
                 4,
-                "none in the rotation; four turn N' by psi in components",
+                "none in the rotation; four rotate N' by psi in components",
             ),
             note(
                 SetUp,
                 "adders",
                 42,
-                "for each vector 9 for angles and 11 for sums in place of products; two turn N' by psi",
+                "for each vector 9 for angles and 11 for sums in place of products; two rotate N' by psi",
             ),
             note(
                 SetUp,
@@ -344,11 +346,11 @@ pub static ARCHITECTURES: &[Architecture] = &[
     },
 ];
 
-/// Counts what some scopes of a netlist hold.
+/// Counts the operators in some scopes of a netlist.
 #[must_use]
 pub fn hardware(netlist: &Netlist, counted: impl Fn(ScopeId) -> bool) -> Hardware {
     let counts = netlist.counts_of(&counted);
-    // Words of table schemes that something outside takes, and that come from a table.
+    // Words that come from a table and leave the table scheme.
     let scheme = |scope| netlist.part_of(scope).filter(|(part, _)| *part == Part::Scheme);
     let nodes = netlist.nodes();
     let mut of_table = vec![false; nodes.len()];
@@ -410,16 +412,16 @@ pub struct Row {
     pub name: &'static str,
     /// Its unit.
     pub unit: &'static str,
-    /// Parameters that differ from the unit's defaults, as `key=value`; in JSON as everywhere.
+    /// Parameters that differ from the unit's defaults, as `key=value`; in JSON they are an object.
     #[serde(serialize_with = "as_parameters")]
     pub parameters: Vec<String>,
     /// The paper's column.
     pub paper: Paper,
     /// Set-up.
     pub set_up: Hardware,
-    /// Illumination; none where the unit has none.
+    /// Illumination; `None` if the unit has none.
     pub illumination: Option<Hardware>,
-    /// Both; what they share counts once.
+    /// Both stages; shared operators count once.
     pub whole: Hardware,
     /// Distinct tables and maps.
     pub tables: u64,
@@ -427,7 +429,7 @@ pub struct Row {
     pub rom_bits: u64,
     /// Latency.
     pub latency_cycles: u32,
-    /// Angle of the direction whose quantity is `vector`, in rad, end to end.
+    /// Angle error of the direction whose quantity is `vector`, in rad, end to end.
     pub angle: Option<Spread>,
     /// That quantity.
     pub vector: &'static str,
@@ -435,13 +437,13 @@ pub struct Row {
     pub dot: Option<Spread>,
     /// Light of the pixel, end to end.
     pub intensity: Option<Spread>,
-    /// Difference of the picture of each scene to the golden one; none where the unit gives no light.
+    /// Difference of each scene's picture from the golden one; empty if the unit computes no light.
     pub images: Vec<ImageError>,
-    /// Each count that is not the paper's.
+    /// Each count that differs from the paper's.
     pub differences: Vec<Difference>,
 }
 
-/// Writes `key=value` as parameters by name.
+/// Serialises `key=value` as parameters by name.
 fn as_parameters<S: Serializer>(assignments: &[String], to: S) -> Result<S::Ok, S::Error> {
     assigned(assignments).serialize(to)
 }
@@ -459,23 +461,23 @@ pub struct ImageError {
     pub flip: f64,
 }
 
-/// A count that is not the paper's.
+/// A count that differs from the paper's.
 #[derive(Debug, Serialize)]
 pub struct Difference {
     /// Stage.
     pub stage: Stage,
-    /// What is counted.
+    /// The counted operator.
     pub count: &'static str,
     /// Ours.
     pub ours: u64,
     /// The paper's.
     pub paper: u64,
-    /// Why, in a line.
+    /// The reason, in one line.
     pub why: &'static str,
 }
 
 impl Row {
-    /// Counts of a stage beside the paper's, where both are there.
+    /// Counts of a stage and the paper's, where available.
     #[must_use]
     pub fn stage(&self, stage: Stage) -> (Option<Hardware>, Option<Hardware>) {
         match stage {
@@ -485,16 +487,16 @@ impl Row {
     }
 }
 
-/// The claim "up to 78 % fewer multiplications" in one of its readings.
+/// The claim "up to 78 % fewer multiplications", in one of its readings.
 #[derive(Debug, Serialize)]
 pub struct Claim {
     /// The pipeline that is compared.
     pub name: &'static str,
-    /// What with.
+    /// What it is compared with.
     pub against: &'static str,
-    /// Its multipliers, and those that it is compared with.
+    /// Its multipliers, and those of the other.
     pub multipliers: [u64; 2],
-    /// The same by the paper.
+    /// The same according to the paper.
     pub paper: [u64; 2],
 }
 
@@ -507,13 +509,13 @@ pub fn saved_percent([of, against]: [u64; 2]) -> f64 {
 /// Table 1 rebuilt.
 #[derive(Debug, Serialize)]
 pub struct Comparison {
-    /// Where the paper's figures are.
+    /// The source of the paper's figures.
     pub source: &'static str,
     /// Fragments measured.
     pub samples: u64,
     /// Seed of their random stream.
     pub seed: u64,
-    /// One for each architecture.
+    /// One per architecture.
     pub rows: Vec<Row>,
     /// Both readings of the claim for each pipeline of the paper's authors and of this project.
     pub claims: Vec<Claim>,
@@ -526,11 +528,11 @@ pub struct Comparison {
 pub struct SceneRendered {
     /// Its name.
     pub scene: String,
-    /// Pixels that see an object: what means of pictures are over.
+    /// Pixels that see an object: means of pictures are over these.
     pub covered_px: u64,
-    /// The other pixels.
+    /// Other pixels.
     pub background_px: u64,
-    /// What isn't as its files have it, or stands still.
+    /// How it deviates from its files, or that it stands still.
     pub notes: Vec<String>,
 }
 
@@ -540,13 +542,13 @@ fn name_of(set: &str) -> Option<&str> {
 }
 
 /// Builds, counts and measures every architecture; `set` are `key=value` for those that have the
-/// parameter. `progress` gets the name of each before it is measured.
+/// parameter. `progress` receives each one's name and the number of samples done.
 ///
 /// # Errors
 /// If a value is not legal, or no architecture has the parameter.
 ///
 /// # Panics
-/// If an architecture that the claim names is not listed: that is wrong code.
+/// If an architecture that the claim names is not listed, which is a bug.
 pub fn compare(
     set: &[String],
     inputs: &Inputs,
@@ -602,11 +604,11 @@ pub fn compare(
 }
 
 impl Comparison {
-    /// Renders a scene by every architecture that gives light, and adds what came of it. Parameters
-    /// of the material that were set hold for the scene too, and for its golden.
+    /// Renders a scene with every architecture that computes light, and adds the results. Material
+    /// parameters that were set also apply to the scene and to its golden.
     ///
     /// # Errors
-    /// If the scene's material doesn't go together with the parameters that were set.
+    /// If the scene's material can't be combined with the parameters that were set.
     pub fn add_scene(
         &mut self,
         name: &str,
@@ -649,7 +651,7 @@ impl Comparison {
     }
 }
 
-/// Both stages of the paper, where both are available.
+/// Both stages of the paper, if both are available.
 #[must_use]
 pub fn whole(paper: Paper) -> Option<Hardware> {
     paper.illumination.map(|illumination| paper.set_up.plus(illumination))

@@ -1,13 +1,13 @@
 //! Sweeps: a unit measured over a grid of parameters.
 //!
-//! Points are measured in groups that share their inputs and golden values, and a group's designs
-//! are dropped before the next is built, so memory grows with the grid by the points' figures only. Finished points are
-//! on disk all the time: a sweep that was stopped goes on where it was. Each point's figures are
-//! those that it would have alone.
+//! Points are measured in groups that share their inputs and golden values. A group's designs are
+//! dropped before the next group is built, so memory grows with the grid only by the points'
+//! figures. Finished points are saved on disk, so a sweep that was stopped resumes. Each point's
+//! figures are the same as if it were measured alone.
 //!
-//! A sweep can take its inputs from a scene: a point is then a picture, and its error that to the golden
-//! picture. Parameters of the material come from the scene unless they are given, and then they
-//! take the place of the scene's in pipeline and golden alike.
+//! A sweep can take its inputs from a scene: a point is then a picture, and its error is the
+//! difference from the golden picture. Material parameters come from the scene. Those that are set
+//! explicitly replace the scene's, in the pipeline and the golden alike.
 
 pub mod compare;
 pub mod ladder;
@@ -32,16 +32,16 @@ use std::io;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// The most points of a grid.
+/// Largest number of points of a grid.
 const MAX_POINTS: usize = 100_000;
-/// The most points measured together.
+/// Largest number of points measured together.
 const GROUP_POINTS: usize = 16;
-/// The most samples of all points of a group together: a few seconds' work.
+/// Largest total of samples of a group: a few seconds' work.
 const GROUP_SAMPLES: u64 = 1 << 25;
-/// The most stored bits of the tables of a group: large tables are compiled into memory.
+/// Largest total of table bits of a group: large tables are compiled into memory.
 const GROUP_ROM_BITS: u64 = 1 << 28;
 
-/// A parameter, the format of a node or the scheme of a table, and the values that it takes in a sweep.
+/// A swept parameter, format of a node or scheme of a table, and its values.
 #[derive(Clone, Debug)]
 pub struct Axis {
     unit: Unit,
@@ -50,13 +50,13 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// Reads `key=v,v,…`, where each `v` is a value or a range `a..b` or `a..b:step` that
-    /// includes `b` if the steps meet it. Formats of nodes and schemes of tables have the keys that [`Values::set`] takes;
-    /// a point whose datapath has no such node or table fails.
+    /// Parses `key=v,v,…`, where each `v` is a value or a range `a..b` or `a..b:step` that includes
+    /// `b` if the steps meet it. Formats of nodes and schemes of tables have the keys that
+    /// [`Values::set`] accepts; a point whose datapath has no such node or table fails.
     ///
     /// # Errors
-    /// If the unit has no such parameter, a value is not legal or comes twice, there is none, or
-    /// a range runs backwards or has a step of 0.
+    /// If the unit has no such parameter, a value is not legal or comes twice, there is none, or a
+    /// range runs backwards or has a step of 0.
     pub fn parse(text: &str, unit: &Unit) -> Result<Self> {
         let (key, list) = text
             .split_once('=')
@@ -111,12 +111,12 @@ fn range(unit: &Unit, key: &str, item: &str, from: &str, rest: &str) -> Result<V
     match unit.find_param(key).map(|param| &param.kind) {
         Some(Kind::Int { .. }) => {}
         Some(Kind::Real { .. }) => {
-            return Err(refused(&format!("`{key}` has fractions and no ranges")));
+            return Err(refused(&format!("`{key}` is a real number and has no ranges")));
         }
         Some(Kind::Choice(_)) => {
             return Err(refused(&format!("`{key}` is a name and has no ranges")));
         }
-        // A format or a scheme, or an unknown key: its value says so.
+        // A format or a scheme, or an unknown key, which its value reports.
         None => {
             unit.value(key, from.trim())?;
             return Err(refused(&format!("`{key}` has no ranges")));
@@ -140,26 +140,26 @@ fn range(unit: &Unit, key: &str, item: &str, from: &str, rest: &str) -> Result<V
             })?
         }
     };
-    // One more than is allowed is enough to be refused.
+    // One more than the limit is enough to be refused.
     Ok((from..=to).step_by(step).take(MAX_POINTS + 1).map(Value::Int).collect())
 }
 
 fn too_many(what: &str) -> Error {
     Error::usage(format!(
-        "{what}: a sweep has at most {MAX_POINTS} points; take fewer values or a larger step"
+        "{what}: a sweep has at most {MAX_POINTS} points; use fewer values or a larger step"
     ))
 }
 
-/// How far a sweep is.
+/// Progress of a sweep.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Progress {
-    /// Points finished, those from an earlier run and failed ones included.
+    /// Finished points, including failed ones and those from an earlier run.
     pub points_done: usize,
     /// Points of the grid.
     pub points: usize,
-    /// Points being measured together now.
+    /// Points now being measured together.
     pub running: usize,
-    /// Samples, or rows of the picture, that each of them has behind it.
+    /// Number of samples, or rows of the picture, done for each of them.
     pub samples_done: u64,
 }
 
@@ -170,37 +170,37 @@ pub struct View {
     pub scene: Scene,
     /// Its name in reports.
     pub name: String,
-    /// What points are ranked by.
+    /// The figure that ranks points.
     pub error: RankBy,
 }
 
-/// What measures a unit over a scene, where a sweep can't.
+/// The remedy for a unit that a sweep can't measure over a scene.
 fn instead_of_a_scene(unit: &Unit) -> String {
     let named = |names: [&str; 2]| format!("fixpath render SCENE --pipelines {}", names.join(","));
     match unit.name.as_str() {
         "emboss" => format!(
-            "`{} --ladder` climbs its widths, tables and fractions over a scene",
+            "`{} --ladder` measures its widths, tables and fractions over a scene",
             named(EMBOSS_PIPELINES)
         ),
         "tangent" => format!(
-            "`{} -p key=value` renders a scene by one setting of it",
+            "`{} -p key=value` renders a scene with one setting of it",
             named(TANGENT_PIPELINES)
         ),
         _ => {
             let names: Vec<&str> = pipeline_units().map(|unit| unit.name.as_str()).collect();
-            format!("leave --scene out, or take one of {}", names.join(", "))
+            format!("leave --scene out, or use one of {}", names.join(", "))
         }
     }
 }
 
-/// Where inputs come from.
+/// Source of inputs.
 #[derive(Clone, Debug)]
 enum Source {
     Drawn(Inputs),
     Scene {
         view: Box<View>,
         id: SceneId,
-        /// Parameters of the material that don't come from the scene.
+        /// Material parameters that were set explicitly, so that they don't come from the scene.
         given: Vec<(String, Reflection)>,
     },
 }
@@ -214,23 +214,25 @@ pub struct Sweep {
 }
 
 impl Sweep {
-    /// A sweep of `axes` about `base`; the last axis runs fastest.
+    /// A sweep of `axes` around `base`; the last axis runs fastest.
     ///
     /// # Errors
-    /// If a parameter has two axes or one is of another unit, the grid is too large, or no sample is asked for.
+    /// If a parameter has two axes or belongs to another unit, the grid is too large, or the number
+    /// of samples is 0.
     pub fn new(base: Values, axes: Vec<Axis>, inputs: Inputs) -> Result<Self> {
         if inputs.samples == 0 && matches!(inputs.sampler, Sampler::Lit | Sampler::Sphere) {
-            return Err(Error::usage("a sweep takes at least 1 sample".to_owned()));
+            return Err(Error::usage("a sweep needs at least 1 sample".to_owned()));
         }
         Self::check(&base, &axes)?;
         Ok(Self { base, axes, source: Source::Drawn(inputs) })
     }
 
-    /// A sweep over the pixels of a scene. `set` are the names of parameters that `base` was given:
-    /// those of the material that are neither among them nor swept come from the scene.
+    /// A sweep over the pixels of a scene. `set` has the names of parameters that were set in
+    /// `base`. Material parameters that are neither among them nor swept come from the scene.
     ///
     /// # Errors
-    /// If a parameter has two axes or one is of another unit, the grid is too large, or the unit doesn't shade.
+    /// If a parameter has two axes or belongs to another unit, the grid is too large, or the unit
+    /// doesn't shade.
     pub fn over_scene(base: Values, set: &[&str], axes: Vec<Axis>, view: View) -> Result<Self> {
         Self::check(&base, &axes)?;
         let unit = base.unit();
@@ -252,23 +254,23 @@ impl Sweep {
         Ok(Self { base, axes, source: Source::Scene { view: Box::new(view), id, given } })
     }
 
-    /// Refuses axes that don't make a grid.
+    /// Refuses axes that don't form a grid.
     fn check(base: &Values, axes: &[Axis]) -> Result<()> {
         let mut points = 1usize;
         for (index, axis) in axes.iter().enumerate() {
             if axis.unit != *base.unit() {
                 let (key, own, other) = (axis.key(), &base.unit().name, &axis.unit.name);
-                let text = format!("axis `{key}` is of unit `{other}` and not of `{own}`");
+                let text = format!("axis `{key}` belongs to unit `{other}`, not to `{own}`");
                 return Err(Error::usage(text));
             }
             if axes[..index].iter().any(|before| before.key() == axis.key()) {
                 return Err(Error::usage(format!(
-                    "parameter `{}` has two axes: put all its values in one, as {}=v,v,…",
+                    "parameter `{}` has two axes: put all its values in one, such as {}=v,v,…",
                     axis.key(),
                     axis.key()
                 )));
             }
-            // Each axis has at most MAX_POINTS values, so the product can't pass 2^64.
+            // Each axis has at most MAX_POINTS values, so the product can't exceed 2^64.
             points *= axis.values.len();
             if points > MAX_POINTS {
                 let sizes: Vec<_> = axes.iter().map(|a| a.values.len().to_string()).collect();
@@ -284,7 +286,7 @@ impl Sweep {
         self.axes.iter().map(|axis| axis.values.len()).product()
     }
 
-    /// Parameters of a point in grid order.
+    /// Parameters of a point, given by its index in grid order.
     fn point(&self, index: usize) -> Values {
         let mut values = self.base.clone();
         let mut rest = index;
@@ -310,7 +312,7 @@ impl Sweep {
         parameters
     }
 
-    /// What was swept, as it stands in `sweep.json`.
+    /// What was swept, as recorded in `sweep.json`.
     #[must_use]
     pub fn header(&self) -> Header {
         let (sampler, samples, seed, scene, error) = match &self.source {
@@ -342,11 +344,12 @@ impl Sweep {
     }
 
     /// Measures every point and writes `sweep.json`, `sweep.csv`, `report.md` and plots into a
-    /// folder. Points that are there already, from a run of the same sweep, are kept unless
-    /// `fresh`. Points that can't be built or fail a check are recorded with the reason.
+    /// folder. Points that an earlier run of the same sweep left there are kept unless `fresh` is
+    /// set. Points that can't be built or fail a check are recorded with the reason.
     ///
     /// # Errors
-    /// If nothing is in view, the folder holds another sweep, a file can't be read or written, or every point fails.
+    /// If nothing is in view, the folder holds another sweep, a file can't be read or written, or
+    /// every point fails.
     pub fn run(
         &self,
         folder: &Path,
@@ -371,7 +374,7 @@ impl Sweep {
                 Source::Scene { view, .. } => Some(view.scene.clone()),
             },
         };
-        // Before the work, not after it.
+        // Check before the work starts.
         let check = || files().try_for_each(|name| output::check(&folder.join(name)));
         if fresh {
             check()?;
@@ -397,7 +400,7 @@ impl Sweep {
         Ok(record)
     }
 
-    /// Parameters of the material of a point that don't come from the scene.
+    /// The material parameters of a point that were set explicitly.
     fn material(&self, point: &Values) -> Vec<(Reflection, Value)> {
         match &self.source {
             Source::Drawn(_) => Vec::new(),
@@ -407,8 +410,8 @@ impl Sweep {
         }
     }
 
-    /// True if two points can be measured together: random inputs are drawn as reals and
-    /// suit all, the others are lists of words; a picture's golden hangs on the material.
+    /// True if two points can be measured together. Random inputs are drawn as reals and suit all
+    /// points; other samplers give lists of words; a picture's golden depends on the material.
     fn same_inputs(&self, (a, first): (usize, &Job), (b, second): (usize, &Job)) -> bool {
         match &self.source {
             Source::Drawn(inputs) => {
@@ -418,8 +421,8 @@ impl Sweep {
         }
     }
 
-    /// Points measured together: as many as share golden values well, but so few that a sweep of
-    /// many samples saves something every few seconds.
+    /// Number of points measured together: enough to share golden values well, but few enough that
+    /// a sweep of many samples saves results every few seconds.
     fn group_points(&self) -> usize {
         let most = match &self.source {
             Source::Drawn(inputs) => match inputs.sampler {
@@ -433,10 +436,10 @@ impl Sweep {
     }
 }
 
-/// Time since the last writing, in units of what that writing took, from which it is done again.
+/// The files are rewritten when the time since the last writing is this many times what that took.
 const WRITE_SHARE: u32 = 10;
 
-/// A sweep on its way.
+/// A running sweep.
 struct Run<'a> {
     sweep: &'a Sweep,
     folder: &'a Path,
@@ -447,7 +450,7 @@ struct Run<'a> {
     progress: &'a (dyn Fn(Progress) + Sync),
     /// When the files were last written, and how long that took.
     written: Option<(Instant, Duration)>,
-    /// The scene, with the material of the point that was last asked for.
+    /// The scene, with the material of the most recently requested point.
     scene: Option<Scene>,
 }
 
@@ -467,11 +470,11 @@ impl Job {
 }
 
 impl Run<'_> {
-    /// Takes over finished points from `sweep.json`.
+    /// Loads finished points from `sweep.json`.
     fn resume(&mut self) -> Result<()> {
         let path = self.folder.join("sweep.json");
         let Some(record) = Record::load(&path)? else { return self.refuse_foreign_files() };
-        // Points have every error that they may be ranked by.
+        // Points record every error, so another ranking is not another sweep.
         let there = Header { error: self.header.error, ..record.header };
         if there != self.header {
             let differences = there.differences(&self.header);
@@ -503,20 +506,22 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Files of the names that a sweep writes, without a sweep, are somebody's.
+    /// Refuses files that a sweep would overwrite if there is no sweep: they belong to somebody
+    /// else.
     fn refuse_foreign_files(&self) -> Result<()> {
         let names = ["sweep.csv"].into_iter().chain(report::FILES);
         match names.map(|name| self.folder.join(name)).find(|path| path.exists()) {
             None => Ok(()),
             Some(path) => Err(Error::file(
                 &path,
-                "is in the way and from no sweep: choose another folder or pass --fresh".to_owned(),
+                "is in the way and not from a sweep: choose another folder or pass --fresh"
+                    .to_owned(),
             )),
         }
     }
 
-    /// Removes what an earlier sweep left, so that a sweep that is stopped before its first
-    /// point is done doesn't leave another one's points and reports behind.
+    /// Removes the files of an earlier sweep. Otherwise a sweep that is stopped before its first
+    /// point is done would leave that one's points and reports behind.
     fn remove_files(&self) -> Result<()> {
         for name in files() {
             let path = self.folder.join(name);
@@ -530,7 +535,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Measures what is missing.
+    /// Measures the missing points.
     fn finish(&mut self) -> Result<()> {
         let shared = |index| {
             let point = self.sweep.point(index);
@@ -538,7 +543,7 @@ impl Run<'_> {
         };
         let mut missing: Vec<usize> =
             (0..self.points.len()).filter(|index| self.points[*index].is_none()).collect();
-        // Equal materials and input formats beside each other share their golden values.
+        // Neighbours with equal materials and input formats share their golden values.
         missing.sort_by_cached_key(|index| shared(*index));
         let mut group: Vec<(usize, Job)> = Vec::new();
         let mut rom_bits = 0;
@@ -566,7 +571,7 @@ impl Run<'_> {
         self.write()
     }
 
-    /// Puts the material of a point into the scene, if there is one.
+    /// Sets the material of a point in the scene, if there is one.
     fn set_material(&mut self, index: usize) {
         if let Some(scene) = &mut self.scene {
             for (part, value) in self.sweep.material(&self.sweep.point(index)) {
@@ -613,7 +618,7 @@ impl Run<'_> {
         let results: Vec<Result<Measured>> = match together {
             Ok(measured) => measured.into_iter().map(Ok).collect(),
             Err(why) if jobs.len() == 1 => vec![Err(why)],
-            // One of them failed, and the error doesn't say which point it was.
+            // One of them failed, but the error doesn't say which.
             Err(_) => jobs
                 .iter()
                 .enumerate()
@@ -630,14 +635,16 @@ impl Run<'_> {
             }
         }
         tell(self.done, 0, 0);
-        // Writing is whole each time; a large grid of quick points would do little else.
+        // The whole files are rewritten each time, which would dominate a large grid of quick
+        // points.
         match self.written {
             Some((when, took)) if when.elapsed() < took * WRITE_SHARE => Ok(()),
             Some(_) | None => self.write(),
         }
     }
 
-    /// Figures of points that share their inputs; `progress` gets the samples, or rows, done.
+    /// Figures of points that share their inputs; `progress` receives the number of samples, or
+    /// rows, done.
     fn figures(&self, jobs: &[&Job], progress: &(dyn Fn(u64) + Sync)) -> Result<Vec<Measured>> {
         let (mut designs, mut shaders) = (Vec::new(), Vec::new());
         for job in jobs {
@@ -679,13 +686,13 @@ fn files() -> impl Iterator<Item = &'static str> {
     ["sweep.json", "sweep.csv"].into_iter().chain(report::FILES)
 }
 
-/// What tells the points of a grid apart.
+/// The identity of a point within its grid.
 fn key(parameters: &record::Parameters) -> String {
     serde_json::to_string(parameters).expect("bug: parameters are plain values")
 }
 
-/// What input formats hang on. Those of the inputs stand first among a unit's widths; where one doesn't, points are
-/// only measured in another order.
+/// The widths that input formats depend on. Those of the inputs come first among a unit's widths;
+/// if one doesn't, only the order of measuring changes.
 fn widths(values: &Values) -> Vec<Value> {
     let widths = values.params().filter(|(param, _)| param.role == Role::Width);
     widths.map(|(_, value)| value.clone()).collect()

@@ -30,7 +30,7 @@ fn run(sweep: &Sweep, folder: &Path) -> Result<Record> {
     sweep.run(folder, false, &|_| ())
 }
 
-/// Points without the time that they took, which is another in every run.
+/// Points without their times, which differ in every run.
 fn timeless(record: &Record) -> Vec<serde_json::Value> {
     let strip = |point: &Point| {
         let mut point = serde_json::to_value(point).unwrap();
@@ -106,7 +106,7 @@ fn axis_errors() {
         ("memory.map=a.csv", "`memory.map` can't be swept: set it with -p memory.map=FILE"),
         (
             "period_ps=100..100100",
-            "axis `period_ps=100..100100` has more than 100000 values: a sweep has at most 100000 points; take fewer values or a larger step",
+            "axis `period_ps=100..100100` has more than 100000 values: a sweep has at most 100000 points; use fewer values or a larger step",
         ),
     ];
     for (text, message) in cases {
@@ -122,13 +122,13 @@ fn grid_errors() {
     };
     assert_eq!(
         new(&["frac_bits=8", "frac_bits=9"], FEW),
-        "parameter `frac_bits` has two axes: put all its values in one, as frac_bits=v,v,…"
+        "parameter `frac_bits` has two axes: put all its values in one, such as frac_bits=v,v,…"
     );
     assert_eq!(
         new(&["period_ps=100..50100", "variant=exact,printed"], FEW),
-        "the grid has 50001 × 2 points: a sweep has at most 100000 points; take fewer values or a larger step"
+        "the grid has 50001 × 2 points: a sweep has at most 100000 points; use fewer values or a larger step"
     );
-    assert_eq!(new(&[], Inputs { samples: 0, ..FEW }), "a sweep takes at least 1 sample");
+    assert_eq!(new(&[], Inputs { samples: 0, ..FEW }), "a sweep needs at least 1 sample");
 }
 
 #[test]
@@ -181,7 +181,7 @@ fn goes_on_where_it_was() {
     run(&sweep, folder.path()).unwrap();
     assert_eq!(fs::read_to_string(&json).unwrap(), whole);
     assert_eq!(fs::read(folder.path().join("report.md")).unwrap(), report);
-    // The second half is gone, and what is there is not in grid order.
+    // The second half is missing, and the rest is not in grid order.
     record.points.truncate(3);
     record.points.reverse();
     Record::write_json(&json, &record.header, record.points.iter()).unwrap();
@@ -268,7 +268,8 @@ fn formats_and_schemes_are_axes() {
         let is_x = |of: &&record::Figures| of.quantity == "x" && of.basis == Basis::Arithmetic;
         figures.iter().find(is_x).unwrap().max.0
     };
-    // Six fraction bits lose up to 2^-7, more than tables of slopes do and less than tables of 64 words.
+    // Six fraction bits lose up to 2^-7, more than tables of slopes do and less than tables of 64
+    // words.
     let [direct, fine, _, coarse] = [0, 1, 2, 3].map(max);
     assert!(fine < 2f64.powi(-8) && coarse > 2f64.powi(-8), "{fine} {coarse}");
     assert!(direct > 2f64.powi(-6), "{direct}");
@@ -305,7 +306,7 @@ fn goldens_of_formats_are_not_shared() {
     assert!(max(0) < 0.1 && max(1) > 0.4, "{} {}", max(0), max(1));
 }
 
-/// Runs a sweep whose points have the figures that each has alone.
+/// Runs a sweep, and checks that each point has the same figures as on its own.
 fn check_alone(sweep: &Sweep, inputs: Inputs) -> Record {
     let folder = tempfile::tempdir().unwrap();
     let record = run(sweep, folder.path()).unwrap();
@@ -338,7 +339,7 @@ fn points_that_cannot_be_built_are_recorded() {
     assert!(csv.contains(why), "{csv}");
 }
 
-/// A unit whose outputs are its input, in as many bits as asked for and no more.
+/// A unit whose outputs are its input, in exactly the requested number of bits.
 fn tight() -> Unit {
     Unit::new("tight", "").param(Param::bits("bits", 1..=8).default(8)).design(|values| {
         let mut b = Builder::new("tight");
@@ -376,7 +377,7 @@ fn points_that_fail_a_check_are_recorded() {
                 assert_ne!(bits, 8);
                 assert!(why.contains("under overflow mode `error`"), "{why}");
             }
-            // All words fit, so there is no error at all, which no logarithm can show.
+            // All words fit, so every error is 0, which has no logarithm.
             None => assert_eq!(
                 (bits, point.measured.as_ref().unwrap().lead_max(Basis::Total)),
                 (8, 0.0)
@@ -386,7 +387,7 @@ fn points_that_fail_a_check_are_recorded() {
     let again = run(&sweep, folder.path()).unwrap();
     assert_eq!(timeless(&again), timeless(&record));
     let svg = fs::read_to_string(folder.path().join("error_vs_rom.svg")).unwrap();
-    assert!(svg.contains("no error at all"));
+    assert!(svg.contains("lower edge have zero error"));
 }
 
 #[test]

@@ -1,5 +1,5 @@
-//! The bipartite scheme: a table of initial values at 2^n cells and a table of offsets, addressed by the top bits and
-//! by the bits below the cell. One addition, no multiplier.
+//! The bipartite scheme: a table of initial values for 2^n cells and a table of offsets, addressed
+//! by the top bits and by the bits below the cell. One addition, no multiplier.
 
 use super::cells::{Cells, Definition, Entry, Tables, column, range};
 use crate::base::cast;
@@ -15,7 +15,8 @@ pub(super) const DEFINITION: Definition = Definition {
     balanced_int_bits: |addr_bits| addr_bits / 2,
 };
 
-/// Bits below the cell that address the offsets: both tables have 2^addr_bits entries at most.
+/// Number of bits below the cell that address the offsets: both tables have at most 2^addr_bits
+/// entries.
 fn offset_bits(cells: &Cells<'_>) -> u32 {
     cells.cell_bits.min(cells.addr_bits / 2)
 }
@@ -37,14 +38,14 @@ fn tables(cells: &Cells<'_>) -> Tables {
     vec![("_initial", values), ("_offset", offsets)]
 }
 
-/// Entry `i` of the offset table: the coarse cell's slope times the distance of the fine
-/// cell's centre from the middle.
+/// Entry `i` of the offset table: the coarse cell's slope times the distance of the fine cell's
+/// centre from the middle.
 fn offset<'f>(cells: &Cells<'_>, function: &'f Function, i: i64, offset_bits: u32) -> Entry<'f> {
     let coarse_words_bits = cells.cell_bits + offset_bits;
     let terms = cells.rise(function, i >> offset_bits, coarse_words_bits);
     let fine = i & word_mask(offset_bits);
     let fine_words = 1i64 << (cells.cell_bits - offset_bits);
-    // Twice the distance in words, so that it is whole.
+    // Twice the distance in words, which is a whole number.
     let twice = 2 * fine * fine_words + (fine_words - 1) - word_mask(cells.cell_bits);
     let weight = cast::f64_of(twice) * 2f64.powi(-cast::signed_count(coarse_words_bits) - 1);
     Entry {
@@ -55,7 +56,7 @@ fn offset<'f>(cells: &Cells<'_>, function: &'f Function, i: i64, offset_bits: u3
     }
 }
 
-/// Entry `i` of the table of initial values: the mean of what is left at the cell's ends.
+/// Entry `i` of the table of initial values: the mean of the residuals at the cell's ends.
 fn initial(cells: &Cells<'_>, function: &Function, i: i64, offsets: i64, frac: i32) -> i64 {
     let (first, last) = cells.ends(i);
     let terms = [(0.5, first), (0.5, last)];

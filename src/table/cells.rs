@@ -1,4 +1,4 @@
-//! The division of an argument's words into cells, and what all schemes do with them.
+//! The division of an argument's words into cells, and code that all schemes share.
 
 use crate::base::cast;
 use crate::netlist::{Builder, Column, NodeId, Table, TableId};
@@ -9,33 +9,34 @@ use quick_cache::sync::Cache;
 use rayon::prelude::*;
 use std::sync::{Arc, LazyLock};
 
-/// Extra fraction bits of words that are added up.
+/// Extra fraction bits of words that are summed.
 const SUM_GUARD_BITS: i32 = 2;
 
-/// What a scheme is: what its file brings.
+/// A scheme, as its file defines it.
 pub(super) struct Definition {
     /// Name on the command line and in files.
     pub(super) name: &'static str,
-    /// False where cells leave it nothing to do; the direct scheme takes its place.
+    /// False if the cells leave the scheme nothing to do; the direct scheme then replaces it.
     pub(super) applies: fn(&Cells<'_>) -> bool,
-    /// The columns of its tables, with what each table's name ends in.
+    /// The columns of its tables, with the suffix of each table's name.
     pub(super) tables: fn(&Cells<'_>) -> Tables,
-    /// The nodes that read the tables for one of the functions, by its position.
+    /// The nodes that read the tables for one of the functions, given by its position.
     pub(super) emit: fn(&mut Builder, &Cells<'_>, &[TableId], usize, NodeId) -> NodeId,
     /// See [`Scheme::balanced_int_bits`](super::Scheme::balanced_int_bits).
     pub(super) balanced_int_bits: fn(u32) -> u32,
 }
 
-/// Columns of tables, with what each table's name ends in.
+/// Columns of tables, with the suffix of each table's name.
 pub(super) type Tables = Vec<(&'static str, Vec<Column>)>;
 
-/// Functions that are tabulated, and the words of their argument in cells, each of which has an address.
+/// Tabulated functions, and the words of their argument divided into cells. Each cell has an
+/// address.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cells<'a> {
     /// Name of the table.
     pub(super) name: &'a str,
     pub(super) functions: &'a [Function],
-    /// Real number of the argument's word 0.
+    /// Value of the argument's word 0.
     pub(super) origin: f64,
     pub(super) output: Format,
     /// Rounding of sums.
@@ -52,12 +53,12 @@ impl Cells<'_> {
         self.argument.bits()
     }
 
-    /// Fraction bits of words that are added up.
+    /// Fraction bits of words that are summed.
     pub(super) fn sum_frac(&self) -> i32 {
         self.output.frac_bits() + SUM_GUARD_BITS
     }
 
-    /// A word for each address.
+    /// Computes a word for each address.
     pub(super) fn each(&self, word: &(dyn Fn(i64) -> i64 + Sync)) -> Vec<i64> {
         (0..1i64 << self.addr_bits).into_par_iter().map(word).collect()
     }
@@ -77,9 +78,9 @@ impl Cells<'_> {
         (self.after(i, self.cell_bits, 0), self.after(i, self.cell_bits, word_mask(self.cell_bits)))
     }
 
-    /// True if the function saturates within the `2^bits` words from cell `i`, or has a pole
-    /// there. A line through such words could have the wrong sign where the function is small. A
-    /// place past the end is no more than rounding: 1.0 where that has no code.
+    /// True if the function saturates within the `2^bits` words from cell `i`, or has a pole there.
+    /// A line through such words could have the wrong sign where the function is small. One ulp
+    /// beyond the range is only rounding, such as 1.0 in a format without it.
     fn saturates(&self, function: &Function, i: i64, bits: u32) -> bool {
         let ((lo, hi), ulp) = (range(self.output), self.output.ulp());
         [0, word_mask(bits), 1 << bits].into_iter().any(|words| {
@@ -88,7 +89,7 @@ impl Cells<'_> {
         })
     }
 
-    /// Terms of the rise of the function over the `2^bits` words from cell `i`; none where it
+    /// Terms of the rise of the function over the `2^bits` words from cell `i`; weights are 0 if it
     /// saturates.
     pub(super) fn rise(&self, function: &Function, i: i64, bits: u32) -> [(f64, f64); 2] {
         let weight = if self.saturates(function, i, bits) { 0.0 } else { 1.0 };
@@ -119,7 +120,7 @@ impl Cells<'_> {
     }
 }
 
-/// What a table is made from.
+/// Everything that defines the words of a table.
 #[derive(PartialEq, Eq, Hash)]
 struct Key {
     functions: Vec<Function>,
@@ -129,14 +130,14 @@ struct Key {
     formats: [Format; 2],
 }
 
-/// Columns of each table of a scheme, with what its name ends in.
+/// Columns of each table of a scheme, with the suffix of the table's name.
 type Parts = Arc<[(&'static str, Vec<Column>)]>;
 
-/// Tables built so far: a sweep asks for the same ones again and again. No lock is held while one is built, so
-/// that rows are built in parallel.
+/// Tables built so far: a sweep asks for the same ones repeatedly. No lock is held while a table is
+/// built, so rows are built in parallel.
 static BUILT: LazyLock<Cache<Key, Parts, Words>> =
     LazyLock::new(|| Cache::with_weighter(1024, BUILT_WORDS, Words));
-/// Words that are kept; those that were asked for least go first.
+/// Number of words that are kept; the cache evicts the least used.
 const BUILT_WORDS: u64 = 1 << 24;
 
 /// Weighs tables by their words.
@@ -150,7 +151,8 @@ impl Weighter<Key, Parts> for Words {
     }
 }
 
-/// A combination of two values that owns its terms; past 53 bits its constant is the nearest `f64`.
+/// A combination of two function values that owns its terms. Its constant is an `f64`, hence
+/// rounded if it needs more than 53 bits.
 pub(super) struct Entry<'a> {
     pub(super) function: &'a Function,
     pub(super) terms: [(f64, f64); 2],
@@ -173,12 +175,12 @@ pub(super) fn column(name: String, words: Vec<i64>, frac_bits: i32) -> Column {
     Column { name, format: format.expect("bug: entries are words"), words: Arc::from(words) }
 }
 
-/// The values between which a format's words lie.
+/// The least and the greatest value of a format.
 pub(super) fn range(format: Format) -> (f64, f64) {
     (format.value(format.min_raw()), format.value(format.max_raw()))
 }
 
-/// The nearest word of a format to a combination.
+/// The word of a format nearest to a combination.
 pub(super) fn entry(combination: &Combination<'_>, format: Format) -> i64 {
     combination.round(format.frac_bits()).clamp(format.min_raw(), format.max_raw())
 }

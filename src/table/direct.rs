@@ -1,5 +1,5 @@
-//! The direct scheme: the mean of the function at the first and last word of each cell, which halves the worst error
-//! of the left edge.
+//! The direct scheme: the mean of the function at the first and last word of each cell, which has
+//! half the worst error of the value at the left edge.
 
 use super::cells::{Cells, Definition, Tables, entry, range};
 use crate::netlist::{Builder, Column, NodeId, TableId};

@@ -32,23 +32,24 @@ pub struct TableFigures {
     /// Its value.
     #[serde(serialize_with = "json::real")]
     pub witness: f64,
-    /// Neighbouring words between which the table goes against the function.
+    /// Number of pairs of neighbouring words between which table and function go in opposite
+    /// directions.
     pub not_monotone: u64,
-    /// Largest jump between neighbouring words beyond the function's own step.
+    /// Largest jump between neighbouring words in excess of the function's own step.
     #[serde(serialize_with = "json::real")]
     pub jump: f64,
     /// Upper word of that jump.
     pub jump_raw: i64,
 }
 
-/// The widest argument whose words are gone through.
+/// The widest argument whose words are enumerated.
 pub const TABLE_ARGUMENT_BITS: u32 = 26;
 
-/// Goes through every word of a table scheme's argument; `None` if it has more than
-/// [`TABLE_ARGUMENT_BITS`].
+/// Enumerates every word of a table scheme's argument; `None` if the argument has more than
+/// [`TABLE_ARGUMENT_BITS`] bits.
 ///
 /// # Errors
-/// If the scheme has a word past 63 bits.
+/// If the scheme has a word wider than 63 bits.
 ///
 /// # Panics
 /// If a thread panicked.
@@ -77,12 +78,12 @@ pub fn table_figures(tabulated: &Tabulated) -> Result<Option<Vec<TableFigures>>>
     Ok(Some(found.iter().map(named).collect()))
 }
 
-/// Schemes gone through so far, by what they are: points of a sweep share most of theirs.
+/// Results so far: points of a sweep share most of their schemes.
 static GONE_THROUGH: LazyLock<Cache<Key, Arc<[TableFigures]>>> = LazyLock::new(|| Cache::new(4096));
 
-/// What makes a scheme what it is, but for its name.
+/// Everything that defines a scheme, except its name.
 type Key = (Vec<Function>, Size, Format, Round, Format);
-/// Scheme, address bits, what functions are folded to, origin.
+/// Scheme, address bits, the folded functions, origin.
 type Size = (Scheme, u32, Vec<Option<(Function, bool)>>, Number);
 
 fn go_through(tabulated: &Tabulated) -> Result<Vec<TableFigures>> {
@@ -102,7 +103,7 @@ fn go_through(tabulated: &Tabulated) -> Result<Vec<TableFigures>> {
         .map_init(
             || program.runner(),
             |runner, start| {
-                // One word before the chunk, so that every joint is seen.
+                // Include one word before the chunk, so that every joint is covered.
                 let first = (start - 1).max(lo);
                 let last = (start + CHUNK_WORDS - 1).min(hi);
                 let words: Vec<i64> = (first..=last).collect();
@@ -138,7 +139,7 @@ fn go_through(tabulated: &Tabulated) -> Result<Vec<TableFigures>> {
     Ok(total)
 }
 
-/// Words that a thread takes at a time in [`table_figures`].
+/// Words per task in [`table_figures`].
 const CHUNK_WORDS: i64 = 1 << 14;
 
 fn part_figures(
@@ -173,7 +174,7 @@ fn part_figures(
         }
         if let Some((is_before, should_before)) = before {
             let (step, own) = (is - is_before, should - should_before);
-            // A pole between the words is the function's own jump.
+            // If a pole lies between the words, the jump is the function's own.
             if (step - own).abs() > figures.jump {
                 figures.jump = (step - own).abs();
                 figures.jump_raw = *word;

@@ -1,5 +1,5 @@
-//! The linear scheme: the chord's slope, and the base that puts the deviation's two extremes at equal distance
-//! (over up to 33 evenly spaced words of the cell). One multiplier.
+//! The linear scheme: the chord's slope, and the base that makes the two extreme deviations equal
+//! in size (over up to 33 evenly spaced words of the cell). One multiplier.
 
 use super::cells::{Cells, Definition, Entry, Tables, column, range};
 use crate::base::cast;
@@ -15,7 +15,7 @@ pub(super) const DEFINITION: Definition = Definition {
     balanced_int_bits: |addr_bits| 2 * addr_bits / 3,
 };
 
-/// Words of a cell at which the largest deviation is looked for.
+/// Number of words of a cell that are searched for the largest deviation.
 const CELL_SAMPLES: i64 = 33;
 
 fn tables(cells: &Cells<'_>) -> Tables {
@@ -41,7 +41,7 @@ fn slope(cells: &Cells<'_>, function: &Function, i: i64, slope_frac: i32) -> i64
         .round(slope_frac - cast::signed_count(cells.cell_bits))
 }
 
-/// The base that centres the deviation from a line of this slope per word.
+/// The base that centres the deviation from a line with this slope per word.
 fn base<'f>(cells: &Cells<'_>, function: &'f Function, i: i64, slope: f64) -> Entry<'f> {
     let range = range(cells.output);
     let words = word_mask(cells.cell_bits);

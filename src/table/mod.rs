@@ -1,13 +1,13 @@
-//! Table schemes: the words of a table from a real function, and the nodes around it.
+//! Table schemes: the words of a table for a real function, and the nodes around it.
 //!
-//! A [`Spec`] says what to tabulate; [`emit`] adds tables and logic to a netlist and
-//! returns one node per function. The address is the top bits of the argument's word,
-//! so an entry serves a *cell* of consecutive words. Every entry is a stated
-//! combination of function values, correctly rounded ([`Combination`]). Each scheme has its file.
+//! A [`Spec`] describes the table; [`emit`] adds tables and logic to a netlist and returns one node
+//! per function. The address is the top bits of the argument's word, so an entry serves a *cell* of
+//! consecutive words. Every entry is a stated combination of function values, correctly rounded
+//! ([`Combination`]). Each scheme has its own file.
 //!
-//! Values outside the output format, poles among them, saturate to its ends. Where they do, the
-//! linear and the bipartite scheme have no slope: those cells are as in the direct scheme. (Not
-//! where it is by one place only, as 1.0 in a format of fractions.)
+//! Values outside the output format, including poles, saturate to its ends. Cells with such values
+//! have no slope in the linear and the bipartite scheme, and are as in the direct scheme. (Values
+//! outside by only one ulp don't count, such as 1.0 in a format of fractions.)
 
 mod bipartite;
 mod cells;
@@ -25,12 +25,13 @@ use crate::number::format::{Format, Round};
 use crate::number::function::{Combination, Function};
 use cells::{Cells, entry, range};
 
-/// The most bits of a result: sums have a few more.
+/// Largest width of a result: sums have a few more bits.
 const MAX_BITS: u32 = 56;
-/// The most fraction bits of a result with the argument's bits: slopes have both and a few more.
+/// Largest sum of a result's fraction bits and the argument's bits: slopes have both and a few
+/// more.
 const MAX_FRAC_BITS: i32 = 120;
 
-/// A function (or several at one address) to be tabulated.
+/// A function to tabulate, or several at one address.
 #[derive(Clone, Copy, Debug)]
 pub struct Spec<'a> {
     /// Name of the table, and of the scope of its logic.
@@ -43,7 +44,7 @@ pub struct Spec<'a> {
     pub addr_bits: u32,
     /// Store a quarter turn only; for functions of angles that span a whole turn.
     pub quarter_wave: bool,
-    /// Real number that word 0 of the argument stands for, where it isn't 0.
+    /// Value of the argument's word 0.
     pub origin: f64,
     /// Format of the result.
     pub output: Format,
@@ -51,7 +52,7 @@ pub struct Spec<'a> {
     pub round: Round,
 }
 
-/// A table scheme as a design uses it: what is needed to judge it alone.
+/// A table scheme as a design uses it: everything needed to judge it on its own.
 #[derive(Clone, Debug)]
 pub struct Tabulated {
     /// Name of the table and of its scope.
@@ -60,9 +61,9 @@ pub struct Tabulated {
     pub functions: Vec<Function>,
     /// Scheme.
     pub scheme: Scheme,
-    /// Address bits asked for.
+    /// Address bits requested.
     pub addr_bits: u32,
-    /// Quarter-wave folding asked for.
+    /// Whether quarter-wave folding was requested.
     pub quarter_wave: bool,
     /// Value of the argument's word 0.
     pub origin: f64,
@@ -91,22 +92,25 @@ impl Tabulated {
     }
 }
 
-/// The scheme of a table: the recipe's, or what the table's name is [overridden](crate::netlist::Overrides) with.
+/// The scheme of a table: the recipe's, unless the table's name is
+/// [overridden](crate::netlist::Overrides).
 pub fn chosen(b: &mut Builder, table: &str, scheme: Scheme) -> Scheme {
     let name = b.table_scheme(table, scheme.name());
     let known = Scheme::ALL.iter().copied().find(|known| known.name() == name);
     known.unwrap_or_else(|| {
         let names: Vec<&str> = Scheme::ALL.iter().map(|scheme| scheme.name()).collect();
         let names = names.join(", ");
-        b.fail(Error::usage(format!("table `{table}`: `{name}` is no scheme: legal are {names}")));
+        b.fail(Error::usage(format!(
+            "table `{table}`: `{name}` is not a scheme: legal are {names}"
+        )));
         scheme
     })
 }
 
 /// Adds the tables and logic that approximate `spec.functions` at `argument`.
 ///
-/// Returns one node of format `spec.output` per function, each of which stands on reals
-/// for its function of `argument` (or for nothing, if the spec has an origin).
+/// Returns one node of format `spec.output` per function. On reals, each node stands for its
+/// function of `argument` (or has no value, if the spec has an origin).
 pub fn emit(b: &mut Builder, spec: &Spec<'_>, argument: NodeId) -> Vec<NodeId> {
     let folds = spec.quarter_wave
         && spec.addr_bits > 2
@@ -181,7 +185,7 @@ fn emit_folded(b: &mut Builder, spec: &Spec<'_>, function: &Function, argument: 
 /// The scheme over the argument's own cells, for function `which` of the spec.
 fn emit_cells(b: &mut Builder, spec: &Spec<'_>, which: usize, argument: NodeId) -> NodeId {
     if b.has_failed() {
-        // Nothing will come of this netlist: large tables would only take time.
+        // The netlist has already failed: building large tables would only take time.
         return b.constant(0, spec.output);
     }
     let argument_format = b.format(argument);
@@ -205,7 +209,7 @@ fn emit_cells(b: &mut Builder, spec: &Spec<'_>, which: usize, argument: NodeId) 
         Some(format!("fraction bits of words and bits of the argument are at most {most} together"))
     } else if spec.addr_bits.min(b.format(argument).bits()) > Table::MAX_ADDR_BITS {
         let most = Table::MAX_ADDR_BITS;
-        Some(format!("{} address bits, and tables have at most {most}", spec.addr_bits))
+        Some(format!("{} address bits, but tables have at most {most}", spec.addr_bits))
     } else {
         spec.functions.iter().find_map(Function::problem)
     };
@@ -213,7 +217,7 @@ fn emit_cells(b: &mut Builder, spec: &Spec<'_>, which: usize, argument: NodeId) 
         b.fail(Error::usage(format!("table `{}` of {}: {problem}", spec.name, spec.output)));
         return b.constant(0, spec.output);
     }
-    // Where there is nothing between the entries, a scheme is the direct one.
+    // If there is nothing between the entries, a scheme is the direct one.
     let applies = (spec.scheme.definition().applies)(&cells);
     let scheme = if applies { spec.scheme } else { Scheme::Direct };
     let tables: Vec<TableId> =

@@ -42,8 +42,9 @@ impl Scheme {
         self.definition().name
     }
 
-    /// Integer bits k of an index from -2^k to 2^k for which a table of so many address bits is about as far off inside
-    /// of the range as a function that bends like atan is past its ends, by 2^-k.
+    /// For an index from -2^k to 2^k: the integer bits k at which a table with this many address
+    /// bits has about the same error inside the range as a function that bends like atan has beyond
+    /// its ends, 2^-k.
     #[must_use]
     pub fn balanced_int_bits(self, addr_bits: u32) -> u32 {
         (self.definition().balanced_int_bits)(addr_bits)

@@ -55,7 +55,7 @@ fn a_shared_schedule_is_printed_and_its_figures_agree() {
     };
     let (code, text, _) = with(&[]);
     assert_eq!(code, 0);
-    assert!(text.contains("Cycle #") && text.contains("what one more unit would buy"), "{text}");
+    assert!(text.contains("Cycle #") && text.contains("effect of one more unit"), "{text}");
     let (_, json, _) = with(&["--json"]);
     let json: serde_json::Value = serde_json::from_str(&json).unwrap();
     // Two products on one multiplier, 13 sums on two adders.
@@ -199,7 +199,7 @@ fn malformed_csv_names_line_and_column_and_leaves_nothing() {
         (b"phi_a,theta_a,phi_n\n1,2,3\n", "line 1, column `theta_n`: no such column"),
         (
             b"phi_a,phi_a,theta_a,phi_n,theta_n\n1,2,3,4,5\n",
-            "line 1, column `phi_a`: the column is there twice",
+            "line 1, column `phi_a`: the column occurs twice",
         ),
         (
             b"phi_a,theta_a,phi_n,theta_n\n1,2,3,4\n1,2,3\n",
@@ -352,7 +352,7 @@ fn overflow_mode_error_stops_with_exit_code_1() {
 fn an_exhaustive_run_that_is_too_long_is_refused() {
     refused(
         &["sim", "rotation", "--sampler", "exhaustive"],
-        "the inputs have 2^64 combinations and an exhaustive run goes up to 2^32",
+        "the inputs have 2^64 combinations but an exhaustive run is limited to 2^32",
     );
     let (code, text, _) =
         run(&["sim", "rotation", "-p", "angle_bits=3", "--sampler", "exhaustive", "--json"]);
@@ -554,7 +554,7 @@ fn a_sweep_leaves_somebodys_files_alone() {
     fs::write(folder.path().join("report.md"), "mine").unwrap();
     let here = folder.path().to_str().unwrap();
     let args = ["sweep", "rotation", "--axis", "angle_bits=8", "--samples", "10", "--out", here];
-    refused(&args, "report.md: is in the way and from no sweep");
+    refused(&args, "report.md: is in the way and not from a sweep");
     assert_eq!(fs::read_to_string(folder.path().join("report.md")).unwrap(), "mine");
 }
 
@@ -619,8 +619,8 @@ fn samples_and_seeds_without_a_use_are_noted() {
         let (code, with, stderr) = run(&[&args[..], &given].concat());
         assert_eq!((code, figures(&with)), (0, figures(&without)));
         let should = format!(
-            "note: --samples changes nothing: sampler {sampler} draws nothing\n\
-             note: --seed changes nothing: sampler {sampler} draws nothing\n"
+            "note: --samples has no effect: sampler {sampler} draws no random samples\n\
+             note: --seed has no effect: sampler {sampler} draws no random samples\n"
         );
         assert_eq!(stderr, should);
     }
@@ -631,7 +631,7 @@ fn samples_and_seeds_without_a_use_are_noted() {
     let (code, _, stderr) = run(&["wave", "rotation", "--in", input, "--seed", "7", "--out", out]);
     assert_eq!(
         (code, stderr.as_str()),
-        (0, "note: --seed changes nothing: the samples are those of --in\n")
+        (0, "note: --seed has no effect: --in gives the samples\n")
     );
 }
 
@@ -843,7 +843,7 @@ fn a_render_that_is_wrong_writes_nothing() {
     }
     refused(
         &["render", &good, "--out", &good],
-        "good.toml: is no folder, and pictures go into one",
+        "good.toml: is not a folder, and pictures go into one",
     );
     refused(&["render", &good, "--out", &format!("{good}/out")], "can't make the folder");
     assert!(fs::read_to_string(&good).unwrap().starts_with("[image]"));

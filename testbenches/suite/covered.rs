@@ -167,11 +167,11 @@ fn what_another_command_does_is_named() {
     };
     refused_with(
         &["render", "lettering-raised", "--specialise"],
-        "--specialise is for pipelines that shade bumps, and the scene has an [emboss] section: name some that shade bumps, as --pipelines printed,corrected,exact-polar,exact-cartesian",
+        "--specialise is for pipelines that shade bumps, and the scene has an [emboss] section: name some that shade bumps, such as --pipelines printed,corrected,exact-polar,exact-cartesian",
     );
     refused_with(
         &["sweep", "emboss", "--scene", "lettering-raised", "--axis", "component_bits=8,9"],
-        "`fixpath render SCENE --pipelines emboss-gx,emboss-nv --ladder` climbs",
+        "`fixpath render SCENE --pipelines emboss-gx,emboss-nv --ladder` measures",
     );
     refused_with(
         &["sweep", "tangent", "--scene", "mirrored", "--axis", "component_bits=8,9"],
@@ -179,6 +179,6 @@ fn what_another_command_does_is_named() {
     );
     refused_with(
         &["sweep", "rotation", "--scene", "plane", "--axis", "angle_bits=8,9"],
-        "leave --scene out, or take one of bump, ernst, kim, kugler",
+        "leave --scene out, or use one of bump, ernst, kim, kugler",
     );
 }

@@ -67,7 +67,7 @@ fn every_key_of_scenes_is_on_the_page() {
         if line.starts_with('[') {
             sections.push((line.split(' ').next().unwrap(), Vec::new()));
         } else if let Some((key, _)) = line.trim_start_matches("# ").split_once(" = ")
-            && key.chars().all(|c| c.is_ascii_lowercase() || c == '_')
+            && key.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
         {
             sections.last_mut().unwrap().1.push(key);
         }

@@ -91,7 +91,7 @@ fn a_sweep_over_a_scene_has_the_figures_of_its_pictures() {
         out_text,
     ];
     let told = done(&args);
-    assert!(told.contains("by the largest difference (1/255) to the golden picture"), "{told}");
+    assert!(told.contains("by largest difference (1/255) against the golden picture"), "{told}");
     let record = json(&out.join("sweep.json"));
     assert_eq!(record["header"]["sampler"], "scene");
     assert_eq!(record["header"]["scene"]["name"], "two.toml");
@@ -292,7 +292,7 @@ fn a_ladder_has_the_figures_of_its_pictures() {
         let svg = fs::read_to_string(out.join(plot)).unwrap();
         assert!(svg.starts_with("<svg") && svg.contains("largest difference (1/255)"));
     }
-    assert!(report.contains("At exponent 120 the picture by direct tables"), "{report}");
+    assert!(report.contains("At exponent 120, the picture is off by up to"), "{report}");
 }
 
 #[test]

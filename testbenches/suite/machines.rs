@@ -547,15 +547,15 @@ fn memories_and_rates_on_the_command_line() {
         let set = format!("memory.map={}", of("bad.csv", text));
         refused(&["sim", &unit, "-p", &set], part);
     };
-    bad("", "bad.csv: it is empty: a line of headings comes first");
+    bad("", "bad.csv: the file is empty: it needs a line of headings");
     bad("height,height\n1,1\n", "line 1: two columns are called `height`");
-    bad("height\n1\n2\n3\n4\n", "its file has no column `slope`: there are height");
+    bad("height\n1\n2\n3\n4\n", "its file has no column `slope`: it has height");
     bad("height,slope\n1,1\n2,2\n", "column `height` has 2 words and 4 rows");
-    bad("height,slope\n1,1\n2,x\n3,y\n4,4\n", "bad.csv, line 3, column `slope`: `x` is no word");
+    bad("height,slope\n1,1\n2,x\n3,y\n4,4\n", "bad.csv, line 3, column `slope`: `x` is not a word");
     bad("height,slope\n1,1\n2\n3,3\n4,4\n", "line 3");
     bad("height,slope\n1,1\n2,2\n300,3\n4,4\n", "word 300 at address 2, outside s8f7");
     refused(&["sim", &unit, "-p", "memory.map=nothing.csv"], "nothing.csv: can't read");
-    refused(&["sim", &unit, "-p", "memory.map="], "legal is the path of a file in CSV");
+    refused(&["sim", &unit, "-p", "memory.map="], "legal is the path of a CSV file");
     refused(
         &["sim", "rotation", "-p", &map],
         "netlist `rotation` has no memory `map`: there is none",
@@ -563,9 +563,12 @@ fn memories_and_rates_on_the_command_line() {
     let (code, told, _) = run(&["sim", &unit, "-p", &map, "--sampler", "exhaustive"]);
     assert_eq!(code, 0, "{told}");
     let (_, shown, _) = run(&["show", &unit, "-p", &map]);
-    for part in
-        ["memories, whose words", "map        4", "scale s8f6   number   face", "face  scale     0"]
-    {
+    for part in [
+        "memories (-p memory.NAME",
+        "map        4",
+        "scale s8f6   number   face",
+        "face  scale     0",
+    ] {
         assert!(shown.contains(part), "{part} in\n{shown}");
     }
     let (_, json, _) = run(&["schedule", &unit, "--json"]);
@@ -573,7 +576,7 @@ fn memories_and_rates_on_the_command_line() {
     assert_eq!(json["rates"][0]["rate"], "face");
     let out = folder.path().join("hdl").display().to_string();
     let (code, _, note) = run(&["hdl", &unit, "--out", &out, "--vectors", "10"]);
-    assert!(code == 0 && note.contains("vectors are for random ones"), "{note}");
+    assert!(code == 0 && note.contains("the vectors use random ones"), "{note}");
     let wave = folder.path().join("f.vcd").display().to_string();
     let (code, told, _) = run(&["wave", &unit, "-p", &map, "--out", &wave, "--samples", "20"]);
     assert_eq!(code, 0, "{told}");

@@ -605,14 +605,15 @@ fn words_outside_a_port_are_refused() {
     let why = why.unwrap_err().to_string();
     assert_eq!(
         why,
-        "words of `result` are s6f1 and its column holds 0 to 65535: take wider numbers"
+        "words of `result` are s6f1 and its column holds 0 to 65535: use a wider number type"
     );
     let mut out = vec![Vec::new(); 2];
     let mut wrong = |columns: &[&[i64]]| {
         program.runner().run(&program, columns, &mut out).unwrap_err().to_string()
     };
     assert_eq!(wrong(&[&[1]]), "1 columns of input words: one is needed for each of a, phase");
-    let why = "the column of port `phase` has 1 words and that of `a` has 2: give as many to each";
+    let why =
+        "the column of port `phase` has 1 words and that of `a` has 2: give each the same number";
     assert_eq!(wrong(&[&[1, 2], &[3]]), why);
     let why = program.runner().run(&program, &[&[1], &[1]], &mut []).unwrap_err().to_string();
     assert_eq!(why, "0 columns of output words: one is needed for each of result, turned");

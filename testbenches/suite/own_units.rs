@@ -79,7 +79,7 @@ fn every_command_takes_its_units() {
             assert_eq!(sim["hard_cases"][0]["float32_worst"].is_number(), known, "{unit}");
             let told = done(&["sim", unit, "--hard", "--cases", &path("cases.csv")]);
             assert_eq!(
-                told.contains("f32 is not judged: the unit brings no golden model in it"),
+                told.contains("f32 is not judged: the unit has no golden model in f32"),
                 !known
             );
             assert!(fs::read_to_string(path("cases.csv")).unwrap().lines().count() > 10);

@@ -88,7 +88,7 @@ fn columns_that_disagree_are_refused_with_the_row() {
     let table = "phi_a_raw,phi_a,theta_a,phi_n,theta_n\n16384,90,1,2,3\n\n16384,90.01,1,2,3\n";
     assert_eq!(
         refused(&DEGREES, table),
-        "error: standard input, line 4, column `phi_a`: `90.01` is word 16386, and `phi_a_raw` says 16384: \
+        "error: standard input, line 4, column `phi_a`: `90.01` is word 16386, but `phi_a_raw` gives 16384: \
          correct one, or leave its column out\n"
     );
     let table = "phi_a,phi_a_q,theta_a,phi_n,theta_n\n90,91,1,2,3\n";
@@ -98,8 +98,8 @@ fn columns_that_disagree_are_refused_with_the_row() {
 #[test]
 fn words_are_words_of_their_port() {
     for (word, message) in [
-        ("65536", "65536 is no word of format u16f16: legal is 0 to 65535"),
-        ("-1", "-1 is no word of format u16f16"),
+        ("65536", "65536 is not a word of format u16f16: legal is 0 to 65535"),
+        ("-1", "-1 is not a word of format u16f16"),
         ("1.5", "`1.5` is not a whole number"),
         ("", "`` is not a whole number"),
         ("99999999999999999999", "`99999999999999999999` is not a whole number"),
@@ -114,11 +114,11 @@ fn unknown_columns_are_refused_with_the_nearest_unless_ignored() {
     let told = refused(&DEGREES, "phi_a,theta_a,phi_m,theta_n\n1,2,3,4\n");
     assert_eq!(
         told,
-        "error: standard input, line 1, column `phi_m`: column 3 means nothing here, did you mean `phi_n`: \
-         the header should name phi_a,theta_a,phi_n,theta_n, and --ignore-columns passes others over\n"
+        "error: standard input, line 1, column `phi_m`: column 3 has no meaning here, did you mean `phi_n`: \
+         the header should name phi_a,theta_a,phi_n,theta_n, and --ignore-columns skips others\n"
     );
     let noted = "note;phi_a;theta_a;phi_n;theta_n;phi_a_deg\n\"a;\nb\";1;2;3;4;?\n";
-    assert!(refused(&DEGREES, noted).contains("column `note`: column 1 means nothing here:"));
+    assert!(refused(&DEGREES, noted).contains("column `note`: column 1 has no meaning here:"));
     let ignoring = [&["eval", "rotation", "--ignore-columns"], &DEGREES[2..]].concat();
     let plain = "phi_a,theta_a,phi_n,theta_n\n1,2,3,4\n";
     assert_eq!(eval(&ignoring, noted), eval(&DEGREES, plain));
@@ -127,7 +127,7 @@ fn unknown_columns_are_refused_with_the_nearest_unless_ignored() {
         run(&ignoring, b"note,phi_a,theta_a,phi_n,theta_n\n\xe4,1,2,3,4\n".to_vec());
     assert_eq!((code, text), (0, eval(&DEGREES, plain)));
     // A column without a name, as of an index.
-    assert!(refused(&DEGREES, format!(",{plain}")).contains("column ``: column 1 means nothing"));
+    assert!(refused(&DEGREES, format!(",{plain}")).contains("column ``: column 1 has no meaning"));
     let told = refused(&ignoring, "phi_a,theta_a,phi_m,theta_n\n1,2,3,4\n");
     assert!(told.contains("line 1, column `phi_n`: no such column"), "{told}");
 }

@@ -971,7 +971,7 @@ fn the_unit_takes_every_configuration_that_is_told() {
     let far = with("1e6", "1").to_string();
     assert_eq!(
         refused(&far),
-        "parameter `ks` = `1000000`: legal is -65536 to 65536, also with fractions"
+        "parameter `ks` = `1000000`: legal is -65536 to 65536, fractions allowed"
     );
 }
 

@@ -316,7 +316,7 @@ fn strips_and_fans_are_set_up_as_lists() {
         String::from_utf8(output.stdout).unwrap()
     };
     let told = run(&[]);
-    assert!(told.contains("99 vertices, 162 triangles of 194 indices, 28 more that only stitch; shared, the vertex stage works on 99 vertices, and on 486"), "{told}");
+    assert!(told.contains("99 vertices, 162 triangles of 194 indices, 28 more that only stitch; with shared vertices the vertex stage works on 99 vertices, with separate ones on 486"), "{told}");
     let value: serde_json::Value = serde_json::from_str(&run(&["--json"])).unwrap();
     let first = &value["pipelines"][0];
     assert_eq!(first["setup"]["sharing"]["vertex_operations"], 99);

@@ -309,7 +309,7 @@ fn a_unit_that_is_no_unit_says_why() {
     let with = |param| refused(&unit("half").param(param));
     assert_eq!(
         refused(&Unit::new("half", "")),
-        "unit `half`: nothing makes its datapath: give it a `design`"
+        "unit `half`: it has no datapath: give it a `design`"
     );
     for name in ["", "Half", "half_", "1st", "two words", "a__b", "half/1"] {
         let message = refused(&unit(name));
@@ -320,11 +320,11 @@ fn a_unit_that_is_no_unit_says_why() {
     }
     assert_eq!(
         refused(&unit("half").source("a\nb")),
-        "unit `half`: `a\\nb` is to be one line of text"
+        "unit `half`: `a\\nb` must be one line of text"
     );
     assert_eq!(
         refused(&unit("half").params([Param::flag("a"), Param::flag("a")])),
-        "unit `half`: parameter `a`: two of this name"
+        "unit `half`: parameter `a`: two parameters of this name"
     );
     assert_eq!(
         with(Param::flag("stages")),
@@ -332,26 +332,23 @@ fn a_unit_that_is_no_unit_says_why() {
     );
     assert_eq!(
         with(Param::bits("a", 2..=8).default(9)),
-        "unit `half`: parameter `a`: its default 9 isn't legal, which is 2 to 8"
+        "unit `half`: parameter `a`: its default 9 isn't legal; legal is 2 to 8"
     );
     assert_eq!(
         with(Param::choice("a", ["x", "y"]).default("z")),
-        "unit `half`: parameter `a`: its default z isn't legal, which is x, y"
+        "unit `half`: parameter `a`: its default z isn't legal; legal is x, y"
     );
     let (more, less) = (8, 2);
     assert_eq!(
         with(Param::bits("a", more..=less)),
-        "unit `half`: parameter `a`: 8 to 2 is no range"
+        "unit `half`: parameter `a`: 8 to 2 is not a range"
     );
     assert_eq!(
         with(Param::real("a", 0.0..=f64::NAN)),
-        "unit `half`: parameter `a`: 0 to NaN is no range"
+        "unit `half`: parameter `a`: 0 to NaN is not a range"
     );
     let none: [&str; 0] = [];
-    assert_eq!(
-        with(Param::choice("a", none)),
-        "unit `half`: parameter `a`: it has no names to choose from"
-    );
+    assert_eq!(with(Param::choice("a", none)), "unit `half`: parameter `a`: it has no choices");
     assert_eq!(
         with(Param::choice("a", ["x", "x"])),
         "unit `half`: parameter `a`: it has the name `x` twice"
@@ -379,11 +376,11 @@ fn a_design_that_does_not_fit_together_says_why() {
     assert_eq!(made(|design| design), Ok(()));
     assert_eq!(
         refused(|design| design.golden(|_| Golden::each(|[x]: [f64; 1]| [x, x]))),
-        "unit `pair`: its golden takes 1 inputs, and there are 2"
+        "unit `pair`: its golden takes 1 inputs, but there are 2"
     );
     assert_eq!(
         refused(|design| design.golden(|_| Golden::each(|[x, _]: [f64; 2]| [x]))),
-        "unit `pair`: its golden gives 1 columns, and groups take 2"
+        "unit `pair`: its golden gives 1 columns, but the groups have 2"
     );
     assert_eq!(
         refused(|design| design.golden(|_| Golden::new(|_, columns| columns[1].clear()))),
@@ -405,7 +402,7 @@ fn a_design_that_does_not_fit_together_says_why() {
             design.groups[0].shape = Shape::Polar;
             design
         }),
-        "unit `pair`: group `sum` takes 2 nodes and has 1"
+        "unit `pair`: group `sum` needs 2 nodes and has 1"
     );
     assert_eq!(
         refused(|design| design.hard(vec![HardCase::new("few", vec![vec![1]])])),
@@ -419,7 +416,7 @@ fn a_design_that_does_not_fit_together_says_why() {
         refused(|design| {
             design.bounds(Bounds::Stated(vec![Bound::new("sum", ["sun"], |_, _| 0.0)]))
         }),
-        "unit `pair`: its bound on `sum` is on `sun`, which isn't measured: that are sum, x_again"
+        "unit `pair`: its bound on `sum` is on `sun`, which isn't measured; measured are sum, x_again"
     );
     assert_eq!(
         refused(|design| design.golden(|p| {
@@ -450,7 +447,7 @@ fn what_is_read_and_not_there_is_an_error() {
         unit.defaults().build().map(|_| ()).map_err(|why| why.to_string())
     };
     let read_as = |name: &str, what: &str, value: &str| {
-        Err(format!("unit `reader` reads its parameter `{name}` as {what}, and it is {value}"))
+        Err(format!("unit `reader` reads its parameter `{name}` as {what}, but it is {value}"))
     };
     assert_eq!(reads(|p| format!("{:?}", (p.int("n"), p.choice("c"), p.int("stages")))), Ok(()));
     let missing = reads(|p| format!("{:?}", p.int("m"))).unwrap_err();
@@ -620,7 +617,7 @@ fn a_builder_of_its_own_takes_nothing_by_name() {
         ("format.y=u4f3", "format for node `y`"),
     ] {
         let error = new.values(&[set]).unwrap().build().unwrap_err().to_string();
-        assert!(error.contains(&format!("unit `own` takes no {what}")), "{error}");
+        assert!(error.contains(&format!("unit `own` ignores the {what}")), "{error}");
         given.values(&[set]).unwrap().build().unwrap();
     }
 }

@@ -1,4 +1,4 @@
-//! What is asked for: a scene, pipelines, a folder.
+//! Arguments: a scene, pipelines, a folder.
 
 use crate::base::error::{Error, Result};
 use crate::cli::number;
@@ -8,44 +8,44 @@ use crate::shading::scene::Scene;
 use clap::Args;
 use std::path::{Path, PathBuf};
 
-/// The pipelines of a picture, if none are named.
+/// The default pipelines of a picture.
 const PIPELINES: [&str; 4] = ["printed", "corrected", "exact-polar", "exact-cartesian"];
 
 /// Arguments of `fixpath render`.
 #[derive(Args)]
 pub(in crate::cli) struct RenderArgs {
-    /// Scene file, or a built-in scene: plane, cube, sphere, lettering-raised, lettering-lowered, brick,
-    /// light-orbit, mirrored.
+    /// Scene file, or a built-in scene: plane, cube, sphere, lettering-raised, lettering-lowered,
+    /// brick, light-orbit, mirrored.
     pub(super) scene: PathBuf,
-    /// Folder to write; pictures that an earlier run made there go.
+    /// Folder to write; pictures that an earlier run wrote there are removed.
     #[arg(long, value_name = "DIR")]
     pub(super) out: PathBuf,
-    /// Pipelines to compare; if not given emboss-gx,emboss-nv for a scene with an [emboss] section, else
-    /// printed,corrected,exact-polar,exact-cartesian, and for a ladder all that shade bumps. Those that emboss have
-    /// a golden of their own and go into a folder of their own. tangent-smooth and tangent-faceted set triangles up and
-    /// light them in texture space; their difference is told in two parts.
+    /// Pipelines to compare. Default: emboss-gx,emboss-nv for a scene with an [emboss] section; for
+    /// a ladder, all that shade bumps; otherwise printed,corrected,exact-polar,exact-cartesian.
+    /// Emboss pipelines have their own golden and must go into a folder of their own.
+    /// tangent-smooth and tangent-faceted set up triangles and light them in texture space; their
+    /// difference is reported in two parts.
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     pub(super) pipelines: Vec<String>,
-    /// Set a parameter of every pipeline that has it; those of the material come from the scene.
+    /// Set a parameter of every pipeline that has it. Material parameters come from the scene.
     #[arg(short = 'p', long = "param", value_name = "KEY=VALUE")]
     params: Vec<String>,
-    /// Where texture frames come from: float, for each pixel; or setup, by the fixed-point unit tangent for each corner
-    /// of planes, cubes and meshes, which -p then sets, too.
+    /// Source of texture frames. float: computed for each pixel. setup: by the fixed-point unit
+    /// tangent, for each corner of planes, cubes and meshes; -p then also sets its parameters.
     #[arg(long, value_name = "SOURCE", default_value = "float", value_parser = ["float", "setup"])]
     pub(super) frames: String,
-    /// Pixels per degree of sight, for FLIP.
+    /// Pixels per degree of visual angle, for FLIP.
     #[arg(long, value_name = "X", default_value_t = PIXELS_PER_DEGREE, allow_negative_numbers = true, value_parser = number::real)]
     pub(super) pixels_per_degree: f64,
-    /// Cut each pipeline down to what the scene needs, hold it to the general one on every pixel, and
-    /// tell what that saves.
+    /// Specialise each pipeline to what the scene needs, compare it with the general one on every
+    /// pixel, and report what that saves.
     #[arg(long)]
     pub(super) specialise: bool,
-    /// In place of pictures, a report of error against cost and speed: every pipeline over a ladder of
-    /// widths (8,10,12,14,16 bits if none are given), and the light tables over exponents.
+    /// Instead of pictures, write a report of error against cost and speed: every pipeline over a
+    /// ladder of widths (default 8,10,12,14,16 bits), and the light tables over exponents.
     #[arg(long, value_name = "BITS,…", conflicts_with = "specialise", num_args = 0..=1, require_equals = true, default_missing_value = "")]
     pub(super) ladder: Option<String>,
-    /// Exponents of the highlight that the ladder's light tables are judged at; 1,8,32,128,255 if none
-    /// are given.
+    /// Highlight exponents at which the ladder judges the light tables; default 1,8,32,128,255.
     #[arg(long, value_name = "N,…", requires = "ladder")]
     pub(super) exponents: Option<String>,
     /// As JSON.
@@ -54,7 +54,7 @@ pub(in crate::cli) struct RenderArgs {
 }
 
 impl RenderArgs {
-    /// A built-in scene by some pipelines, or, if none are named, the usual ones.
+    /// A built-in scene with the given pipelines, or the default ones if none are named.
     pub(in crate::cli) fn of_builtin(name: &str, pipelines: &[&str], out: &Path) -> Self {
         Self {
             scene: name.into(),
@@ -71,13 +71,13 @@ impl RenderArgs {
     }
 }
 
-/// The pipelines asked for, with their parameters.
+/// The requested pipelines, with their parameters.
 pub(super) fn pipelines_of(args: &RenderArgs, scene: &Scene) -> Result<Vec<Pipeline>> {
     let mut pipelines = Vec::new();
     let names: Vec<&str> = match (&args.pipelines[..], &args.ladder) {
         ([], _) if scene.emboss.asked && args.specialise => {
             let text = format!(
-                "--specialise is for pipelines that shade bumps, and the scene has an [emboss] section: name some that shade bumps, as --pipelines {}",
+                "--specialise is for pipelines that shade bumps, and the scene has an [emboss] section: name some that shade bumps, such as --pipelines {}",
                 PIPELINES.join(",")
             );
             return Err(Error::usage(text));
@@ -104,11 +104,11 @@ pub(super) fn pipelines_of(args: &RenderArgs, scene: &Scene) -> Result<Vec<Pipel
         pipelines.iter_mut().for_each(|pipeline| pipeline.frames = Frames::Setup);
     }
     Pipeline::set(&mut pipelines, &args.params)?;
-    // Before the work, not after it.
+    // Check before the work starts.
     check_view(scene)?;
     check_pixels_per_degree(args.pixels_per_degree)?;
     if args.out.exists() && !args.out.is_dir() {
-        return Err(Error::file(&args.out, "is no folder, and pictures go into one".to_owned()));
+        return Err(Error::file(&args.out, "is not a folder, and pictures go into one".to_owned()));
     }
     Ok(pipelines)
 }

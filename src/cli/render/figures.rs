@@ -1,4 +1,4 @@
-//! What is told of pictures, in words and as JSON.
+//! Reports on pictures, as text and as JSON.
 
 use super::args::RenderArgs;
 use crate::base::cast;
@@ -13,8 +13,8 @@ use crate::shading::scene::{Scene, Sharing};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 
-/// What a set-up's difference to the golden is made of: arithmetic (to its own flow with the golden of the
-/// set-up) and algorithm (of that flow to the golden).
+/// The parts of a set-up's difference from the golden: arithmetic (from its own flow with the
+/// golden of the set-up) and algorithm (of that flow from the golden).
 type Parts = Option<[Difference; 2]>;
 
 pub(super) fn parts(rendered: &Rendered, args: &RenderArgs) -> Result<Vec<Parts>> {
@@ -29,17 +29,17 @@ pub(super) fn parts(rendered: &Rendered, args: &RenderArgs) -> Result<Vec<Parts>
     rendered.shots.iter().map(of).collect()
 }
 
-/// How much of the pictures means are over, in words.
+/// How many pixels the means are over, in words.
 pub(super) fn covered(rendered: &Rendered) -> String {
     coverage(rendered.covered, rendered.background())
 }
 
-/// What its largest difference can't be above, in linear light.
+/// Bound on the largest difference, in linear light.
 pub(super) fn bound_of(shot: &Shot) -> Option<f64> {
     shot.emboss.and_then(|known| known.bound)
 }
 
-/// False if a picture is farther from the golden than it can be.
+/// False if a picture differs from the golden by more than its bound.
 pub(super) fn bounds_hold(rendered: &Rendered, differences: &[Difference]) -> bool {
     let holds = |(shot, difference): (&Shot, &Difference)| {
         bound_of(shot).is_none_or(|bound| difference.max.difference <= bound) // false for NaN
@@ -71,7 +71,7 @@ pub(super) fn table(rendered: &Rendered, differences: &[Difference]) -> String {
         })
         .collect();
     let mut told = format!(
-        "{} x {} pixels: {}; differences to the golden, in linear light\n",
+        "{} x {} pixels: {}; differences from the golden, in linear light\n",
         rendered.golden.width_px(),
         rendered.golden.height_px(),
         covered(rendered)
@@ -90,7 +90,7 @@ pub(super) fn table(rendered: &Rendered, differences: &[Difference]) -> String {
         ">bound/255",
         ">M samples/s a thread",
     ];
-    // Columns that say something.
+    // Drop empty columns.
     let kept: Vec<usize> =
         (0..headings.len()).filter(|i| rows.iter().any(|row| !row[*i].is_empty())).collect();
     let headings: Vec<&str> = kept.iter().map(|i| headings[*i]).collect();
@@ -103,14 +103,14 @@ pub(super) fn table(rendered: &Rendered, differences: &[Difference]) -> String {
         "  {:.2} M pixels/s for rays, golden and all pipelines together{}",
         pixels / rendered.elapsed.as_secs_f64() / 1e6,
         rendered.blinn.map_or(String::new(), |blinn| format!(
-            "; Blinn's equation differs from the golden by {} at most",
+            "; Blinn's equation differs from the golden by at most {}",
             text::number(blinn)
         ))
     );
     told
 }
 
-/// What is known of frames that are set up, once where pipelines say the same.
+/// A line on the set-up frames of each pipeline; equal lines are printed once.
 pub(super) fn frames(rendered: &Rendered) -> String {
     let mut lines: Vec<String> = Vec::new();
     for known in rendered.shots.iter().filter_map(|shot| shot.frames.as_ref()) {
@@ -131,7 +131,7 @@ pub(super) fn frames(rendered: &Rendered) -> String {
     lines.concat()
 }
 
-/// What set-ups take and save, and what their differences are made of.
+/// The cost and savings of set-ups, and the parts of their differences.
 pub(super) fn setups(rendered: &Rendered, differences: &[Difference], parts: &[Parts]) -> String {
     let mut told = String::new();
     let shots = rendered.shots.iter().zip(differences).zip(parts);
@@ -197,9 +197,9 @@ pub(super) fn setups(rendered: &Rendered, differences: &[Difference], parts: &[P
         format!("{:.2} x", cast::f64_of_count(more) / cast::f64_of_count(less.max(1)))
     };
     format!(
-        "\nset-up per triangle: arithmetic is to the same flow with the set-up in floating point, algorithm of that to the golden\n{}{told}\
-         {vertices} vertices, {primitives} triangles of {indices} indices, {stitches} more that only stitch; shared, the vertex stage works on {vertex_operations} vertices, and on \
-         {replicated_operations} if each triangle has its own ({}); buffers have {bytes} bytes, and would have {replicated_bytes} ({})\n{}",
+        "\nset-up per triangle: arithmetic is the difference from the same flow with a floating-point set-up, algorithm that of this flow from the golden\n{}{told}\
+         {vertices} vertices, {primitives} triangles of {indices} indices, {stitches} more that only stitch; with shared vertices the vertex stage works on {vertex_operations} vertices, \
+         with separate ones on {replicated_operations} ({}); shared buffers have {bytes} bytes, separate ones {replicated_bytes} ({})\n{}",
         text::table(
             &[
                 "pipeline",
@@ -222,7 +222,7 @@ pub(super) fn setups(rendered: &Rendered, differences: &[Difference], parts: &[P
     )
 }
 
-/// What specialised pipelines save, a row for each design.
+/// Savings of specialised pipelines, one row per design.
 pub(super) fn savings(reduced: &[(&str, Vec<SpecialisedStage>)]) -> String {
     let mut rows = Vec::new();
     for (name, stages) in reduced {
@@ -264,14 +264,14 @@ pub(super) fn savings(reduced: &[(&str, Vec<SpecialisedStage>)]) -> String {
         }
     }
     let mut told = String::from(
-        "only what the scene needs: before, after for every pixel + after once for every flat face;\n\
-         each design is held to the general one on every pixel\n",
+        "specialised to the scene: before to after per pixel + after per flat face;\n\
+         each design is compared with the general one on every pixel\n",
     );
     told.push_str(&text::table(
         &[
             "pipeline",
             "material, light",
-            "ports constant on scene, face; changing",
+            "ports constant per scene, constant per face, changing",
             "tables",
             "ROM bits",
             "with copies",

@@ -8,16 +8,16 @@ use crate::shading::render::{Pipeline, Rendered};
 use serde_json::Value;
 use std::path::Path;
 
-/// The most pipelines beside each other on a sheet.
+/// Largest number of pipelines side by side on a sheet.
 const SHEET_PIPELINES: usize = 4;
 
-/// Files of pictures.
+/// Name of the output set of pictures.
 pub(super) const SET: &str = "render";
 
 /// Files of figures.
 const FIGURES: [&str; 2] = ["figures.json", "figures.txt"];
 
-/// What the pictures of a pipeline are named after it.
+/// Name endings of a pipeline's pictures.
 fn pictures_of(pipeline: &Pipeline) -> Vec<&'static str> {
     let mut ends = vec!["", "_difference", "_signed"];
     if pipeline.is_emboss() {
@@ -39,7 +39,7 @@ pub(super) fn files_of(pipelines: &[Pipeline]) -> Vec<String> {
     others.chain(pipelines.iter().flat_map(of)).collect()
 }
 
-/// Files of a scene whose light moves.
+/// Files of a scene with a moving light.
 pub(super) fn files_of_frames(pipelines: &[Pipeline], frames: u32) -> Vec<String> {
     let mut folders = vec!["golden".to_owned()];
     for pipeline in pipelines {
@@ -57,7 +57,7 @@ pub(super) fn frame_file(number: u32) -> String {
     format!("frame_{number:03}.png")
 }
 
-/// Writes the figures of pictures that are complete, and puts all into their places.
+/// Writes the figures once the pictures are complete, and commits the set.
 pub(super) fn write_figures(set: Set, value: &Value, told: &str) -> Result<()> {
     for (name, text) in FIGURES.into_iter().zip([&*json::text(value), told]) {
         output::write_text(&set.path().join(name), text)?;

@@ -1,4 +1,4 @@
-//! A scene whose light moves.
+//! A scene with a moving light.
 
 use super::args::{RenderArgs, pipelines_of};
 use super::figures::{bound_of, bounds_hold, covered, figures, parts};
@@ -14,15 +14,15 @@ use crate::shading::picture::{Amplify, Panel, Srgb8, absolute_map, sheet};
 use crate::shading::scene::Scene;
 use serde_json::json;
 
-/// The most frames beside each other on a sheet.
+/// Largest number of frames side by side on a sheet.
 const SHEET_FRAMES: usize = 12;
 
-/// Renders every frame of a scene whose light moves, and writes `frame_000.png` and so on into a folder
-/// for the golden and for each pipeline, a sheet of all, and figures of every frame; returns what to
-/// tell, and false if a bound is broken.
+/// Renders every frame of a scene with a moving light. Writes `frame_000.png` and so on into a
+/// folder for the golden and for each pipeline, a sheet of all, and figures of every frame. Returns
+/// the text to print, and false if a bound is broken.
 pub(super) fn run_frames(args: &RenderArgs, scene: &Scene) -> Result<(String, bool)> {
     if args.specialise {
-        let text = "--specialise takes a scene with one picture: leave [orbit] out";
+        let text = "--specialise needs a scene with one picture: leave [orbit] out";
         return Err(Error::usage(text.to_owned()));
     }
     let pipelines = pipelines_of(args, scene)?;
@@ -36,7 +36,7 @@ pub(super) fn run_frames(args: &RenderArgs, scene: &Scene) -> Result<(String, bo
     }
     let height = u64::from(scene.image.height);
     let bar = progress_bar(u64::from(scene.frames()) * height, "rows");
-    // A row of the sheet for each picture, and below it one of differences.
+    // One sheet row per picture; below each pipeline's row, one of its differences.
     let mut rows: Vec<Vec<Srgb8>> = vec![Vec::new(); 2 * names.len() - 1];
     let (mut values, mut told, mut held) = (Vec::new(), Vec::new(), true);
     let mut view = String::new();
@@ -64,7 +64,7 @@ pub(super) fn run_frames(args: &RenderArgs, scene: &Scene) -> Result<(String, bo
                 Amplify::Fit,
             )?);
         }
-        // The camera stands still: each frame sees the same pixels.
+        // The camera doesn't move: each frame covers the same pixels.
         view = covered(&rendered);
         held &= bounds_hold(&rendered, &differences);
         values.push(figures(scene, &rendered, &differences, &parts(&rendered, args)?));

@@ -12,7 +12,8 @@ use crate::cli::{ladder, text};
 use crate::shading::render::{Pipeline, SpecialisedStage, mixed, specialise_to};
 use serde_json::json;
 
-/// Renders and writes; returns what to tell, and false if a specialised pipeline differs.
+/// Renders and writes; returns the text to print, and false if a bound is broken or a specialised
+/// pipeline differs.
 pub(in crate::cli) fn run(args: &RenderArgs) -> Result<(String, bool)> {
     let scene = match &args.ladder {
         Some(_) => still_scene_of(&args.scene)?,
@@ -20,7 +21,7 @@ pub(in crate::cli) fn run(args: &RenderArgs) -> Result<(String, bool)> {
     };
     if let Some(widths) = &args.ladder {
         if args.frames == "setup" {
-            let text = "--ladder takes frames in floating point: leave --frames out";
+            let text = "--ladder needs frames in floating point: leave --frames out";
             return Err(Error::usage(text.to_owned()));
         }
         let exponents = args.exponents.as_deref();
@@ -52,7 +53,7 @@ pub(in crate::cli) fn run(args: &RenderArgs) -> Result<(String, bool)> {
     if args.specialise {
         let pipelines = pipelines_of(args, &scene)?;
         if args.frames == "setup" {
-            let text = "--specialise takes frames in floating point: leave --frames out";
+            let text = "--specialise needs frames in floating point: leave --frames out";
             return Err(Error::usage(text.to_owned()));
         }
         if pipelines.iter().any(|pipeline| pipeline.is_emboss() || pipeline.is_tangent()) {

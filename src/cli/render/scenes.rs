@@ -1,4 +1,4 @@
-//! Scenes by their names or files.
+//! Scenes by name or file.
 
 use crate::base::error::Result;
 use crate::base::escape;
@@ -8,18 +8,18 @@ use crate::sweep::View;
 use std::io::{self, Write as _};
 use std::path::Path;
 
-/// The scene of a name or a file; what isn't as its files have it goes to standard error.
+/// The scene of a name or a file. Notes on how it deviates from its files go to standard error.
 pub(in crate::cli) fn scene_of(path: &Path) -> Result<Scene> {
     Ok(noted(named_scene(path)?))
 }
 
-/// The same for what takes one picture: a light that moves stands still.
+/// The same for commands that need one picture: a moving light stays at its start.
 pub(in crate::cli) fn still_scene_of(path: &Path) -> Result<Scene> {
     Ok(noted(named_scene(path)?.at_start()))
 }
 
 fn noted(scene: Scene) -> Scene {
-    // A lost note changes nothing.
+    // A failed write to stderr is ignored.
     let _ = write!(io::stderr(), "{}", notes(&scene));
     scene
 }
@@ -31,8 +31,8 @@ pub(super) fn notes(scene: &Scene) -> String {
 }
 
 fn named_scene(path: &Path) -> Result<Scene> {
-    // A bare word that is no file is meant as a name, though there may be no such scene. A folder of
-    // that name may be what an earlier run wrote.
+    // A bare word that is not a file is taken as a scene's name, even if there is no such scene. A
+    // folder of that name may be the output of an earlier run.
     match path.to_str().filter(|name| !name.contains(['.', '/', '\\'])) {
         Some(name) if !path.exists() || path.is_dir() => Scene::builtin(name),
         Some(_) | None => Scene::open(path),
@@ -46,7 +46,7 @@ pub(in crate::cli) fn view_of(path: &Path, error: RankBy) -> Result<View> {
 
 /// The name of a scene in reports.
 pub(super) fn name_of(path: &Path) -> String {
-    // A file's name can be anything; in reports it stays on its line.
+    // A file name can contain anything; escaped, it stays on one line in reports.
     let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
     escape::short(&name)
 }

@@ -13,17 +13,17 @@ use crate::shading::picture::Difference;
 use crate::shading::render::{Pipeline, Rendered, Shot, render};
 use crate::shading::scene::Scene;
 
-/// A scene, how it was rendered, and how far each pipeline is from the golden.
+/// A scene, its rendered pictures, and how far each pipeline is from the golden.
 pub(super) struct Made {
     pub(super) scene: Scene,
     pub(super) pipelines: Vec<Pipeline>,
     pub(super) rendered: Rendered,
     pub(super) differences: Vec<Difference>,
-    /// The pictures, for which figures are missing.
+    /// The pictures; their figures aren't written yet.
     pub(super) set: Set,
 }
 
-/// Renders, and writes pictures and figures.
+/// Renders and writes the pictures.
 pub(super) fn render_and_write(args: &RenderArgs, scene: Scene) -> Result<Made> {
     let pipelines = pipelines_of(args, &scene)?;
     let mut set = Set::open(&args.out, SET)?;
@@ -36,7 +36,7 @@ pub(super) fn render_and_write(args: &RenderArgs, scene: Scene) -> Result<Made> 
     Ok(Made { scene, pipelines, rendered, differences, set })
 }
 
-/// A picture by each pipeline, and how far each is from the golden.
+/// Renders a picture with each pipeline, and measures how far each is from the golden.
 pub(super) fn rendered(
     scene: &Scene,
     pipelines: &[Pipeline],
@@ -55,7 +55,8 @@ pub(super) fn rendered(
     Ok((rendered, differences))
 }
 
-/// Renders and writes; returns a row of the demo's table for each pipeline, and false if a bound is broken.
+/// Renders and writes; returns one row of the demo's table per pipeline, and false if a bound is
+/// broken.
 pub(in crate::cli) fn demo_rows(args: &RenderArgs) -> Result<(Vec<String>, bool)> {
     let made = render_and_write(args, scene_of(&args.scene)?)?;
     let value =

@@ -1,13 +1,15 @@
-//! Tables of values: samples from a CSV, one row each. Every command that reads values reads them by this rule.
+//! Tables of values: samples from a CSV, one per row. Every command that reads values uses these
+//! rules.
 //!
-//! An input port `P` stands there as its word `P_raw`, as its quantised value `P_q`, or as a real `P`. The first of
-//! these that is there counts, and the others have to mean the same word. Reals are written as words to nearest, angles
-//! modulo a turn. A value past the range of its port becomes the nearest word, and is told. Columns that
-//! [`crate::measure::eval`] writes, or that a table of hard cases has, are passed over; any other is an error, unless they are to be ignored: it
-//! may be a misspelt one. Commas, semicolons or tabs stand between fields, as the header has it.
+//! An input port `P` is given as its word `P_raw`, its quantised value `P_q`, or a real `P`. If
+//! several are present, the first in this order counts, and the others must mean the same word.
+//! Reals are rounded to the nearest word, angles modulo a turn. A value out of range becomes the
+//! nearest word and is reported. Columns that [`crate::measure::eval`] writes, or that a table of
+//! hard cases has, are skipped. Any other column is an error unless it is to be ignored, since it
+//! may be misspelt. Fields are separated by commas, semicolons or tabs, as in the header.
 //!
-//! Rows come in blocks: as many as are there, so that what reads from a pipe answers each row at once, and
-//! files may be larger than memory.
+//! Rows are read in blocks of as many as are available. A pipe therefore gets each answer at once,
+//! and files may be larger than memory.
 
 mod records;
 
@@ -26,22 +28,22 @@ use std::path::Path;
 /// The column that names the ports whose value was clipped.
 pub const CLIPPED: &str = "clipped";
 
-/// Rows of a block at most.
+/// Largest number of rows in a block.
 const ROWS: usize = 1 << 12;
 
 /// Unit of the angles in a file.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum AngleUnit {
-    /// 2π to the turn.
+    /// 2π per turn.
     Radians,
-    /// 360 to the turn.
+    /// 360 per turn.
     Degrees,
     /// Turns.
     Turns,
 }
 
 impl AngleUnit {
-    /// What values of a quantity are multiplied by in a file.
+    /// The factor from values of a quantity to those in a file.
     #[must_use]
     pub fn scale(self, quantity: Quantity) -> f64 {
         match (quantity, self) {
@@ -69,11 +71,11 @@ pub fn output_columns(port: &str) -> [String; 3] {
 pub struct Block {
     /// Words by port.
     pub words: Vec<Vec<i64>>,
-    /// Row of the block and port of each value that was clipped, in order.
+    /// Row of the block and port of each clipped value, in order.
     pub clipped: Vec<(usize, usize)>,
 }
 
-/// A column that an input port is read from.
+/// A column that gives an input port.
 #[derive(Clone, Debug)]
 struct Source {
     position: usize,
@@ -88,13 +90,13 @@ pub struct SampleFile<'a, R: Read> {
     path: &'a Path,
     netlist: &'a Netlist,
     angle: AngleUnit,
-    /// By port, the one that counts first.
+    /// Columns by port, the one that counts first.
     sources: Vec<Vec<Source>>,
-    /// Fields of the header.
+    /// Number of fields in the header.
     columns: usize,
     decimal_comma: bool,
     rows: u64,
-    /// Values clipped by port, and the line of the first.
+    /// Number of clipped values by port, and the line of the first.
     clipped: Vec<u64>,
     first_clipped: u64,
 }
@@ -103,7 +105,8 @@ impl<'a, R: Read> SampleFile<'a, R> {
     /// Reads the header.
     ///
     /// # Errors
-    /// If there is none, a port has no column or one twice, or, unless they are ignored, a column has no meaning.
+    /// If there is no header, a port has no column or the same one twice, or a column has no
+    /// meaning and isn't to be ignored.
     pub fn open(
         from: R,
         path: &'a Path,
@@ -150,15 +153,15 @@ impl<'a, R: Read> SampleFile<'a, R> {
             if let Some((port, form)) = place {
                 let source = Source { position, name: name.clone(), is_word: form == 0 };
                 if sources[port][form].replace(source).is_some() {
-                    return Err(header(Some(name), "the column is there twice".to_owned()));
+                    return Err(header(Some(name), "the column occurs twice".to_owned()));
                 }
             } else if !ignore_columns && !written.contains(name) {
-                // What is there already isn't what was meant.
+                // Columns that are already present can't be the intended ones.
                 let missing = known().filter(|known| !names.iter().any(|name| name == known));
                 let hint = nearest(name, missing);
                 let problem = format!(
-                    "column {} means nothing here{hint}: the header should name {wanted}, \
-                     and --ignore-columns passes others over",
+                    "column {} has no meaning here{hint}: the header should name {wanted}, \
+                     and --ignore-columns skips others",
                     position + 1
                 );
                 return Err(header(Some(&escape::short(name)), problem));
@@ -184,7 +187,7 @@ impl<'a, R: Read> SampleFile<'a, R> {
         })
     }
 
-    /// Where it is from, for messages.
+    /// Path of the file, for messages.
     #[must_use]
     pub fn path(&self) -> &'a Path {
         self.path
@@ -196,11 +199,12 @@ impl<'a, R: Read> SampleFile<'a, R> {
         self.angle
     }
 
-    /// Reads the rows that are there, waiting for one only; gives their number, which is 0 at the end.
+    /// Reads the available rows, waiting only for the first. Returns their number, which is 0 at
+    /// the end.
     ///
     /// # Errors
-    /// If a row is malformed, a field is no finite number or no word of its port, or the columns of a port
-    /// disagree; names line and column.
+    /// If a row is malformed, a field is not a finite number or not a word of its port, or the
+    /// columns of a port disagree. The message names line and column.
     pub fn read(&mut self, block: &mut Block) -> Result<usize> {
         block.words.resize(self.sources.len(), Vec::new());
         block.words.iter_mut().for_each(Vec::clear);
@@ -222,7 +226,7 @@ impl<'a, R: Read> SampleFile<'a, R> {
         Ok(count)
     }
 
-    /// Takes over the row that was read.
+    /// Appends the current row to the block.
     fn row(&mut self, row: usize, block: &mut Block) -> Result<()> {
         let fields = self.records.len();
         if fields != self.columns {
@@ -251,7 +255,7 @@ impl<'a, R: Read> SampleFile<'a, R> {
             let (same, far) = self.word_of(port, other)?;
             if same != word {
                 let problem = format!(
-                    "`{}` is word {same}, and `{}` says {word}: correct one, or leave its column out",
+                    "`{}` is word {same}, but `{}` gives {word}: correct one, or leave its column out",
                     escape::short(self.text(other)?),
                     first.name
                 );
@@ -279,7 +283,7 @@ impl<'a, R: Read> SampleFile<'a, R> {
             let (least, most) = (node.format.min_raw(), node.format.max_raw());
             if !(least..=most).contains(&word) {
                 let problem = format!(
-                    "{word} is no word of format {}: legal is {least} to {most}",
+                    "{word} is not a word of format {}: legal is {least} to {most}",
                     node.format
                 );
                 return Err(self.error(source, problem));
@@ -302,7 +306,7 @@ impl<'a, R: Read> SampleFile<'a, R> {
         Error::csv(self.path, self.records.line(), Some(&source.name), problem)
     }
 
-    /// What to tell of clipped values read so far; nothing if there are none.
+    /// A note on the values clipped so far, if any.
     #[must_use]
     pub fn clipped_note(&self) -> Option<String> {
         let total: u64 = self.clipped.iter().sum();
@@ -324,10 +328,10 @@ impl<'a, R: Read> SampleFile<'a, R> {
     }
 }
 
-const NOT_UTF8: &str = "the text is not UTF-8: save the file as that";
+const NOT_UTF8: &str = "the text is not UTF-8: save the file as UTF-8";
 
-/// The delimiter that makes the most known names of a header; of equals that which is there most
-/// often, then the likeliest.
+/// The delimiter that gives the most known names in a header. Ties go to the one that occurs most
+/// often, then to the likeliest.
 fn delimiter_of(header: &[u8], is_known: impl Fn(&str) -> bool) -> u8 {
     let score = |delimiter: &u8| {
         let fields = header.split(|byte| byte == delimiter);
@@ -335,7 +339,7 @@ fn delimiter_of(header: &[u8], is_known: impl Fn(&str) -> bool) -> u8 {
         let known = names.filter(|name| is_known(name.trim().trim_matches('"').trim())).count();
         (known, fields.count())
     };
-    // The last of equals is taken.
+    // `max_by_key` returns the last of equals.
     DELIMITERS.into_iter().rev().max_by_key(score).expect("bug: there are some")
 }
 

@@ -1,24 +1,24 @@
-//! Rows of a CSV as they arrive: what is there is given at once, and a row has a limit.
+//! Rows of a CSV as they arrive: available rows are returned at once, and a row has a size limit.
 //!
-//! [`csv::Reader`] would wait for a full buffer, and hold a row of any length.
+//! [`csv::Reader`] would wait for a full buffer, and accept a row of any length.
 
 use std::io::{self, Read};
 
-/// The longest row in bytes: thousands of columns.
+/// Longest row in bytes: thousands of columns.
 pub(super) const ROW_BYTES: usize = 1 << 20;
 
-/// Bytes that are read at once: the more, the fewer blocks of rows.
+/// Bytes per read: the more, the fewer blocks of rows.
 const READ_BYTES: usize = 1 << 18;
 
-/// What may stand between fields, the likeliest first.
+/// Possible field separators, the likeliest first.
 pub(super) const DELIMITERS: [u8; 3] = *b",;\t";
 
-/// What came next.
+/// The outcome of asking for the next row.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Next {
-    /// A whole row, now in [`Records::row`].
+    /// A whole row, whose fields can now be read.
     Row,
-    /// Nothing whole, and the source would have to be waited for.
+    /// No whole row, and getting more would block.
     Later,
     /// The end.
     End,
@@ -33,30 +33,30 @@ pub(super) enum Stop {
     TooLong(u64),
 }
 
-/// A source of rows.
+/// A source of CSV rows.
 #[derive(Debug)]
 pub(super) struct Records<R> {
     from: R,
-    /// What was read; parsed up to `start`.
+    /// The bytes read; those before `start` are parsed.
     bytes: Vec<u8>,
     start: usize,
     parser: csv_core::Reader,
-    /// Fields of the row one after another, and where each ends.
+    /// Fields of the row, concatenated, and where each ends.
     fields: Vec<u8>,
     ends: Vec<usize>,
-    /// How much of both is filled.
+    /// How many fields' bytes and ends are filled.
     filled: (usize, usize),
-    /// Lines begun so far, and when the row was.
+    /// Lines begun so far, and the line in which the row began.
     line: u64,
     began: u64,
     after_return: bool,
     ended: bool,
-    /// True if the row above is whole, so the next one starts anew.
+    /// True if the current row is complete, so that the next call starts a new one.
     whole: bool,
 }
 
 impl<R: Read> Records<R> {
-    /// Reads on to the end of the first line that isn't blank, and picks the delimiter by it.
+    /// Reads to the end of the first line that isn't blank, and picks the delimiter by it.
     pub(super) fn open(
         mut from: R,
         delimiter: impl FnOnce(&[u8]) -> u8,
@@ -93,7 +93,7 @@ impl<R: Read> Records<R> {
         })
     }
 
-    /// Goes on to the next row; does not read if it is not to `wait`.
+    /// Advances to the next row; reads from the source only if `wait` is set.
     pub(super) fn next(&mut self, wait: bool) -> std::result::Result<Next, Stop> {
         use csv_core::ReadRecordResult as Parsed;
         if std::mem::take(&mut self.whole) {
@@ -142,20 +142,20 @@ impl<R: Read> Records<R> {
         self.filled.1
     }
 
-    /// A field of the row without the blanks around it.
+    /// A field of the row, without surrounding blanks.
     pub(super) fn field(&self, at: usize) -> &[u8] {
         let start = if at == 0 { 0 } else { self.ends[at - 1] };
         self.fields[start..self.ends[at]].trim_ascii()
     }
 
-    /// The line that the row ends in; they count from 1.
+    /// The line in which the row ends, counted from 1.
     pub(super) fn line(&self) -> u64 {
         let ended = self.start > 0 && matches!(self.bytes[self.start - 1], b'\n' | b'\r');
         self.line - u64::from(ended)
     }
 }
 
-/// One read, behind what is there; gives how much came.
+/// One read, appended to the bytes; returns the number of bytes read.
 fn read_more(from: &mut impl Read, bytes: &mut Vec<u8>) -> io::Result<usize> {
     let there = bytes.len();
     bytes.resize(there + READ_BYTES, 0);

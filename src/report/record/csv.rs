@@ -7,16 +7,16 @@ use crate::base::columns::Field;
 use crate::measure::Basis;
 use std::collections::BTreeSet;
 
-/// Columns of the CSV: what any of the points has.
+/// Columns of the CSV: everything that any of the points has.
 pub(super) struct Columns {
     parameters: Vec<String>,
     counts: Vec<String>,
-    /// Quantity and its unit in column names.
+    /// Each quantity with its unit in column names.
     quantities: Vec<(String, &'static str)>,
-    /// Those that have figures in ulp.
+    /// Quantities that have figures in ulp.
     with_ulp: BTreeSet<String>,
     bases: Vec<Basis>,
-    /// Over a scene.
+    /// Whether the points are pictures of a scene.
     pictures: bool,
 }
 
@@ -83,7 +83,8 @@ impl Columns {
 
     pub(super) fn names(&self) -> Vec<String> {
         let mut names = self.parameters.clone();
-        // Some units have a parameter of that name: two columns of one name are none to many readers.
+        // Some units have a parameter of that name, and many readers reject two columns with the
+        // same name.
         names.extend(self.counts.iter().map(|name| match self.parameters.contains(name) {
             true => format!("counted_{name}"),
             false => name.clone(),

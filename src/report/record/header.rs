@@ -1,4 +1,4 @@
-//! What was swept, over which inputs.
+//! What was swept, and over which inputs.
 
 use super::parameters::{Parameters, plain};
 use super::rank::RankBy;
@@ -6,7 +6,7 @@ use crate::shading::scene::Scene;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// Version of the form of `sweep.json`.
+/// Version of the format of `sweep.json`.
 pub const FORMAT_VERSION: u32 = 2;
 
 /// One swept parameter.
@@ -18,7 +18,7 @@ pub struct Axis {
     pub values: Vec<serde_json::Value>,
 }
 
-/// What was swept, over which inputs: what must be equal for a sweep to go on.
+/// What was swept, and over which inputs. It must be equal for a sweep to resume.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Header {
     /// [`FORMAT_VERSION`] of the file.
@@ -33,22 +33,22 @@ pub struct Header {
     pub axes: Vec<Axis>,
     /// Name of the sampler.
     pub sampler: String,
-    /// Samples asked for, for the random samplers.
+    /// Number of samples requested, for the random samplers.
     pub samples: u64,
     /// Seed of the random samplers.
     pub seed: u64,
-    /// The scene that was rendered, if that is where inputs came from.
+    /// The scene that was rendered, if it gave the inputs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub scene: Option<SceneId>,
-    /// What points over a scene are ranked by: points have all of them.
+    /// The figure that ranks points over a scene; points record all of them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub error: Option<RankBy>,
 }
 
-/// Which scene it was.
+/// The identity of a scene.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct SceneId {
-    /// Its name, or its file's.
+    /// Its name, or that of its file.
     pub name: String,
     /// Its fingerprint, in hexadecimal digits.
     pub fingerprint: String,
@@ -56,13 +56,13 @@ pub struct SceneId {
     pub width_px: u32,
     /// Rows.
     pub height_px: u32,
-    /// What isn't as its files have it, or stands still.
+    /// How it deviates from its files, or that it stands still.
     #[serde(default)]
     pub notes: Vec<String>,
 }
 
 impl SceneId {
-    /// That of a scene.
+    /// The identity of a scene.
     #[must_use]
     pub fn new(name: &str, scene: &Scene) -> Self {
         Self {
@@ -83,7 +83,7 @@ impl fmt::Display for SceneId {
 }
 
 impl Header {
-    /// In words, where this header (that of a file) differs from the one asked for.
+    /// Where this header (of a file) differs from the requested one, in words.
     #[must_use]
     pub fn differences(&self, asked: &Self) -> Vec<String> {
         let mut found = Vec::new();
@@ -112,14 +112,14 @@ impl Header {
             axes => axes.join(" "),
         };
         compare("the grid", axes(there), axes(here));
-        // A parameter that is swept on one side is told by the grid.
+        // A parameter that is swept on one side is covered by the comparison of grids.
         for (name, value) in &there.base {
             if let Some(other) = here.base.get(name) {
                 compare(name, plain(value), plain(other));
             }
         }
         if found.is_empty() && there != here {
-            found.push("the set of parameters is another one".to_owned());
+            found.push("the set of parameters differs".to_owned());
         }
         found
     }

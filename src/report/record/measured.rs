@@ -36,7 +36,7 @@ impl<'de> Deserialize<'de> for Real {
                 "NaN" => Ok(Self(f64::NAN)),
                 "inf" => Ok(Self(f64::INFINITY)),
                 "-inf" => Ok(Self(f64::NEG_INFINITY)),
-                other => Err(serde::de::Error::custom(format!("`{other}` is no number"))),
+                other => Err(serde::de::Error::custom(format!("`{other}` is not a number"))),
             },
         }
     }
@@ -47,17 +47,17 @@ impl<'de> Deserialize<'de> for Real {
 pub struct Figures {
     /// Its name.
     pub quantity: String,
-    /// `rad`, or `1` for absolute errors of numbers.
+    /// `rad`, `turn`, `texel`, `rel` for errors relative to a scale, or `1` for absolute errors.
     pub unit: String,
-    /// What it is told over, in words, where it isn't absolute.
+    /// What the error is relative to, in words, if it isn't absolute.
     pub over: Option<String>,
-    /// Against what.
+    /// What is compared with what.
     pub basis: Basis,
     /// Largest absolute value.
     pub max: Real,
     /// The same in ulp of the port or node, for numbers and Cartesian components.
     pub max_ulp: Option<Real>,
-    /// Input that gave it.
+    /// The input that gave it.
     pub witness: Option<Witness>,
     /// Mean of the absolute value.
     pub mean: Real,
@@ -100,11 +100,11 @@ pub struct Overflows {
     pub node: String,
     /// Its overflow mode.
     pub mode: String,
-    /// How often.
+    /// Number of overflows.
     pub count: u64,
 }
 
-/// Figures of a picture that no other quantity has.
+/// Figures that only pictures have.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PictureFigures {
     /// Peak signal to noise ratio in dB, in linear light.
@@ -113,11 +113,11 @@ pub struct PictureFigures {
     pub ssim: Real,
     /// Mean FLIP, 0 if they are equal.
     pub flip: Real,
-    /// Pixels that see an object: what means, quantiles, PSNR and the differing part are over.
+    /// Pixels that see an object: means, quantiles, PSNR and the differing share are over these.
     pub covered_px: u64,
-    /// The other pixels.
+    /// Other pixels.
     pub background_px: u64,
-    /// Part of the covered pixels whose 8-bit codes differ, 0..=1.
+    /// Share of the covered pixels whose 8-bit codes differ, 0..=1.
     pub srgb8_differing: f64,
     /// The largest difference of 8-bit codes.
     pub srgb8_max_codes: u8,
@@ -146,23 +146,23 @@ impl From<&Difference> for PictureFigures {
     }
 }
 
-/// What was counted and measured of a point.
+/// The counts and measurements of a point.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Measured {
-    /// Names of the input ports: what the words of a witness belong to.
+    /// Names of the input ports, to which the words of a witness belong.
     pub input_ports: Vec<String>,
     /// Names of the output ports.
     pub output_ports: Vec<String>,
     /// Counts of operators, tables and bits, by the names of their CSV columns.
     pub counts: Map<String, serde_json::Value>,
-    /// Formats of the input ports, one behind the other with how often it comes.
+    /// Formats of the input ports in order, each with its number of repetitions.
     #[serde(default)]
     pub input_formats: String,
     /// Samples measured.
     pub samples: u64,
     /// One entry per quantity and basis.
     pub figures: Vec<Figures>,
-    /// What only pictures have.
+    /// Figures that only pictures have.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub picture: Option<PictureFigures>,
     /// Every `narrow` that overflowed.
@@ -171,7 +171,7 @@ pub struct Measured {
     pub speed: Speed,
 }
 
-/// A unit as columns are named by it.
+/// A unit as it appears in column names.
 pub(super) fn short(unit: &str) -> &'static str {
     match unit {
         "rad" => "rad",
@@ -181,7 +181,7 @@ pub(super) fn short(unit: &str) -> &'static str {
     }
 }
 
-/// Names with how often each comes, one behind the other.
+/// Names in order, each with its number of repetitions.
 fn formats(names: impl Iterator<Item = String>) -> String {
     let mut runs: Vec<(String, u32)> = Vec::new();
     for name in names {
@@ -195,7 +195,7 @@ fn formats(names: impl Iterator<Item = String>) -> String {
 }
 
 impl Measured {
-    /// Takes over a measurement of a design.
+    /// Converts a measurement of a design.
     #[must_use]
     pub fn new(design: &Design, report: measure::Report) -> Self {
         let netlist = &design.netlist;
@@ -208,7 +208,7 @@ impl Measured {
             counts.insert("latency_cycles".to_owned(), rtl.schedule().latency().into());
             counts.insert("flip_flops".to_owned(), rtl.register_bits().into());
             counts.insert("model_period_ps".to_owned(), rtl.schedule().period_ps().into());
-            // The netlist's operators share units: what the hardware has stands beside them.
+            // The netlist's operators share units, so the hardware's counts are recorded as well.
             if !rtl.units().is_empty() {
                 counts.insert("interval_cycles".to_owned(), rtl.schedule().interval().into());
                 for (name, count) in flat(&rtl.counts().operators) {
@@ -237,7 +237,7 @@ impl Measured {
         }
     }
 
-    /// Takes over a shot of a scene.
+    /// Converts a shot of a scene.
     #[must_use]
     pub fn of_shot(rendered: &Rendered, shot: &Shot, difference: &Difference) -> Self {
         Self {
@@ -258,7 +258,7 @@ impl Measured {
         self.counts.get(name)?.as_u64()
     }
 
-    /// Figures of the leading quantity, which points are ranked by: the first.
+    /// Figures of the leading quantity, the first, which ranks points.
     #[must_use]
     pub fn lead(&self, basis: Basis) -> Option<&Figures> {
         self.figures(&self.figures.first()?.quantity, basis)
@@ -277,7 +277,7 @@ impl Measured {
         total.filter_map(|figures| Some(figures.max_ulp?.0)).reduce(f64::max)
     }
 
-    /// Multipliers and adders everywhere: in the datapath, in table schemes, in dividers and roots.
+    /// All multipliers and adders: in the datapath, table schemes, dividers and roots.
     #[must_use]
     pub fn operators(&self) -> [u64; 2] {
         ["multipliers", "adders"].map(|what| {
@@ -286,8 +286,8 @@ impl Measured {
         })
     }
 
-    /// Input words of the largest total error of the leading quantity, as `port=word;port=word`; of a
-    /// picture, where the largest difference is.
+    /// Input words of the largest total error of the leading quantity, as `port=word;port=word`;
+    /// for a picture, the position of the largest difference.
     #[must_use]
     pub fn witness(&self) -> String {
         if let Some(PictureFigures { x_px, y_px, channel, .. }) = &self.picture {
@@ -307,14 +307,14 @@ impl Measured {
 pub struct Point {
     /// All parameters.
     pub parameters: Parameters,
-    /// Why there is nothing measured.
+    /// Why nothing was measured.
     pub error: Option<String>,
-    /// What was measured.
+    /// The counts and measurements.
     pub measured: Option<Measured>,
 }
 
 impl Point {
-    /// A parameter as one would write it; nothing if there is no such parameter.
+    /// A parameter as text; empty if there is no such parameter.
     #[must_use]
     pub fn text(&self, key: &str) -> String {
         self.parameters.get(key).map(plain).unwrap_or_default()
@@ -324,7 +324,7 @@ impl Point {
     pub(crate) fn field(&self, key: &str) -> Field {
         match self.parameters.get(key) {
             None => Field::Missing,
-            // Whole numbers may be negative: as JSON writes them.
+            // Whole numbers may be negative: written as in JSON.
             Some(value) => Field::Text(plain(value)),
         }
     }
@@ -336,7 +336,7 @@ impl Point {
     }
 }
 
-/// Counts with the operators' group in front of their names.
+/// Flattens the counts: names of operators get their group as prefix.
 fn flat(counts: &Counts) -> Map<String, serde_json::Value> {
     let whole = serde_json::to_value(counts).expect("bug: counts are plain numbers");
     let mut flat = Map::new();

@@ -1,4 +1,4 @@
-//! Parameters as JSON has them.
+//! Parameters in JSON.
 
 use crate::base::whole;
 use crate::design::{Value, Values};
@@ -23,7 +23,7 @@ pub fn parameters_of(values: &Values) -> Parameters {
     values.iter().map(|(name, value)| (name.to_owned(), json_of(value))).collect()
 }
 
-/// Parameters for JSON of texts `key=value`.
+/// Parameters for JSON, from texts `key=value`.
 #[must_use]
 pub fn assigned(assignments: &[String]) -> Parameters {
     let pairs = assignments.iter().filter_map(|set| set.split_once('='));
@@ -35,7 +35,7 @@ pub fn assigned(assignments: &[String]) -> Parameters {
     pairs.map(|(key, text)| (key.to_owned(), value(text))).collect()
 }
 
-/// A parameter's value as one would write it.
+/// A parameter's value as text.
 #[must_use]
 pub fn plain(value: &serde_json::Value) -> String {
     value.as_str().map_or_else(|| value.to_string(), str::to_owned)

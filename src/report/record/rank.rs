@@ -1,10 +1,10 @@
-//! What pictures are ranked by.
+//! Figures that rank pictures.
 
 use super::measured::Measured;
 use crate::measure::Basis;
 use serde::{Deserialize, Serialize};
 
-/// How a picture is ranked by its difference to the golden.
+/// The figure that ranks pictures, from their difference from the golden.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum RankBy {
@@ -13,32 +13,32 @@ pub enum RankBy {
     Max,
     /// The mean absolute difference, in linear light.
     Mean,
-    /// The root of the mean square, in linear light; it ranks as PSNR does.
+    /// The root of the mean square, in linear light; ranks like PSNR.
     Rms,
     /// Mean FLIP.
     Flip,
-    /// 1 less SSIM.
+    /// 1 - SSIM.
     Ssim,
-    /// Part of the covered pixels whose 8-bit codes differ.
+    /// Share of the covered pixels whose 8-bit codes differ.
     Differing,
 }
 
 impl RankBy {
-    /// All with their names on the command line and what they are.
+    /// All of them, each with its name on the command line and its description.
     pub const ALL: [(Self, &'static str, &'static str); 6] = [
         (Self::Max, "max", "largest difference of any channel, in linear light"),
         (Self::Mean, "mean", "mean difference over covered pixels, in linear light"),
         (
             Self::Rms,
             "rms",
-            "root of the mean square over covered pixels, in linear light; ranks as PSNR does",
+            "root of the mean square over covered pixels, in linear light; ranks like PSNR",
         ),
         (Self::Flip, "flip", "mean FLIP"),
-        (Self::Ssim, "ssim", "1 less SSIM"),
-        (Self::Differing, "differing", "part of the covered pixels whose 8-bit codes differ"),
+        (Self::Ssim, "ssim", "1 - SSIM"),
+        (Self::Differing, "differing", "share of the covered pixels whose 8-bit codes differ"),
     ];
 
-    /// How it is shown.
+    /// How the figure is shown.
     pub(super) fn lead(self) -> Lead {
         let (what, scale, unit) = match self {
             Self::Max => ("largest difference", 255.0, "1/255"),
@@ -46,7 +46,7 @@ impl RankBy {
             Self::Rms => ("rms difference", 255.0, "1/255"),
             Self::Flip => ("FLIP", 1.0, "0 to 1"),
             Self::Ssim => ("1 - SSIM", 1.0, "0 to 2"),
-            Self::Differing => ("covered pixels with other 8-bit codes", 100.0, "%"),
+            Self::Differing => ("covered pixels with different 8-bit codes", 100.0, "%"),
         };
         Lead { quantity: "picture".to_owned(), what: what.to_owned(), scale, unit }
     }
@@ -65,15 +65,15 @@ impl RankBy {
     }
 }
 
-/// The quantity that points are ranked by, as it is shown.
+/// The quantity that ranks points, as it is shown.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lead {
     /// Its name.
     pub quantity: String,
-    /// What of it, in words.
+    /// The figure, in words.
     pub what: String,
-    /// Factor from its figures to what is shown.
+    /// Factor from its figures to the shown numbers.
     pub scale: f64,
-    /// Unit of what is shown.
+    /// Unit of the shown numbers.
     pub unit: &'static str,
 }

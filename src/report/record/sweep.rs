@@ -16,10 +16,10 @@ use std::fs::OpenOptions;
 use std::io;
 use std::path::Path;
 
-/// Most bytes of a `sweep.json` that are read: more than the largest sweep writes.
+/// Largest `sweep.json` to read, in bytes: more than the largest sweep writes.
 const MAX_BYTES: u64 = 1 << 32;
 
-/// A sweep's result: what the files and reports are made from.
+/// A sweep's result, from which the files and reports are made.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Record {
     /// What was swept.
@@ -29,7 +29,7 @@ pub struct Record {
 }
 
 impl Record {
-    /// How much of the pictures means are over, in words; `None` without a picture.
+    /// How many pixels the means of pictures are over, in words; `None` without a picture.
     #[must_use]
     pub fn coverage(&self) -> Option<String> {
         let picture = self.points.iter().find_map(|point| point.measured.as_ref()?.picture)?;
@@ -49,18 +49,18 @@ impl Record {
             unit => (1.0, short(unit)),
         };
         let over = figures.and_then(|f| f.over.as_ref());
-        let over = over.map(|over| format!(" over {over}")).unwrap_or_default();
+        let over = over.map(|over| format!(" relative to {over}")).unwrap_or_default();
         let what = format!("largest {quantity} error{over}");
         Lead { quantity: quantity.to_owned(), what, scale, unit }
     }
 
-    /// What points over a scene are ranked by; `None` over anything else.
+    /// The figure that ranks points over a scene; `None` without a scene.
     fn image_error(&self) -> Option<RankBy> {
         self.header.scene.as_ref().map(|_| self.header.error.unwrap_or_default())
     }
 
-    /// The number that a point is ranked by on a basis, in the unit of [`lead`](Self::lead); NaN if
-    /// there is none.
+    /// The number that ranks a point on a basis, in the unit of [`lead`](Self::lead); NaN if there
+    /// is none.
     #[must_use]
     pub fn error(&self, measured: &Measured, basis: Basis) -> f64 {
         let error = match self.image_error() {
@@ -70,8 +70,8 @@ impl Record {
         error * self.lead().scale
     }
 
-    /// What points are ranked by: the total error, but the end-to-end one where points differ in
-    /// their inputs' words, and over a scene. A coarse input would look good against its own golden.
+    /// The basis that ranks points: total, but end-to-end over a scene or if the points' input
+    /// words differ. Against its own golden, a coarse input would look good.
     #[must_use]
     pub fn ranking(&self) -> Basis {
         if self.header.scene.is_some() {
@@ -94,10 +94,10 @@ impl Record {
     /// Reads `sweep.json`; `None` if there is no such file.
     ///
     /// # Errors
-    /// If the file can't be read or is no result of a sweep.
+    /// If the file can't be read or is not the result of a sweep.
     pub fn load(path: &Path) -> Result<Option<Self>> {
         let remedy = "choose another folder or pass --fresh";
-        // Not by `input::open`: the sweep that reads it writes it anew.
+        // Not by `input::open`: the sweep that reads the file rewrites it.
         let file = match input::open_with(OpenOptions::new().read(true), path) {
             Ok(file) => file,
             Err(why) if why.kind() == io::ErrorKind::NotFound => return Ok(None),
@@ -134,7 +134,7 @@ impl Record {
         Ok(Some(record))
     }
 
-    /// Writes `sweep.json`, a line per point.
+    /// Writes `sweep.json`, one line per point.
     ///
     /// # Errors
     /// If the file can't be written.
@@ -161,7 +161,7 @@ impl Record {
         })
     }
 
-    /// Writes `sweep.csv`; the module's documentation names the columns.
+    /// Writes `sweep.csv`; the module's documentation describes the columns.
     ///
     /// # Errors
     /// If the file can't be written.

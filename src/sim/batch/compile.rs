@@ -1,4 +1,4 @@
-//! From a netlist to instructions, a node after the other.
+//! Compiles a netlist to instructions, one node after another.
 
 use super::program::{Action, Column, Instruction, Port, Program, Tables, slot_of};
 use crate::netlist::op::Op;
@@ -9,13 +9,13 @@ use crate::sim::lanes::{Narrowed, Placed, Way, Width, alignment, least, place, w
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// Columns are numbered as they are made, and shared between nodes at the end.
+/// Columns are numbered as they are created; [`Compiler::finish`] lets nodes share them.
 pub(super) struct Compiler<'a> {
     netlist: &'a Netlist,
     placed: Vec<Placed>,
-    /// True if a node is computed with the one that reads it, in the same pass.
+    /// True if a node is computed in the pass of the one that reads it.
     fused_into: Vec<bool>,
-    /// Of a sum, the operand that is a sum in the same pass: the first or the second.
+    /// For a sum, the operand that is a sum computed in the same pass: the first or the second.
     inner: Vec<Option<usize>>,
     pub(super) instructions: Vec<Instruction>,
     /// Width of each column.
@@ -29,27 +29,28 @@ pub(super) struct Compiler<'a> {
 }
 
 impl Program {
-    /// Compiles a netlist; the nodes of `outputs` are what a run gives.
+    /// Compiles a netlist; a run returns the nodes of `outputs`.
     ///
     /// # Panics
-    /// If the netlist has an operation without a kernel: that is wrong code.
+    /// If the netlist has an operation without a kernel, which is a bug.
     #[must_use]
     pub fn compile(netlist: &Netlist, outputs: &[NodeId]) -> Self {
         Self::compile_repeated(netlist, outputs, &vec![false; netlist.inputs().len()])
     }
 
-    /// As [`Program::compile`], where the words at some ports repeat: in each run of more than a block, all
-    /// blocks have the same at that port. What depends on such ports only is computed once a run.
+    /// As [`Program::compile`], with ports marked whose words repeat: in each run of more than a
+    /// block, all blocks have the same words at that port. Nodes that depend only on those are
+    /// computed once per run.
     ///
     /// # Panics
-    /// As [`Program::compile`], or if there is not one `repeats` per port.
+    /// As [`Program::compile`], or if `repeats` doesn't have one entry per port.
     #[must_use]
     pub fn compile_repeated(netlist: &Netlist, outputs: &[NodeId], repeats: &[bool]) -> Self {
         Self::compile_counted(netlist, outputs, repeats, &vec![true; netlist.nodes().len()])
     }
 
-    /// As [`Program::compile_repeated`] of the outputs' cone alone: a `narrow` that none of them depends on isn't computed, and
-    /// its count stays 0.
+    /// As [`Program::compile_repeated`], restricted to the outputs' cone: a `narrow` that no output
+    /// depends on isn't computed, and its count stays 0.
     ///
     /// # Panics
     /// As [`Program::compile_repeated`].
@@ -133,7 +134,7 @@ fn input_ports(netlist: &Netlist) -> Vec<Port> {
     .collect()
 }
 
-/// Nodes as output ports are called, and others by their labels.
+/// Output nodes with the names of their ports, other nodes with their labels.
 fn ports(netlist: &Netlist, ids: &[NodeId]) -> Vec<Port> {
     let name = |id: NodeId| {
         let output = netlist.outputs().iter().find(|output| output.node == id);
@@ -143,7 +144,7 @@ fn ports(netlist: &Netlist, ids: &[NodeId]) -> Vec<Port> {
 }
 
 impl Compiler<'_> {
-    /// The node whose lanes serve for a node.
+    /// The node whose lanes a node shares.
     fn root(&self, mut index: usize) -> usize {
         while let Way::Same(operand) = self.placed[index].way {
             index = operand;
@@ -155,8 +156,8 @@ impl Compiler<'_> {
         self.root(self.netlist.nodes()[index].operands[i].index())
     }
 
-    /// Finds sums and products that only one `narrow` or slice reads, which then does both in one pass,
-    /// and sums that only one sum reads.
+    /// Finds sums and products that only one `narrow` or slice reads, which then does both in one
+    /// pass, and sums that only one sum reads.
     fn fuse(&mut self, outputs: &[NodeId]) {
         let nodes = self.netlist.nodes();
         let mut uses = vec![0; nodes.len()];
@@ -186,7 +187,7 @@ impl Compiler<'_> {
             let first = self.operand(index, 0);
             let before = &self.placed[first];
             let summed = self.is_sum(first) || nodes[first].op == Op::Mul;
-            // In these lanes, all of the sum is right.
+            // In these lanes, all bits of the sum are right.
             let same = before.compute == self.placed[index].compute;
             if fits && summed && same && uses[first] == 1 && before.way == Way::Computed {
                 self.fused_into[first] = true;
@@ -208,7 +209,8 @@ impl Compiler<'_> {
         matches!(self.netlist.nodes()[index].op, Op::Add | Op::Sub)
     }
 
-    /// True if an operand of a sum is a sum of two that nobody else reads, in the same lanes.
+    /// True if an operand of a sum is itself a sum of two that nothing else reads, in the same
+    /// lanes.
     fn sums_in(&self, index: usize, i: usize, uses: &[usize]) -> bool {
         let inner = self.operand(index, i);
         let Placed { way, width, compute, .. } = self.placed[inner];
@@ -231,7 +233,7 @@ impl Compiler<'_> {
         alignment(format(0), format(1))
     }
 
-    /// The operands of a sum or product and its kernel, with what is summed in the same pass.
+    /// The operands and the kernel of a sum or product, including a sum fused into it.
     fn terms(&self, index: usize, fit: Option<Fit>) -> (Vec<usize>, Kernel) {
         let [a, b] = [0, 1].map(|i| self.operand(index, i));
         let op = self.netlist.nodes()[index].op;
@@ -283,7 +285,7 @@ impl Compiler<'_> {
         column
     }
 
-    /// The column of a node in lanes of a width; made from its own if it isn't there.
+    /// The column of a node in lanes of a width, converted from its own width if necessary.
     fn column(&mut self, index: usize, width: Width) -> usize {
         let index = self.root(index);
         let Placed { way, width: own, zero, .. } = self.placed[index];
@@ -308,7 +310,7 @@ impl Compiler<'_> {
         self.instructions.push(Instruction { action, width, of, operands: operands.len(), to });
     }
 
-    /// Writes the instructions of a node, after those of its operands.
+    /// Emits the instructions of a node, after those of its operands.
     fn node(&mut self, index: usize) {
         let Placed { way, width, compute, .. } = self.placed[index];
         let nodes = self.netlist.nodes();
@@ -316,7 +318,7 @@ impl Compiler<'_> {
         if node.op == Op::Input {
             let column = (way == Way::Computed).then(|| self.new_column(width));
             self.columns[index][slot_of(width)] = column;
-            // Columns are numbers until the end.
+            // Slots are column numbers until [`Compiler::finish`].
             self.program.inputs.push(column.map(|slot| Column { width, slot }));
             return;
         }
@@ -355,7 +357,7 @@ impl Compiler<'_> {
                     bias_if_odd: 0,
                     limit,
                     halves: false,
-                    // Counts nothing; a program without a `narrow` has a counter all the same.
+                    // Unused: a slice counts nothing. Every runner has at least one counter.
                     counter: 0,
                 };
                 self.fused(first, fit, index);
@@ -397,7 +399,7 @@ impl Compiler<'_> {
         wide_product(width, a, b)
     }
 
-    /// A sum or product with the `narrow` that reads it.
+    /// A sum or product fused with the `narrow` or slice that reads it.
     fn fused(&mut self, sum: usize, fit: Fit, narrow: usize) {
         let Placed { width, compute, .. } = self.placed[narrow];
         let node = &self.netlist.nodes()[sum];
@@ -488,7 +490,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// A read, with a later one at the same address if there is one.
+    /// A table read, paired with a later one at the same address if there is one.
     fn read(&mut self, index: usize) {
         let nodes = self.netlist.nodes();
         let read =
@@ -542,7 +544,7 @@ impl Compiler<'_> {
     }
 }
 
-/// Number of a table, or of a pair, among those packed.
+/// Index of a table, or of a pair of tables, among those packed.
 fn packed<L: Lane>(
     known: &mut HashMap<(usize, usize, Width), usize>,
     tables: &mut Tables<L>,

@@ -1,4 +1,4 @@
-//! The order of the instructions, and the columns that they share.
+//! The order of the instructions, and their sharing of columns.
 
 use super::compile::Compiler;
 use super::program::{Action, Column, Instruction, Program, slot_of};
@@ -8,10 +8,11 @@ use std::collections::BTreeSet;
 use std::mem::take;
 
 impl Compiler<'_> {
-    /// The instructions in an order that keeps few columns alive: of those whose operands are there,
-    /// the one that frees most, or else takes least, comes next.
+    /// Orders the instructions so that few columns are live. Among those whose operands are ready,
+    /// the next is the one that frees the most bits net of its own result.
     fn ordered(&self, outputs: &[(usize, bool)]) -> Vec<Instruction> {
-        /// Instructions looked at for the next one: enough for short lives, and few for long programs.
+        /// Number of ready instructions considered: enough for short lives, and few enough for long
+        /// programs.
         const WINDOW: usize = 64;
         let operands = |at: usize| {
             let mut of = self.instructions[at].of[..self.instructions[at].operands].to_vec();
@@ -32,7 +33,7 @@ impl Compiler<'_> {
                 maker[second] = Some(at);
             }
         }
-        // Outputs are never free.
+        // Outputs are never freed.
         for (column, _) in outputs {
             left[*column] += 1;
         }
@@ -78,12 +79,13 @@ impl Compiler<'_> {
         order
     }
 
-    /// Gives columns to nodes; those whose users are all done go to later ones. Constants, which
+    /// Gives columns to nodes, and reuses a column once all its users are done. Constants, which
     /// are filled once, and ports, which are filled before the first instruction, keep theirs.
     pub(super) fn finish(mut self, outputs: &[(usize, bool)]) -> Program {
         self.instructions = self.ordered(outputs);
-        // What repeats comes first, in the order that it has; nothing does where no port repeats,
-        // not even what has only constants: the last block may be short, and overflows are counted.
+        // Repeated instructions come first, in unchanged order. Without a repeating port none is
+        // repeated, not even those that read only constants: the last block may be short, and
+        // overflows are counted.
         let mut repeats = vec![self.program.repeats.contains(&true); self.widths.len()];
         for (input, port) in self.program.inputs.iter().zip(&self.program.repeats) {
             if let Some(input) = input {
@@ -106,7 +108,7 @@ impl Compiler<'_> {
         let mut last_use = vec![0; self.widths.len()];
         for (at, instruction) in self.instructions.iter().enumerate() {
             for column in &instruction.of[..instruction.operands] {
-                // What repeats is kept for the next block's instructions.
+                // Results of repeated instructions are kept for the next block.
                 let kept = repeats[*column] && at >= self.program.repeated;
                 last_use[*column] = if kept { usize::MAX } else { at };
             }
@@ -156,7 +158,7 @@ impl Compiler<'_> {
             done.sort_unstable();
             done.dedup();
             done.retain(|column| last_use[*column] == at);
-            // What nobody reads is free at once.
+            // Columns that nothing reads are free at once.
             made.retain(|column| last_use[*column] <= at);
             for column in done.into_iter().chain(made) {
                 free[slot_of(self.widths[column])].push(slots[column]);

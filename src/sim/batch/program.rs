@@ -6,10 +6,10 @@ use crate::sim::kernels::{Fit, Kernel, Lane};
 use crate::sim::lanes::Width;
 use std::sync::Arc;
 
-/// Samples per block: two kilobytes a column in 16-bit lanes.
+/// Samples per block: two kilobytes per column in 16-bit lanes.
 pub const BLOCK: usize = 1024;
 
-/// A column: of all lanes of its width, the one with this number.
+/// A column: an index among those of its width.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct Column {
     pub(super) width: Width,
@@ -19,17 +19,17 @@ pub(super) struct Column {
 /// What an instruction does.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Action {
-    /// Lanes of the operands' width in, lanes of the result's out.
+    /// Reads lanes of the operands' width and writes lanes of the result's width.
     Kernel(Kernel),
-    /// A product of 32-bit lanes in 64 bits, and what becomes of it.
+    /// A product of 32-bit lanes in 64 bits, with an optional [`Fit`] of the result.
     WideProduct(Option<Fit>),
-    /// Lanes of another width, extended by zeros or by the sign.
+    /// Converts to lanes of another width, extended by zeros or by the sign.
     Convert { zero: bool },
-    /// A table's words; which of those of the result's width.
+    /// Reads a table; the index is among those of the result's width.
     Read { table: usize },
-    /// The words of earlier samples; `line` says of which delay.
+    /// The words of earlier samples; `line` is the index of the delay.
     Delay { line: usize },
-    /// Two tables' words at one address; the second goes to `second`.
+    /// Reads two tables at one address; the second word goes to `second`.
     ReadPair { table: usize, second: usize },
 }
 
@@ -50,7 +50,7 @@ pub(super) struct Tables<L: Lane> {
     pub(super) pairs: Vec<Arc<[L::Pair]>>,
 }
 
-/// What callers' columns are held to.
+/// What callers' columns are checked against.
 #[derive(Clone, Debug)]
 pub(super) struct Port {
     /// Label of the node.
@@ -68,20 +68,20 @@ pub struct Program {
     pub(super) tables64: Tables<i64>,
     /// Number of columns of each width.
     pub(super) slots: [usize; 3],
-    /// Column of each port that something reads.
+    /// Column of each port; `None` if nothing reads it.
     pub(super) inputs: Vec<Option<Column>>,
     /// Column of each output, and whether zeros extend it.
     pub(super) outputs: Vec<(Column, bool)>,
-    /// The input ports, and the nodes that are given out.
+    /// The input ports, and the output nodes.
     pub(super) ports: Vec<Port>,
     pub(super) results: Vec<Port>,
     /// The `narrow` nodes, in the order of the counters.
     pub(super) narrows: Vec<NodeId>,
-    /// How many samples each delay is of.
+    /// The number of samples of each delay.
     pub(super) delays: Vec<u32>,
-    /// A memory that is read and that no words are bound to.
+    /// A memory that is read but has no bound words.
     pub(super) unbound: Option<String>,
-    /// The first instructions give the same words in each block of a run, so many of them.
+    /// The number of leading instructions that give the same words in each block of a run.
     pub(super) repeated: usize,
     /// Which ports hold the same words in each block of a run.
     pub(super) repeats: Vec<bool>,

@@ -1,4 +1,4 @@
-//! Programs run over callers' columns, block by block.
+//! Runs programs over callers' columns, block by block.
 
 use super::program::{BLOCK, Column, Port, Program};
 use super::step::run_block;
@@ -14,14 +14,14 @@ use crate::sim::lanes::Width;
 use std::collections::VecDeque;
 
 impl Program {
-    /// Makes a runner with columns of its own.
+    /// Creates a runner with its own columns.
     #[must_use]
     pub fn runner(&self) -> Runner {
         self.runner_for(Features::best())
     }
 
-    /// As [`Program::runner`], for a set of processor features; the baseline if this processor
-    /// lacks them.
+    /// As [`Program::runner`], for a set of processor features. If this processor lacks them, the
+    /// baseline is used.
     #[must_use]
     pub fn runner_for(&self, features: Features) -> Runner {
         let mut store = Store {
@@ -48,18 +48,18 @@ impl Program {
     }
 }
 
-/// A delay after a reset.
+/// The contents of a delay after a reset.
 fn line(samples: u32) -> VecDeque<i64> {
     vec![0; cast::index_of_u32(samples)].into()
 }
 
-/// Columns for one thread. A run goes on with the samples after those of the run before.
+/// Columns for one thread. Each run resumes with the samples after those of the previous run.
 #[derive(Debug)]
 pub struct Runner {
     store: Store,
-    /// Of each `narrow`, and at least one.
+    /// Overflows of each `narrow`; at least one counter.
     overflows: Vec<u64>,
-    /// Those of one block, of instructions that are run once for all blocks.
+    /// Overflows per block of the instructions that run once for all blocks.
     repeated: Vec<u64>,
     narrows: usize,
 }
@@ -78,7 +78,7 @@ impl Runner {
         self.run_words(program, inputs, outputs)
     }
 
-    /// As [`Runner::run`], of words that were quantised to the ports' formats: they aren't checked again.
+    /// As [`Runner::run`], for words that were quantised to the ports' formats and need no check.
     pub(crate) fn run_quantised(
         &mut self,
         program: &Program,
@@ -88,12 +88,12 @@ impl Runner {
         self.run_columns(program, inputs, outputs, false)
     }
 
-    /// As [`Runner::run`] on columns of any [`Word`]s: narrow ones save time.
+    /// As [`Runner::run`], on columns of any [`Word`] type: narrow ones save time.
     ///
     /// # Errors
-    /// If there isn't a column for each port and each output of the program, columns differ in length, a port that
-    /// something reads has a word outside its format, or an output has words that its column can't hold. What has been
-    /// computed until then is of no use.
+    /// If there isn't a column for each port and each output of the program, columns differ in
+    /// length, a port that is read has a word outside its format, or an output has words that its
+    /// column can't hold. Results computed until then are invalid.
     pub fn run_words<I: Word, O: Word>(
         &mut self,
         program: &Program,
@@ -131,7 +131,7 @@ impl Runner {
                 return Err(outside_of(&program.ports[port], &inputs[port][start..], start));
             }
             if again {
-                // What isn't computed again would overflow again.
+                // Instructions that are skipped would overflow again.
                 overflows.iter_mut().zip(&*repeated).for_each(|(count, more)| *count += more);
             } else if program.repeated > 0 {
                 repeated.copy_from_slice(overflows);
@@ -153,14 +153,14 @@ impl Runner {
         Ok(())
     }
 
-    /// Forgets earlier samples, as a reset does.
+    /// Clears earlier samples, as a reset does.
     pub fn reset(&mut self, program: &Program) {
         for (under_way, samples) in self.store.delays.iter_mut().zip(&program.delays) {
             *under_way = line(*samples);
         }
     }
 
-    /// How often each `narrow` overflowed so far, in the order of [`Program::narrows`].
+    /// Overflows of each `narrow` so far, in the order of [`Program::narrows`].
     #[must_use]
     pub fn overflows(&self) -> &[u64] {
         &self.overflows[..self.narrows]
@@ -169,7 +169,7 @@ impl Runner {
     /// An error if a `narrow` under [`Overflow::Error`] overflowed.
     ///
     /// # Errors
-    /// Names the node.
+    /// If one overflowed; the error names the node.
     pub fn check(&self, program: &Program, netlist: &Netlist) -> Result<()> {
         check_overflows(netlist, program.narrows(), self.overflows())
     }
@@ -178,7 +178,7 @@ impl Runner {
 /// An error if a `narrow` under [`Overflow::Error`] has a count above 0.
 ///
 /// # Errors
-/// Names the node.
+/// If one has; the error names the node.
 pub fn check_overflows(netlist: &Netlist, narrows: &[NodeId], counts: &[u64]) -> Result<()> {
     for (id, count) in narrows.iter().zip(counts) {
         let forbidden = netlist.node(*id).op.overflow() == Some(Overflow::Error);
@@ -189,16 +189,16 @@ pub fn check_overflows(netlist: &Netlist, narrows: &[NodeId], counts: &[u64]) ->
     Ok(())
 }
 
-/// A block of the callers' columns into those of the ports.
+/// Copies a block of the callers' columns into those of the ports.
 struct Load<'a, 'b, I> {
     program: &'a Program,
     store: &'a mut Store,
     inputs: &'a [&'b [I]],
-    /// Not what repeats: it is there.
+    /// Skips repeating ports, which are already loaded.
     again: bool,
     start: usize,
     len: usize,
-    /// Takes a port with words outside its format, where that is looked for.
+    /// If words are checked, receives a port with words outside its format.
     outside: Option<&'a mut Option<usize>>,
 }
 
@@ -242,7 +242,7 @@ fn load<I: Word, L: Lane>(from: &[I], to: &mut Option<Box<Lanes<L>>>) {
     }
 }
 
-/// Fills a column, and says whether all words are inside.
+/// Fills a column; returns whether all words are inside.
 #[inline(always)]
 fn load_checked<I: Word, L: Lane>(
     from: &[I],
@@ -258,7 +258,7 @@ fn load_checked<I: Word, L: Lane>(
     inside.holds(seen)
 }
 
-/// Samples in the columns, or why they don't fit a program.
+/// The number of samples in the columns, or why the columns don't fit the program.
 fn check_columns<I: Word, O: Word>(
     program: &Program,
     inputs: &[&[I]],
@@ -277,7 +277,7 @@ fn check_columns<I: Word, O: Word>(
     let count = inputs.first().map_or(0, |column| column.len());
     if let Some(at) = inputs.iter().position(|column| column.len() != count) {
         return Err(Error::usage(format!(
-            "the column of port `{}` has {} words and that of `{}` has {count}: give as many to each",
+            "the column of port `{}` has {} words and that of `{}` has {count}: give each the same number",
             program.ports[at].name,
             inputs[at].len(),
             program.ports[0].name
@@ -285,7 +285,7 @@ fn check_columns<I: Word, O: Word>(
     }
     if program.repeats.contains(&true) && count > BLOCK && !count.is_multiple_of(BLOCK) {
         return Err(Error::usage(format!(
-            "{count} samples where blocks of {BLOCK} repeat words: give up to one block, or whole ones"
+            "{count} samples where blocks of {BLOCK} repeat words: give at most one block, or whole blocks"
         )));
     }
     let held = |port: &&Port| {
@@ -295,14 +295,14 @@ fn check_columns<I: Word, O: Word>(
     match program.results.iter().find(|port| !held(port)) {
         None => Ok(count),
         Some(Port { name, format }) => Err(Error::usage(format!(
-            "words of `{name}` are {format} and its column holds {} to {}: take wider numbers",
+            "words of `{name}` are {format} and its column holds {} to {}: use a wider number type",
             O::RANGE.0,
             O::RANGE.1
         ))),
     }
 }
 
-/// The error of a word of a block that is outside a port's format.
+/// The error for the first word of a block that is outside a port's format.
 #[cold]
 fn outside_of<I: Word>(port: &Port, block: &[I], start: usize) -> Error {
     let Port { name, format } = port;
@@ -312,7 +312,7 @@ fn outside_of<I: Word>(port: &Port, block: &[I], start: usize) -> Error {
     Error::outside_port(name.clone(), word, Some(start + at), format.spelled())
 }
 
-/// Columns of the outputs into the callers'.
+/// Copies the columns of the outputs into the callers'.
 struct Unload<'a, O> {
     program: &'a Program,
     store: &'a Store,

@@ -1,4 +1,4 @@
-//! Instructions run over one block of the columns.
+//! Runs instructions over one block of the columns.
 
 use super::program::{Action, Column, Instruction, Program};
 use super::store::{Columns, Store, Stored, take_column};
@@ -7,7 +7,7 @@ use crate::sim::kernels::{self, Kernel};
 use crate::sim::lanes::Width;
 use std::ops::Range;
 
-/// Not inlined: it is large, and the same for all columns of callers.
+/// Not inlined: it is large, and the same for all number types of callers' columns.
 #[inline(never)]
 pub(super) fn run_block(
     program: &Program,
@@ -20,7 +20,7 @@ pub(super) fn run_block(
     vectorised_for(store.features, Run { program, instructions, store, len, overflows });
 }
 
-/// The instructions over one block, to be compiled for the processor.
+/// The instructions over one block, compiled for the processor's features.
 struct Run<'a> {
     program: &'a Program,
     instructions: &'a [Instruction],
@@ -71,7 +71,7 @@ fn step<L: Stored>(
             store.lanes16[slot] = Some(to);
         }
         Action::Kernel(kernel) => {
-            // Of all others, only a `narrow` halves lanes.
+            // Of all other kernels, only a `narrow` halves lanes.
             assert!(L::WIDTH == Width::W64 && width == Width::W32, "bug: 64-bit lanes to 32");
             let mut to = take_column::<i32>(store, slot);
             let of = operands::<i64>(instruction, store, len);
@@ -113,7 +113,8 @@ fn step<L: Stored>(
     }
 }
 
-/// A pass of table reads: never wider than AVX2, as a compiler with AVX-512 turns it into gathers.
+/// A pass of table reads. It is limited to AVX2, since with AVX-512 the compiler turns it into
+/// gathers.
 #[inline(never)]
 fn read_pass(program: &Program, instruction: &Instruction, store: &mut Store, len: usize) {
     let features = store.features.min(Features::Avx2);

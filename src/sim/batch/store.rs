@@ -5,12 +5,12 @@ use crate::base::simd::Features;
 use crate::sim::kernels::Lane;
 use std::collections::VecDeque;
 
-/// A block's lanes, from the start of a cache line: a vector across two lines costs two accesses.
+/// A block's lanes, aligned to a cache line: a vector across two lines costs two accesses.
 #[derive(Debug)]
 #[repr(align(64))]
 pub(super) struct Lanes<L>(pub(super) [L; BLOCK]);
 
-/// Columns of one width; one that is written is taken out meanwhile.
+/// Columns of one width. A column is taken out while it is written.
 pub(super) type Columns<L> = Vec<Option<Box<Lanes<L>>>>;
 
 pub(super) fn columns<L: Lane>(count: usize) -> Columns<L> {
@@ -29,11 +29,11 @@ pub(super) struct Store {
     pub(super) lanes16: Columns<i16>,
     pub(super) lanes32: Columns<i32>,
     pub(super) lanes64: Columns<i64>,
-    /// The words under way in each delay, the oldest first.
+    /// The words in each delay, the oldest first.
     pub(super) delays: Vec<VecDeque<i64>>,
 }
 
-/// Lanes whose columns a [`Store`] has.
+/// Lanes with columns in a [`Store`].
 pub(super) trait Stored: Lane {
     fn columns(store: &mut Store) -> &mut Columns<Self>;
     fn tables(program: &Program) -> &Tables<Self>;

@@ -1,19 +1,19 @@
-//! What callers' columns may hold.
+//! The number types of callers' columns.
 
 use crate::base::cast;
 use crate::number::format::Format;
 
-/// A number that callers' columns hold.
+/// A number type of callers' columns.
 pub trait Word: Copy + Default + Send + Sync {
-    /// The least and the greatest one.
+    /// The least and the greatest number.
     const RANGE: (i64, i64);
-    /// The word, of which the low bits count.
+    /// The number as a word.
     fn word(self) -> i64;
     /// The low bits of a word.
     fn of_word(word: i64) -> Self;
-    /// `seen`, with the bits that are set in the distance from `low`, modulo the numbers.
+    /// `seen`, with the bits of the wrapping distance from `low` set as well.
     fn distance(self, low: Self, seen: Self) -> Self;
-    /// The number as a pattern of bits.
+    /// The number as a bit pattern.
     fn pattern(self) -> u64;
 }
 
@@ -48,8 +48,9 @@ words! {
     u16, u16, cast::low_u16, 0, 0xffff;
 }
 
-/// The words of a format among the numbers of a column: from `low` on, 2^bits of them. Words are so many that a
-/// distance from the least one, which is exact modulo the numbers, shows by its upper bits whether one is outside.
+/// The words of a format that a number type holds: 2^bits of them, starting at `low`. Because their
+/// count is a power of two, the upper bits of the wrapping distance from `low` show whether a word
+/// is outside.
 #[derive(Clone, Copy)]
 pub(super) struct Inside<I> {
     low: I,
@@ -63,13 +64,13 @@ impl<I: Word> Inside<I> {
         Self { low: I::of_word(low), bits: span.count_ones() }
     }
 
-    /// Notes a word.
+    /// Records a word.
     #[inline(always)]
     pub(super) fn see(self, word: I, seen: I) -> I {
         word.distance(self.low, seen)
     }
 
-    /// True if all noted words are of the format.
+    /// True if all recorded words belong to the format.
     #[inline(always)]
     pub(super) fn holds(self, seen: I) -> bool {
         seen.pattern().checked_shr(self.bits).unwrap_or(0) == 0

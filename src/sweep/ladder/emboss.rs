@@ -1,5 +1,6 @@
-//! Emboss pipelines on a scene, one parameter at a time: what a picture and its displacements lose with
-//! narrower words, smaller tables of the reciprocal root, and coarser fractions between texels.
+//! Emboss pipelines on a scene, one parameter at a time: how much accuracy a picture and its
+//! displacements lose with narrower words, smaller tables of the reciprocal root, and coarser
+//! fractions between texels.
 
 use super::with;
 use crate::base::columns::{self, Field};
@@ -17,29 +18,29 @@ use crate::shading::scene::Scene;
 use serde::Serialize;
 use std::path::Path;
 
-/// Widths of vectors and of the matrix, if nothing else is asked for.
+/// Default widths of vectors and of the matrix.
 pub const WIDTHS: [u32; 5] = [8, 10, 12, 14, 16];
-/// Parameters that are as wide as a rung asks.
+/// Parameters that take a rung's width.
 const WIDE: [&str; 2] = ["component_bits", "matrix_bits"];
-/// Widths that these can have.
+/// Legal widths.
 pub const LEGAL_WIDTHS: std::ops::RangeInclusive<u32> = 4..=24;
 
-/// A pipeline with some parameters, and what became of it.
+/// A pipeline with some parameters, and its outcome.
 #[derive(Clone, Debug, Serialize)]
 pub struct Rung {
     /// The pipeline.
     pub pipeline: String,
-    /// What differs from the parameters that all have.
+    /// How it differs from the common parameters.
     pub setting: String,
-    /// The same by name.
+    /// The same, by name.
     pub parameters: Parameters,
-    /// Figures, or why there are none.
+    /// Figures, or the reason why there are none.
     #[serde(flatten)]
     pub outcome: Outcome,
 }
 
 impl Rung {
-    /// Why it has no figures.
+    /// The reason why it has no figures.
     fn refused(&self) -> Option<&str> {
         match &self.outcome {
             Outcome::Measured(_) => None,
@@ -48,28 +49,28 @@ impl Rung {
     }
 }
 
-/// Figures of a rung, or why there are none.
+/// Figures of a rung, or the reason why there are none.
 #[derive(Clone, Debug, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Outcome {
     /// Figures.
     Measured(Box<Figures>),
-    /// Why it can't be built.
+    /// The reason why it can't be built.
     Error(String),
 }
 
 /// Figures of a picture, differences in linear light.
 #[derive(Clone, Debug, Serialize)]
 pub struct Figures {
-    /// The largest difference to the golden, the mean one, SSIM and FLIP.
+    /// The differences from the golden: largest, mean, SSIM and FLIP.
     pub difference: Difference,
-    /// What the largest can't be above.
+    /// Bound on the largest difference.
     pub bound: Option<f64>,
     /// The largest error of a displaced coordinate of any vertex, in texels.
     pub displacement_max_texels: f64,
-    /// Multipliers of its units together.
+    /// Total multipliers of its units.
     pub multipliers: u64,
-    /// Bits of their tables together.
+    /// Total bits of their tables.
     pub rom_bits: u64,
 }
 
@@ -82,15 +83,15 @@ pub struct Record {
     pub scene: SceneId,
     /// Pixels that see an object.
     pub covered_px: u64,
-    /// The other pixels.
+    /// Other pixels.
     pub background_px: u64,
-    /// Parameters that every rung has: those that were given.
+    /// Parameters that were set, which every rung has.
     pub given: Vec<String>,
     /// All rungs.
     pub rungs: Vec<Rung>,
 }
 
-/// Settings of the rungs: each a list of parameters.
+/// Settings of the rungs, each a list of parameters.
 fn settings(widths: &[u32]) -> Vec<Vec<(&'static str, String)>> {
     let mut all = vec![Vec::new()];
     all.extend(widths.iter().map(|width| WIDE.map(|key| (key, width.to_string())).to_vec()));
@@ -115,10 +116,11 @@ pub fn pictures(pipelines: &[Pipeline], widths: &[u32]) -> usize {
     pipelines.len() * settings(widths).len()
 }
 
-/// Renders all of it; `progress` gets the pictures done.
+/// Renders all rungs; `progress` receives the number of pictures done.
 ///
 /// # Errors
-/// If the scene can't be embossed, nothing is in view, every rung fails, or FLIP can't look that finely.
+/// If the scene can't be embossed, nothing is in view, every rung fails, or `pixels_per_degree` is
+/// too large for FLIP.
 pub fn climb(
     scene: &Scene,
     name: &str,
@@ -139,7 +141,7 @@ pub fn climb(
     let mut rungs = Vec::new();
     for group in wanted.chunks(shots_together(scene)) {
         let pipelines: Vec<Pipeline> = group.iter().map(|(pipeline, _)| pipeline.clone()).collect();
-        // If one can't be built, each goes on its own.
+        // If one pipeline can't be built, render each on its own.
         let outcomes = match render(scene, &pipelines, false, &|_| ()) {
             Ok(rendered) => {
                 let of = |shot| measured(&rendered, shot, pixels_per_degree).map(Ok);
@@ -221,7 +223,7 @@ fn measured(rendered: &Rendered, shot: &Shot, pixels_per_degree: f64) -> Result<
 /// Names of all files that [`Record::write`] writes.
 pub const FILES: [&str; 3] = ["ladder.json", "ladder.csv", "ladder.md"];
 
-/// Figures of a rung in columns, differences in linear light, 0 to 1.
+/// Figures of a rung in columns; differences are in linear light, 0 to 1.
 pub const COLUMNS: [&str; 12] = [
     "picture_covered_px",
     "picture_background_px",
@@ -238,7 +240,7 @@ pub const COLUMNS: [&str; 12] = [
 ];
 
 impl Record {
-    /// True unless a picture is further from the golden than its rung states.
+    /// True unless a picture differs from the golden by more than its bound.
     #[must_use]
     pub fn bounds_hold(&self) -> bool {
         self.rungs.iter().all(|rung| match &rung.outcome {
@@ -249,7 +251,7 @@ impl Record {
         })
     }
 
-    /// The rungs, differences in 1/255.
+    /// The rungs; differences are in 1/255.
     #[must_use]
     pub fn table(&self) -> Table {
         let mut headings = vec![
@@ -326,7 +328,7 @@ impl Record {
         let csv = folder.join("ladder.csv");
         output::write_file(&csv, |to| columns::write(to, &csv, &heading, rows))?;
         let mut told = format!(
-            "# Emboss of scene {}, one parameter at a time\n\nEvery rung has the defaults{} but for what it names. Differences are to the \
+            "# Emboss of scene {}, one parameter at a time\n\nEvery rung has the defaults{} except for what it names. Differences are from the \
              golden picture, in linear light; *displacement* is the largest error of a displaced texture coordinate of \
              any vertex under any light, in texels. {}.\n\n",
             escape::markdown(&self.scene.to_string()),

@@ -1,9 +1,9 @@
-//! Whole pipelines on a scene over a ladder of widths, and their light tables over exponents: what a
-//! picture's error costs in tables, multipliers, cycles and simulation time.
+//! Whole pipelines on a scene over a ladder of widths, and their light tables over exponents: a
+//! picture's error against its cost in tables, multipliers, cycles and simulation time.
 //!
-//! On a rung all of a pipeline grows together, as [`RUNG`] says. The light tables are judged beside that
-//! over exponents of the highlight, with all else so fine that nothing but them shows: how their
-//! error grows, and which scheme is the remedy.
+//! On a rung, all widths of a pipeline grow together, as [`RUNG`] defines. Separately, the light
+//! tables are judged over exponents of the highlight, with all other parameters so fine that only
+//! the light tables matter: this shows how their error grows, and which scheme helps.
 
 pub mod emboss;
 
@@ -17,16 +17,16 @@ use crate::shading::scene::Scene;
 use crate::table::Scheme;
 use rayon::prelude::*;
 
-/// Widths of the rungs, if nothing else is asked for.
+/// Default widths of the rungs.
 pub const WIDTHS: [u32; 5] = [8, 10, 12, 14, 16];
-/// The widest and the narrowest rung that tables have room for.
+/// The narrowest and the widest legal rung, as tables allow.
 pub const LEGAL_WIDTHS: std::ops::RangeInclusive<u32> = 4..=22;
-/// Exponents of the highlight, if nothing else is asked for.
+/// Default exponents of the highlight.
 pub const EXPONENTS: [u32; 5] = [1, 8, 32, 128, 255];
 /// Exponents that a material can have.
 pub const LEGAL_EXPONENTS: std::ops::RangeInclusive<u32> = 0..=255;
 
-/// Parameters of a rung: what each is less than the rung's width. A pipeline does without those that
+/// Parameters of a rung, with the amount to subtract from its width. A pipeline skips those that
 /// its unit lacks, and keeps those that were set.
 pub const RUNG: [(&str, u32); 6] = [
     ("angle_bits", 0),
@@ -37,10 +37,9 @@ pub const RUNG: [(&str, u32); 6] = [
     ("specular_addr_bits", 2),
 ];
 
-/// The pipeline that light tables are judged in, if it is one of those asked for: nothing stands between
-/// its dot products and them.
+/// The preferred pipeline for judging light tables: its dot products address them directly.
 const LIGHT_PIPELINE: &str = "exact-cartesian";
-/// Its other parameters, so fine that the light tables show.
+/// Its other parameters, so fine that the light tables dominate the error.
 const FINE: [(&str, &str); 5] = [
     ("angle_bits", "18"),
     ("frac_bits", "18"),
@@ -50,24 +49,24 @@ const FINE: [(&str, &str); 5] = [
 ];
 /// Address bits of the light tables.
 const LIGHT_ADDR_BITS: [u32; 3] = [8, 10, 12];
-/// The most stored bits of the tables of pictures rendered together: they are compiled into memory.
+/// Largest total of table bits of pictures rendered together: the tables are compiled into memory.
 const TOGETHER_ROM_BITS: u64 = 1 << 28;
 
-/// What to climb.
+/// What to measure.
 #[derive(Clone, Debug)]
 pub struct Ladder {
     /// Pipelines, with parameters that stay the same on every rung.
     pub pipelines: Vec<Pipeline>,
     /// Widths of the rungs.
     pub widths: Vec<u32>,
-    /// Exponents that the light tables are judged at.
+    /// Exponents at which the light tables are judged.
     pub exponents: Vec<u32>,
-    /// Pixels per degree of sight, for FLIP.
+    /// Pixels per degree of visual angle, for FLIP.
     pub pixels_per_degree: f64,
 }
 
-/// A pipeline with more parameters: `weak` where it has none of its own yet, `strong` in place of its
-/// own; both only where its unit has them.
+/// A pipeline with more parameters: `weak` ones don't override its own, `strong` ones do. Both are
+/// added only if its unit has them.
 fn with(pipeline: &Pipeline, weak: &[(&str, String)], strong: &[(&str, String)]) -> Pipeline {
     let mut new = pipeline.clone();
     let has = |key: &str| pipeline.params().any(|param| param.name == key);
@@ -83,7 +82,7 @@ fn with(pipeline: &Pipeline, weak: &[(&str, String)], strong: &[(&str, String)])
     new
 }
 
-/// A rung that can't be built.
+/// The point of a rung that can't be built.
 fn failed(pipeline: &Pipeline, why: &Error) -> Point {
     Point {
         parameters: assigned(&pipeline.assignments),
@@ -102,7 +101,8 @@ impl Ladder {
         self.pipelines.len() * self.widths.len() + lights
     }
 
-    /// The pipeline that light tables are judged in; `None` if none has some, or nothing shines.
+    /// The pipeline in which the light tables are judged; `None` if no pipeline has light tables,
+    /// or the scene has no highlight.
     fn light_pipeline(&self, scene: &Scene) -> Option<&Pipeline> {
         let has = |pipeline: &&Pipeline, key: &str| {
             pipeline.unit.all_params().any(|param| param.name == key)
@@ -117,10 +117,10 @@ impl Ladder {
         best.or_else(|| able.next())
     }
 
-    /// Renders all of it; `progress` gets the pictures done.
+    /// Renders everything; `progress` receives the number of pictures done.
     ///
     /// # Errors
-    /// If nothing is in view, every rung fails, or FLIP can't look that finely.
+    /// If nothing is in view, every rung fails, or `pixels_per_degree` is too large for FLIP.
     pub fn climb(
         &self,
         scene: &Scene,
@@ -212,7 +212,7 @@ impl Ladder {
         Ok(all)
     }
 
-    /// Pictures of a scene, as many as there is room for with one golden.
+    /// Pictures of a scene, in groups that share one golden and are as large as there is room for.
     fn points(
         &self,
         scene: &Scene,
@@ -230,7 +230,8 @@ impl Ladder {
         let together = shots_together(scene);
         let mut next = 0;
         while next < pipelines.len() {
-            // Tables take their time: one on each thread, and not more than are rendered together.
+            // Building tables takes time: build one pipeline per thread, and at most as many as are
+            // rendered together.
             let some = rayon::current_num_threads().min(together).min(pipelines.len() - next);
             let built: Vec<Result<Shader>> =
                 pipelines[next..next + some].par_iter().map(build).collect();
