@@ -428,7 +428,7 @@ mod commands {
                 "-p",
                 "angle_bits=22",
             ],
-            "1048576 table rows in line and 65536 is the most: put tables into files",
+            "1048576 inline table rows; the limit is 65536: put tables into files",
         );
         refused(
             &["hdl", "rotation", "--out", out, "-p", "stages=0"],
