@@ -339,7 +339,8 @@ impl Cycle {
     /// rates.
     ///
     /// # Errors
-    /// If there is not one word of its format per input port, or no words are bound to a memory.
+    /// If `inputs` isn't one word per input port in the port's format, or a memory has no bound
+    /// words.
     pub fn settle(&mut self, inputs: &[i64], valid: bool) -> Result<()> {
         self.settle_rates(inputs, |_| valid)
     }

@@ -8,10 +8,10 @@
 //! |---|---|---|---|
 //! | sum, comparison, rounding | 1 a bit that is used | 1 a bit (`CCU2C` has 2) | 1 a bit |
 //! | difference, negation | 1 more for each bit to invert | as a sum | as a sum |
-//! | other logic: up to so many inputs | 4 | 4 | 6 |
+//! | other logic: 1 for up to this many inputs | 4 | 4 | 6 |
 //! | barrel shifter | 1 a bit and level | 1 a bit and level | 1 a bit and two levels |
 //! | table without a clock | [`Rules::rom_share`] of a tree of LUTs | the same | the same |
-//! | product | what its parts take to be added | the same | the same |
+//! | product | adders for its partial products | the same | the same |
 //! | delays of three cycles and more | - | - | 1 (`SRL16E`) |
 //!
 //! Logic with a single use is merged into its user's LUT as long as the inputs suffice. Flip-flops

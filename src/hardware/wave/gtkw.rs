@@ -51,7 +51,7 @@ impl Wave<'_> {
         let is_input = |trace: &Trace| netlist.node(trace.signal.node).op == Op::Input;
         self.write_group("input ports", is_input, to)?;
         if !self.angles.is_empty() {
-            writeln!(to, "@200\n-angle to the golden")?;
+            writeln!(to, "@200\n-angle to the golden model")?;
         }
         for angle in &self.angles {
             write_gtkw_real(&format!("{unit}.{}{DEGREES}", angle.name), ERROR_COLOR, 2, to)?;
