@@ -1,17 +1,17 @@
-//! Clock cycles of the hardware, flat or shared.
+//! Cycle-accurate simulation of the hardware, flat or time-shared.
 //!
-//! In each cycle [`Cycle::settle`] lets logic follow the inputs and registers, and
-//! [`Cycle::clock`] takes the rising edge. Inputs of a rate are taken in the phases of its interval
-//! ([`Cycle::ready_of`]).
-//! Registers are unknown until the first data reaches them; only the valid bits and the phase
-//! counter have a reset, as in the emitted hardware. Units are flat pipelines inside, so they are
-//! simulated by this same type.
+//! In each cycle [`Cycle::settle`] propagates inputs and registers through the logic, and
+//! [`Cycle::clock`] applies the rising edge. The inputs of a rate are accepted in the phases given
+//! by its interval ([`Cycle::ready_of`]). Registers are unknown until the first data reaches them;
+//! only the valid bits, the delays and the phase counter have a reset, as in the emitted hardware.
+//! Units are flat pipelines inside, so this same type simulates them.
 //!
-//! What a cycle does is worked out once, as a `Program`: all words of the hardware are slots of one
-//! array, logic is a list of operations from slots to slots, and an edge is, for each phase, a list
-//! of slots that take another's word. A chain of registers is moved on word by word; pipelines are
-//! so short that a ring with a head costs more than it saves. Operations are those of
-//! [`Op::eval_raw`], with no second meaning: on the rotation unit a cycle takes 0.4 us, a quarter of a wave's time.
+//! The work of a cycle is compiled once, into a `Program`: every word of the hardware is a slot of
+//! one array, the logic is a list of operations from slots to slots, and the edge that ends a phase
+//! is a list of slots that each load the word of another slot. A chain of registers moves word by
+//! word: pipelines are so short that a ring buffer would cost more than it saves. Operations are
+//! evaluated by [`Op::eval_raw`], their only definition. A cycle of the rotation unit takes 0.4 µs,
+//! a quarter of the time of writing its wave.
 
 use crate::base::cast;
 use crate::base::error::{Error, Result};
@@ -32,28 +32,28 @@ pub struct Cycle {
     units: Vec<UnitState>,
     /// Edges since the start.
     edges: u64,
-    /// A `narrow` under overflow mode `error` that overflowed on valid data.
+    /// The first `narrow` under overflow mode `error` that overflowed on valid data.
     forbidden: Option<NodeId>,
-    /// What goes into delays at an edge.
+    /// Scratch: the words that enter delays at an edge.
     taken: Vec<i64>,
 }
 
-/// What is known of time and data.
+/// Phase, and valid bits of all rates.
 #[derive(Clone, Debug)]
 struct Control {
-    /// By rate, from the slowest.
+    /// By rate, slowest first.
     rates: Vec<Valid>,
     phase: u32,
     phases: u32,
 }
 
-/// Which samples of a rate are data.
+/// The valid bits of a rate.
 #[derive(Clone, Debug)]
 struct Valid {
-    /// Stage that the rate's words enter in.
+    /// Stage in which the rate's words enter.
     entry: u32,
     interval: u32,
-    /// The valid input, and what the valid bits hold.
+    /// The valid input, and the state of the valid bits.
     input: bool,
     bits: Vec<bool>,
 }
@@ -62,56 +62,58 @@ struct Valid {
 #[derive(Clone, Debug)]
 struct UnitState {
     inside: Cycle,
-    /// Words at its ports; those with a register keep theirs.
+    /// Words at the unit's ports; a port with a register holds its word.
     ports: Vec<i64>,
-    /// What port registers take at the next edge.
+    /// The words that port registers load at the next edge.
     next: Vec<i64>,
-    /// Operation in each of its stages, the one that is issued first; of valid data or not.
+    /// The operation in each stage of the unit, from the issue on; `None` where there is none or
+    /// its data isn't valid.
     sits: Vec<Option<usize>>,
 }
 
-/// What a cycle does.
+/// The compiled work of a cycle.
 #[derive(Debug)]
 struct Program {
     rtl: Arc<Rtl>,
-    /// Slot of each node's word in its own stage; those of its hold registers follow.
+    /// Slot of each node's word in its own stage; the slots of its hold registers follow.
     own: Vec<usize>,
-    /// Words at the start: constants, and 0.
+    /// Words at the start: the constants, and 0 elsewhere.
     start: Vec<i64>,
     inputs: Vec<usize>,
     steps: Vec<Step>,
     units: Vec<Feeds>,
     results: Vec<Taken>,
-    /// By phase, in order: what takes the word of another at the edge that ends it.
+    /// By phase: the loads at the edge that ends it, in order.
     moves: Vec<Vec<Move>>,
     delays: Vec<Delay>,
-    /// Place of each node's rate among those of the ports.
+    /// Index of each node's rate among the rates of the ports.
     rates: Vec<usize>,
-    /// A memory that can't be read.
+    /// A memory without words, which can't be read.
     unbound: Option<String>,
 }
 
-/// A slot that takes the word of another at an edge.
+/// A slot that loads the word of another slot at an edge.
 #[derive(Clone, Copy, Debug)]
 struct Move {
     to: usize,
     from: usize,
-    /// Of a register that holds words for faster rates: the place of its rate, and the stage that must be data.
+    /// For a register that holds words for faster rates: the index of the rate that it waits for,
+    /// and the stage in which that rate's sample must be data.
     when: Option<(usize, u32)>,
 }
 
-/// The words of earlier samples.
+/// A delay: the words of earlier samples.
 #[derive(Clone, Debug)]
 struct Delay {
     stage: u32,
     rate: usize,
-    /// What goes in.
+    /// Slot of the word that enters.
     from: usize,
-    /// Slots from the newest word to the oldest, which is the node's own.
+    /// Slots from the newest word to the oldest, which is the node's own word.
     line: Vec<usize>,
 }
 
-/// The operation of a free node.
+/// An operation of a free node.
 #[derive(Clone, Copy, Debug)]
 struct Step {
     node: NodeId,
@@ -121,21 +123,21 @@ struct Step {
     /// Slots and formats of the operands.
     of: [(usize, Format); 3],
     operands: usize,
-    /// Where the word goes: for a read on a clock, to what is taken at the edge.
+    /// Slot of the result; for a clocked read, the slot that is loaded from at the edge.
     to: usize,
 }
 
-/// What goes into a unit.
+/// The words that enter a unit.
 #[derive(Debug)]
 struct Feeds {
-    /// By phase: for each port what it takes and from which slot; nothing where a register keeps
-    /// its word.
+    /// By phase and port: the case and the slot of its word; `None` where a register keeps its
+    /// word.
     ports: Vec<Vec<Option<(Case, usize)>>>,
-    /// Operation that is issued in each phase.
+    /// The operation issued in each phase.
     issued: Vec<Option<usize>>,
 }
 
-/// A node's word at the output of a unit.
+/// A node's word, taken from the output of a unit.
 #[derive(Clone, Copy, Debug)]
 struct Taken {
     unit: usize,
@@ -181,7 +183,7 @@ impl Step {
 }
 
 impl Program {
-    /// `inside` are the units' own.
+    /// `inside` holds the programs of the units.
     fn new(rtl: Arc<Rtl>, inside: &[Arc<Self>]) -> Self {
         let (netlist, schedule) = (rtl.netlist(), rtl.schedule());
         let place = |id: NodeId| schedule.place_of(netlist.node(id).rate);
@@ -205,7 +207,7 @@ impl Program {
         };
         for id in netlist.ids() {
             let (node, own) = (netlist.node(id), program.own[id.index()]);
-            // From the last: each takes its word before the one before it has another.
+            // Last register first: each loads its word before the register in front of it changes.
             let registers: Vec<Signal> = rtl.registers(id).collect();
             for (number, register) in registers.into_iter().enumerate().rev() {
                 let (to, from) = (own + number + 1, own + number);
@@ -217,7 +219,7 @@ impl Program {
             }
             let mut to = own;
             for _ in 0..schedule.clocks(netlist, id) {
-                // A read takes a word at every edge.
+                // A clocked read loads a word at every edge.
                 let from = program.constant(0);
                 let step = Move { to, from, when: None };
                 program.moves.iter_mut().for_each(|moves| moves.push(step));
@@ -288,7 +290,7 @@ impl Program {
         Feeds { ports: phases.clone().map(&mut at).collect(), issued: phases.map(issued).collect() }
     }
 
-    /// A slot of its own that starts with a word.
+    /// A new slot with an initial word.
     fn constant(&mut self, raw: i64) -> usize {
         self.start.push(raw);
         self.start.len() - 1
@@ -333,15 +335,17 @@ impl Cycle {
         Self { program, words, control, units, edges: 0, forbidden: None, taken: Vec::new() }
     }
 
-    /// Lets logic follow the input words; `valid` says whether they are data, at all rates.
+    /// Propagates the input words through the logic; `valid` says whether they are data, at all
+    /// rates.
     ///
     /// # Errors
-    /// If there is not one word of its format per input port, or no words are bound to a memory.
+    /// If `inputs` isn't one word per input port in the port's format, or a memory has no bound
+    /// words.
     pub fn settle(&mut self, inputs: &[i64], valid: bool) -> Result<()> {
         self.settle_rates(inputs, |_| valid)
     }
 
-    /// As [`Cycle::settle`], where words of each rate of the ports, counted from the slowest, may be data or not.
+    /// As [`Cycle::settle`], with a valid bit for each rate of the ports, counted from the slowest.
     ///
     /// # Errors
     /// As [`Cycle::settle`].
@@ -354,7 +358,7 @@ impl Cycle {
         Ok(())
     }
 
-    /// As [`Cycle::settle_rates`], of words that are in their formats.
+    /// As [`Cycle::settle_rates`], for words that are known to fit their formats.
     fn follow(&mut self, inputs: &[i64], valid: impl Fn(usize) -> bool) {
         let Self { program, words, control, units, forbidden, .. } = self;
         let phase = control.phase;
@@ -384,10 +388,11 @@ impl Cycle {
         }
     }
 
-    /// Takes a rising edge.
+    /// Applies a rising edge.
     pub fn clock(&mut self) {
         let Self { program, words, control, units, edges, taken, .. } = self;
-        // What goes into delays is what is there before the edge, and so is what comes out of them.
+        // Delays load the words from before the edge, and registers load the delays' words from
+        // before it.
         taken.clear();
         taken.extend(program.delays.iter().map(|delay| words[delay.from]));
         for Move { to, from, when } in &program.moves[cast::index_of_u32(control.phase)] {
@@ -425,7 +430,7 @@ impl Cycle {
         *edges += 1;
     }
 
-    /// Clears the valid bits, the phase and delays, as the reset does at an edge.
+    /// Clears the valid bits, the phase and the delays, as a reset does at an edge.
     pub fn reset(&mut self) {
         for rate in &mut self.control.rates {
             rate.input = false;
@@ -447,20 +452,21 @@ impl Cycle {
         self.control.phase
     }
 
-    /// True in a phase in which inputs of the fastest rate are taken.
+    /// True in a phase in which inputs of the fastest rate are accepted.
     #[must_use]
     pub fn ready(&self) -> bool {
         self.control.ready(self.control.fastest())
     }
 
-    /// True in a phase in which inputs of a rate of the ports, counted from the slowest, are taken.
+    /// True in a phase in which inputs of a rate are accepted; rates of the ports count from the
+    /// slowest.
     #[must_use]
     pub fn ready_of(&self, rate: usize) -> bool {
         self.control.ready(rate)
     }
 
-    /// The operation of valid data that sits in a stage of a unit; stage 0 is the issue and the
-    /// unit's latency the out.
+    /// The operation on valid data in a stage of a unit. Stage 0 is the issue; the stage equal to
+    /// the unit's latency is the output.
     #[must_use]
     pub fn sits(&self, unit: usize, stage: u32) -> Option<usize> {
         self.units[unit].sits[cast::index_of_u32(stage)]
@@ -472,7 +478,7 @@ impl Cycle {
         self.units[unit].ports[port]
     }
 
-    /// State of the inside of a unit.
+    /// The simulation of a unit's inside.
     #[must_use]
     pub fn inside(&self, unit: usize) -> &Self {
         &self.units[unit].inside
@@ -484,7 +490,7 @@ impl Cycle {
         self.words[self.program.slot(signal)]
     }
 
-    /// Where in [`Cycle::words`] a signal's word is, in every cycle.
+    /// Index of a signal's word in [`Cycle::words`]; the same in every cycle.
     #[must_use]
     pub fn slot(&self, signal: Signal) -> usize {
         self.program.slot(signal)
@@ -514,7 +520,8 @@ impl Cycle {
         self.edges >= u64::from(stage)
     }
 
-    /// True if the sample of a rate of the ports, counted from the slowest, that is in this stage in its phase is data.
+    /// True if the sample of a rate that occupies this stage, in the stage's phase, is data; rates
+    /// of the ports count from the slowest.
     #[must_use]
     pub fn valid(&self, rate: usize, stage: u32) -> bool {
         self.control.valid(rate, stage)
@@ -526,19 +533,19 @@ impl Cycle {
         self.control.is_data(self.control.fastest(), stage)
     }
 
-    /// True in a cycle in which words of a rate of the ports are taken.
+    /// True in a cycle in which words of a rate of the ports are accepted.
     #[must_use]
     pub fn takes(&self, rate: usize) -> bool {
         self.control.rates[rate].input
     }
 
-    /// Place of a node's rate among those of the ports.
+    /// Index of a node's rate among the rates of the ports.
     #[must_use]
     pub fn rate_of(&self, node: NodeId) -> usize {
         self.program.rates[node.index()]
     }
 
-    /// Words of the output ports, if they are valid: in one cycle for each sample.
+    /// Words of the output ports if they are valid, which is one cycle for each sample.
     #[must_use]
     pub fn outputs(&self) -> Option<Vec<i64>> {
         let rtl = &self.program.rtl;
@@ -550,8 +557,8 @@ impl Cycle {
 }
 
 impl UnitState {
-    /// Lets a unit follow the words and valid bits around it. Gives the node of the netlist that
-    /// overflowed and may not.
+    /// Propagates the words and valid bits around a unit through it. Returns the netlist's node
+    /// that overflowed although its overflow mode forbids it.
     fn settle(
         &mut self,
         program: &Program,
@@ -580,7 +587,7 @@ impl UnitState {
         self.sits[0] = issued;
         self.inside.follow(&self.ports, |_| issued.is_some());
         let inside = self.inside.forbidden.take()?;
-        // The node of the operation that sits there.
+        // Map the node inside the unit to the node of the operation in that stage.
         let stage = self.inside.program.rtl.schedule().stage(inside);
         let position = rtl.schedule().units()[number].positions[inside.index()]?;
         Some(operations[self.sits[cast::index_of_u32(stage)]?].nodes[position])

@@ -1,4 +1,5 @@
-//! Hardware from a design: its registers, cycles, waves, text, agreement with other simulators, cost.
+//! The hardware of a design: registers, clock cycles, waves, HDL text, verification with other
+//! simulators, and cost.
 
 pub mod cost;
 pub mod cycle;

@@ -1,4 +1,4 @@
-//! The hardware that a design's pipeline parameters ask for.
+//! The hardware requested by a design's pipeline parameters.
 
 use crate::base::error::Result;
 use crate::design::{Design, Role, Value, Values};
@@ -7,11 +7,11 @@ use crate::schedule::{Depth, Plan, Rom, Schedule, Share};
 use std::sync::Arc;
 
 impl Design {
-    /// The hardware that the pipeline parameters ask for.
+    /// Builds the hardware requested by the pipeline parameters.
     ///
     /// # Errors
-    /// If the latency or interval asked for is too short, a shared unit would have words over 63
-    /// bits, or parameters of one schedule are set for another.
+    /// If the requested latency or interval is too short, a shared unit would have words over 63
+    /// bits, or a parameter of one kind of schedule is set for another.
     pub fn rtl(&self) -> Result<Rtl> {
         let make = |values: &Values| values.design()?.hardware().map(|_| ());
         self.hardware().map_err(|error| self.values.with_remedy(error, &make))
@@ -24,18 +24,18 @@ impl Design {
         let period = count(values.int("period_ps").expect("bug: no auto here"));
         let stages = values.int("stages").map(count);
         let kind = values.choice("schedule");
-        // What only a found schedule takes must not be set for another.
+        // Parameters of a shared schedule must be unset for any other.
         for (param, value) in values.params().filter(|(param, _)| param.role.is_of_sharing()) {
             if kind != "shared" && *value != param.default {
                 let legal = format!(
-                    "{} with schedule={kind}; it counts with schedule=shared",
+                    "{} with schedule={kind}; it applies only to schedule=shared",
                     param.default
                 );
                 return Err(values.refuse(&param.name, &legal));
             }
         }
         if kind != "flat" && stages.is_some() {
-            let legal = format!("auto with schedule={kind}: the schedule makes the latency");
+            let legal = format!("auto with schedule={kind}: the schedule sets the latency");
             return Err(values.refuse("stages", &legal));
         }
         let schedule = match kind {
@@ -60,8 +60,8 @@ impl Design {
             _ => {
                 let Some(binding) = &self.binding else {
                     let legal = format!(
-                        "flat or shared: {} has no printed schedule with these parameters; that of emboss is for \
-                         setting=gx and every switch that is auto left there",
+                        "flat or shared: {} has no printed schedule for these parameters; that of emboss needs \
+                         setting=gx and every auto switch left at auto",
                         values.unit().name
                     );
                     return Err(values.refuse("schedule", &legal));

@@ -1,39 +1,44 @@
-//! Registers, phases, units and multiplexers of the hardware, from netlist and schedule.
+//! Registers, phases, units and multiplexers of the hardware, derived from netlist and schedule.
 //!
-//! A [`Signal`] is a node's word as it is seen in a stage. In its own stage it is the node's own
-//! logic; later it is a *hold register*. With an interval of I cycles, hold register k of a node
-//! in stage s takes its word at the edge that ends stage s + kI and keeps it for I cycles: it is
-//! seen in stages s + 1 + kI to s + (k + 1)I, and is named by the first of them. (Where a faster rate enters, a register of its
-//! own begins, and from there on I is that rate's.) With I = 1 that
-//! is a shift register, and with more samples under way than one it is the delay FIFO. The cycle
-//! simulator, the waves and the emitted hardware all read this, so they can't disagree.
+//! A [`Signal`] is a node's word as seen in a stage. In the node's own stage it is the node's own
+//! logic; in a later stage it is a *hold register*. With an interval of I cycles, hold register k
+//! of a node in stage s loads at the edge that ends stage s + kI and holds its word for I cycles:
+//! it is visible in stages s + 1 + kI to s + (k + 1)I, and is named after the first of them. (Where
+//! a faster rate enters, a separate register begins, and from there on I is that rate's interval.)
+//! With I = 1 the hold registers are a shift register; with several samples in flight they are the
+//! delay FIFO. The cycle simulator, the waves and the emitted hardware all read this structure, so
+//! they can't disagree.
 //!
-//! # How the hardware of a schedule with an interval is put together
+//! # Structure of hardware with an interval
 //!
-//! * **Phase.** A counter of [`Rtl::phase_bits`] bits runs through the phases and around, from reset on. Inputs are taken
-//!   in phases that are 0 modulo I only (that is `ready`), and what belongs to stage s happens in those that are s modulo I
-//!   ([`Schedule::phases_of`](crate::schedule::Schedule::phases_of)), where I is the interval of its rate.
-//! * **Free nodes** ([`Rtl::is_free`]) are logic as in a flat pipeline; operands are the signals
-//!   of [`Rtl::operand`]. Their words mean something in the phase of their stage.
-//! * **Hold registers** ([`Rtl::registers`]) load at the edges that end the phases
-//!   [`Rtl::load_phases`], from [`Rtl::held`]. The output register of a free read on a clock has no
-//!   enable; it is the read itself, and its word is held like any other.
+//! * **Phase.** A counter of [`Rtl::phase_bits`] bits cycles through the phases from reset on.
+//!   Inputs of a rate with interval I are accepted only in phases that are 0 modulo I (the flag
+//!   `ready`). The events of stage s happen in phases that are s modulo I
+//!   ([`Schedule::phases_of`](crate::schedule::Schedule::phases_of)).
+//! * **Free nodes** ([`Rtl::is_free`]) are logic as in a flat pipeline; their operands are the
+//!   signals of [`Rtl::operand`]. Their words are meaningful in the phase of their stage.
+//! * **Hold registers** ([`Rtl::registers`]) load [`Rtl::held`] at the edges that end the phases
+//!   [`Rtl::load_phases`]. The output register of a free clocked read has no enable: it is the read
+//!   itself, and its word is held like any other.
 //! * **Units** ([`Rtl::units`]) are flat pipelines of their own ([`Instance::rtl`]: interval 1, no
-//!   enables), on hull formats. Each port gets, by phase, one of its [`Case`]s, extended to the
-//!   port's format ([`shifted`](Case::left)): a plain multiplexer before the port, whose choice in
-//!   phases without a case is that of the first case, or, for a port with a register, what the
-//!   register loads at the edge that ends the phase (it keeps its word in all others).
+//!   enables) on hull formats. In each phase a port receives one of its [`Case`]s, extended to the
+//!   port's format ([`shifted`](Case::left)). A port without a register is a plain multiplexer; in
+//!   phases without a case it selects the first case. A port with a register loads the case at the
+//!   edge that ends the phase, and keeps its word in all other phases.
 //! * **Results.** The word of a node inside a unit ([`Rtl::result`]) is the unit's output with its
-//!   low bits dropped and cut to the node's format. It is used by hold registers only.
-//! * **Delays** hold the words of earlier samples in registers that a reset clears. They load at the edge that ends the
-//!   stage of the node, when its sample is data: [`Rtl::is_state`].
-//! * **Rates.** Where a faster rate enters, all slower words are held for it: their registers load only when a sample
-//!   of the rate just before is data ([`Rtl::holds`]). So an object counts for the faces that come after it, and for
-//!   their pixels, and not for those of the face before. Each rate has valid bits of its own.
-//! * **Memories** are outside, and stand still with the pipeline: a read's word is there so many cycles after its address.
-//! * **Valid.** Bit k of a rate's valid bits loads at the edges at which its inputs are taken, bit 0 from
-//!   `valid_in`, the others from the bit before. Stage s > 0 after its entry holds data where bit (s - 1) / I is
-//!   set; `valid_out` is that for the latency, in the latency's phase: one cycle for each sample.
+//!   low bits dropped and cut to the node's format. Only hold registers use it.
+//! * **Delays** hold the words of earlier samples in registers that a reset clears. They load at
+//!   the edge that ends the node's stage when its sample is data: [`Rtl::is_state`].
+//! * **Rates.** Where a faster rate enters, all slower words are held for it: their registers load
+//!   only when a sample of the next slower rate is data ([`Rtl::holds`]). So an object applies to
+//!   the faces that come after it, and to their pixels, but not to those of the face before. Each
+//!   rate has its own valid bits.
+//! * **Memories** are outside the module and stall with the pipeline: a read's word arrives a fixed
+//!   number of cycles after its address.
+//! * **Valid.** Bit k of a rate's valid bits loads at the edges at which its inputs are accepted:
+//!   bit 0 from `valid_in`, each other bit from the one before it. Stage s > 0 after the rate's
+//!   entry holds data where bit (s - 1) / I is set. `valid_out` is that bit for the latency, in the
+//!   phase of the latency: one cycle for each sample.
 
 use crate::base::cast;
 use crate::netlist::op::Op;
@@ -43,7 +48,7 @@ use crate::schedule::{Kind, Operand, Operation, Schedule, Timing, Unit};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// A node's word as seen in a stage; for a hold register the first in which it is seen.
+/// A node's word as seen in a stage; a hold register is named by the first stage that sees it.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, PartialOrd, Ord)]
 pub struct Signal {
     /// The node.
@@ -57,28 +62,28 @@ pub struct Signal {
 pub struct Rtl {
     netlist: Arc<Netlist>,
     schedule: Schedule,
-    /// Last stage in which a node's word is needed.
+    /// Last stage in which each node's word is needed.
     last: Vec<u32>,
-    /// Nodes that no port reaches.
+    /// True for nodes that don't depend on any port.
     fixed: Vec<bool>,
     units: Vec<Instance>,
-    /// Unit and output that give the word of a node.
+    /// Unit and output that give each node's word.
     results: Vec<Option<UnitOutput>>,
 }
 
-/// A unit with what goes into it when.
+/// A unit, and the schedule of its operands.
 #[derive(Clone, Debug)]
 pub struct Instance {
     /// Name: `dot1`.
     pub name: String,
-    /// What it is.
+    /// The kind of unit.
     pub kind: Kind,
-    /// Cycles from one sample of its operations' rate to the next: cases are for phases modulo that.
+    /// Cycles from one sample of its operations' rate to the next: phases of cases are modulo this.
     pub interval: u32,
-    /// Its own hardware: flat, on hull formats; port i of [`Instance::ports`] is input i, and
-    /// [`UnitOutput::output`] counts its outputs.
+    /// Its own hardware: flat, on hull formats. Port i of [`Instance::ports`] is input i, and
+    /// [`UnitOutput::output`] indexes its outputs.
     pub rtl: Arc<Rtl>,
-    /// What goes in.
+    /// Its ports.
     pub ports: Vec<Port>,
 }
 
@@ -87,31 +92,31 @@ pub struct Instance {
 pub struct Port {
     /// Its format.
     pub format: Format,
-    /// Side of the unit that it belongs to, from 0: which operand of its node it is.
+    /// Side of the unit that it belongs to, from 0: the operand index of the unit's node.
     pub side: usize,
-    /// Which of its operations' operands it takes.
+    /// Index of the operation's operand that it receives.
     pub place: usize,
-    /// True if a register takes the operand in the cycle before the issue.
+    /// True if a register loads the operand in the cycle before the issue.
     pub registered: bool,
-    /// What it takes when, by phase; at least one.
+    /// The sources by phase; at least one.
     pub cases: Vec<Case>,
 }
 
-/// What a port takes in a phase.
+/// The operand that a port receives in a phase.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Case {
-    /// The phase: that of the issue, or of the load for a port with a register.
+    /// The phase of the issue, or of the load for a port with a register.
     pub phase: u32,
-    /// Operation of the schedule's unit that it is for.
+    /// Operation of the schedule's unit that the operand belongs to.
     pub operation: usize,
-    /// What it takes.
+    /// Where the operand comes from.
     pub source: Source,
-    /// Zeros that are put below the source's bits to align it with the port's format; above, the
-    /// word is extended by its own sign or by zeros.
+    /// Zeros appended below the source's bits to align it with the port's format. Above, the word
+    /// is extended by its sign or by zeros.
     pub left: u32,
 }
 
-/// Where an operand comes from.
+/// The source of an operand.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Source {
     /// A signal.
@@ -125,30 +130,30 @@ pub enum Source {
     },
 }
 
-/// Which output of which unit gives the word of a node.
+/// The unit and output that give the word of a node.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct UnitOutput {
     /// Position of the unit in [`Rtl::units`].
     pub unit: usize,
-    /// Which of its outputs.
+    /// Index of the output.
     pub output: usize,
-    /// Low bits of the output that are dropped, all 0 when the word is taken; what is left is cut
-    /// to the node's format.
+    /// Low bits of the output that are dropped; they are all 0 when the word is used. The rest is
+    /// cut to the node's format.
     pub right: u32,
 }
 
-/// What the hardware really has.
+/// Resources that the hardware has.
 #[derive(Clone, PartialEq, Eq, Debug, serde::Serialize)]
 pub struct HardwareCounts {
-    /// Operators and tables, those of each unit once.
+    /// Operators and tables; those of each unit count once.
     pub operators: Counts,
-    /// Operators by unit: its name and what it has.
+    /// Operators of each unit, by its name.
     pub units: BTreeMap<String, Counts>,
     /// Bits of all hold registers.
     pub hold_bits: u64,
-    /// Those of them in chains of two and more: delay FIFOs.
+    /// The part of them in chains of two or more registers: delay FIFOs.
     pub fifo_bits: u64,
-    /// Bits of the registers of delays, which keep words from one sample to the next.
+    /// Bits of the registers of delays, which keep words from sample to sample.
     #[serde(skip_serializing_if = "crate::netlist::is_zero")]
     pub state_bits: u64,
     /// Bits of operand registers at the ports of units.
@@ -157,14 +162,14 @@ pub struct HardwareCounts {
     pub unit_bits: u64,
     /// Bits of the phase counter.
     pub phase_bits: u64,
-    /// All flip-flops, with valid bits and the output registers of reads on a clock.
+    /// Bits of all flip-flops, with valid bits and the output registers of clocked reads.
     pub register_bits: u64,
-    /// Multiplexers before units as choices between two words, in bits: a case more than one
-    /// at a port of b bits counts b.
+    /// Multiplexers in front of units, in bits of two-way selection: each source after the first at
+    /// a port of b bits counts b.
     pub multiplexer_bits: u64,
 }
 
-/// What happens to an operation in a cycle of its sample.
+/// An event of an operation, in a cycle of its sample.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Event {
     /// Stage: the cycle counted from the entry of the slowest rate.
@@ -173,18 +178,18 @@ pub struct Event {
     pub unit: usize,
     /// Position of the operation in the unit.
     pub operation: usize,
-    /// What happens.
+    /// The kind of event.
     pub action: Action,
 }
 
-/// What happens.
+/// A kind of event.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Action {
-    /// Operand registers of this side take a new word.
+    /// Operand registers of this side load a new word.
     Load(usize),
-    /// It enters the unit.
+    /// The operation enters the unit.
     Issue,
-    /// Its result is at the unit's output.
+    /// The result is at the unit's output.
     Out,
 }
 
@@ -278,11 +283,11 @@ impl Rtl {
         }
     }
 
-    /// True if the operand is in the port's register already: the operation of the same sample
-    /// that is issued there before takes it too.
+    /// True if the operand is already in the port's register: the previous operation issued there
+    /// belongs to the same sample and has the same operand.
     fn is_loaded(&self, unit: &Unit, at: usize, place: usize) -> bool {
         let now = &unit.operations[at];
-        // The one with the latest issue before this one, in this sample or an earlier one.
+        // The operation with the latest issue before this one, of this sample or an earlier one.
         let interval = unit.interval;
         let before = unit.operations.iter().min_by_key(|other| {
             let ago = (now.issue + interval - other.issue % interval - 1) % interval;
@@ -307,39 +312,39 @@ impl Rtl {
         &self.schedule
     }
 
-    /// The units that operations share, in the order of the schedule's.
+    /// The shared units, in the order of the schedule.
     #[must_use]
     pub fn units(&self) -> &[Instance] {
         &self.units
     }
 
-    /// The operations of a unit, by their issue.
+    /// The operations of a unit, in order of issue.
     #[must_use]
     pub fn operations(&self, unit: usize) -> &[Operation] {
         &self.schedule.units()[unit].operations
     }
 
-    /// Bits of the phase counter; 0 with one phase.
+    /// Bits of the phase counter; 0 if there is only one phase.
     #[must_use]
     pub fn phase_bits(&self) -> u32 {
         addr_bits(u64::from(self.schedule.phases()))
     }
 
-    /// True if a node has logic of its own, and is not inside a unit.
+    /// True if a node has its own logic, outside any unit.
     #[must_use]
     pub fn is_free(&self, node: NodeId) -> bool {
         self.schedule.seat(node).is_none()
     }
 
-    /// The unit's output that gives the word of a node; `None` for free nodes, and for nodes that
-    /// are only used inside their unit and have no signal here.
+    /// The unit's output that gives the word of a node. `None` for free nodes, and for nodes that
+    /// are used only inside their unit and so have no signal here.
     #[must_use]
     pub fn result(&self, node: NodeId) -> Option<UnitOutput> {
         self.results[node.index()]
     }
 
-    /// Hold registers of a node, in order of their stages. The output register of a read on a
-    /// clock is not among them: it is the read itself.
+    /// Hold registers of a node, in order of their stages. They don't include the output register
+    /// of a clocked read, which is the read itself.
     pub fn registers(&self, node: NodeId) -> impl Iterator<Item = Signal> + '_ {
         let last = self.last[node.index()];
         let first = Some(self.schedule.stage(node) + 1);
@@ -348,14 +353,14 @@ impl Rtl {
         stages.take_while(move |stage| *stage <= last).map(move |stage| Signal { node, stage })
     }
 
-    /// Stage of the register after one: an interval later, or where a faster rate enters.
+    /// Stage of the next register: an interval later, or where a faster rate enters.
     fn next_register(&self, node: NodeId, stage: u32) -> u32 {
         let (interval, until) = self.schedule.pace(&self.netlist, node, stage);
         until.map_or(stage + interval, |until| until.min(stage + interval))
     }
 
-    /// The rate whose samples a hold register waits for, where a faster rate enters: it loads when they are data. What
-    /// no port reaches waits for none.
+    /// The rate that a hold register waits for, where a faster rate enters: the register loads when
+    /// that rate's samples are data. A node that doesn't depend on any port waits for none.
     #[must_use]
     pub fn holds(&self, register: Signal) -> Option<Rate> {
         let waits = !self.fixed[register.node.index()];
@@ -368,7 +373,7 @@ impl Rtl {
         matches!(self.netlist.node(node).op, Op::Delay { .. })
     }
 
-    /// The phases at whose last edges a hold register loads.
+    /// The phases at whose ends a hold register loads.
     ///
     /// # Panics
     /// If the signal is no register.
@@ -379,7 +384,7 @@ impl Rtl {
         self.schedule.phases_of(before, interval)
     }
 
-    /// What a hold register loads: the node's own word, or the register before it.
+    /// The source of a hold register: the node's own word, or the register before it.
     ///
     /// # Panics
     /// If the signal is no register.
@@ -389,7 +394,8 @@ impl Rtl {
         self.seen(register.node, register.stage - 1)
     }
 
-    /// The signal of a node's word in a stage from its own on; constants are seen at their own.
+    /// The signal of a node's word in a stage at or after its own; a constant is seen in its own
+    /// stage.
     ///
     /// # Panics
     /// If the stage is before the node's own.
@@ -413,7 +419,7 @@ impl Rtl {
         }
     }
 
-    /// The signal that a free `user` takes its operand from.
+    /// The signal of an operand of a free `user`.
     #[must_use]
     pub fn operand(&self, user: NodeId, operand: NodeId) -> Signal {
         self.seen(operand, self.schedule.operand_stage(&self.netlist, user))
@@ -425,9 +431,9 @@ impl Rtl {
         self.seen(node, self.schedule.latency())
     }
 
-    /// Name of a signal in its scope, which the waves and the emitted hardware share: the node's
-    /// own name or its number, `_next` where an output port, its register, has that name, and
-    /// the stage of a register that carries it on.
+    /// Name of a signal in its scope, as used in the waves and the emitted hardware. It is the
+    /// node's own name or number; `_next` is appended where the node's output port is a register
+    /// and has that name; a hold register appends its stage.
     #[must_use]
     pub fn local_name(&self, signal: Signal) -> String {
         let node = self.netlist.node(signal.node);
@@ -447,13 +453,13 @@ impl Rtl {
         }
     }
 
-    /// Valid bits of all rates: one for each interval that a sample is under way.
+    /// Valid bits of all rates: one for each interval that a sample is in flight.
     #[must_use]
     pub fn valid_bits(&self) -> u32 {
         self.schedule.timings().iter().map(|timing| self.valid_bits_of(timing)).sum()
     }
 
-    /// Valid bits of a rate, as far as something depends on them.
+    /// Valid bits of a rate, up to the last one that is used.
     #[must_use]
     pub fn valid_bits_of(&self, timing: &Timing) -> u32 {
         let fastest = timing.entry + timing.latency == self.schedule.latency();
@@ -467,7 +473,7 @@ impl Rtl {
         last.div_ceil(timing.interval)
     }
 
-    /// Loads, issues and outs of the units in order of time.
+    /// Loads, issues and outputs of the units, in order of time.
     #[must_use]
     pub fn events(&self) -> Vec<Event> {
         let mut events = Vec::new();
@@ -500,10 +506,10 @@ impl Rtl {
         u64::from(samples) * u64::from(node.format.bits())
     }
 
-    /// Bits of registers that hold data: all but valid bits and phase counter.
+    /// Bits of data registers: all but the valid bits and the phase counter.
     pub(crate) fn data_bits(&self) -> u64 {
         let of = |id: NodeId| {
-            // A memory's registers are its own.
+            // A memory has its own registers.
             let row =
                 self.schedule.is_clocked(&self.netlist, id) && self.netlist.memory(id).is_none();
             let copies = cast::count_of(self.registers(id).count()) + u64::from(row);
@@ -513,14 +519,14 @@ impl Rtl {
         own + self.units.iter().map(|unit| unit.operand_bits() + unit.rtl.data_bits()).sum::<u64>()
     }
 
-    /// Flip-flops: bits of all registers, the output registers of reads on a clock, the valid
-    /// bits, the phase counter, and all of that in units.
+    /// Flip-flops: bits of all registers, including those of clocked reads, valid bits, the phase
+    /// counter and the units.
     #[must_use]
     pub fn register_bits(&self) -> u64 {
         self.data_bits() + u64::from(self.valid_bits()) + u64::from(self.phase_bits())
     }
 
-    /// Counts what the hardware really has: what is shared counts once.
+    /// Counts the resources of the hardware; shared ones count once.
     #[must_use]
     pub fn counts(&self) -> HardwareCounts {
         let bits = |node: NodeId, registers: usize| {
@@ -565,7 +571,7 @@ impl Instance {
 }
 
 impl Port {
-    /// Different words that it chooses from.
+    /// Number of distinct words that it selects from.
     fn sources(&self) -> u64 {
         let fresh = |(at, case): &(usize, &Case)| {
             self.cases[..*at].iter().all(|other| other.source != case.source)
@@ -581,7 +587,7 @@ impl Port {
 }
 
 impl Case {
-    /// A source's word at the port.
+    /// A source's word, aligned to the port.
     #[must_use]
     pub fn shifted(&self, raw: i64) -> i64 {
         raw << self.left

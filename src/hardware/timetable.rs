@@ -1,14 +1,15 @@
-//! A time-shared schedule as a table: a row for each cycle, a column for each unit.
+//! A time-shared schedule as a table: one row per cycle, one column per unit.
 //!
-//! The layout is that of the table in US 6,980,218. Cycles count from 1. In the cell of a unit stand, in
-//! this order and with `; ` between them:
+//! The layout is that of the table in US 6,980,218. Cycles count from 1. A unit's cell holds, in
+//! this order and separated by `; `:
 //!
 //! * `Out X` in the cycle of the output, for a unit with operand registers or a latency;
-//! * `X = …` in the cycle of the issue, where that is not the cycle of an `Out X`;
-//! * `Load A, B` in the cycle in which operand registers take a new word, by sides. A side without
-//!   registers prints nothing, and neither does one that keeps its word.
+//! * `X = …` in the cycle of the issue, unless that cycle has an `Out X`;
+//! * `Load A, B` in the cycle in which operand registers load new words, listed by side. A side
+//!   without registers, or one that keeps its word, prints nothing.
 //!
-//! Names are those of a [`Binding`] by hand, or else the netlist's; a side without a name isn't told.
+//! Names come from a hand-written [`Binding`] if there is one, otherwise from the netlist; a side
+//! without a name is omitted.
 
 use crate::hardware::rtl::{Action, Rtl};
 use crate::netlist::Netlist;
@@ -23,23 +24,24 @@ pub struct Timetable {
     pub titles: Vec<String>,
     /// Rows from cycle 1 on; one cell for each unit.
     pub rows: Vec<Vec<String>>,
-    /// How each unit's operations are called.
+    /// Names of each unit's operations.
     pub names: Vec<Vec<Name>>,
 }
 
-/// How an operation is called.
+/// Names of an operation.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Name {
-    /// What it gives.
+    /// Name of its result.
     pub result: String,
-    /// What it does.
+    /// Its formula.
     pub formula: String,
-    /// What it takes on each side.
+    /// Its operand on each side.
     pub operands: Vec<String>,
 }
 
 impl Timetable {
-    /// Lays out the schedule of some hardware; `binding` is the one by hand that it is from.
+    /// Lays out the schedule of some hardware. `binding` is the hand-written schedule that it was
+    /// made from, if any.
     #[must_use]
     pub fn new(rtl: &Rtl, binding: Option<&Binding>) -> Self {
         let netlist = rtl.netlist();
@@ -107,12 +109,13 @@ impl Timetable {
 
 impl Name {
     fn of(netlist: &Netlist, rtl: &Rtl, unit: usize, operation: &Operation) -> Self {
-        // Not its unit's ports: a constant that is the same in all of a unit's operations has none.
+        // Sides come from the operation: a constant shared by all of a unit's operations has no
+        // port.
         let sides = operation.sides.iter().max();
         let adder = rtl.units()[unit].kind == Kind::Adder;
         let operands: Vec<String> = (0..=sides.copied().unwrap_or(0))
             .map(|side| {
-                // The flag that tells sums from differences: the sign in the formula does.
+                // Side 0 of an adder is the add/subtract flag, which the sign in the formula shows.
                 if adder && side == 0 {
                     return String::new();
                 }
@@ -142,7 +145,7 @@ impl Name {
     }
 }
 
-/// `t` of `t_x`, `t_y`, `t_z`; else the different names in a row.
+/// `t` for `t_x`, `t_y`, `t_z`; otherwise the distinct names, separated by commas.
 fn vector_name(names: &[String]) -> String {
     let mut fresh: Vec<&str> = Vec::new();
     for name in names {

@@ -1416,7 +1416,7 @@ fn module_names_that_some_tool_would_refuse() {
     }
     for name in KEYWORDS {
         let why = build(name).unwrap_err();
-        assert!(why.contains(&format!("`{name}` is a word of")), "{why}");
+        assert!(why.contains(&format!("`{name}` is a reserved word of")), "{why}");
         assert!(why.contains("choose another name"), "{why}");
     }
 }
@@ -1442,12 +1442,12 @@ fn tables_that_are_too_large_are_refused() {
     for tables in [Tables::Inline, Tables::Case] {
         assert_eq!(build(16, 1, Some(tables)), Ok(tables));
         let why = build(17, 1, Some(tables)).unwrap_err();
-        let text = "131072 table rows in line and 65536 is the most: put tables into files";
+        let text = "131072 inline table rows; the limit is 65536: put tables into files";
         assert!(why.ends_with(text), "{why}");
     }
     assert_eq!(build(17, 1, Some(Tables::Files)), Ok(Tables::Files));
     let bits = (17 * 63u64) << 18;
     let why = build(18, 17, None).unwrap_err();
-    let text = format!("{bits} table bits and 268435456 is the most: take smaller tables");
+    let text = format!("{bits} table bits; the limit is 268435456: choose smaller tables");
     assert!(why.ends_with(&text), "{why}");
 }

@@ -494,16 +494,16 @@ fn parameters_that_do_not_count_are_refused() {
     };
     assert_eq!(
         error(&["share_mul=2"]),
-        "parameter `share_mul` = `2`: legal is auto with schedule=flat; it counts with schedule=shared"
+        "parameter `share_mul` = `2`: legal is auto with schedule=flat; it applies only to schedule=shared"
     );
     assert_eq!(
         error(&["schedule=printed"]),
-        "parameter `schedule` = `printed`: legal is flat or shared: rotation has no printed schedule with these parameters; \
-         that of emboss is for setting=gx and every switch that is auto left there"
+        "parameter `schedule` = `printed`: legal is flat or shared: rotation has no printed schedule for these parameters; \
+         that of emboss needs setting=gx and every auto switch left at auto"
     );
     assert_eq!(
         error(&["schedule=shared", "stages=4"]),
-        "parameter `stages` = `4`: legal is auto with schedule=shared: the schedule makes the latency"
+        "parameter `stages` = `4`: legal is auto with schedule=shared: the schedule sets the latency"
     );
 }
 

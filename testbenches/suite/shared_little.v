@@ -115,7 +115,7 @@ module little (
         else if (ce & phase_0) valid_s10 <= valid_s7;
     assign valid_out = valid_s10 & phase_1;
 
-    // ---- what mul1 takes ----
+    // ---- inputs of mul1 ----
     wire signed [1:-4] mul1_in0_next = phase_1 ? narrow : x; // s6f4
     wire phase_0_1 = phase_0 | phase_1;
     wire signed [1:-4] mul1_in1_next = phase_1 ? x_s4 : phase_2 ? y_s4 : x; // s6f4
@@ -148,7 +148,7 @@ module little (
             mul1_n0_s2 <= mul1_n0_s1;
         end
 
-    // ---- what mul1 gives ----
+    // ---- results of mul1 ----
     assign square = mul1_n0_s2;
     assign cube = mul1_n0_s2;
     assign both = mul1_n0_s2;

@@ -19,8 +19,8 @@ entity little is
 end entity;
 
 architecture rtl of little is
-    -- Words start at zero: numeric_std would warn of what it compares or looks up before.
-    -- Valid bits don't, so that one that a reset misses shows as unknown.
+    -- Words start at zero: numeric_std warns about comparing or indexing with undefined words.
+    -- Valid bits don't, so a bit that a reset misses shows as unknown.
     -- phase
     signal phase : unsigned(1 downto 0) := (others => '0');
     signal phase_more : unsigned(1 downto 0) := (others => '0');
@@ -59,7 +59,7 @@ architecture rtl of little is
     -- stage 9
     signal n6 : signed(12 downto 0) := (others => '0'); -- s13f8
     signal valid_s10 : std_logic;
-    -- what mul1 takes
+    -- inputs of mul1
     signal mul1_in0_next : signed(5 downto 0) := (others => '0'); -- s6f4
     signal phase_0_1 : unsigned(0 downto 0) := (others => '0');
     signal mul1_in1_next : signed(5 downto 0) := (others => '0'); -- s6f4
@@ -70,7 +70,7 @@ architecture rtl of little is
     signal mul1_n0_s1 : signed(11 downto 0) := (others => '0'); -- s12f8
     -- mul1, stage 1
     signal mul1_n0_s2 : signed(11 downto 0) := (others => '0'); -- s12f8
-    -- what mul1 gives
+    -- results of mul1
 begin
 
     -- ---- phase ----
@@ -201,7 +201,7 @@ begin
         end if;
     end process;
 
-    -- ---- what mul1 takes ----
+    -- ---- inputs of mul1 ----
     mul1_in0_next <= narrow when phase_1(0) = '1' else x;
     phase_0_1 <= phase_0 or phase_1;
     mul1_in1_next <= x_s4 when phase_1(0) = '1' else y_s4 when phase_2(0) = '1' else x;
@@ -241,7 +241,7 @@ begin
         end if;
     end process;
 
-    -- ---- what mul1 gives ----
+    -- ---- results of mul1 ----
     square <= mul1_n0_s2;
     cube <= mul1_n0_s2;
     both <= mul1_n0_s2;

@@ -428,7 +428,7 @@ mod commands {
                 "-p",
                 "angle_bits=22",
             ],
-            "1048576 table rows in line and 65536 is the most: put tables into files",
+            "1048576 inline table rows; the limit is 65536: put tables into files",
         );
         refused(
             &["hdl", "rotation", "--out", out, "-p", "stages=0"],
@@ -513,7 +513,7 @@ mod commands {
         // Exit code 1 where the tool says something of the hardware, 2 where it doesn't.
         for (ends, iverilog, vvp, says) in [
             (1, "exit 0", "exit 0", "FAILED: vvp gave no verdict"),
-            (1, "exit 0", "echo PASS 0 vectors", "FAILED: vvp took 0 of"),
+            (1, "exit 0", "echo PASS 0 vectors", "FAILED: vvp read 0 of"),
             (1, "exit 0", "echo PASS; exit 3", "FAILED: vvp ended with status 3: PASS"),
             (1, "echo careful >&2", "exit 0", "FAILED: iverilog warns: careful"),
             (1, "echo no good >&2; exit 2", "", "FAILED: iverilog ended with status 2: no good"),

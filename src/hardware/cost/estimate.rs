@@ -1,22 +1,21 @@
-//! What a module would cost, without tools.
+//! Estimates the cost of a module without tools.
 //!
-//! The module is taken apart into single bits, as a synthesiser does: wires are followed through
-//! slices, shifts and extensions, equal bits are built once, and what no output needs is not
-//! built. What is left is counted by the rules below; [`DEVIATIONS`] says how far that is from
-//! Yosys.
+//! As in a synthesiser, the module is taken apart into single bits: wires are followed through
+//! slices, shifts and extensions, equal bits are built once, and bits that no output needs are not
+//! built. The rest is counted by the rules below; [`DEVIATIONS`] lists how far that is from Yosys.
 //!
 //! | part | LUTs on iCE40 | on ECP5 | on Xilinx |
 //! |---|---|---|---|
 //! | sum, comparison, rounding | 1 a bit that is used | 1 a bit (`CCU2C` has 2) | 1 a bit |
 //! | difference, negation | 1 more for each bit to invert | as a sum | as a sum |
-//! | other logic: up to so many inputs | 4 | 4 | 6 |
+//! | other logic: 1 for up to this many inputs | 4 | 4 | 6 |
 //! | barrel shifter | 1 a bit and level | 1 a bit and level | 1 a bit and two levels |
 //! | table without a clock | [`Rules::rom_share`] of a tree of LUTs | the same | the same |
-//! | product | what its parts take to be added | the same | the same |
+//! | product | adders for its partial products | the same | the same |
 //! | delays of three cycles and more | - | - | 1 (`SRL16E`) |
 //!
-//! Logic with a single use is put into its user's LUT as long as inputs suffice. Flip-flops are
-//! the bits of registers, but for the rows of block RAM and what DSPs take in.
+//! Logic with a single use is merged into its user's LUT as long as the inputs suffice. Flip-flops
+//! are the bits of all registers, except those of rows of block RAM and those that DSPs absorb.
 
 use super::{Cost, Target};
 use crate::base::cast;
@@ -28,32 +27,33 @@ use crate::hardware::rtl::Rtl;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-/// Estimates what hardware costs on a target.
+/// Estimates the cost of hardware on a target.
 ///
 /// # Errors
-/// As [`of_module`], or if the module would be too large to be made.
+/// As [`of_module`], or if the module would be too large.
 pub fn estimate(rtl: &Arc<Rtl>, target: Target) -> Result<Cost> {
     of_module(&Module::new(rtl, &Options::default())?, target)
 }
 
-/// Estimates what a module costs on a target.
+/// Estimates the cost of a module on a target.
 ///
 /// # Errors
-/// If it is time-shared: the rules know no registers with an enable, and no circles through them.
+/// If it is time-shared or has delays: the rules cover neither registers with an enable nor loops
+/// through registers.
 pub fn of_module(module: &Module, target: Target) -> Result<Cost> {
     if module.has_state {
-        let text = "registers of delays aren't estimated: `fixpath cost` asks Yosys";
+        let text = "registers of delays can't be estimated: use `fixpath cost`, which runs Yosys";
         return Err(Error::usage(text.to_owned()));
     }
     if module.stages.iter().any(|stage| !stage.declared.is_empty()) {
-        let text = "time-shared hardware isn't estimated: `fixpath cost` asks Yosys";
+        let text = "time-shared hardware can't be estimated: use `fixpath cost`, which runs Yosys";
         return Err(Error::usage(text.to_owned()));
     }
     let graph = Graph::new(module);
     Ok(Count::new(&graph, module, target.rules()).cost())
 }
 
-/// A bit.
+/// A constant or a wire.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum Net {
     Zero,
@@ -65,29 +65,29 @@ enum Net {
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum Source {
     Input,
-    /// Any function of some bits.
+    /// A function of some bits.
     Gate(Vec<Net>, Function),
-    /// Bit of a part of its own.
+    /// A bit of a part.
     Part(usize),
     Flop(Net),
-    /// A flip-flop that keeps its bit for as long as it is told to.
+    /// A flip-flop with an enable.
     Held(Net),
 }
 
-/// Tells gates on the same bits apart.
+/// The function of a gate, which distinguishes gates on the same bits.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum Function {
     Invert,
     Xor,
     And,
     Or,
-    /// Flag, then, else.
+    /// Flag, value if set, value if clear.
     Choose,
-    /// A flag of the word at this index.
+    /// A flag, by the index of its word.
     Flag(usize),
 }
 
-/// What isn't a gate.
+/// A part that isn't a gate.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Kind {
     Sum,
@@ -101,7 +101,7 @@ enum Kind {
 #[derive(Debug)]
 struct Part {
     kind: Kind,
-    /// Operands from the least bit up.
+    /// Operands, least significant bit first.
     a: Vec<Net>,
     b: Vec<Net>,
     carry: Option<Net>,
@@ -110,7 +110,7 @@ struct Part {
 }
 
 impl Part {
-    /// True if a bit of a sum takes more than the carry: not where one operand is zero.
+    /// True if a sum's bit needs more than the carry: not where one operand is zero.
     fn is_free(&self, at: usize) -> bool {
         self.kind != Kind::Sum || self.a[at] != Net::Zero && self.b[at] != Net::Zero
     }
@@ -128,7 +128,7 @@ struct Graph {
     valid_bits: u64,
 }
 
-/// A row's bits, where those that are the same in all rows aren't read.
+/// A row's bits; those that are the same in all rows become constants.
 fn constant_bits(table: &RomTable, mut row: Vec<Net>) -> Vec<Net> {
     let mut at = 0;
     for column in table.columns.iter().rev() {
@@ -173,7 +173,7 @@ impl Graph {
             }
             for Register { word: id, next, valid, .. } in &stage.registers {
                 graph.words[id.index()] = match next {
-                    // It keeps its word: no chain of registers goes through it.
+                    // It keeps its word, so no chain of registers runs through it.
                     Next::Word(from) if valid.is_some() => {
                         let from = graph.words[from.index()].clone();
                         from.into_iter().map(|net| graph.held(net)).collect()
@@ -203,7 +203,7 @@ impl Graph {
         self.sources.len() - 1
     }
 
-    /// The wire of a source that may be there already.
+    /// The wire of a source, which may exist already.
     fn shared(&mut self, source: Source) -> Net {
         if let Some(wire) = self.known.get(&source) {
             return Net::Wire(*wire);
@@ -309,7 +309,7 @@ impl Graph {
         self.words[bit.word.index()][index(bit.bit)]
     }
 
-    /// A sum or difference: where the second operand has zeros at the bottom, the first is there.
+    /// A sum or difference; low bits where one operand is zero are copies of the other.
     fn sum(&mut self, kind: Kind, a: Vec<Net>, b: Vec<Net>, carry: Option<Net>) -> Vec<Net> {
         let bits = a.len();
         let none = carry.is_none();
@@ -420,69 +420,70 @@ impl Graph {
     }
 }
 
-/// Which bits of a sum take a LUT.
+/// Which bits of a sum need a LUT.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Sum {
-    /// Those that are used.
+    /// The bits that are used.
     Used,
-    /// All up to the highest that is used, in pairs.
+    /// All bits up to the highest used one, in pairs.
     Pairs,
-    /// All up to there that have two operands: a carry chain takes in a single bit by itself.
+    /// All bits up to the highest used one that have two operands: a single bit fits into the carry
+    /// chain.
     Two,
 }
 
-/// Which sums of pieces' products a DSP takes in.
+/// Which sums of partial products a DSP absorbs.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Adds {
     /// None.
     None,
-    /// Those of pieces of the longer factor.
+    /// Sums along the longer factor.
     Rows,
     /// All.
     All,
 }
 
-/// What multipliers a target has.
+/// The multipliers of a target.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Dsp {
     /// Bits of the longer factor.
     pub long_bits: u32,
     /// Bits of the shorter factor.
     pub short_bits: u32,
-    /// Bits of the pieces that a longer factor is cut into.
+    /// Bits of the pieces into which a longer factor is cut.
     pub part_bits: u32,
     /// True if factors are always signed.
     pub signed_only: bool,
-    /// Least bits of both factors together.
+    /// Smallest sum of both factors' bits for which a DSP is used.
     pub least_bits: u32,
-    /// Registers in a row that it takes in before a factor.
+    /// Number of consecutive registers that it absorbs in front of a factor.
     pub registers: u32,
-    /// Which sums of pieces' products it takes in.
+    /// Which sums of partial products it absorbs.
     pub adds: Adds,
 }
 
-/// What a target builds parts from.
+/// How a target builds parts.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rules {
     /// Inputs of a LUT.
     pub inputs: usize,
-    /// True if what feeds the inverted side of a difference takes LUTs of its own.
+    /// True if the source of a difference's inverted side needs LUTs of its own.
     pub inverters: bool,
-    /// Which bits of a sum take a LUT.
+    /// Which bits of a sum need a LUT.
     pub sum: Sum,
-    /// Levels of a barrel shifter in a LUT.
+    /// Levels of a barrel shifter per LUT.
     pub shift_levels: u32,
-    /// Part of a full tree of LUTs that a table takes: table words repeat.
+    /// Fraction of a full tree of LUTs that a table needs: table words repeat.
     pub rom_share: f64,
-    /// Shapes of a block RAM: log2 of rows, and bits of a row.
+    /// Shapes of a block RAM: log2 of the rows, and bits per row.
     pub ram: &'static [(u32, u32)],
-    /// Ports that a block RAM reads through.
+    /// Read ports of a block RAM.
     pub ram_ports: usize,
-    /// Shapes that it has besides where one port alone reads it.
+    /// Further shapes for a RAM with a single read port.
     pub lone_ram: &'static [(u32, u32)],
     /// Its multipliers.
     pub dsp: Dsp,
-    /// Delays from this many cycles on are in LUTs.
+    /// Least length in cycles of a delay that is built from LUTs; `None` if none is.
     pub shift_registers: Option<usize>,
 }
 
@@ -491,7 +492,7 @@ struct Count<'a> {
     module: &'a Module,
     rules: Rules,
     live: Vec<bool>,
-    /// Number of places that a wire is used.
+    /// Number of uses of each wire.
     uses: Vec<u32>,
 }
 
@@ -512,7 +513,7 @@ impl<'a> Count<'a> {
                 Source::Input => {}
                 Source::Gate(nets, _) => nets.iter().for_each(|net| all.take(*net)),
                 Source::Flop(net) | Source::Held(net) => all.take(*net),
-                // Its highest live bit comes first, and says what it needs.
+                // The highest live bit comes first and determines the operand bits that are needed.
                 Source::Part(part) if !done[*part] => {
                     done[*part] = true;
                     all.take_part(&graph.parts[*part], wire);
@@ -556,7 +557,8 @@ impl<'a> Count<'a> {
         Cost { luts: luts + delays, flip_flops, block_rams: self.block_rams(), dsps }
     }
 
-    /// LUTs of gates: each takes in those before it that nothing else uses, as inputs suffice.
+    /// LUTs of gates: each gate absorbs the gates before it that have no other use, as far as the
+    /// inputs suffice.
     fn gates(&self) -> u64 {
         let mut leaves: BTreeMap<usize, BTreeSet<usize>> = BTreeMap::new();
         let mut luts = 0;
@@ -572,7 +574,7 @@ impl<'a> Count<'a> {
             let packed: Vec<usize> = own
                 .iter()
                 .copied()
-                // An inverter goes into any LUT; any gate into its only user.
+                // An inverter fits into any LUT; any gate fits into its only user.
                 .filter(|input| {
                     leaves.contains_key(input)
                         && (self.uses[*input] == 1 || leaves[input].len() == 1)
@@ -614,7 +616,7 @@ impl<'a> Count<'a> {
                     .iter()
                     .filter(|net| match net {
                         Net::Zero | Net::One => false,
-                        // A gate's LUT inverts by itself.
+                        // A gate's own LUT can invert.
                         Net::Wire(wire) => !matches!(self.graph.sources[*wire], Source::Gate(..)),
                     })
                     .copied()
@@ -635,11 +637,11 @@ impl<'a> Count<'a> {
         }
     }
 
-    /// LUTs of a table without a clock: leaves, and multiplexers of them.
+    /// LUTs of a table without a clock: leaves and the multiplexers between them.
     fn rom(&self, addr_bits: u32, columns: u64) -> u64 {
         let inputs = cast::id_of(self.rules.inputs);
         let leaves = 1u64 << addr_bits.saturating_sub(inputs);
-        // A LUT of 4 inputs chooses between 2, one of 6 between 4.
+        // A LUT with 4 inputs selects from 2 words, one with 6 from 4.
         let fan = if inputs >= 6 { 3 } else { 1 };
         let tree = leaves + (leaves - 1).div_ceil(fan);
         cast::bits_of(cast::i64_of(
@@ -649,11 +651,11 @@ impl<'a> Count<'a> {
 
     fn product(&self, a: u32, b: u32, signed: bool, used: u32) -> (u64, u64) {
         let rules = self.rules;
-        // A target with signed DSPs alone gives unsigned factors a sign.
+        // A target with only signed DSPs gives unsigned factors a sign bit.
         let sign = u32::from(rules.dsp.signed_only && !signed);
         let (long, short) = (a.max(b) + sign, a.min(b) + sign);
         let headroom = u32::from(rules.dsp.signed_only);
-        // A factor that is too long is cut, and what is left over comes last.
+        // A factor that is too long is cut; the rest comes last.
         let pieces = |bits: u32, most: u32| {
             let part = rules.dsp.part_bits - headroom;
             let cuts = if bits <= most { 0 } else { (bits - most).div_ceil(part) };
@@ -669,7 +671,7 @@ impl<'a> Count<'a> {
             let mut lo = below;
             for long in &longs {
                 if lo >= used {
-                    // Nothing of it is used.
+                    // Nothing of this piece is used.
                 } else if *short.min(long) < 2 || long + short < rules.dsp.least_bits {
                     luts += u64::from(*long) * u64::from(*short);
                 } else {
@@ -679,7 +681,7 @@ impl<'a> Count<'a> {
             }
             below += short;
         }
-        // Pieces are added up where they overlap: those of a row, then the rows.
+        // Pieces are added where they overlap: those of a row first, then the rows.
         let (last_long, last_short) = (longs[longs.len() - 1], shorts[shorts.len() - 1]);
         let in_rows = cast::count_of(longs.len() - 1) * u64::from(short + last_long);
         let of_rows = cast::count_of(shorts.len() - 1) * u64::from(long + last_short);
@@ -691,7 +693,7 @@ impl<'a> Count<'a> {
         (luts, dsps)
     }
 
-    /// Flip-flops, and LUTs that delay.
+    /// Flip-flops, and LUTs used as delays.
     fn flip_flops(&self) -> (u64, u64) {
         let flops: BTreeSet<usize> = (0..self.graph.sources.len())
             .filter(|wire| self.live[*wire])
@@ -731,7 +733,7 @@ impl<'a> Count<'a> {
                 let from = input(*flop);
                 let into = factors.get(flop) == Some(&self.uses[*flop]);
                 if into {
-                    // Registers in a row, as far as each feeds nothing else.
+                    // Absorb consecutive registers as long as each feeds nothing else.
                     let mut at = *flop;
                     gone.insert(at);
                     for _ in 1..self.rules.dsp.registers {
@@ -749,7 +751,7 @@ impl<'a> Count<'a> {
         }
         let mut delays = 0;
         if let Some(least) = self.rules.shift_registers {
-            // A chain ends where its last bit feeds anything but one more flip-flop.
+            // A chain ends where its last bit feeds anything other than one flip-flop.
             let feeds: BTreeSet<usize> = flops
                 .iter()
                 .filter(|flop| !gone.contains(flop))
@@ -785,7 +787,7 @@ impl<'a> Count<'a> {
                 ports.entry(table).or_default().push(used);
             }
         }
-        // Functions with a case for each address don't share.
+        // Functions with one case per address don't share.
         let shares = self.module.tables_in != Tables::Case;
         let ram_ports = if shares { self.rules.ram_ports } else { 1 };
         let mut total = 0;
@@ -803,7 +805,7 @@ impl<'a> Count<'a> {
     }
 }
 
-/// Block RAMs of the best shape for a table.
+/// Number of block RAMs for a table in the best shape.
 pub(super) fn block_rams(shapes: &[(u32, u32)], addr_bits: u32, columns: u32) -> u64 {
     let count = |(rows, width): &(u32, u32)| {
         (1u64 << addr_bits.saturating_sub(*rows)) * u64::from(columns.div_ceil(*width))

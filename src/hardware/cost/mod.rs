@@ -1,10 +1,10 @@
-//! What a unit costs on an FPGA: LUTs, flip-flops, block RAMs and DSPs.
+//! Cost of a unit on an FPGA: LUTs, flip-flops, block RAMs and DSPs.
 //!
-//! [`synthesize`] asks Yosys, [`route`] asks nextpnr for the clock, and [`estimate()`] gives an
-//! estimate without tools. [`DEVIATIONS`] says how far that is from Yosys over the settings that
-//! it was fitted to.
+//! [`synthesize`] runs Yosys, [`route`] runs nextpnr for the clock, and [`estimate()`] gives an
+//! estimate without tools. [`DEVIATIONS`] lists how far the estimate is from Yosys over the
+//! settings that it was fitted to.
 //!
-//! # What counts as what
+//! # What is counted
 //!
 //! | | iCE40 (`synth_ice40 -dsp`) | ECP5 (`synth_ecp5`) | Xilinx 7 (`synth_xilinx`) |
 //! |---|---|---|---|
@@ -13,9 +13,9 @@
 //! | block RAMs | `SB_RAM40_4K` (4 Kbit) | `DP16KD` (18 Kbit) | `RAMB18E1` (18 Kbit), and two for each `RAMB36E1` |
 //! | DSPs | `SB_MAC16` (16×16) | `MULT18X18D` (18×18) | `DSP48E1` (25×18) |
 //!
-//! Carries (`SB_CARRY`) share the cells of their LUTs, and wide multiplexers (`PFUMX`,
-//! `L6MUX21`, `MUXF7`, `MUXF8`) and `CARRY4` stand beside LUTs: they are no LUTs and are listed
-//! among the cells only. Input, output and clock buffers aren't part of the unit.
+//! Carries (`SB_CARRY`) share the cells of their LUTs. Wide multiplexers (`PFUMX`, `L6MUX21`,
+//! `MUXF7`, `MUXF8`) and `CARRY4` lie beside the LUTs: they aren't counted as LUTs and appear only
+//! among the cells. Input, output and clock buffers aren't part of the unit.
 
 mod estimate;
 
@@ -57,7 +57,7 @@ impl Target {
         Self::ALL.iter().find(|(known, _)| *known == self).expect("bug: every target is listed").1
     }
 
-    /// The command of Yosys.
+    /// The Yosys command.
     #[must_use]
     pub fn command(self) -> &'static str {
         match self {
@@ -67,7 +67,7 @@ impl Target {
         }
     }
 
-    /// Block RAMs that one read port of a table takes.
+    /// Block RAMs for one read port of a table.
     #[must_use]
     pub fn block_rams(self, addr_bits: u32, columns: u32) -> u64 {
         estimate::block_rams(self.rules().ram, addr_bits, columns)
@@ -140,7 +140,7 @@ impl Target {
     }
 }
 
-/// What a unit takes; see the module's documentation for what counts as what.
+/// Resources of a unit; the module's documentation defines what is counted.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize)]
 pub struct Cost {
     /// Look-up tables.
@@ -157,7 +157,7 @@ impl Cost {
     /// Headings of [`Cost::columns`].
     pub const COLUMNS: [&'static str; 4] = ["LUTs", "flip-flops", "block RAMs", "DSPs"];
 
-    /// Its figures in order.
+    /// Its figures in the order of [`Cost::COLUMNS`].
     #[must_use]
     pub fn columns(self) -> [u64; 4] {
         [self.luts, self.flip_flops, self.block_rams, self.dsps]
@@ -186,22 +186,22 @@ impl Cost {
     }
 }
 
-/// How far [`estimate()`] is from Yosys 0.23 at most, in %, in the order of [`Cost::COLUMNS`],
-/// over the [`DEVIATIONS_SETTINGS`] committed flat settings of the rotation unit; its rules were
-/// fitted to these, and other settings can be further off. A test measures them again.
+/// Largest deviation of [`estimate()`] from Yosys 0.23, in %, in the order of [`Cost::COLUMNS`],
+/// over the [`DEVIATIONS_SETTINGS`] committed flat settings of the rotation unit. The rules were
+/// fitted to these settings; other settings can deviate more. A test measures the deviations again.
 pub const DEVIATIONS: &[(Target, [u32; 4])] = &[
     (Target::Ice40, [10, 2, 0, 0]),
     (Target::Ecp5, [12, 3, 0, 0]),
     (Target::Xilinx, [20, 21, 0, 0]),
 ];
 
-/// How many settings [`DEVIATIONS`] are over.
+/// Number of settings behind [`DEVIATIONS`].
 pub const DEVIATIONS_SETTINGS: usize = 5;
 
-/// The version of Yosys that [`DEVIATIONS`] are against.
+/// The Yosys version behind [`DEVIATIONS`].
 pub const DEVIATIONS_YOSYS: &str = "0.23";
 
-/// What Yosys made of a unit.
+/// Yosys's result for a unit.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct Synthesis {
     /// The figures.
@@ -211,41 +211,41 @@ pub struct Synthesis {
     pub cells: BTreeMap<String, u64>,
 }
 
-/// What nextpnr made of it.
+/// nextpnr's result for a unit.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Clock {
-    /// The clock that it reaches between registers, in MHz.
+    /// The highest clock between registers, in MHz.
     Reached {
         /// The device.
         device: &'static str,
         /// The clock.
         mhz: f64,
     },
-    /// It is too large for the device.
+    /// The unit is too large for the device.
     TooLarge {
         /// The device.
         device: &'static str,
-        /// What is missing.
+        /// The resources that are missing.
         why: String,
     },
-    /// It did not end by itself.
+    /// The tool was stopped.
     CutShort {
         /// The device.
         device: &'static str,
-        /// A limit of time or memory, or a signal.
+        /// The limit of time or memory, or the signal, that stopped it.
         why: String,
     },
-    /// The tool isn't there, and what brings it.
+    /// The tool isn't installed: how to install it.
     Missing(String),
-    /// No open tool is for this target.
+    /// No open tool supports this target.
     Unsupported,
 }
 
 /// Runs Yosys on a module.
 ///
 /// # Errors
-/// If Yosys isn't there, fails or runs past a limit, or files can't be written.
+/// If Yosys isn't installed, fails or runs past a limit, or files can't be written.
 pub fn synthesize(module: &Module, target: Target, limits: Limits) -> Result<Synthesis> {
     let folder = Scratch::new()?;
     write_module(module, folder.path())?;
@@ -261,10 +261,10 @@ pub fn synthesize(module: &Module, target: Target, limits: Limits) -> Result<Syn
     Ok(Synthesis { cost: Cost::of_cells(&cells), cells })
 }
 
-/// Cells by their types, from what `stat -json` of Yosys printed.
+/// Cells by type, from the output of Yosys's `stat -json`.
 ///
 /// # Errors
-/// If it isn't of that form.
+/// If the text doesn't have that form.
 pub fn cells_of(text: &str) -> Result<BTreeMap<String, u64>> {
     let bad = |why: &str| Error::usage(format!("what Yosys counted can't be read: {why}"));
     let value: Value = serde_json::from_str(text).map_err(|why| bad(&why.to_string()))?;
@@ -280,10 +280,10 @@ pub fn cells_of(text: &str) -> Result<BTreeMap<String, u64>> {
         .collect()
 }
 
-/// Places and routes a module between registers on a device that suits it, and asks for the
-/// clock. Inputs come from a shift register on one pin, outputs go through one to another, so
-/// that every path is from register to register and no unit has too many pins. `period_ps` is
-/// what to aim at.
+/// Places and routes a module between registers on a suitable device, and reads the clock. Inputs
+/// come from a shift register on one pin, and outputs go through another one to one pin, so that
+/// every path runs from register to register and no unit has too many pins. `period_ps` is the
+/// target.
 ///
 /// iCE40: an HX8K, or an UP5K if the unit has DSPs. ECP5: an LFE5U-25F. The seed is 1.
 ///
@@ -342,7 +342,7 @@ pub fn route(
     }
 }
 
-/// Module around the unit; no unit has a name with two underscores in a row.
+/// Name of the module around the unit; no unit has two underscores in a row in its name.
 const BENCH: &str = "fixpath__bench";
 
 fn write_module(module: &Module, folder: &Path) -> Result<()> {
@@ -364,7 +364,7 @@ fn yosys(script: &str, folder: &Path, limits: Limits) -> Result<()> {
     if outcome.success() { Ok(()) } else { Err(failed(tool.name, &outcome)) }
 }
 
-/// The error with the last that a tool said.
+/// An error with the last lines of a tool's output.
 fn failed(name: &str, outcome: &Outcome) -> Error {
     let lines: Vec<&str> = outcome
         .stdout
@@ -379,7 +379,7 @@ fn failed(name: &str, outcome: &Outcome) -> Error {
 
 /// The unit between shift registers.
 fn bench(module: &Module) -> String {
-    // A control bit is one; what the bench has by name isn't shifted.
+    // A control bit has one bit; ports that the bench names itself aren't shifted.
     let bits = |port: &Port<'_>| port.word.map_or(1, |word| word.bits);
     let ports = module.ports();
     let shifted = |is_output: bool| -> Vec<(&str, u32)> {
@@ -416,7 +416,7 @@ fn bench(module: &Module) -> String {
     text
 }
 
-/// What a device has too little of, from nextpnr's list of what is used.
+/// The resources that a device lacks, from nextpnr's list of used resources.
 fn too_large(log: &str) -> Option<String> {
     let mut missing = Vec::new();
     for line in log.lines().filter_map(|line| line.strip_prefix("Info:")) {
@@ -443,10 +443,10 @@ fn too_large(log: &str) -> Option<String> {
     (!missing.is_empty()).then(|| missing.join(", "))
 }
 
-/// The clock in a line of nextpnr.
+/// The clock in a line of nextpnr's output.
 fn clock_mhz(line: &str) -> Option<f64> {
     let (_, rest) = line.split_once("Max frequency for clock")?;
-    // The clock's name is in quotes and can have a colon.
+    // The clock's name is in quotes and may contain a colon.
     let (_, rest) = rest.rsplit_once("': ")?;
     rest.split_whitespace().next()?.parse().ok()
 }

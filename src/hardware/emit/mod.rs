@@ -1,5 +1,5 @@
-//! A design as files of hardware: module, tables, testbench, vectors, makefiles, with the
-//! figures that describe it in the head of each.
+//! Hardware files of a design: module, tables, testbench, vectors and makefiles. The head of each
+//! file lists the parameters and figures of the design.
 
 pub mod vectors;
 
@@ -15,29 +15,29 @@ use std::path::Path;
 use std::sync::Arc;
 use vectors::Vectors;
 
-/// Samples behind the figures in heads.
+/// Samples measured for the figures in heads.
 const HEADER_SAMPLES: u64 = 1 << 16;
-/// Columns of a line in a head.
+/// Largest width of a line in a head.
 const LINE: usize = 96;
 
 /// What to write.
 #[derive(Clone, Debug)]
 pub struct Settings {
-    /// Name of the module; the unit's if `None`.
+    /// Name of the module; the unit's name if `None`.
     pub name: Option<String>,
-    /// Where tables stand; by their number if `None`.
+    /// Where table words are placed; chosen by their number if `None`.
     pub tables: Option<Tables>,
-    /// Where memories are.
+    /// Where memories are placed.
     pub memories: Memories,
     /// Languages.
     pub languages: Vec<&'static dyn Language>,
     /// Random vectors after the hard cases.
     pub random: u64,
-    /// Their seed.
+    /// Seed of the random vectors.
     pub seed: u64,
-    /// The most hard cases of each group; all if `None`.
+    /// Largest number of hard cases of each group; all if `None`.
     pub hard_per_group: Option<usize>,
-    /// Errors measured for the heads.
+    /// True to measure errors for the heads.
     pub figures: bool,
 }
 
@@ -56,7 +56,7 @@ impl Default for Settings {
     }
 }
 
-/// The files of a design; vectors are made as they are written.
+/// The files of a design; vectors are generated as they are written.
 #[derive(Debug)]
 pub struct Package {
     /// The hardware.
@@ -65,7 +65,7 @@ pub struct Package {
     pub module: Module,
     /// Modules and tables.
     pub hardware: Vec<File>,
-    /// What goes with them.
+    /// Testbenches, makefiles and lists that accompany them.
     pub companions: Vec<File>,
     /// The vectors.
     pub vectors: Vectors,
@@ -75,7 +75,7 @@ impl Package {
     /// Lowers a design and prints it in each language.
     ///
     /// # Errors
-    /// If the pipeline can't be built, the name can't be one, or the module would be too large.
+    /// If the pipeline can't be built, the name isn't legal, or the module would be too large.
     pub fn new(design: &Design, settings: &Settings) -> Result<Self> {
         design.netlist.check_bound()?;
         let rtl = Arc::new(design.rtl()?);
@@ -96,7 +96,7 @@ impl Package {
         Ok(Self { rtl, module, hardware, companions, vectors })
     }
 
-    /// Writes all files into a folder, where they take the place of an earlier package of that name.
+    /// Writes all files into a folder. They replace an earlier package of the same name.
     ///
     /// # Errors
     /// If a file can't be written, or another run is writing them.
@@ -107,12 +107,12 @@ impl Package {
         set.commit()
     }
 
-    /// The name of the set that its files are in an output folder.
+    /// Name of the file set in an output folder.
     pub(crate) fn set_name(&self) -> String {
         format!("hdl-{}", self.module.name)
     }
 
-    /// Writes all but the vectors.
+    /// Writes all files but the vectors.
     ///
     /// # Errors
     /// If a file can't be written.
@@ -136,10 +136,10 @@ impl Package {
     }
 }
 
-/// What the head of each file says: nothing that changes from run to run.
+/// Lines for the head of each file, which don't change from run to run.
 ///
 /// # Errors
-/// If a figure can't be had.
+/// If a figure can't be measured.
 fn header(design: &Design, rtl: &Rtl, figures: bool) -> Result<Vec<String>> {
     let unit = design.values.unit();
     let schedule = rtl.schedule();
@@ -167,13 +167,13 @@ fn header(design: &Design, rtl: &Rtl, figures: bool) -> Result<Vec<String>> {
     let timings = schedule.timings();
     for pair in timings.windows(2) {
         lines.push(format!(
-            "words of rate {} count for those of rate {} that come {} later and after",
+            "a word of rate {} applies to those of rate {} that enter {} later or after, until the next is held",
             pair[0].rate,
             pair[1].rate,
             cycles(pair[0].latency)
         ));
     }
-    // No error can be told of bits without a value on reals.
+    // Bits that have no real value have no error.
     let judged = design.judged();
     if figures
         && !design.is_filled()
@@ -200,7 +200,7 @@ fn wrapped(indent: &str, words: impl Iterator<Item = String>) -> Vec<String> {
     lines
 }
 
-/// Errors over random inputs, each with the input that gives the worst, and the stated bound.
+/// Errors over random inputs, each with the input words of the worst case, and the stated bounds.
 fn error_figures(design: &Design) -> Result<Vec<String>> {
     let inputs = Inputs { sampler: Sampler::Sphere, samples: HEADER_SAMPLES, seed: 1 };
     let report = match measure::measure(&[design], &inputs, &|_| {}) {
@@ -211,13 +211,13 @@ fn error_figures(design: &Design) -> Result<Vec<String>> {
     let errors = if report.figures.iter().all(|f| f.over.is_none()) {
         "absolute errors"
     } else {
-        "errors, absolute where nothing else is said,"
+        "errors, absolute unless a scale is named,"
     };
     let mut lines = vec![
         format!(
-            "{errors} against the golden of the quantised inputs, over {HEADER_SAMPLES} random inputs"
+            "{errors} against the golden model of the quantised inputs, over {HEADER_SAMPLES} random inputs"
         ),
-        "(sampler sphere, seed 1), and the input words of the worst:".to_owned(),
+        "(sampler sphere, seed 1), and the input words of the worst case:".to_owned(),
     ];
     for f in report.figures.iter().filter(|f| f.basis == Basis::Total) {
         let unit =

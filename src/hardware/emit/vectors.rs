@@ -1,4 +1,4 @@
-//! Vectors for hardware: input words, and the words that must come out.
+//! Test vectors for hardware: input words and the expected output words.
 
 use crate::base::cast;
 use crate::design::Design;
@@ -12,13 +12,13 @@ use std::sync::Arc;
 
 /// Vectors per block.
 const BLOCK: usize = 1 << 12;
-/// Words of a slow rate stay for so many samples of the next faster one.
+/// A word of a slow rate stays for this many samples of the next faster rate.
 const HELD: u64 = 5;
-/// Of so many random words, one is at or next to an end of its format or at 0.
+/// One in this many random words is at or next to an end of its format, or at or next to 0.
 const EXTREME_SHARE: u64 = 16;
 
-/// A stream of vectors: the whole hard-case list, then words drawn at random from all that the
-/// ports take, with the ends of formats now and then. The expected words are the batch engine's.
+/// A stream of vectors: the whole hard-case list, then words drawn uniformly from the ports'
+/// formats, some of them extreme. The batch engine computes the expected words.
 #[derive(Debug)]
 pub struct Vectors {
     netlist: Arc<Netlist>,
@@ -27,22 +27,23 @@ pub struct Vectors {
     hard: Vec<Vec<i64>>,
     random: u64,
     rng: Pcg64Mcg,
-    /// Vectors given so far.
+    /// Number of vectors generated so far.
     given: u64,
     inputs: Vec<Vec<i64>>,
     outputs: Vec<Vec<i64>>,
-    /// By port, for how many vectors a random word stays.
+    /// By port: for how many vectors a random word stays.
     stays: Vec<u64>,
     /// The latest words.
     words: Vec<i64>,
 }
 
 impl Vectors {
-    /// The hard cases of a design, at most so many of each group, and `random` random vectors.
+    /// The hard cases of a design, at most `hard_per_group` of each group, and `random` random
+    /// vectors.
     #[must_use]
     pub fn new(design: &Design, hard_per_group: usize, random: u64, seed: u64) -> Self {
         let groups = design.hard.iter();
-        // Some from all over the group, where not all.
+        // A subset is spread over the whole group.
         let hard = groups
             .flat_map(|case| {
                 let step = case.words.len().div_ceil(hard_per_group.max(1)).max(1);
@@ -52,7 +53,7 @@ impl Vectors {
         Self::of_netlist(&design.netlist, hard, random, seed)
     }
 
-    /// The same for a netlist and given first vectors.
+    /// The same for a netlist, starting with the vectors `hard`.
     #[must_use]
     pub fn of_netlist(netlist: &Arc<Netlist>, hard: Vec<Vec<i64>>, random: u64, seed: u64) -> Self {
         let ports: Vec<NodeId> = netlist.outputs().iter().map(|output| output.node).collect();
@@ -77,14 +78,13 @@ impl Vectors {
         }
     }
 
-    /// How many there are in all.
+    /// Total number of vectors.
     #[must_use]
     pub fn count(&self) -> u64 {
         cast::count_of(self.hard.len()) + self.random
     }
 
-    /// Moves on to the next block, whose columns are then in `inputs` and `outputs`;
-    /// false at the end.
+    /// Computes the next block into `inputs` and `outputs`; false at the end.
     fn advance(&mut self) -> bool {
         let left = self.count() - self.given;
         let count = usize::try_from(left).unwrap_or(usize::MAX).min(BLOCK);
@@ -102,7 +102,8 @@ impl Vectors {
                     None => {
                         let format = self.netlist.node(*id).format;
                         let bits = self.rng.next_u64();
-                        // The low bits say what sort of word; the others are the word.
+                        // The low bits choose between an extreme and a uniform word; the high bits
+                        // choose the extreme.
                         match bits % EXTREME_SHARE {
                             0 => {
                                 let (lo, hi) = (format.min_raw(), format.max_raw());
@@ -125,7 +126,7 @@ impl Vectors {
         true
     }
 
-    /// Writes what is left, a line each.
+    /// Writes the remaining vectors, one per line.
     ///
     /// # Errors
     /// If `to` can't be written.

@@ -1,4 +1,4 @@
-//! What a hardware description language spells.
+//! What a hardware description language has to provide.
 
 use super::module::{File, Module};
 
@@ -6,14 +6,14 @@ use super::module::{File, Module};
 pub trait Language: Sync + std::fmt::Debug {
     /// Name on the command line.
     fn name(&self) -> &'static str;
-    /// Its edition and who reads it, in a line.
+    /// Its standard, and tools that read it, in one line.
     fn summary(&self) -> &'static str;
     /// Extension of its files.
     fn extension(&self) -> &'static str;
     /// The text of a module.
     fn module(&self, module: &Module) -> String;
-    /// Testbench, harness, makefiles and scripts of the tools that take this language;
-    /// `vectors` is how many there will be.
+    /// Testbench, harness, makefiles and scripts for the tools that read this language. `vectors`
+    /// is the number of test vectors.
     fn companions(&self, module: &Module, vectors: u64) -> Vec<File>;
 }
 
@@ -28,14 +28,14 @@ impl Module {
     }
 }
 
-/// The most table rows on a line.
+/// Largest number of table rows on a line.
 pub(super) const ROWS_A_LINE: usize = 4;
 
-/// Attributes that put a table into block RAM or into logic. Vivado reads `rom_style`, Quartus
-/// `romstyle`, Synplify `syn_romstyle`. Yosys reads them all and takes the first, and knows no
-/// distributed ROM: `rom_block`, which it alone has and reads before the others, says `logic`.
-/// In block RAM, Quartus and Synplify put by themselves what is read on the clock, and they call
-/// it otherwise for each family.
+/// Attributes that place a table in block RAM or in logic. Vivado reads `rom_style`, Quartus
+/// `romstyle`, Synplify `syn_romstyle`. Yosys reads all of them and uses the first, but knows no
+/// distributed ROM: the attribute `rom_block`, which only Yosys has and which it reads before the
+/// others, says `logic`. Quartus and Synplify place clocked reads in block RAM without an
+/// attribute, and their names for it differ by device family.
 pub(super) fn rom_attributes(block: bool) -> &'static [(&'static str, &'static str)] {
     if block {
         &[("rom_style", "block")]

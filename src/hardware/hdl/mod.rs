@@ -1,9 +1,10 @@
-//! Hardware description from [`Rtl`](crate::hardware::rtl::Rtl): modules, testbenches, and the files that go with them.
+//! Hardware description from [`Rtl`](crate::hardware::rtl::Rtl): modules, testbenches and the files
+//! that accompany them.
 //!
-//! [`Module::new`] lowers registers and nodes to words of plain bits and one statement each,
-//! with every width, alignment, rounding addend and limit written out. What is left to a back
-//! end is spelling: a [`Language`] prints a [`Module`], and a new language is one file and one
-//! row of [`LANGUAGES`].
+//! [`Module::new`] lowers registers and nodes to words of plain bits, each driven by one statement,
+//! with every width, alignment, rounding addend and limit written out. A back end only decides the
+//! spelling: a [`Language`] prints a [`Module`], and a new language needs one file and one row of
+//! [`LANGUAGES`].
 
 mod language;
 mod lower;

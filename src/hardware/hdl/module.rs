@@ -1,4 +1,4 @@
-//! A module: words of plain bits and one statement each, stage by stage.
+//! A module: words of plain bits, each driven by one statement, stage by stage.
 
 use crate::base::cast;
 use crate::hardware::rtl::Signal;
@@ -6,15 +6,15 @@ use crate::netlist::Rate;
 use crate::number::format::Format;
 use std::collections::BTreeMap;
 
-/// Where the words of tables stand.
+/// Where table words are placed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Tables {
-    /// In the module: an array that is filled at the start.
+    /// In the module: an array with initial values.
     Inline,
-    /// In files of hexadecimal rows beside it, read at the start.
+    /// In separate files of hexadecimal rows, read at the start.
     Files,
-    /// In the module: a function with one case for each address. Simulators are slower with it,
-    /// and each read is a table of its own: no two of them share a block RAM.
+    /// In the module: a function with one case per address. It slows down simulators, and each read
+    /// is a table of its own: reads never share a block RAM.
     Case,
 }
 
@@ -40,45 +40,45 @@ impl WordId {
 /// What drives a word.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Driver {
-    /// The user of the module.
+    /// An input port.
     Input,
     /// A statement.
     Logic,
     /// A clock edge.
     Register,
-    /// A clock edge, and it is an output port.
+    /// A clock edge; the word is an output port.
     OutputRegister,
 }
 
 /// A named vector of bits.
 #[derive(Clone, Debug)]
 pub struct Word {
-    /// Name: no keyword of any language, unlike every other in lower case.
+    /// Name: not a keyword of any language, and unique among all names in lower case.
     pub name: String,
-    /// Bits; helpers can have more than a format has.
+    /// Bits; a helper can have more than any format.
     pub bits: u32,
-    /// True if its top bit counts negative.
+    /// True if the top bit has a negative weight.
     pub signed: bool,
-    /// Bits after the binary point; its least index is minus this where the language allows.
+    /// Bits after the binary point. Where the language allows, the least index is minus this.
     pub frac: i32,
     /// Format of a node's word; helpers have none.
     pub format: Option<Format>,
     /// What drives it.
     pub driver: Driver,
-    /// Which of its bits are used, from bit 0.
+    /// True for each bit that is used, from bit 0.
     pub used: Vec<bool>,
 }
 
-/// Part of a word, brought to a number of bits.
+/// Part of a word, adjusted to a number of bits.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct View {
     /// The word.
     pub word: WordId,
-    /// Least bit that is taken.
+    /// Lowest bit of the part.
     pub lo: u32,
-    /// Zero bits put below.
+    /// Zero bits appended below.
     pub zeros: u32,
-    /// Bits in the end: extended by the word's sign, or cut.
+    /// Final number of bits: the part is extended by the word's sign, or cut.
     pub bits: u32,
 }
 
@@ -101,7 +101,7 @@ pub enum Operand {
 pub struct Bit {
     /// The word.
     pub word: WordId,
-    /// Bit, counted from the least.
+    /// Bit index, from the least significant.
     pub bit: u32,
 }
 
@@ -116,8 +116,8 @@ pub enum Bitwise {
     Xor,
 }
 
-/// What a statement computes. Operands have the bits of the word that takes the result, if
-/// nothing else is said; sums are modulo two to that.
+/// The expression of a statement. Unless stated otherwise, operands have the n bits of the result,
+/// and sums are modulo 2^n.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Expr {
     /// The operand itself.
@@ -126,120 +126,121 @@ pub enum Expr {
     Add(Operand, Operand),
     /// `a - b`.
     Sub(Operand, Operand),
-    /// `a + b`, and one more where the bit is set.
+    /// `a + b`, plus one where the bit is set.
     AddCarry(Operand, Operand, Bit),
-    /// Every bit inverted where the bit is set.
+    /// Every bit is inverted where the bit is set.
     InvertIf(Bit, Operand),
     /// `-a`.
     Negate(Operand),
-    /// The product of two whole words by their signs, which the result holds exactly.
+    /// The product of two whole words with their signs; the result holds it exactly.
     Multiply(WordId, WordId),
     /// Bit by bit.
     Bitwise(Bitwise, WordId, WordId),
-    /// Flag: equal; operands have the same bits.
+    /// Flag: equal. Both operands have the same number of bits.
     Equal(Operand, Operand),
-    /// Flag: `a < b` by the sign given; operands have the same bits.
+    /// Flag: `a < b`, signed or not. Both operands have the same number of bits.
     Less {
         /// Left side.
         a: Operand,
         /// Right side.
         b: Operand,
-        /// True if top bits count negative.
+        /// True if top bits have a negative weight.
         signed: bool,
     },
-    /// The operand of the first condition that holds, else the default.
+    /// The operand of the first condition that holds, otherwise the default.
     Choose {
         /// Conditions with their operands.
         cases: Vec<(Bit, Operand)>,
-        /// Where none holds.
+        /// The operand if no condition holds.
         default: Operand,
     },
-    /// Operands side by side, the first at the top.
+    /// Concatenated operands, the first at the top.
     Concat(Vec<Operand>),
     /// `a * 2^count`.
     ShiftLeft(Operand, WordId),
-    /// Flag: a word is at least 2^keep of its last place; `keep` is below its bits.
+    /// Flag: a word, read as an integer, is at least 2^keep; `keep` is less than its number of
+    /// bits.
     Above {
         /// The word.
         word: WordId,
         /// Exponent.
         keep: u32,
     },
-    /// Flag: a signed word is below -2^keep of its last place.
+    /// Flag: a signed word, read as an integer, is below -2^keep.
     Below {
         /// The word.
         word: WordId,
         /// Exponent.
         keep: u32,
     },
-    /// A row of a table, without a clock.
+    /// A row of a table, read without a clock.
     Read(usize, WordId),
 }
 
-/// What a register takes at a clock edge.
+/// What a register loads at a clock edge.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Next {
     /// A word.
     Word(WordId),
-    /// The row of a table at an address: the output register of a block RAM.
+    /// The table row at an address: the output register of a block RAM.
     Read(usize, WordId),
 }
 
-/// A line of a stage.
+/// An item of a stage.
 #[derive(Clone, Debug)]
 pub enum Item {
-    /// The scope that the following belong to, from the outermost in.
+    /// The scope of the items that follow: names joined by dots, outermost first.
     Scope(String),
     /// A statement.
     Assign(WordId, Expr),
 }
 
-/// What drives a register.
+/// A register.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Register {
     /// Its word.
     pub word: WordId,
-    /// What it takes.
+    /// What it loads.
     pub next: Next,
-    /// The flag that it takes it under; at each edge if `None`.
+    /// The flag that enables it; enabled at each edge if `None`.
     pub load: Option<Bit>,
-    /// The valid bit that it takes it under besides, if it takes data only.
+    /// The valid bit that also enables it, if it loads only data.
     pub valid: Option<String>,
-    /// True if the reset clears it.
+    /// True if a reset clears it.
     pub reset: bool,
 }
 
-/// Flag and valid bit that registers take their words under.
+/// Flag and valid bit that enable registers.
 pub(super) type Enable = (Option<Bit>, Option<String>);
 
-/// A valid bit, which the reset clears.
+/// A valid bit; a reset clears it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Valid {
-    /// Name of what it takes: the port or another valid bit.
+    /// Name of its source: the port or another valid bit.
     pub from: String,
     /// Its name.
     pub to: String,
-    /// The flag that it takes it under; at each edge if `None`.
+    /// The flag that enables it; enabled at each edge if `None`.
     pub load: Option<Bit>,
 }
 
-/// Some logic, and the registers behind it.
+/// Some logic, and the registers after it.
 #[derive(Clone, Debug, Default)]
 pub struct Stage {
-    /// What it is.
+    /// Title for a comment.
     pub title: String,
     /// Words that are used before they are driven.
     pub declared: Vec<WordId>,
-    /// Logic in order.
+    /// Scopes and statements in order.
     pub items: Vec<Item>,
-    /// Registers that take their words at its end.
+    /// Registers that load at the end of the stage.
     pub registers: Vec<Register>,
-    /// The valid bits beside them: one for each rate that has samples on their way here.
+    /// The valid bits that load with them: one for each rate that has samples in flight here.
     pub valid: Vec<Valid>,
 }
 
 impl Stage {
-    /// True if there is nothing in it.
+    /// True if the stage has no contents.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         let statement = |item: &Item| matches!(item, Item::Assign(..));
@@ -249,7 +250,7 @@ impl Stage {
             && self.valid.is_empty()
     }
 
-    /// Registers in groups that take their words under the same flag, in the order of their first.
+    /// Registers grouped by their enable, in the order of each group's first register.
     pub(super) fn groups(&self) -> Vec<(Enable, Vec<&Register>)> {
         let mut groups: Vec<(Enable, Vec<&Register>)> = Vec::new();
         for register in self.registers.iter().filter(|register| !register.reset) {
@@ -264,67 +265,70 @@ impl Stage {
 }
 
 impl Register {
-    /// What it takes its word under.
+    /// The flag and valid bit that enable it.
     pub(super) fn enable(&self) -> Enable {
         (self.load, self.valid.clone())
     }
 }
 
-/// Where the words of memories stand.
+/// Where memories are placed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Memories {
-    /// Outside of the module: an address port and data ports for each address that is read at.
+    /// Outside the module: an address port and data ports for each address that is read.
     #[default]
     Ports,
     /// In the module: a RAM with a write port.
     Ram,
 }
 
-/// A rate of ports that is slower than the fastest.
+/// A rate of the ports that is slower than the fastest.
 #[derive(Clone, Debug)]
 pub struct SlowRate {
     /// The rate.
     pub rate: Rate,
-    /// Stage that its words enter in.
+    /// Stage in which its words enter.
     pub entry: u32,
-    /// Cycles from its words to the next.
+    /// Cycles from one of its words to the next.
     pub interval: u32,
     /// Port of its valid bit.
     pub valid: String,
-    /// Port that says when its words are taken, and its flag, where it isn't that of the next faster rate.
+    /// Port that reports when its words are accepted, and the flag that drives it; `None` if they
+    /// are accepted together with those of the next faster rate.
     pub ready: Option<(String, Bit)>,
 }
 
 /// A memory of a module.
 #[derive(Clone, Debug)]
 pub struct MemoryPorts {
-    /// Its rows, of the columns that are read; they have the words that are bound to it.
+    /// Its rows, with only the columns that are read; they hold the words bound to it.
     pub table: RomTable,
     /// Cycles from the address to the words.
     pub latency: u32,
-    /// Where it is outside: address port, the word behind it, and data ports by column.
+    /// For a memory outside the module: address port, the word that drives it, and data ports by
+    /// column.
     pub reads: Vec<(String, WordId, Vec<WordId>)>,
-    /// Where it is a RAM: its write port.
+    /// For a RAM: its write port.
     pub write: Option<WritePort>,
 }
 
-/// The write port of a RAM: it takes a row at each clock edge, whether the pipeline stands still or not.
+/// The write port of a RAM. It can write a row at each clock edge, even while the pipeline is
+/// stalled.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct WritePort {
-    /// One bit: a row is written.
+    /// One bit: write a row.
     pub enable: WordId,
-    /// Its address.
+    /// The row's address.
     pub address: WordId,
-    /// Its words by column.
+    /// The row's words, by column.
     pub data: Vec<WordId>,
 }
 
-/// A table; a row is its columns side by side.
+/// A table; a row is its columns, concatenated.
 #[derive(Clone, Debug)]
 pub struct RomTable {
     /// Name of the array.
     pub name: String,
-    /// Its name in the netlist, with a number where another table has it.
+    /// Its name in the netlist, with a number if another table has the same name.
     pub title: String,
     /// Address bits.
     pub addr_bits: u32,
@@ -332,11 +336,11 @@ pub struct RomTable {
     pub row_bits: u32,
     /// Columns from the top bits down: name, format and words.
     pub columns: Vec<crate::netlist::Column>,
-    /// Position of the table that this is a copy of: a block RAM has
-    /// [`RAM_PORTS`](crate::netlist::RAM_PORTS), and synthesisers take long and much memory to find
-    /// how many they need.
+    /// Index of the table that this one copies: a block RAM has
+    /// [`RAM_PORTS`](crate::netlist::RAM_PORTS), and synthesisers need much time and memory to find
+    /// out how many copies are needed.
     pub copy_of: Option<usize>,
-    /// The write port of one that is a RAM, which has no words at the start.
+    /// The write port if it is a RAM, which has no initial words.
     pub write: Option<WritePort>,
 }
 
@@ -346,7 +350,7 @@ impl RomTable {
     pub fn rows(&self) -> impl Iterator<Item = String> + '_ {
         (0..1usize << self.addr_bits).map(|row| {
             let mut digits = String::new();
-            // Bits above the last whole digit come first: the row is padded at the top.
+            // The top digit may hold fewer than four bits: the row is padded at the top.
             let (mut digit, mut left) = (0u32, self.row_bits);
             for column in &self.columns {
                 let pattern = column.format.pattern(column.words[row]);
@@ -369,7 +373,7 @@ impl RomTable {
         1 << self.addr_bits
     }
 
-    /// Never: a table has a row at least.
+    /// Always false: a table has at least one row.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         false
@@ -381,47 +385,49 @@ impl RomTable {
 pub struct Module {
     /// Name.
     pub name: String,
-    /// Lines for its head.
+    /// Lines for the head of the file.
     pub header: Vec<String>,
-    /// Cycles from inputs to outputs; 0 is combinational, without clock, reset and enable.
+    /// Cycles from inputs to outputs. A module with latency 0 is combinational, without clock,
+    /// reset and enable.
     pub latency: u32,
-    /// Cycles from one vector of the fastest rate to the next; with more than one there is an output `ready`.
+    /// Cycles from one vector of the fastest rate to the next; if more than one, there is an output
+    /// `ready`.
     pub interval: u32,
     /// Cycles from one vector of the slowest rate to the next.
     pub phases: u32,
-    /// True if tables are read on the clock.
+    /// True if tables are read with a clock.
     pub block_rom: bool,
     /// All words.
     pub words: Vec<Word>,
     /// Input ports.
     pub inputs: Vec<WordId>,
-    /// Rate of each.
+    /// Rate of each input port.
     pub input_rates: Vec<Rate>,
-    /// Output ports: name, and the word behind it, which may be the port itself.
+    /// Output ports: name, and the word that drives it, which may be the port itself.
     pub outputs: Vec<(String, WordId)>,
     /// Tables.
     pub tables: Vec<RomTable>,
-    /// Where their words stand.
+    /// Where table words are placed.
     pub tables_in: Tables,
     /// Memories.
     pub memories: Vec<MemoryPorts>,
-    /// Slower rates than the fastest, from the slowest.
+    /// The rates that are slower than the fastest, slowest first.
     pub rates: Vec<SlowRate>,
-    /// Which of those valid bits nothing depends on.
+    /// Valid bits of those rates that nothing depends on.
     pub(super) idle_rates: Vec<String>,
-    /// Stage that the words of the fastest rate enter in.
+    /// Stage in which words of the fastest rate enter.
     pub entry: u32,
-    /// True if registers keep words from one sample to the next.
+    /// True if registers keep words from sample to sample.
     pub has_state: bool,
-    /// Stages from the inputs on; one more than there are registers in a row. A time-shared
-    /// module has others before and after them.
+    /// Stages from the inputs on; one more than there are registers in a row. A time-shared module
+    /// has further stages before and after them.
     pub stages: Vec<Stage>,
-    /// The flag of the cycles at whose end inputs are taken; all of them if `None`.
+    /// The flag of the cycles at whose end inputs are accepted; `None` if that is every cycle.
     pub ready: Option<Bit>,
-    /// Name of the valid bit of the outputs, and the flag of the cycles in which it is theirs.
+    /// Name of the outputs' valid bit, and the flag of the cycles in which it applies to them.
     pub valid: (String, Option<Bit>),
-    /// Ports, words and tables that are named otherwise than in the netlist, since a language or
-    /// another word has the name: both names.
+    /// Ports, words and tables whose name differs from that in the netlist, because a language
+    /// reserves the name or another word has it: both names.
     pub renamed: Vec<(String, String)>,
     /// Word of each signal of the hardware.
     pub(super) signals: BTreeMap<Signal, WordId>,
@@ -434,14 +440,14 @@ pub struct Port<'a> {
     pub name: &'a str,
     /// True if the module drives it.
     pub is_output: bool,
-    /// Its word; a control bit has none.
+    /// Its word; `None` for a control bit.
     pub word: Option<&'a Word>,
-    /// What to say beside it.
+    /// Comment beside it.
     pub comment: String,
 }
 
 impl Port<'_> {
-    /// True for an output port that is a register itself.
+    /// True for an output port that is itself a register.
     #[must_use]
     pub fn is_register(&self) -> bool {
         self.is_output && self.word.is_some_and(|word| word.name == self.name)
@@ -453,10 +459,10 @@ pub(crate) fn cycles(count: u32) -> String {
     format!("{count} cycle{}", if count == 1 { "" } else { "s" })
 }
 
-/// Port that says when a time-shared module takes its inputs.
+/// Port that reports when a time-shared module accepts inputs.
 pub(super) const READY: &str = "ready";
 
-/// Name of the valid bit beside the words of a stage.
+/// Name of the valid bit of a stage's words.
 pub(super) fn valid_bit(stage: usize) -> String {
     match stage {
         0 => "valid_in".to_owned(),
@@ -469,7 +475,7 @@ pub(super) fn valid_bit(stage: usize) -> String {
 pub struct File {
     /// Name, without a folder.
     pub name: String,
-    /// What is in it.
+    /// Its contents.
     pub text: String,
 }
 
@@ -480,8 +486,7 @@ impl Module {
         &self.words[id.index()]
     }
 
-    /// All ports in the order of their declaration. A combinational module has no clock, reset
-    /// and enable.
+    /// All ports in order of declaration. A combinational module has no clock, reset and enable.
     #[must_use]
     pub fn ports(&self) -> Vec<Port<'_>> {
         let bit = |name, is_output, comment: &str| Port {
@@ -572,14 +577,14 @@ impl Module {
         ports
     }
 
-    /// Flags that say when words are taken: ports, and what drives them.
+    /// Ports that report when words are accepted, and the flags that drive them.
     pub(super) fn readies(&self) -> impl Iterator<Item = (&str, Bit)> {
         let slow = self.rates.iter().filter_map(|rate| rate.ready.as_ref());
         let slow = slow.map(|(port, flag)| (port.as_str(), *flag));
         self.ready.map(|flag| (READY, flag)).into_iter().chain(slow)
     }
 
-    /// Output ports with the words that drive them: outputs, and addresses of memories.
+    /// Output ports and the words that drive them: outputs, and addresses of memories.
     pub fn driven(&self) -> impl Iterator<Item = (&str, WordId)> {
         let addresses = self.memories.iter().flat_map(|memory| &memory.reads);
         let addresses = addresses.map(|(name, word, _)| (name.as_str(), *word));
@@ -598,7 +603,7 @@ impl Module {
         format!("{}_{}.hex", self.name, table.title)
     }
 
-    /// Names of the files with the rows of tables: none if they don't stand in files.
+    /// Names of the files with table rows; empty unless tables are placed in files.
     #[must_use]
     pub fn table_file_names(&self) -> Vec<String> {
         match self.tables_in {
@@ -607,8 +612,8 @@ impl Module {
         }
     }
 
-    /// The files with the rows of tables, if they stand in files. Each ends in a line feed: some
-    /// readers drop a last row without one.
+    /// The files with table rows, empty unless tables are placed in files. Each ends with a line
+    /// feed, since some readers drop a last row without one.
     #[must_use]
     pub fn table_files(&self) -> Vec<File> {
         if self.tables_in != Tables::Files {
@@ -630,8 +635,8 @@ impl Module {
         self.tables.iter().filter(|table| table.copy_of.is_none() && table.write.is_none())
     }
 
-    /// True if a testbench reaches it through a bench, which stands for what is outside: memories, or the source of words of
-    /// slow rates.
+    /// True if testbenches use a bench around the module, which replaces its surroundings:
+    /// memories, or the source of slow words.
     #[must_use]
     pub fn takes_bench(&self) -> bool {
         !self.memories.is_empty() || !self.rates.is_empty()

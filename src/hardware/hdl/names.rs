@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-/// Keywords of Verilog, SystemVerilog, VHDL and C++, and what a module or testbench declares by
-/// itself; in lower case, since VHDL doesn't tell cases apart.
+/// Keywords of Verilog, SystemVerilog, VHDL and C++, and names that a module or testbench declares
+/// itself. They are in lower case, since VHDL ignores case.
 const RESERVED: &[&str] = &[
-    // Ports of every module, and names that testbenches, libraries and tools claim.
+    // Ports of every module, and names used by testbenches, libraries and tools.
     "clk rst ce valid_in valid_out unused work ieee std main top numeric_std \
      std_logic_1164 textio std_logic std_logic_vector std_ulogic resize shift_left \
      shift_right to_integer to_unsigned to_signed boolean bit bit_vector character string \
@@ -43,7 +43,7 @@ const RESERVED: &[&str] = &[
      next of on open others out port postponed procedure process range record register \
      reject rem report restrict_guarantee rol ror select severity signal shared sla sll \
      sra srl subtype then to transport unaffected units variable vmode vprop vunit when",
-    // C++, for harnesses, with what g++ defines as macros.
+    // C++, for harnesses, and macros that g++ predefines.
     "alignas alignof and_eq asm auto bitand bitor bool catch char char8_t char16_t char32_t \
      co_await co_return co_yield compl concept const_cast consteval constexpr constinit decltype \
      delete double dynamic_cast errno explicit float friend goto inline int8_t int16_t int32_t \
@@ -51,36 +51,37 @@ const RESERVED: &[&str] = &[
      reinterpret_cast requires short size_t sizeof static_assert static_cast switch template \
      thread_local throw try typeid typename uint8_t uint16_t uint32_t uint64_t unix using \
      volatile wchar_t xor_eq",
-    // What Verilator warns of besides, as words that are common in C++ and SystemC, and the
-    // classes of SystemVerilog that it takes for keywords.
+    // Common C++ and SystemC words that Verilator warns about as well, and SystemVerilog classes
+    // that it treats as keywords.
     "abort atomic_cancel atomic_commit atomic_noexcept cdecl complex const_iterator \
      const_reference deque far huge interrupt iterator list mailbox near pascal queue reference \
      sc_clock sc_in sc_inout sc_out sc_signal semaphore sensitive sensitive_neg sensitive_pos \
      set stack synchronized transaction_safe transaction_safe_dynamic type_info vector",
-    // Keywords of Icarus and GHDL that are in no standard of theirs that we ask for.
+    // Keywords of Icarus and GHDL beyond the standards that we select.
     "inherit wone wreal",
-    // What Verilator's classes have besides ports.
+    // Members of Verilator's classes other than ports.
     "contextp eval eval_end_step eval_step name rootp threads trace",
 ];
 
-/// True for a name that no word of ours may have.
+/// True for a name that none of our words may have.
 pub(super) fn is_reserved(name: &str) -> bool {
     RESERVED.iter().any(|words| words.split(' ').any(|word| word == name)) || is_valid_bit(name)
 }
 
-/// The valid bits of stages: `valid_s1` and so on.
+/// True for the valid bit of a stage: `valid_s1` and so on.
 fn is_valid_bit(name: &str) -> bool {
     name.strip_prefix("valid_s").is_some_and(|stage| stage.bytes().all(|b| b.is_ascii_digit()))
 }
 
-/// Gives each name once.
+/// Hands out each name once.
 #[derive(Debug, Default)]
 pub(super) struct Names {
     taken: BTreeSet<String>,
 }
 
 impl Names {
-    /// The wanted name, or one made from it: keywords get `_w`, and what is taken a number.
+    /// The wanted name, or one derived from it: a reserved word gets `_w`, a name in use gets a
+    /// number.
     pub(super) fn take(&mut self, wanted: &str) -> String {
         let base = if is_reserved(wanted) { format!("{wanted}_w") } else { wanted.to_owned() };
         let name = (1..)

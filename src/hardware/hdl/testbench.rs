@@ -1,5 +1,5 @@
-//! Testbenches and what else goes with a module: templates in `templates/`, filled with its
-//! ports, latency and names.
+//! Testbenches and other files that accompany a module: templates in `templates/`, filled in with
+//! its ports, latency and names.
 
 use super::language::Language;
 use super::module::{File, MemoryPorts, Module, SlowRate, Word, WordId};
@@ -8,10 +8,10 @@ use minijinja::{Environment, UndefinedBehavior, context};
 use serde::Serialize;
 use std::fmt::Write as _;
 
-/// How many vectors go through a second time, with stalls and gaps.
+/// Number of vectors that are sent a second time, with stalls and gaps.
 const AGAIN: u64 = 1000;
 
-/// A port as templates see it.
+/// A port, as seen by templates.
 #[derive(Debug, Serialize)]
 struct Port {
     name: String,
@@ -21,31 +21,31 @@ struct Port {
     bits: u32,
     /// All bits set, for C++.
     mask: String,
-    /// Bits in a vector of all ports of this side, the first at the top.
+    /// Bit positions in a vector of all ports of this side, the first port at the top.
     top: u32,
     low: u32,
     slice: String,
-    /// Stage that it enters in.
+    /// Stage in which it enters.
     entry: u32,
 }
 
-/// A slower rate as templates see it.
+/// A slower rate, as seen by templates.
 #[derive(Debug, Serialize)]
 struct Rate {
     name: &'static str,
     entry: u32,
     /// Port of its valid bit.
     port: String,
-    /// Port that says when its words are taken.
+    /// Port that reports when its words are accepted.
     ready: Option<String>,
-    /// True if that is when words of all rates are.
+    /// True if words of all rates are accepted then.
     is_all: bool,
-    /// Ports of this rate and of slower ones, and their bits.
+    /// Ports of this rate and of slower ones, and the sum of their bits.
     ports: Vec<String>,
     bits: u32,
 }
 
-/// A memory as templates see it.
+/// A memory, as seen by templates.
 #[derive(Debug, Serialize)]
 struct Memory {
     title: String,
@@ -59,7 +59,7 @@ struct Memory {
     write: Option<Write>,
 }
 
-/// Ports for the words at an address.
+/// Ports for the words read at an address.
 #[derive(Debug, Serialize)]
 struct Read {
     address: String,
@@ -144,7 +144,7 @@ fn rates(module: &Module) -> Vec<Rate> {
     module.rates.iter().map(rate).collect()
 }
 
-/// Name of what testbenches are for: the module, or the bench around it.
+/// Name of the unit under test: the module, or the bench around it.
 #[must_use]
 pub fn top_name(module: &Module) -> String {
     if module.takes_bench() { bench_name(&module.name) } else { module.name.clone() }
@@ -155,7 +155,7 @@ pub(super) fn bench_name(module: &str) -> String {
     format!("{module}_bench")
 }
 
-/// The bench around a module in a language, if it takes one.
+/// The bench around a module in a language, if the module needs one.
 pub(super) fn bench(
     module: &Module,
     extension: &str,
@@ -190,7 +190,7 @@ pub fn reference_name(module: &Module) -> String {
     format!("{}_reference", module.name)
 }
 
-/// Adds a line of vectors: patterns of words in hexadecimal.
+/// Appends a line of vectors: the words' patterns in hexadecimal.
 #[expect(clippy::missing_panics_doc, reason = "words have at most 16 digits")]
 pub fn push_vector<'a>(line: &mut String, words: impl Iterator<Item = (i64, Format)> + 'a) {
     for (number, (word, format)) in words.enumerate() {
@@ -201,7 +201,7 @@ pub fn push_vector<'a>(line: &mut String, words: impl Iterator<Item = (i64, Form
     line.push('\n');
 }
 
-/// Fills a template; `shape` declares a word in its language.
+/// Fills in a template; `shape` declares a word in its language.
 pub(super) fn render(
     template: &str,
     module: &Module,
@@ -245,8 +245,8 @@ pub(super) fn render(
     environment.render_str(template, context).expect("bug: templates fit their context")
 }
 
-/// What goes with a module and its tables: testbenches, Verilator's harness, a makefile for each
-/// simulator, a Yosys script and a file list. `vectors` is how many there will be.
+/// The files that accompany a module and its tables: testbenches, Verilator's harness, a makefile
+/// for each simulator, a Yosys script and a file list. `vectors` is the number of test vectors.
 #[must_use]
 pub fn companions(module: &Module, languages: &[&dyn Language], vectors: u64) -> Vec<File> {
     let name = &module.name;
@@ -266,7 +266,7 @@ pub fn companions(module: &Module, languages: &[&dyn Language], vectors: u64) ->
     files
 }
 
-/// A companion made from a template without words of the language.
+/// A file made from a template that doesn't declare words.
 pub(super) fn companion(module: &Module, suffix: &str, template: &str, vectors: u64) -> File {
     File {
         name: format!("{}{suffix}", module.name),

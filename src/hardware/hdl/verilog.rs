@@ -1,7 +1,8 @@
-//! Verilog-2005, in a form that Icarus, Verilator and Yosys take without a warning.
+//! Verilog-2005, in a form that Icarus, Verilator and Yosys accept without a warning.
 //!
-//! Every extension and every width is written out, so that Verilog's own rules for signs and
-//! contexts decide nothing. Words keep the binary point as their least index.
+//! Every extension and every width is written out, so that no result depends on Verilog's own rules
+//! for signs and contexts. The index of a bit is the exponent of its weight, so the binary point
+//! lies above index -1.
 
 use super::language::{Language, ROWS_A_LINE, rom_attributes};
 use super::module::{
@@ -99,8 +100,8 @@ impl Language for Verilog {
     }
 }
 
-/// Verilog that compares a module with its reference cycle by cycle, and a Yosys script that
-/// proves that they never differ.
+/// Verilog that compares a module with its reference cycle by cycle, and a Yosys script that proves
+/// that they never differ.
 #[must_use]
 pub fn proof(module: &Module) -> [File; 2] {
     let comparison = testbench::render(include_str!("templates/equal.v"), module, 0, &shape);
@@ -110,7 +111,7 @@ pub fn proof(module: &Module) -> [File; 2] {
     ]
 }
 
-/// `signed [1:-14] `, `[9:0] ` or nothing.
+/// `signed [1:-14] `, `[9:0] ` or the empty string.
 fn shape(word: &Word) -> String {
     let sign = if word.signed { "signed " } else { "" };
     if word.bits == 1 {
@@ -120,7 +121,7 @@ fn shape(word: &Word) -> String {
     format!("{sign}[{top}:{least}] ")
 }
 
-/// Index of a bit as it is declared.
+/// Index of a bit as declared.
 fn index(word: &Word, bit: u32) -> i32 {
     cast::signed_count(bit) - word.frac
 }
@@ -192,7 +193,8 @@ fn rom(module: &Module, table: &RomTable, text: &mut String) {
         text.push_str("        endcase\n    endfunction\n");
         return;
     }
-    // A read without a clock could still become block RAM, with the register behind it.
+    // Without the attributes, an unclocked read and the register after it could still become block
+    // RAM.
     let _ = writeln!(text, "    (* {attributes} *)");
     let _ = writeln!(text, "    reg {range}{name} [0:{last}];");
     if module.tables_in == Tables::Files {
@@ -221,7 +223,7 @@ fn declarations(module: &Module, stage: &Stage, text: &mut String) {
     }
 }
 
-/// Registers between a stage and the next, and the valid bit.
+/// Registers between a stage and the next, and the valid bits.
 fn registers(module: &Module, stage: &Stage, declared: &BTreeSet<WordId>, text: &mut String) {
     if stage.registers.is_empty() && stage.valid.is_empty() {
         return;
@@ -279,7 +281,7 @@ fn registers(module: &Module, stage: &Stage, declared: &BTreeSet<WordId>, text: 
     }
 }
 
-/// Names every bit that is dropped on purpose, so that no tool has to warn of it.
+/// Uses every bit that is dropped on purpose, so that no tool warns about it.
 fn unused(module: &Module, text: &mut String) {
     let mut parts = module.idle_rates.clone();
     for word in &module.words {

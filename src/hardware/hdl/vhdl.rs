@@ -1,8 +1,8 @@
-//! VHDL-2008, on `numeric_std` alone, in a form that GHDL takes without a warning.
+//! VHDL-2008, using only `numeric_std`, in a form that GHDL accepts without a warning.
 //!
-//! Every word is `unsigned` or `signed`, also those of one bit, and each operand is brought to
-//! the sign and bits of its result before anything is computed. `resize` only ever extends, for
-//! when it cuts a signed number it keeps the sign instead of the low bits: cuts are slices.
+//! Every word is `unsigned` or `signed`, even a single bit. Each operand is converted to the sign
+//! and number of bits of its result before it is used. `resize` is used only to extend, because it
+//! keeps the sign instead of the low bits when it cuts a signed number: cuts are slices.
 
 use super::language::{Language, ROWS_A_LINE, rom_attributes};
 use super::module::{
@@ -18,7 +18,7 @@ use std::fmt::Write as _;
 #[derive(Debug)]
 pub struct Vhdl;
 
-/// Initial value of every word that is computed with.
+/// Initial value of every word used in arithmetic.
 const ZERO: &str = " := (others => '0')";
 
 impl Language for Vhdl {
@@ -149,14 +149,12 @@ fn declarations(module: &Module, text: &mut String) {
     if !module.tables.is_empty() {
         text.push('\n');
     }
-    // Synthesis ignores the values of wires and takes those of registers as power-up values.
+    // Synthesis ignores initial values of wires and uses those of registers as power-up values.
     text.push_str(
-        "    -- Words start at zero: numeric_std would warn of what it compares or looks up before.\n",
+        "    -- Words start at zero: numeric_std warns about comparing or indexing with undefined words.\n",
     );
     if module.latency > 0 {
-        text.push_str(
-            "    -- Valid bits don't, so that one that a reset misses shows as unknown.\n",
-        );
+        text.push_str("    -- Valid bits don't, so a bit that a reset misses shows as unknown.\n");
     }
     let declare = |text: &mut String, id: WordId| {
         let word = module.word(id);
@@ -190,7 +188,7 @@ fn declarations(module: &Module, text: &mut String) {
     }
 }
 
-/// The wanted name, or a longer one if a word has it: to hide a word would be a warning.
+/// The wanted name, or a longer one if a word has it: hiding a word would cause a warning.
 fn own_name(module: &Module, wanted: &str) -> String {
     let words = module.words.iter().map(|word| &word.name);
     let outputs = module.driven().map(|(name, _)| name);
@@ -373,7 +371,7 @@ struct Printer<'a> {
 }
 
 impl Printer<'_> {
-    /// A row for a register: what a block RAM's own register takes.
+    /// A row for a register, as loaded by a block RAM's own register.
     fn read_on_clock(&self, table: usize, address: WordId) -> String {
         let RomTable { name, addr_bits, write, .. } = &self.module.tables[table];
         let address = self.operand(whole(address, *addr_bits), false);
@@ -384,9 +382,9 @@ impl Printer<'_> {
         }
     }
 
-    /// A row for logic. It is chosen from one of each half of the table, so that no row by itself
-    /// goes into a register: that would be a block RAM to a tool that has lost the attributes of
-    /// constants on its way from GHDL.
+    /// A row for logic. It is selected from one row of each half of the table, so that no row goes
+    /// directly into a register: a tool that loses GHDL's attributes of constants on the way would
+    /// infer a block RAM.
     fn read(&self, table: usize, address: WordId) -> String {
         let RomTable { name, addr_bits, .. } = &self.module.tables[table];
         let top = addr_bits - 1;
@@ -411,7 +409,7 @@ impl Printer<'_> {
         }
     }
 
-    /// The operand with all of its bits, as `signed` or `unsigned`.
+    /// The operand with all its bits, as `signed` or `unsigned`.
     fn operand(&self, operand: Operand, signed: bool) -> String {
         match operand {
             Operand::Literal { pattern, bits } => literal(pattern, bits),
@@ -446,12 +444,13 @@ impl Printer<'_> {
             Expr::AddCarry(a, b, bit) => {
                 format!("{} + {} + {}", operand(a), operand(b), self.bit(*bit))
             }
-            // Of a word and a single bit, VHDL-2008 has an operator that GHDL doesn't synthesise.
+            // VHDL-2008 has an operator for a word and a single bit, but GHDL doesn't synthesise
+            // it.
             Expr::InvertIf(bit, a) => {
                 format!("{} xor ({} downto 0 => {})", operand(a), to.bits - 1, self.bit(*bit))
             }
             Expr::Negate(a) if to.signed => format!("-{}", operand(a)),
-            // Only signed numbers have a minus.
+            // Only signed numbers have a unary minus.
             Expr::Negate(a) => format!("unsigned(-{})", self.operand(*a, true)),
             Expr::Multiply(a, b) => self.product(*a, *b, to),
             Expr::Bitwise(operator, a, b) => {
@@ -507,8 +506,8 @@ impl Printer<'_> {
         }
     }
 
-    /// A product has the bits of both factors, and those that lack in the result hold nothing:
-    /// this is the one place where a number may be resized to fewer.
+    /// A product has the bits of both factors. Where the result has fewer, the missing bits carry
+    /// no information: this is the only place where a number may be resized to fewer bits.
     fn product(&self, a: WordId, b: WordId, to: &Word) -> String {
         let any = self.module.word(a).signed || self.module.word(b).signed;
         let factor = |id: WordId| {

@@ -1,22 +1,22 @@
-//! A word that a tool and the engine disagree on.
+//! A word on which a tool and the engine disagree.
 
 use super::request::Job;
 use crate::hardware::emit::vectors::Vectors;
 use crate::netlist::Netlist;
 use serde::Serialize;
 
-/// A word that came out wrong.
+/// A wrong output word.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Mismatch {
-    /// Number of the vector, from 0: the hard cases come first.
+    /// Number of the vector, from 0; the hard cases come first.
     pub vector: u64,
     /// Input words by port.
     pub inputs: Vec<Decoded>,
     /// Output port, or `valid_out`.
     pub port: String,
-    /// What should have come out.
+    /// The expected word.
     pub expected: Decoded,
-    /// What did.
+    /// The simulator's word.
     pub got: Decoded,
 }
 
@@ -25,9 +25,9 @@ pub struct Mismatch {
 pub struct Decoded {
     /// The port.
     pub port: String,
-    /// The pattern in hexadecimal, as the simulator has it; unknown bits are x.
+    /// The pattern in hexadecimal, as the simulator prints it; unknown bits are x.
     pub pattern: String,
-    /// The word; `None` if bits of it are unknown.
+    /// The word; `None` if some bits are unknown.
     pub raw: Option<i64>,
     /// Its value.
     pub value: Option<f64>,
@@ -46,7 +46,7 @@ fn decoded(netlist: &Netlist, node: crate::netlist::NodeId, port: &str, pattern:
     }
 }
 
-/// The mismatch that a line of a testbench tells, with its inputs.
+/// The mismatch that a line of a testbench reports, with its inputs.
 pub(super) fn mismatch(job: &Job<'_>, line: &str, vectors: Vectors) -> Option<Mismatch> {
     let netlist = &job.design.netlist;
     let mut words = line.strip_prefix("mismatch: vector ")?.split_whitespace();

@@ -1,5 +1,5 @@
-//! Agreement with outside simulators: the emitted hardware runs in them on the batch engine's
-//! vectors, and every bit of every output and the latency have to agree.
+//! Verification with outside simulators: they run the emitted hardware on the batch engine's
+//! vectors, and every bit of every output and the latency must agree.
 
 mod mismatch;
 mod request;

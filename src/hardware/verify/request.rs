@@ -9,9 +9,9 @@ use crate::hardware::hdl::{Memories, Tables};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// Random vectors for a slow simulator.
+/// Random vectors for a slow simulator, by default.
 pub const SLOW_VECTORS: u64 = 10_000;
-/// Random vectors for a fast one.
+/// Random vectors for a fast simulator, by default.
 pub const FAST_VECTORS: u64 = 1_000_000;
 
 /// An outside tool that hardware is checked with.
@@ -29,7 +29,7 @@ pub enum Simulator {
 }
 
 impl Simulator {
-    /// Every one.
+    /// All simulators.
     pub const ALL: &'static [Self] = &[Self::Icarus, Self::Verilator, Self::Ghdl, Self::Yosys];
 
     /// Name on the command line.
@@ -38,7 +38,7 @@ impl Simulator {
         self.tools()[0].name
     }
 
-    /// The tools that it takes, itself first.
+    /// The tools that it needs, itself first.
     #[must_use]
     pub fn tools(self) -> &'static [&'static Tool] {
         match self {
@@ -52,7 +52,7 @@ impl Simulator {
     /// Its version.
     ///
     /// # Errors
-    /// If one of its tools isn't there: what brings it.
+    /// If one of its tools isn't installed: how to install it.
     pub fn version(self) -> std::result::Result<String, String> {
         let mut versions = Vec::new();
         for tool in self.tools() {
@@ -62,7 +62,7 @@ impl Simulator {
         Ok(versions.swap_remove(0))
     }
 
-    /// Random vectors if no number was asked for.
+    /// Number of random vectors if none was requested.
     #[must_use]
     pub fn default_vectors(self) -> u64 {
         match self {
@@ -73,10 +73,10 @@ impl Simulator {
     }
 }
 
-/// The simulators of these names.
+/// The simulators with these names.
 ///
 /// # Errors
-/// If there is none of a name.
+/// If a name is unknown.
 pub fn simulators_of(names: &[String]) -> Result<Vec<Simulator>> {
     let mut found = Vec::new();
     for name in names {
@@ -98,23 +98,24 @@ pub fn simulators_of(names: &[String]) -> Result<Vec<Simulator>> {
 /// What to verify.
 #[derive(Clone, Debug)]
 pub struct Request {
-    /// With which tools.
+    /// The tools to run.
     pub simulators: Vec<Simulator>,
-    /// Random vectors after the hard-case list, for all; each tool's own number if `None`.
+    /// Random vectors after the hard cases, for all tools; each tool's default if `None`.
     pub vectors: Option<u64>,
-    /// Their seed.
+    /// Seed of the random vectors.
     pub seed: u64,
-    /// Where tables stand; by their number if `None`.
+    /// Where table words are placed; chosen by their number if `None`.
     pub tables: Option<Tables>,
-    /// Where memories are.
+    /// Where memories are placed.
     pub memories: Memories,
-    /// Longest run of a tool.
+    /// Time limit of each tool.
     pub limit: Duration,
-    /// Largest memory of each process of a tool, in bytes.
+    /// Memory limit of each process of a tool, in bytes.
     pub memory_bytes: u64,
-    /// Longest proof of Yosys's at one of the widths that it tries, within that; none is tried at 0.
+    /// Time limit of Yosys's proof at each of the widths that it tries, capped by `limit`; at 0
+    /// none is tried.
     pub proof_limit: Duration,
-    /// Folder to keep the files in; a scratch folder if `None`.
+    /// Folder in which the files are kept; a scratch folder if `None`.
     pub keep: Option<PathBuf>,
 }
 
@@ -143,7 +144,7 @@ pub(super) struct Job<'a> {
 }
 
 impl Job<'_> {
-    /// The vectors that a tool gets.
+    /// The vectors for a tool.
     pub(super) fn vectors(&self, random: u64) -> Vectors {
         Vectors::new(self.design, usize::MAX, random, self.request.seed)
     }

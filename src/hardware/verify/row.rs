@@ -1,4 +1,4 @@
-//! What a tool found.
+//! Result of a tool.
 
 use super::mismatch::Mismatch;
 use serde::Serialize;
@@ -7,39 +7,39 @@ use serde::Serialize;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
-    /// All agrees; what was done, where that isn't plain.
+    /// Everything agrees; the text says what was checked, unless that is obvious.
     Agrees(String),
-    /// No fault was found, and what was to be proved is not: why.
+    /// No fault was found, but the intended proof wasn't obtained: the reason.
     Unproved(String),
-    /// Words differ; the first of them, if one was named.
+    /// Words differ; the first of them, if the tool named one.
     Disagrees(Option<Box<Mismatch>>),
-    /// It refused the hardware, or warned: what it said.
+    /// The tool rejected the hardware or warned about it: its message.
     Failed(String),
-    /// It ran past the limit of time.
+    /// It ran past the time limit.
     TimedOut(String),
-    /// It ran past the limit of memory, or the machine has too little.
+    /// It ran past the memory limit, or the machine has too little memory.
     OutOfMemory(String),
-    /// It could not be started, was killed, or had no room for its files: that says nothing of the
-    /// hardware.
+    /// It could not be started, was killed, or had no room for its files: this says nothing about
+    /// the hardware.
     Unusable(String),
-    /// It isn't there, and what brings it.
+    /// It isn't installed: how to install it.
     Missing(String),
 }
 
-/// What a tool found.
+/// Result of a tool.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Row {
     /// The tool.
     pub tool: &'static str,
-    /// Its version; empty if it isn't there.
+    /// Its version; empty if it isn't installed.
     pub version: String,
     /// Vectors compared.
     pub vectors: u64,
     /// Words that differed.
     pub mismatches: u64,
-    /// Time that it took, with building.
+    /// Run time, including the build.
     pub seconds: f64,
-    /// How it ended.
+    /// How the run ended.
     pub verdict: Verdict,
 }
 
@@ -50,7 +50,7 @@ impl Row {
         matches!(self.verdict, Verdict::Agrees(_))
     }
 
-    /// True if the tool could not finish, which says nothing of the hardware.
+    /// True if the tool could not finish, which says nothing about the hardware.
     #[must_use]
     pub fn is_unfinished(&self) -> bool {
         matches!(
@@ -59,13 +59,13 @@ impl Row {
         )
     }
 
-    /// True if the tool found no fault, and not the proof that it looked for.
+    /// True if the tool found no fault, but no proof either.
     #[must_use]
     pub fn is_unproved(&self) -> bool {
         matches!(self.verdict, Verdict::Unproved(_))
     }
 
-    /// True if the tool isn't there.
+    /// True if the tool isn't installed.
     #[must_use]
     pub fn is_missing(&self) -> bool {
         matches!(self.verdict, Verdict::Missing(_))

@@ -1,4 +1,4 @@
-//! All tools run at once.
+//! Runs all tools in parallel.
 
 use super::request::{Job, Request, SLOW_VECTORS, Simulator};
 use super::row::Row;
@@ -11,14 +11,14 @@ use crate::hardware::emit::{Package, Settings};
 use std::sync::mpsc;
 use std::thread;
 
-/// Runs a design's hardware in outside simulators, all at once; `progress` gets each row as it
-/// is there. Rows are in the order asked for.
+/// Runs a design's hardware in outside simulators, all in parallel. `progress` receives each row as
+/// soon as it is ready. Rows are returned in the order requested.
 ///
 /// # Errors
-/// If the hardware can't be made, or files can't be written.
+/// If the hardware can't be built, or files can't be written.
 ///
 /// # Panics
-/// If a simulator's thread did.
+/// If a simulator's thread panicked.
 pub fn verify(design: &Design, request: &Request, progress: &dyn Fn(&Row)) -> Result<Vec<Row>> {
     let scratch = Scratch::new()?;
     let folder = scratch.path();
@@ -31,13 +31,14 @@ pub fn verify(design: &Design, request: &Request, progress: &dyn Fn(&Row)) -> Re
         ..Settings::default()
     };
     let mut package = Package::new(design, &settings)?;
-    // Before long work: files that are kept can be written, in place of what `hdl` wrote of this name.
+    // Before long work, check that the kept files can be written. They replace what `hdl` wrote
+    // under this name.
     let set = package.set_name();
     let kept = request.keep.as_deref().map(|keep| Set::open(keep, &set)).transpose()?;
     package.write_texts(folder, folder)?;
     let reads_file = |simulator: &Simulator| match simulator {
         Simulator::Icarus | Simulator::Ghdl => true,
-        // It gets them through a pipe; a proof takes none.
+        // Verilator gets the vectors through a pipe; a proof needs none.
         Simulator::Verilator | Simulator::Yosys => false,
     };
     if request.keep.is_some() || request.simulators.iter().any(reads_file) {

@@ -1,4 +1,4 @@
-//! How each tool is run, and what it says.
+//! How each tool is run, and how its output is judged.
 
 use super::mismatch::mismatch;
 use super::request::{Job, Simulator};
@@ -17,18 +17,18 @@ use std::io::Write;
 use std::sync::Arc;
 use std::time::Instant;
 
-/// Widths at which Yosys proves: larger ones first, smaller ones where those take too long.
+/// Widths of Yosys's proofs: the larger one first; the smaller one if that takes too long.
 const PROOF_BITS: [i64; 2] = [4, 3];
-/// Iterations at which it proves.
+/// Iterations in these proofs.
 const PROOF_ITERATIONS: i64 = 3;
 
-/// A tool that hasn't run.
+/// The row of a tool that hasn't run.
 fn row(simulator: Simulator, verdict: Verdict) -> Row {
     let (vectors, mismatches, seconds) = (0, 0, 0.0);
     Row { tool: simulator.name(), version: String::new(), vectors, mismatches, seconds, verdict }
 }
 
-/// A tool that can't be run here.
+/// The row of a tool that can't be run here.
 pub(super) fn unusable(simulator: Simulator, why: Error) -> Row {
     row(simulator, could_not(why))
 }
@@ -57,10 +57,10 @@ pub(super) fn run(job: &Job<'_>, simulator: Simulator) -> Row {
     row
 }
 
-/// A verdict, or the one that ended the run before its time.
+/// A verdict, or in `Err` the verdict that ended the run early.
 type Ended<T = Verdict> = std::result::Result<T, Verdict>;
 
-/// What keeps a tool from being run says nothing of the hardware.
+/// An error that keeps a tool from running says nothing about the hardware.
 fn could_not(why: Error) -> Verdict {
     Verdict::Unusable(why.to_string())
 }
@@ -74,8 +74,8 @@ fn run_step(job: &Job<'_>, program: &str, arguments: &[&str]) -> Ended<Outcome> 
     outside::run(program, arguments, job.folder, limits(job), None).map_err(could_not)
 }
 
-/// Runs one step, which has to end well and in silence. Not through the makefiles that are
-/// written for people: each step has its limit, and what it says is told.
+/// Runs one step, which must succeed without output on stderr. The makefiles for users aren't used:
+/// here each step has its own limit, and its messages are reported.
 fn step(job: &Job<'_>, program: &str, arguments: &[&str]) -> Ended<Outcome> {
     let outcome = run_step(job, program, arguments)?;
     if let Some(verdict) = failure(&outcome, program) {
@@ -85,7 +85,7 @@ fn step(job: &Job<'_>, program: &str, arguments: &[&str]) -> Ended<Outcome> {
     Ok(outcome)
 }
 
-/// A warning is no agreement.
+/// A warning counts as a failure.
 fn silent(said: &str, program: &str) -> Ended<()> {
     if said.trim().is_empty() {
         return Ok(());
@@ -93,7 +93,7 @@ fn silent(said: &str, program: &str) -> Ended<()> {
     Err(Verdict::Failed(format!("{program} warns: {}", first_line(said))))
 }
 
-/// What programs say when the machine, and not their input, stops them.
+/// Messages of programs that the machine, not their input, stops.
 const NO_ROOM: [&str; 4] = [
     "disk quota exceeded",
     "no space left on device",
@@ -101,7 +101,7 @@ const NO_ROOM: [&str; 4] = [
     "too many open files",
 ];
 
-/// Statuses of shells for programs that can't be started, also for want of a library.
+/// Statuses of shells for programs that can't be started, for example for lack of a library.
 const CANNOT_START: std::ops::RangeInclusive<i32> = 126..=127;
 
 fn failure(outcome: &Outcome, program: &str) -> Option<Verdict> {
@@ -121,12 +121,12 @@ fn failure(outcome: &Outcome, program: &str) -> Option<Verdict> {
     Some(if machine { Verdict::Unusable(text) } else { Verdict::Failed(text) })
 }
 
-/// The first line that says something.
+/// The first non-empty line.
 fn first_line(text: &str) -> &str {
-    text.lines().map(str::trim).find(|line| !line.is_empty()).unwrap_or("(it said nothing)")
+    text.lines().map(str::trim).find(|line| !line.is_empty()).unwrap_or("(no output)")
 }
 
-/// What a testbench or harness told.
+/// The verdict of a testbench or harness.
 fn judged(
     job: &Job<'_>,
     row: &mut Row,
@@ -136,17 +136,17 @@ fn judged(
 ) -> Ended {
     let count = |text: &str| text.parse().unwrap_or(0);
     let is_verdict = |line: &&str| line.starts_with("PASS ") || line.starts_with("FAIL ");
-    // GHDL adds a line of its own to a failure.
+    // GHDL appends a line of its own to a failure.
     let last = outcome.stdout.lines().rev().find(is_verdict).unwrap_or_default();
     match last.split(' ').collect::<Vec<_>>().as_slice() {
         ["PASS", seen, "vectors"] if outcome.success() => {
             row.vectors = count(seen);
-            // Nothing but the verdict: whatever else it says is a warning.
+            // Any output besides the verdict is a warning.
             let others: Vec<&str> = outcome.stdout.lines().filter(|line| *line != last).collect();
             silent(&(others.join("\n") + &outcome.stderr), program)?;
             let all = vectors.count();
             if row.vectors != all {
-                let text = format!("{program} took {} of {all} vectors", row.vectors);
+                let text = format!("{program} read {} of {all} vectors", row.vectors);
                 return Err(Verdict::Failed(text));
             }
             Ok(Verdict::Agrees(String::new()))
@@ -173,7 +173,7 @@ fn random(job: &Job<'_>, simulator: Simulator) -> u64 {
     job.request.vectors.unwrap_or(simulator.default_vectors())
 }
 
-/// The files of a module with its bench, if it takes one.
+/// The files of a module, and of its bench if it needs one.
 fn sources(job: &Job<'_>, extension: &str) -> Vec<String> {
     let module = &job.package.module;
     let bench = module.takes_bench().then(|| top_name(module));
@@ -199,7 +199,7 @@ fn verilator(job: &Job<'_>, row: &mut Row) -> Ended {
     let module = top_name(&job.package.module);
     let (objects, makefile) = (format!("obj_{name}"), format!("V{module}.mk"));
     let top = format!("V{module}");
-    // Building takes longer than running: -O1.
+    // Building takes longer than running: use -O1.
     let mut translate = vec!["--cc", "--exe", "-Wall", "--Mdir", &objects, "-CFLAGS", "-O1"];
     if sources.len() > 1 {
         translate.extend(["--top-module", &module]);
@@ -207,8 +207,8 @@ fn verilator(job: &Job<'_>, row: &mut Row) -> Ended {
     translate.extend(sources.iter().map(String::as_str));
     translate.push(&harness);
     step(job, "verilator", &translate)?;
-    // Its makefile would add -Os, which undoes that. What g++ thinks of its code is no warning
-    // of ours.
+    // Verilator's makefile would add -Os, which overrides that. Warnings of g++ about Verilator's
+    // code don't count.
     let flags = ["OPT_FAST=", "OPT_SLOW=", "OPT_GLOBAL="];
     let make = ["-s", "-C", &objects, "-f", &makefile, &top];
     let built = run_step(job, "make", &[&make[..], &flags[..]].concat())?;
@@ -243,17 +243,17 @@ fn yosys(job: &Job<'_>) -> Ended {
     step(job, "yosys", &["-q", &script])?;
     let netlist = &job.design.netlist;
     let why = if netlist.memories().next().is_some() {
-        Some("words of a memory are written from outside")
+        Some("the unit has a memory")
     } else if netlist.rates().len() > 1 {
-        Some("words of slow rates come before the others")
+        Some("the unit has slow rates")
     } else if netlist.first_delay().is_some() {
-        Some("words come from earlier samples")
+        Some("the unit has delays")
     } else {
         None
     };
     if let Some(why) = why {
         let text =
-            format!("no latch; not proved: {why}, and a combinational reference has none of that");
+            format!("no latch; not proved: {why}, which a combinational reference can't model");
         return Ok(Verdict::Unproved(text));
     }
     let time = job.request.proof_limit.min(job.request.limit);
@@ -279,12 +279,12 @@ fn yosys(job: &Job<'_>) -> Ended {
         return Ok(Verdict::Agrees(text));
     }
     Ok(Verdict::Unproved(format!(
-        "no latch; not proved equal to its combinational reference: with the other parameters no small widths are legal, or {} s are too short",
+        "no latch; not proved equal to its combinational reference: no small widths are legal with the other parameters, or {} s were too short",
         time.as_secs()
     )))
 }
 
-/// The design with every width capped, and what that makes of its parameters.
+/// The design with all widths capped, and a text that lists the changed parameters.
 fn small(design: &Design, bits: i64) -> Option<(Design, String)> {
     let mut values = design.values.clone();
     let unit = values.unit().clone();
@@ -301,7 +301,7 @@ fn small(design: &Design, bits: i64) -> Option<(Design, String)> {
         let cap = cap.clamp(min, max);
         let large = match values.get(&param.name) {
             Value::Int(given) => *given > cap,
-            // What `auto` stands for may be large: a count of steps is set.
+            // `auto` may stand for a large number: iterations are always set.
             Value::Auto => param.role == Role::Iterations,
             Value::Real(_) | Value::Choice(_) => false,
         };
@@ -311,29 +311,29 @@ fn small(design: &Design, bits: i64) -> Option<(Design, String)> {
         }
     }
     let small = values.build().ok()?;
-    // The latency that was asked for may not do for what is built.
+    // The requested latency may be too short for the hardware.
     small.rtl().ok()?;
     let text = if names.is_empty() { "these widths".to_owned() } else { names.join(" ") };
     Some((small, text))
 }
 
-/// What Yosys is given to prove a pipeline equal to its combinational reference.
+/// A proof by Yosys that a pipeline equals its combinational reference.
 #[derive(Debug)]
 pub struct Proof {
-    /// Its files; the last is the script.
+    /// Its files; the last one is the script.
     pub files: Vec<File>,
-    /// Cycles that the pipeline takes.
+    /// Latency of the pipeline in cycles.
     latency: u32,
-    /// At which widths.
+    /// The widths of the proof.
     widths: String,
 }
 
 impl Proof {
-    /// Those of a design: at larger widths first, at smaller ones for where those take too long.
-    /// None where no small widths are legal with the other parameters.
+    /// The proofs of a design: at larger widths first, then at smaller ones in case those take too
+    /// long. Widths that aren't legal with the other parameters are left out.
     ///
     /// # Errors
-    /// If the hardware can't be made.
+    /// If the hardware can't be built.
     pub fn all(design: &Design) -> Result<Vec<Self>> {
         let widths = PROOF_BITS.iter().filter_map(|bits| small(design, *bits));
         widths.map(|(design, widths)| Self::new(&design, widths)).collect()

@@ -14,21 +14,21 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// What to put into a wave.
+/// Contents of a wave.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// Cycles to write; all if `None`.
     pub cycles: Option<Range<u64>>,
-    /// Patterns of signals to write, with `*` for any text; every named one if empty. A word comes with its
-    /// twins, and a twin, with or without the unit in its name, may be chosen alone.
+    /// Patterns of signals to write, with `*` for any text; all named ones if empty. A word comes
+    /// with its twins. A twin may be selected alone, with or without the unit in its name.
     pub signals: Vec<String>,
-    /// Also nodes without a name, and the registers that carry words to later stages.
+    /// True to include nodes without a name, and the registers that carry words to later stages.
     pub all: bool,
-    /// No real twins and no angles.
+    /// True to omit real twins and angles.
     pub words_only: bool,
 }
 
-/// A wave that is ready to be written.
+/// A wave, ready to be written.
 #[derive(Debug)]
 pub struct Wave<'a> {
     pub(super) design: &'a Design,
@@ -41,10 +41,10 @@ pub struct Wave<'a> {
 }
 
 impl<'a> Wave<'a> {
-    /// Chooses the signals.
+    /// Selects the signals.
     ///
     /// # Errors
-    /// If a pattern matches none, or the pipeline can't be built.
+    /// If a pattern matches no signal, or the pipeline can't be built.
     #[expect(clippy::missing_panics_doc, reason = "period_ps always has a value")]
     pub fn new(design: &'a Design, options: Options) -> Result<Self> {
         design.netlist.check_bound()?;
@@ -65,7 +65,7 @@ impl<'a> Wave<'a> {
                 let mut names: Vec<String> = traces.iter().map(full_name).collect();
                 names.truncate(8);
                 return Err(Error::usage(format!(
-                    "no signal matches `{pattern}`: there are {}, …; *error takes all errors, --all adds unnamed signals",
+                    "no signal matches `{pattern}`: available are {}, …; *error selects all errors, --all adds unnamed signals",
                     names.join(", ")
                 )));
             }
@@ -82,13 +82,13 @@ impl<'a> Wave<'a> {
         Ok(Self { design, rtl, table, traces, angles, options, period_ps })
     }
 
-    /// The hardware that it shows.
+    /// The hardware shown.
     #[must_use]
     pub fn rtl(&self) -> &Rtl {
         &self.rtl
     }
 
-    /// Names of the valid bits of slower rates than the fastest, from the slowest.
+    /// Names of the valid bits of the rates that are slower than the fastest, slowest first.
     pub(super) fn slow_valids(&self) -> Vec<String> {
         let taken: BTreeSet<String> = self.traces.iter().map(full_name).collect();
         let rates = self.rtl.netlist().rates();
@@ -109,7 +109,7 @@ impl<'a> Wave<'a> {
         self.len() == 0
     }
 
-    /// Cycles until the last of so many samples is out.
+    /// Cycles until the last of `samples` samples is out.
     #[must_use]
     pub fn cycles(&self, samples: usize) -> u64 {
         let interval = u64::from(self.rtl.schedule().phases());
@@ -118,19 +118,19 @@ impl<'a> Wave<'a> {
     }
 }
 
-/// The nodes that a wave shows, for tests.
+/// Access for tests.
 impl Wave<'_> {
-    /// Names and nodes of the words, with their stages.
+    /// Names, nodes and stages of the words.
     pub fn signals(&self) -> impl Iterator<Item = (String, NodeId, u32)> + '_ {
         let words = self.traces.iter().filter(|trace| trace.word);
         words.map(|trace| (full_name(trace), trace.signal.node, trace.signal.stage))
     }
 }
 
-/// Every signal that could be shown, ports first.
+/// All signals that can be shown, ports first.
 fn all_traces(rtl: &Rtl, options: &Options) -> Vec<Trace> {
     let netlist = rtl.netlist();
-    // Nothing upstream of an exact node was rounded or tabulated: its error is 0 always.
+    // Nothing upstream of an exact node was rounded or tabulated, so its error is always 0.
     let mut exact: Vec<bool> = Vec::new();
     for node in netlist.nodes() {
         let lossy =
@@ -161,12 +161,14 @@ fn all_traces(rtl: &Rtl, options: &Options) -> Vec<Trace> {
             netlist.scope_path(node.scope).into_iter().map(str::to_owned).collect();
         let own = Signal { node: id, stage: rtl.schedule().stage(id) };
         let name = rtl.local_name(own);
-        // What goes into an output register has the port's name, and the port is there already.
+        // The source of an output register has the port's name, and the port is already in the
+        // list.
         let is_shown = node.name.as_ref() == Some(&name);
         if !is_shown && !options.all {
             continue;
         }
-        // A unit's output is one operation's word after another: the hold register shows it.
+        // A unit's output shows one operation's word after another; the hold register shows this
+        // node's.
         let mut own_twins = rtl.is_free(id);
         if own_twins {
             traces.push(trace(own, path.clone(), name, None));

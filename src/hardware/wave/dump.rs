@@ -19,11 +19,11 @@ use std::sync::Arc;
 use vcd::{TimescaleUnit, VarType};
 
 impl Wave<'_> {
-    /// Simulates one sample for all phases, which is one per interval where all ports have one rate, and writes the VCD; runs
-    /// on until the last result is out.
+    /// Simulates one sample per run through all phases (one per interval if all ports have one
+    /// rate) and writes the VCD. The simulation runs on until the last result is out.
     ///
     /// # Errors
-    /// If `to` can't be written; `path` names it. If a `narrow` under overflow mode `error`
+    /// If `to` can't be written; the error names `path`. If a `narrow` under overflow mode `error`
     /// overflowed on valid data.
     ///
     /// # Panics
@@ -32,7 +32,7 @@ impl Wave<'_> {
         self.write_with(samples, to, path, &|_| ())
     }
 
-    /// As [`Wave::write`]; `progress` gets the cycles done.
+    /// As [`Wave::write`]; `progress` receives the number of cycles done.
     ///
     /// # Errors
     /// As [`Wave::write`].
@@ -83,7 +83,7 @@ impl Wave<'_> {
                 .join(" ")
         ))?;
         writer.timescale(1, TimescaleUnit::PS)?;
-        // The oldest sample that can be in the pipeline then.
+        // The oldest sample that can be in the pipeline when the window starts.
         let oldest = window.start.saturating_sub(u64::from(latency) + interval) / interval;
         let oldest = usize::try_from(oldest).unwrap_or(usize::MAX).min(samples.len());
         let mut codes = Codes::declare(&mut writer, self, &cycle, oldest)?;
@@ -119,14 +119,14 @@ impl Wave<'_> {
     }
 }
 
-/// What goes into the ports in each cycle. Words of each rate come with the sample that they belong to, as much later as
-/// their rate enters, and slower ones are data where they change.
+/// The words at the ports in each cycle. Words of each rate come with their sample, delayed by the
+/// rate's entry. Words of slower rates are data only where they change.
 struct Stimulus<'a> {
     samples: &'a [Vec<i64>],
     interval: u64,
-    /// By rate: the cycle that it enters in, and the ports of that rate and of slower ones.
+    /// By rate: the cycle in which it enters, and the ports of that rate and of slower ones.
     rates: Vec<(u64, Vec<usize>)>,
-    /// Place of the rate of each port.
+    /// Index of the rate of each port.
     rate_of: Vec<usize>,
     words: Vec<i64>,
     data: Vec<bool>,
@@ -171,12 +171,12 @@ impl<'a> Stimulus<'a> {
     }
 }
 
-/// Identifiers and last values of the signals.
+/// Identifiers and latest values of the signals.
 struct Codes<'a> {
     clk: Code,
     rst: Code,
     valid_in: Shown,
-    /// Of slower rates, from the slowest.
+    /// Valid bits of slower rates, slowest first.
     valid_slow: Vec<Shown>,
     valid_out: Shown,
     words: Vec<Word>,
@@ -188,10 +188,10 @@ struct Codes<'a> {
 struct Word {
     shown: Shown,
     format: Format,
-    /// Where the simulator has it.
+    /// Index of the word in the simulator.
     slot: usize,
     stage: u64,
-    /// The phase that it means something in; a register holds its word.
+    /// The phase in which the word is meaningful; `None` for a register, which holds it.
     phase: Option<u32>,
 }
 

@@ -19,12 +19,13 @@ impl Wave<'_> {
     pub fn write_gtkw(&self, vcd: &Path, to: &mut dyn Write) -> io::Result<()> {
         let netlist = self.rtl.netlist();
         let unit = netlist.name();
-        // The name alone: the pair of files can be moved together. GTKWave takes it as it is from the first quote of
-        // the line to the last; what can't stand in a line is left to the command line.
+        // The file name without its folder, so that both files can be moved together. GTKWave reads
+        // it literally, from the first quote of the line to the last; a name that can't be written
+        // on a line must be given on the command line.
         let name = vcd.file_name().unwrap_or_default();
         let file = name.to_str().filter(|name| !name.contains(['\n', '\r']));
         writeln!(to, "[*] fixpath {}: unit {unit}", env!("CARGO_PKG_VERSION"))?;
-        // The first samples from the left edge on, as wide as lets their results be seen too.
+        // The first samples start at the left edge, as wide as leaves their results visible.
         let start = self.options.cycles.as_ref().map_or(0, |cycles| cycles.start) * self.period_ps;
         if let Some(file) = file {
             writeln!(to, "[dumpfile] \"{file}\"")?;
@@ -38,7 +39,7 @@ impl Wave<'_> {
         let schedule = self.rtl.schedule();
         let cycles = f64::from(schedule.latency() + FIRST_SAMPLES * schedule.phases());
         let width = (WAVES_WIDTH / cycles).min(CYCLE_WIDTH);
-        // GTKWave draws 2^-zoom units of time in 200 pixels.
+        // GTKWave draws 2^-zoom units of time over 200 pixels.
         let zoom = -libm::log2(cast::f64_of_count(self.period_ps) * 200.0 / width);
         writeln!(to, "*{zoom:.6} 0 {}", "-1 ".repeat(26).trim_end())?;
         writeln!(to, "@28\n{unit}.clk\n{unit}.rst")?;
@@ -50,7 +51,7 @@ impl Wave<'_> {
         let is_input = |trace: &Trace| netlist.node(trace.signal.node).op == Op::Input;
         self.write_group("input ports", is_input, to)?;
         if !self.angles.is_empty() {
-            writeln!(to, "@200\n-angle to the golden")?;
+            writeln!(to, "@200\n-angle to the golden model")?;
         }
         for angle in &self.angles {
             write_gtkw_real(&format!("{unit}.{}{DEGREES}", angle.name), ERROR_COLOR, 2, to)?;
@@ -138,13 +139,14 @@ impl Wave<'_> {
             Twin::ArithErrorUlp,
         ];
         for twin in order.into_iter().filter(|twin| trace.twins.contains(twin)) {
-            // What the word beside it tells isn't shown again, but an angle's value has another unit.
+            // A value that the word already shows is omitted, but an angle's value has another
+            // unit.
             let (color, rows) = match twin {
                 Twin::Value if is_output => (color, 1),
                 Twin::Value if trace.word && trace.quantity != Quantity::Turns => continue,
                 Twin::Value => (color, 0),
                 Twin::Ideal | Twin::ArithError if trace.word => continue,
-                // As curves: cut text would lose its exponent.
+                // As curves: truncated text would lose its exponent.
                 Twin::Ideal | Twin::Golden => (5, 1),
                 Twin::TotalError | Twin::ArithError => (ERROR_COLOR, 2),
                 Twin::TotalErrorUlp | Twin::ArithErrorUlp => (ERROR_COLOR, 0),
@@ -156,21 +158,23 @@ impl Wave<'_> {
     }
 }
 
-/// Pixels of GTKWave's window, of its tree and of its list of names, which shows numbers in full.
+/// Pixels of GTKWave's window, its tree, and its list of names, which is wide enough for whole
+/// numbers.
 const WINDOW_WIDTH: u32 = 1500;
 const TREE_WIDTH: u32 = 110;
 const NAMES_WIDTH: u32 = 430;
-/// Pixels that waves have then.
+/// Pixels that remain for the waves.
 const WAVES_WIDTH: f64 = 920.0;
-/// A cycle's width that shows words and errors in full.
+/// Width of a cycle that shows words and errors in full.
 const CYCLE_WIDTH: f64 = 100.0;
-/// Samples whose results are to be seen at the start.
+/// Number of samples whose results are visible at the start.
 const FIRST_SAMPLES: u32 = 2;
 
 /// Red.
 const ERROR_COLOR: u8 = 1;
 
-/// A real in the save file: as text, or as steps scaled to all of the data, so many rows below its name.
+/// A real in the save file: as text if `rows` is 0, otherwise as steps scaled to all data, with
+/// `rows` blank rows below its name.
 fn write_gtkw_real(name: &str, color: u8, rows: usize, to: &mut dyn Write) -> io::Result<()> {
     if rows == 0 {
         return writeln!(to, "@20\n[color] {color}\n{name}");
@@ -179,15 +183,15 @@ fn write_gtkw_real(name: &str, color: u8, rows: usize, to: &mut dyn Write) -> io
     writeln!(to, "@88420\n[color] {color}\n{name}\n@20000{space}")
 }
 
-/// A word with its fixed-point shift in the save file.
+/// A word in the save file, with its fixed-point shift.
 fn write_gtkw_word(name: &str, format: Format, color: u8, to: &mut dyn Write) -> io::Result<()> {
-    // GTKWave counts anew from 0 where the declared top index is not above 0.
+    // GTKWave renumbers bits from 0 where the declared top index is not above 0.
     let range = if top_index(format) > 0 {
         format!("[{}:{}]", top_index(format), -format.frac_bits())
     } else {
         format!("[{}:0]", format.bits() - 1)
     };
-    // Fixed-point shift of the decimal display; signed or not.
+    // Fixed-point shift of the decimal display, signed or unsigned.
     if format.bits() == 1 {
         writeln!(to, "@28\n[color] {color}\n{name}")
     } else if format.frac_bits() > 0 {

@@ -1,21 +1,21 @@
 //! Value changes of a VCD as bytes.
 //!
-//! The header is written by the `vcd` crate, which also gives out the identifiers. Its writer of
-//! changes formats bit by bit, which took nine tenths of a wave's time. So the millions of lines
-//! after the header are put straight into one buffer here, without allocation: bits come eight
-//! at a time from a table, and reals are the shortest text that reads back as the same `f64`.
+//! The `vcd` crate writes the header and assigns the identifiers. Its writer of changes formats bit
+//! by bit, which took nine tenths of a wave's time. So this module puts the millions of lines after
+//! the header straight into one buffer, without allocation. Bits come eight at a time from a table,
+//! and reals are the shortest text that reads back as the same `f64`.
 
 use crate::base::cast;
 use std::io::{self, Write};
 use vcd::IdCode;
 
-/// Bytes that are written at once: few calls, and the buffer stays in the second-level cache.
+/// Bytes written at once: few calls, and the buffer stays in the second-level cache.
 const BUFFER: usize = 1 << 17;
 
-/// Room for a blank, an identifier and a newline: for more variables than memory holds.
+/// Room for a blank, an identifier and a newline; enough for more variables than fit into memory.
 const END: usize = 8;
 
-/// The longest line: a mark, 63 bits in whole bytes, and its end; reals take 24 characters at most.
+/// The longest line: a mark, 63 bits in whole bytes, and the end. Reals need at most 24 characters.
 const LINE: usize = 1 + 64 + END;
 
 /// The binary digits of each byte.
@@ -35,7 +35,7 @@ const DIGITS: [[u8; 8]; 256] = {
     digits
 };
 
-/// How a line of a variable ends: a blank, its identifier, a newline.
+/// The end of a variable's line: a blank, its identifier, a newline.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Code {
     end: [u8; END],
@@ -51,11 +51,11 @@ impl From<IdCode> for Code {
     }
 }
 
-/// Lines on their way to a file.
+/// Buffered lines of a file.
 pub(super) struct Lines<'a> {
     to: &'a mut dyn Write,
     bytes: Box<[u8]>,
-    /// Bytes that are not written yet.
+    /// Bytes that aren't written yet.
     len: usize,
 }
 
@@ -76,7 +76,7 @@ impl<'a> Lines<'a> {
         self.to.write_all(&self.bytes[..len])
     }
 
-    /// Room for a line; what is not counted in `len` is written over.
+    /// Room for a line; bytes beyond `len` are overwritten later.
     #[inline(always)]
     fn line(&mut self) -> io::Result<&mut [u8; LINE]> {
         if BUFFER - self.len < LINE {
@@ -96,7 +96,7 @@ impl<'a> Lines<'a> {
 
     /// The time of the lines that follow.
     pub(super) fn timestamp(&mut self, ps: u64) -> io::Result<()> {
-        // 20 digits at most.
+        // At most 20 digits.
         let line = self.line()?;
         let (mut rest, mut at) = (ps, LINE);
         loop {
@@ -115,12 +115,12 @@ impl<'a> Lines<'a> {
         Ok(())
     }
 
-    /// A variable of one bit, by its character.
+    /// A variable of one bit, given as its character.
     #[inline(always)]
     fn scalar(&mut self, value: u8, code: &Code) -> io::Result<()> {
         let line = self.line()?;
         line[..END].copy_from_slice(&code.end);
-        // There is no blank.
+        // The value overwrites the blank.
         line[0] = value;
         self.len += code.len;
         Ok(())
@@ -131,7 +131,7 @@ impl<'a> Lines<'a> {
         self.scalar(b'0' + u8::from(value), code)
     }
 
-    /// A variable of so many bits; `x` if its pattern is not known.
+    /// A variable of `bits` bits; `x` if its pattern is unknown.
     #[inline(always)]
     pub(super) fn word(&mut self, pattern: Option<u64>, bits: u32, code: &Code) -> io::Result<()> {
         if bits == 1 {
@@ -140,7 +140,7 @@ impl<'a> Lines<'a> {
         let line = self.line()?;
         line[0] = b'b';
         let end = if let Some(pattern) = pattern {
-            // The first digit is the uppermost bit of the first byte.
+            // The first digit is the top bit of the first byte.
             let bytes = (pattern << (64 - bits)).to_be_bytes();
             let digits = line[1..].as_chunks_mut().0;
             for (to, byte) in digits.iter_mut().zip(bytes).take(cast::index_of_u32(bits + 7) / 8) {
@@ -169,7 +169,7 @@ impl<'a> Lines<'a> {
         Ok(())
     }
 
-    /// A string variable; the text has no blanks.
+    /// A string variable; the text must not contain blanks.
     pub(super) fn string(&mut self, value: &str, code: &Code) -> io::Result<()> {
         self.text("s")?;
         self.text(value)?;
@@ -183,7 +183,7 @@ impl<'a> Lines<'a> {
 mod tests {
     use super::*;
 
-    /// The `vcd` crate's own writer says what each line has to be.
+    /// The `vcd` crate's own writer defines what each line must be.
     #[test]
     fn lines_are_those_of_the_vcd_crate() {
         let (mut ours, mut theirs) = (Vec::new(), Vec::new());

@@ -1,4 +1,4 @@
-//! A signal with the reals beside it.
+//! A signal and its reals.
 
 use crate::hardware::rtl::Signal;
 use crate::netlist::Quantity;
@@ -13,13 +13,13 @@ pub(super) struct Trace {
     pub(super) quantity: Quantity,
     /// True if the word itself is shown, not only some of its twins.
     pub(super) word: bool,
-    /// The reals beside it.
+    /// The reals next to the word.
     pub(super) twins: Vec<Twin>,
-    /// Number of the output port that it is.
+    /// Number of the output port, if the signal is one.
     pub(super) port: Option<usize>,
 }
 
-/// A real beside a word.
+/// A real next to a word.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Twin {
     Value,
@@ -32,12 +32,12 @@ pub(super) enum Twin {
 }
 
 impl Twin {
-    /// Those of an exact word.
+    /// Twins of an exact word.
     pub(super) const EXACT: &[Self] = &[Self::Value];
-    /// Those of another word inside.
+    /// Twins of any other inner word.
     pub(super) const INSIDE: &[Self] =
         &[Self::Value, Self::Ideal, Self::ArithError, Self::ArithErrorUlp];
-    /// Those of an output port.
+    /// Twins of an output port.
     pub(super) const PORT: &[Self] = &[
         Self::Value,
         Self::Ideal,
@@ -63,22 +63,22 @@ impl Twin {
     }
 }
 
-/// The angle between a direction and its golden.
+/// The angle between a direction and its golden model.
 #[derive(Clone, Debug)]
 pub(super) struct AngleTrace {
     /// Name without its unit.
     pub(super) name: String,
     /// Number of the direction.
     pub(super) direction: usize,
-    /// The stage in which all of the direction is there.
+    /// The stage in which the whole direction is present.
     pub(super) stage: u32,
 }
 
-/// Unit of angles at the end of a name.
+/// Suffix of names for angles in degrees.
 pub(super) const DEGREES: &str = "_deg";
 
 impl Trace {
-    /// Name of a twin, and its unit behind it.
+    /// Name of a twin, and the suffix for its unit.
     pub(super) fn twin_name(&self, twin: Twin) -> (String, &'static str) {
         let unit = match self.quantity {
             Quantity::Turns => DEGREES,
@@ -88,7 +88,8 @@ impl Trace {
         (format!("{}_{}", self.name, twin.name()), unit)
     }
 
-    /// Leaves what patterns choose: all of a word that one matches, or the twins that one does.
+    /// Keeps what the patterns select: the word with all twins if one matches the word, otherwise
+    /// the twins that match.
     pub(super) fn choose(&mut self, patterns: &[String]) {
         let any = |text: &str| patterns.iter().any(|pattern| matches(pattern, text));
         if any(&full_name(self)) {
@@ -108,7 +109,7 @@ impl Trace {
         self.word || !self.twins.is_empty()
     }
 
-    /// Factor from values to what twins show.
+    /// Factor from values to displayed twins.
     pub(super) fn scale(&self) -> f64 {
         match self.quantity {
             Quantity::Turns => 360.0,
@@ -118,7 +119,7 @@ impl Trace {
 }
 
 impl AngleTrace {
-    /// True if a pattern chooses it, with its unit or without.
+    /// True if a pattern selects it, with or without its unit.
     pub(super) fn matches(&self, pattern: &str) -> bool {
         matches(pattern, &self.name) || matches(pattern, &format!("{}{DEGREES}", self.name))
     }
@@ -129,7 +130,7 @@ pub(super) fn matches(pattern: &str, text: &str) -> bool {
     let Some((head, rest)) = pattern.split_once('*') else { return pattern == text };
     let Some(mut text) = text.strip_prefix(head) else { return false };
     let (middle, tail) = rest.rsplit_once('*').unwrap_or(("", rest));
-    // The leftmost place of each middle part leaves the most text to the others.
+    // The leftmost match of each middle part leaves the most text for the others.
     for part in middle.split('*') {
         match text.find(part) {
             Some(at) => text = &text[at + part.len()..],
@@ -139,7 +140,7 @@ pub(super) fn matches(pattern: &str, text: &str) -> bool {
     text.ends_with(tail)
 }
 
-/// `scope.name`, what patterns are matched with.
+/// `scope.name`, which patterns are matched against.
 pub(super) fn full_name(trace: &Trace) -> String {
     let mut names = trace.path.clone();
     names.push(trace.name.clone());

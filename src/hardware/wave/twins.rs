@@ -1,7 +1,8 @@
-//! The reals beside words: value, ideal, arithmetic error, golden, total error; and the angle of each direction.
+//! The reals next to words (value, ideal, arithmetic error, golden model, total error), and the
+//! angle of each direction.
 //!
-//! Ideal, golden and angle belong to a sample, not to a cycle: they are evaluated for a block of samples at
-//! once, by the engines and by the golden model. Columns hold them from the oldest
+//! Ideal, golden model and angle belong to a sample, not to a cycle. They are evaluated for a block
+//! of samples at once, by the engines and by the golden model. Columns hold them from the oldest
 //! sample in the pipeline on, so memory doesn't grow with the wave.
 
 use super::text::{Code, Lines};
@@ -17,7 +18,7 @@ use crate::sim::real::{Program, Runner};
 use std::io;
 use vcd::IdCode;
 
-/// Samples that are evaluated at once.
+/// Number of samples evaluated at once.
 const BLOCK: usize = 1024;
 
 /// All twins of a wave.
@@ -27,17 +28,18 @@ pub(super) struct Twins<'a> {
     runner: Runner,
     shown: Vec<Shown>,
     interval: u64,
-    /// Columns hold the samples from `first` to before `end`.
+    /// Columns hold samples `first..end`.
     first: usize,
     end: usize,
-    /// Samples that can be in the pipeline.
+    /// Largest number of samples in the pipeline.
     kept: usize,
-    /// By node that has an ideal.
+    /// Ideals, by node that has one.
     ideals: Vec<Vec<f64>>,
-    /// By output port, which are the first of what is judged; none if no golden is shown.
+    /// Golden values by output port (output ports come first among the judged nodes); empty if none
+    /// is shown.
     judged: Vec<Vec<f64>>,
     angles: Option<Angles>,
-    /// Inputs and ideals of a block.
+    /// Inputs, and ideals, of a block.
     inputs: Vec<Vec<f64>>,
     block: Vec<Vec<f64>>,
 }
@@ -46,20 +48,20 @@ pub(super) struct Twins<'a> {
 struct Shown {
     slot: usize,
     stage: u32,
-    /// True if the word is there in its phase only.
+    /// True if the word is present only in its phase.
     own: bool,
     ulp: f64,
     scale: f64,
     quantity: Quantity,
     /// Column of the ideal.
     ideal: Option<usize>,
-    /// The output port that it is.
+    /// Its output port, if it is one.
     port: Option<usize>,
-    /// Identifiers, and what they show.
+    /// Identifiers and latest values.
     codes: Vec<(Twin, Real)>,
 }
 
-/// A real variable, and the bits of what it shows.
+/// A real variable, and the bits of its latest value.
 struct Real {
     code: Code,
     last: Option<u64>,
@@ -70,7 +72,7 @@ impl Real {
         Self { code: code.into(), last: None }
     }
 
-    /// Writes a value if it is another.
+    /// Writes a value if it has changed.
     fn change(&mut self, lines: &mut Lines<'_>, now: f64) -> io::Result<()> {
         if self.last == Some(now.to_bits()) {
             return Ok(());
@@ -80,19 +82,19 @@ impl Real {
     }
 }
 
-/// The angles of directions to their golden.
+/// The angles between directions and their golden model.
 struct Angles {
-    /// What is judged, bit-true.
+    /// The bit-true values that are judged.
     program: batch::Program,
     runner: batch::Runner,
-    /// Number of the direction, the stage it is there in, and the variable.
+    /// Number of the direction, the stage in which it is complete, and the variable.
     shown: Vec<(usize, u64, Real)>,
-    /// By direction, in degrees; as many samples as the other columns.
+    /// By direction, in degrees; as many samples as in the other columns.
     columns: Vec<Vec<f64>>,
 }
 
 impl Angles {
-    /// Appends a block of samples with this golden.
+    /// Appends a block of samples with the given golden values.
     fn append(&mut self, design: &Design, block: &[Vec<i64>], golden: &[Vec<f64>]) {
         let ports = 0..design.netlist.inputs().len();
         let words: Vec<Vec<i64>> =
@@ -111,13 +113,13 @@ impl Angles {
     }
 }
 
-/// An error in ulp for the eye: to 1/256, which a few digits hold exactly.
+/// An error in ulp for display: to 1/256, so that a few digits are exact.
 fn in_ulp(error: f64, ulp: f64) -> f64 {
     (error / ulp * 256.0).round() / 256.0 + 0.0 // -0 becomes 0
 }
 
 impl<'a> Twins<'a> {
-    /// Twins of signals with these identifiers; the earliest sample that is seen is `first`.
+    /// Twins of signals with these identifiers; `first` is the earliest sample that is shown.
     pub(super) fn new(
         design: &'a Design,
         rtl: &Rtl,
@@ -215,10 +217,10 @@ impl<'a> Twins<'a> {
                 continue;
             }
             let at = sample - self.first;
-            // As `Format::value`.
+            // As in `Format::value`.
             let value = cast::f64_of(cycle.words()[shown.slot]) * shown.ulp * shown.scale;
             let quantity = shown.quantity;
-            // Angles differ by half a turn at most.
+            // Angles differ by at most half a turn.
             let difference = |other: f64| {
                 let difference = value - other;
                 match quantity {
@@ -253,7 +255,8 @@ impl<'a> Twins<'a> {
         Ok(())
     }
 
-    /// Evaluates blocks of samples until one is in the columns; those that have left go.
+    /// Evaluates blocks of samples until `sample` is in the columns; drops those that have left the
+    /// pipeline.
     fn reach(&mut self, samples: &[Vec<i64>], sample: usize) {
         while self.end <= sample {
             let block = &samples[self.end..samples.len().min(self.end + BLOCK)];

@@ -1,12 +1,13 @@
-//! The units of a time-shared schedule in a wave: what sits where, as text, and the words at
+//! The units of a time-shared schedule in a wave: the operations in them, as text, and the words at
 //! their ports.
 //!
-//! Strings have no blanks, which a VCD can't hold, and are ASCII, since GTKWave takes other bytes
-//! for blanks: `Te · L` is `Te*L`, `L²` is `L^2`; `-` is nothing. `issue` is the operation that
-//! enters in this cycle, `out` the one whose result is at the output, `load` what operand
-//! registers take at the end of this cycle, and `inside`, for units with a latency, all from the
-//! one that is issued to the one at the output. Only operations on valid data are shown. The words at
-//! ports are there in every cycle, whatever sits in the unit: where `issue` and `out` are `-` they mean nothing.
+//! Strings contain no blanks, which a VCD can't hold, and only ASCII, since GTKWave shows other
+//! bytes as blanks: `Te · L` is `Te*L`, `L²` is `L^2`; `-` means none. `issue` is the operation
+//! that enters in this cycle, `out` the one whose result is at the output, and `load` the operands
+//! that operand registers load at the end of this cycle. `inside`, for units with a latency, lists
+//! all operations from the one being issued to the one at the output. Only operations on valid data
+//! are shown. The words at ports are shown in every cycle; where `issue` and `out` are `-` they
+//! have no meaning.
 
 use super::shown::{Shown, index_range};
 use super::text::{Code, Lines};
@@ -22,7 +23,7 @@ use vcd::VarType;
 /// Scope of all units.
 pub(super) const SCOPE: &str = "units";
 
-/// What a string says when there is nothing.
+/// Text for no operation.
 const NONE: &str = "-";
 
 /// Names of a unit's strings.
@@ -39,7 +40,7 @@ pub(super) fn strings(unit: &Instance) -> Vec<&'static str> {
     names
 }
 
-/// Names and formats of a unit's words: ports, then outputs.
+/// Names and formats of a unit's words: first ports, then outputs.
 pub(super) fn words(unit: &Instance) -> Vec<(String, Format)> {
     let inside = unit.rtl.netlist();
     let ports = inside.inputs().iter().enumerate();
@@ -49,7 +50,7 @@ pub(super) fn words(unit: &Instance) -> Vec<(String, Format)> {
     ports.chain(outputs).collect()
 }
 
-/// Identifiers, texts and last values.
+/// Identifiers, texts and latest values.
 pub(super) struct UnitCodes {
     phase: Shown,
     ready: Shown,
@@ -62,27 +63,27 @@ struct UnitCode {
     issue: Text,
     inside: Option<Text>,
     out: Text,
-    /// By phase: what can be loaded at its end, and the stage whose data it is.
+    /// By phase: for each load at its end, the rate, the stage whose data it is, and the text.
     loads: Vec<Vec<(usize, u32, String)>>,
-    /// By operation: what it is at its issue, and what it gives.
+    /// By operation: its text at the issue, and its result.
     formulas: Vec<String>,
     results: Vec<String>,
     latency: u32,
-    /// The text of `inside`, made anew in each cycle.
+    /// The text of `inside`, rebuilt in each cycle.
     all: String,
-    /// Ports, then outputs with their slots inside.
+    /// Ports; then outputs, with their slots inside.
     ports: Vec<(Shown, Format)>,
     outputs: Vec<(Shown, Format, usize)>,
 }
 
-/// A string, and what it shows.
+/// A string variable, and its latest value.
 struct Text {
     code: Code,
     last: String,
 }
 
 impl Text {
-    /// Writes a text if it is another; none is empty.
+    /// Writes a text if it has changed; no text is empty.
     fn change(&mut self, lines: &mut Lines<'_>, now: &str) -> io::Result<()> {
         if self.last == now {
             return Ok(());
@@ -202,8 +203,8 @@ impl UnitCode {
     }
 }
 
-/// What operand registers of a unit can take at the end of a phase: the rate and the stage whose data it is,
-/// and the operands' names.
+/// The loads that operand registers of a unit can do at the end of a phase: the rate and the stage
+/// whose data it is, and the operands' names.
 fn loads(
     rtl: &Rtl,
     number: usize,
@@ -232,7 +233,7 @@ fn loads(
     loads.collect()
 }
 
-/// A name without blanks and in ASCII.
+/// A name without blanks, in ASCII.
 fn tight(text: &str) -> String {
     let mut tight = String::new();
     let mut open = false;
@@ -244,7 +245,7 @@ fn tight(text: &str) -> String {
             '±' => tight.push_str("+-"),
             '²' => tight.push_str("^2"),
             '√' => tight.push_str("sqrt"),
-            // A bar of one's own stands between what is inside.
+            // Bars come in pairs: the first opens a length, the second closes it.
             '‖' => {
                 tight.push_str(if open { ")" } else { "len(" });
                 open = !open;

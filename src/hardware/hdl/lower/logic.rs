@@ -33,7 +33,7 @@ impl Lowering {
         self.assign(word, expr);
     }
 
-    /// The registers of a delay, which take a word when the sample is data.
+    /// The registers of a delay, which load a word when the sample is data.
     fn delay(&mut self, id: NodeId, name: &str, samples: u32) {
         let rtl = Arc::clone(&self.at.rtl);
         let stage = rtl.schedule().stage(id);
@@ -54,7 +54,7 @@ impl Lowering {
         self.at.signals.insert(Signal { node: id, stage }, from);
     }
 
-    /// Logic of a node; helpers that it takes come first.
+    /// The expression of a node; the helpers that it needs are added first.
     fn expr(&mut self, id: NodeId, word: WordId) -> Expr {
         let netlist = Arc::clone(self.at.rtl.netlist());
         let node = netlist.node(id);
@@ -81,7 +81,7 @@ impl Lowering {
                 let b = self.helper(word, "term", bits, false, Expr::InvertIf(minus, b));
                 Expr::AddCarry(a, self.resized(b, bits), minus)
             }
-            // One-bit factors whose product has one bit: a language would need two to keep signs.
+            // One-bit factors with a one-bit product: a language would need two bits to keep signs.
             Op::Mul if bits == 1 => self.bitwise(id, Bitwise::And),
             Op::Mul => Expr::Multiply(self.operand(id, 0), self.operand(id, 1)),
             Op::Neg => Expr::Negate(self.resized(self.operand(id, 0), bits)),
@@ -133,7 +133,8 @@ impl Lowering {
                     let given = self.resized(count, given_bits);
                     let past = Expr::Less { a: limit(given_bits), b: given, signed: false };
                     let past = self.flag(word, "past", past);
-                    // No more bits than the limit has: a count with others is past it.
+                    // The kept bits are as many as the limit has: a count with higher bits set
+                    // exceeds it.
                     let kept_bits = bit_len(max.into()).max(1);
                     let kept = self.resized(count, kept_bits);
                     let cases = vec![(past, limit(kept_bits))];
@@ -173,7 +174,7 @@ impl Lowering {
         Expr::Bitwise(operator, self.operand(id, 0), self.operand(id, 1))
     }
 
-    /// Halves the word as often as it can be: each time, is the upper half all zero?
+    /// Repeatedly halves the word, testing whether the upper half is all zero.
     fn leading_zeros(&mut self, word: WordId, a: WordId, bits: u32) -> Expr {
         let out_bits = self.module.word(word).bits;
         if bits == 1 {
@@ -182,7 +183,8 @@ impl Lowering {
             return Expr::Choose { cases: vec![(bit, literal(0))], default: literal(1) };
         }
         let mut size = bits.next_power_of_two();
-        // Ones below, so that a zero word of no power of two counts its own bits.
+        // Ones are appended below, so that a zero word whose size isn't a power of two counts its
+        // own bits.
         let mut part = if size == bits {
             a
         } else {

@@ -6,7 +6,7 @@ use crate::hardware::hdl::module::{Bit, Expr, Operand, View, WordId};
 use crate::number::format::{Format, Narrowing, Overflow, Round, narrow};
 
 impl Lowering {
-    /// Rounding to the places of `to`, then its limits; each step is a word of its own.
+    /// Rounds to the places of `to`, then applies its limits; each step is a word of its own.
     pub(super) fn narrow(
         &mut self,
         word: WordId,
@@ -20,7 +20,8 @@ impl Lowering {
         let dropped = from.frac_bits() - to.frac_bits();
         let signed = from.is_signed();
         let (whole, whole_bits) = if dropped <= 0 {
-            // Past as many places as `to` has, more don't change whether it overflows, or the low bits.
+            // Appending more zeros than `to` has bits changes neither the overflow nor the low
+            // bits.
             let zeros = dropped.unsigned_abs().min(to.bits());
             let bits = from.bits() + zeros;
             if zeros == 0 {
@@ -30,13 +31,13 @@ impl Lowering {
                 (self.helper(word, "wide", bits, signed, Expr::Copy(view)), bits)
             }
         } else {
-            // Past one place more than the word has, every mode gives what it gives there.
+            // Dropping `from.bits() + 1` places or more gives the same result in every mode.
             let dropped = dropped.unsigned_abs().min(from.bits() + 1);
             if hardware.rounds {
                 self.rounded(word, a, from, dropped, round)
             } else {
                 let bits = from.bits().saturating_sub(dropped).max(1);
-                // Of a word that is dropped whole, the sign is left.
+                // If all bits are dropped, the sign remains.
                 let lo = dropped.min(from.bits() - 1);
                 let view = View { word: a, lo, zeros: 0, bits };
                 let kept = if dropped < from.bits() || signed {
@@ -89,7 +90,7 @@ impl Lowering {
         Operand::View(View { word, lo: 0, zeros: 0, bits })
     }
 
-    /// `a / 2^dropped` rounded: an addend below the kept bits carries into them.
+    /// `a / 2^dropped`, rounded: an addend below the kept bits carries into them.
     fn rounded(
         &mut self,
         word: WordId,
@@ -113,11 +114,11 @@ impl Lowering {
         };
         let addend = match round {
             Round::Floor => unreachable!("bug: floor only cuts"),
-            // Negative words get all but one step of the next whole number.
+            // Negative words are raised by all but one step of the next integer.
             Round::TowardZero => choice(sign, 2 * half - 1, 0),
             Round::HalfAway if signed => choice(sign, half - 1, half),
             Round::HalfUp | Round::HalfAway => literal(half),
-            // The last kept bit: of a word that is all dropped, its sign.
+            // The last kept bit; the sign if all bits are dropped.
             Round::HalfEven if dropped < from.bits() => {
                 choice(Bit { word: a, bit: dropped }, half, half - 1)
             }
@@ -134,7 +135,7 @@ impl Lowering {
     }
 }
 
-/// The low bits of a number as a pattern.
+/// The low bits of a number, as a pattern.
 fn low_bits(number: i128, bits: u32) -> u128 {
     cast::pattern_of(number) & (u128::MAX >> (u128::BITS - bits))
 }

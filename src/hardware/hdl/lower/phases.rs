@@ -6,7 +6,7 @@ use crate::hardware::hdl::module::{Bit, Bitwise, Driver, Expr, Next, Operand, Re
 use std::collections::BTreeSet;
 
 impl Lowering {
-    /// The phase counter, where there is more than one phase.
+    /// The phase counter, if there is more than one phase.
     pub(super) fn phases(&mut self) {
         let count = self.module.phases;
         if count == 1 {
@@ -42,7 +42,8 @@ impl Lowering {
         });
         self.module.ready = self.ready(self.module.interval);
         for place in 0..self.module.rates.len() {
-            // What takes words as often as the next faster rate is ready with that.
+            // A rate whose words are accepted as often as those of the next faster rate shares its
+            // ready port.
             let faster =
                 self.module.rates.get(place + 1).map_or(self.module.interval, |r| r.interval);
             let SlowRate { rate, interval, .. } = self.module.rates[place];
@@ -54,7 +55,7 @@ impl Lowering {
         }
     }
 
-    /// The flag of the phases in which words of a rate with this interval are taken.
+    /// The flag of the phases in which words of a rate with this interval are accepted.
     fn ready(&mut self, interval: u32) -> Option<Bit> {
         let phases: Vec<u32> = self.at.rtl.schedule().phases_of(0, interval).collect();
         let flag = self.during(&phases)?;
@@ -62,7 +63,7 @@ impl Lowering {
         Some(flag)
     }
 
-    /// Phases that something depends on which isn't there in all of them.
+    /// Phases that need a flag: those of events that don't happen in every phase.
     fn phases_at_work(&self) -> BTreeSet<u32> {
         let (rtl, schedule) = (&self.at.rtl, self.at.rtl.schedule());
         let mut phases = BTreeSet::new();
@@ -95,7 +96,7 @@ impl Lowering {
         phases
     }
 
-    /// The flag of some phases in ascending order; none if they are all that there are.
+    /// The flag of some phases, in ascending order; `None` if these are all phases.
     pub(super) fn during(&mut self, phases: &[u32]) -> Option<Bit> {
         if phases.len() == cast::index_of_u32(self.module.phases) {
             return None;
@@ -115,7 +116,7 @@ impl Lowering {
         Some(flag)
     }
 
-    /// The flag of phases at whose end something happens.
+    /// The flag of the phases at whose end something loads; `None` if that is every phase.
     pub(super) fn load(&mut self, phases: impl Iterator<Item = u32>) -> Option<Bit> {
         // The inside of a unit works in every phase.
         let flat = self.at.rtl.schedule().phases() == 1;

@@ -1,4 +1,4 @@
-//! Ports, stages and units, in the order of the module.
+//! Ports, stages and units, in the module's order.
 
 use super::options::{Options, WORDS, check_name, place_tables, refuse_size};
 use super::words::{Context, Lowering};
@@ -21,7 +21,7 @@ impl Module {
     /// Lowers hardware to words and statements.
     ///
     /// # Errors
-    /// If the name can't be one, or the module would be too large.
+    /// If the name isn't legal, or the module would be too large.
     pub fn new(rtl: &Arc<Rtl>, options: &Options) -> Result<Self> {
         let netlist = rtl.netlist();
         let name = options.name.clone().unwrap_or_else(|| netlist.name().to_owned());
@@ -129,7 +129,7 @@ impl Lowering {
             self.module.inputs.push(word);
             self.at.signals.insert(signal, word);
         }
-        // Outputs have their names before anything inside; registers of their own are made now.
+        // Output names are reserved before all inner names; output registers are created now.
         for output in netlist.outputs() {
             let signal = rtl.output(output.node);
             let register = rtl.registers(output.node).any(|register| register == signal);
@@ -141,7 +141,7 @@ impl Lowering {
                 let name = self.module.word(word).name.clone();
                 self.module.outputs.push((name, word));
             } else {
-                // Known only later: a placeholder until then.
+                // The word isn't known yet: insert a placeholder.
                 let name = self.take(&output.name);
                 self.module.outputs.push((name, new_word_id(0)));
             }
@@ -155,7 +155,8 @@ impl Lowering {
         self.scope.clear();
     }
 
-    /// Hold registers and results of units: multiplexers come before what drives them.
+    /// Declares hold registers and results of units, since multiplexers use them before they are
+    /// driven.
     fn declarations(&mut self) {
         let rtl = Arc::clone(&self.at.rtl);
         if rtl.units().is_empty() {
@@ -182,7 +183,7 @@ impl Lowering {
         }
     }
 
-    /// All stages of the hardware at hand.
+    /// All stages of the current hardware.
     fn stages(&mut self, roms: BTreeMap<TableId, usize>) -> Result<()> {
         self.at.roms = roms;
         for stage in 0..=self.at.rtl.schedule().latency() {
@@ -193,7 +194,7 @@ impl Lowering {
             self.stage(stage);
             let words = self.module.words.len();
             if words > WORDS {
-                let remedy = "take fewer stages or smaller units";
+                let remedy = "choose fewer stages or smaller units";
                 return Err(refuse_size(
                     "wires and registers",
                     cast::count_of(words),
@@ -205,11 +206,11 @@ impl Lowering {
         Ok(())
     }
 
-    /// A unit: what goes in when, its inside, and what it gives.
+    /// A unit: its input multiplexers, its inside, and its results.
     fn unit(&mut self, number: usize, roms: BTreeMap<TableId, usize>) -> Result<()> {
         let rtl = Arc::clone(&self.at.rtl);
         let unit = &rtl.units()[number];
-        self.open(format!("what {} takes", unit.name));
+        self.open(format!("inputs of {}", unit.name));
         let ports: Vec<WordId> = unit
             .ports
             .iter()
@@ -233,7 +234,7 @@ impl Lowering {
         let whole = std::mem::replace(&mut self.at, inside);
         self.stages(roms)?;
         let inside = std::mem::replace(&mut self.at, whole);
-        self.open(format!("what {} gives", unit.name));
+        self.open(format!("results of {}", unit.name));
         for id in rtl.netlist().ids() {
             let Some(result) = rtl.result(id).filter(|result| result.unit == number) else {
                 continue;
@@ -248,7 +249,7 @@ impl Lowering {
         Ok(())
     }
 
-    /// The word at a port of a unit: of what it takes in each phase of its interval.
+    /// The word at a port of a unit, selected by the phase of the unit's interval.
     fn port(&mut self, name: &str, port: &Port, interval: u32) -> WordId {
         let operands: Vec<Operand> = port
             .cases
@@ -266,7 +267,7 @@ impl Lowering {
                 },
             })
             .collect();
-        // One choice for each operand, the first where nothing else is asked for.
+        // One choice for each distinct operand; the first is the default.
         let mut choices: Vec<(Operand, Vec<u32>)> = Vec::new();
         for (case, operand) in port.cases.iter().zip(operands) {
             match choices.iter_mut().find(|(known, _)| *known == operand) {
@@ -316,7 +317,7 @@ impl Lowering {
             self.module.outputs[port].1 = word;
             self.use_bits(word, 0, u32::MAX);
         }
-        // Of phases that nothing happens in no flag is left, and of stages no title.
+        // Remove stages left empty because no event needs their phases.
         if self.module.phases > 1 {
             self.module.stages.retain(|stage| !stage.is_empty());
         }

@@ -1,4 +1,4 @@
-//! Tables, their copies and the rows that are read of them.
+//! Tables, their copies, and the rows read from them.
 
 use super::words::{Fetch, Lowering};
 use crate::base::cast;
@@ -12,8 +12,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 impl Lowering {
-    /// Tables with the columns that are read; for the whole and for each unit, the position of
-    /// each of its tables in the module. What several read is one table.
+    /// Adds the tables, with the columns that are read. Returns the position in the module of each
+    /// table, for the whole and for each unit. Equal tables become one.
     pub(super) fn tables(&mut self) -> Vec<BTreeMap<TableId, usize>> {
         let whole = Arc::clone(&self.at.rtl);
         let mut read: Vec<(Table, BTreeSet<u32>)> = Vec::new();
@@ -74,7 +74,7 @@ impl Lowering {
         all
     }
 
-    /// Ports that a RAM is written through.
+    /// Ports for writing a RAM.
     fn write_port(&mut self, memory: &Table, rows: &RomTable) -> WritePort {
         let name = &memory.name;
         let enable = self.word(&format!("{name}_we"), 1, false, 0, Driver::Input);
@@ -90,7 +90,8 @@ impl Lowering {
         WritePort { enable, address, data }
     }
 
-    /// Ports of the memories that are outside: for each address that one is read at, the address and a word for each column.
+    /// Ports of the memories outside: for each address that is read, the address and a word for
+    /// each column.
     pub(super) fn memory_ports(&mut self) {
         let rtl = Arc::clone(&self.at.rtl);
         let netlist = rtl.netlist();
@@ -139,7 +140,7 @@ impl Lowering {
                 });
                 let data: BTreeMap<u32, WordId> = data.collect();
                 let words = data.values().copied().collect();
-                // The word behind the address is known later.
+                // The word that drives the address isn't known yet.
                 self.module.memories[place].reads.push((address, new_word_id(0), words));
                 let read = number - 1;
                 self.reads.insert(key, Fetch { memory: place, read, data });
@@ -147,7 +148,7 @@ impl Lowering {
         }
     }
 
-    /// The word at a port of a memory outside.
+    /// The word at a port of a memory outside the module; `None` for other reads.
     pub(super) fn fetched(&self, read: NodeId) -> Option<WordId> {
         let netlist = self.at.rtl.netlist();
         let Op::Read { table, column } = netlist.node(read).op else { return None };
@@ -156,7 +157,7 @@ impl Lowering {
         Some(self.reads.get(&key)?.data[&column])
     }
 
-    /// Drives the address ports of memories outside.
+    /// Drives the address ports of memories outside the module.
     pub(super) fn memory_addresses(&mut self) {
         for ((_, address, _), Fetch { memory, read, .. }) in std::mem::take(&mut self.reads) {
             let word = self.at.signals[&address];
@@ -165,10 +166,10 @@ impl Lowering {
         }
     }
 
-    /// The table or its copy that one more port on the clock reads.
+    /// The table, or a copy of it, that serves one more clocked port.
     fn port_of(&mut self, rom: usize) -> usize {
         let (ports, latest) = self.ports.entry(rom).or_insert((0, rom));
-        // The other port of a RAM writes.
+        // The other port of a RAM is its write port.
         let most = if self.module.tables[rom].write.is_some() { 1 } else { RAM_PORTS };
         let in_case =
             self.module.tables_in == Tables::Case && self.module.tables[rom].write.is_none();
@@ -186,7 +187,7 @@ impl Lowering {
         self.at.rtl.operand(read, self.at.rtl.netlist().node(read).operands[0])
     }
 
-    /// The register that a read on a clock goes through, one for all columns of an address.
+    /// The register of a clocked read, one for all columns at an address.
     pub(super) fn row_register(&mut self, read: NodeId) {
         let Op::Read { table, .. } = self.at.rtl.netlist().node(read).op else { return };
         let address = self.address(read);
@@ -203,7 +204,7 @@ impl Lowering {
         self.at.rows.insert(key, row);
     }
 
-    /// The register after that of a RAM's row, where its words take more than one clock.
+    /// The next register after that of a RAM's row, if its words take more than one cycle.
     pub(super) fn later_row(&mut self, read: NodeId) {
         let Op::Read { table, .. } = self.at.rtl.netlist().node(read).op else { return };
         let key = (table, self.address(read), self.at.rtl.schedule().stage(read));
@@ -214,7 +215,7 @@ impl Lowering {
         self.at.rows.insert(key, row);
     }
 
-    /// A register that takes a word at each edge.
+    /// Adds a register that loads a word at each edge.
     fn register(&mut self, word: WordId, next: Next) {
         let register = Register { word, next, load: None, valid: None, reset: false };
         self.module.stages[self.stage].registers.push(register);

@@ -1,4 +1,4 @@
-//! The words of a module as they are made: names, helpers, and which bits are used.
+//! The words of a module under construction: names, helpers, and which bits are used.
 
 use crate::hardware::hdl::module::{
     Bit, Driver, Expr, Item, Memories, Module, Operand, View, Word, WordId, new_word_id,
@@ -10,10 +10,10 @@ use crate::number::format::Format;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// Hardware that is being lowered: the whole, or the inside of a unit.
+/// Hardware being lowered: the whole, or the inside of a unit.
 pub(super) struct Context {
     pub(super) rtl: Arc<Rtl>,
-    /// What its names begin with.
+    /// Prefix of its names.
     pub(super) prefix: String,
     /// Word of each of its signals.
     pub(super) signals: BTreeMap<Signal, WordId>,
@@ -23,9 +23,9 @@ pub(super) struct Context {
     pub(super) rows: BTreeMap<(TableId, Signal, u32), WordId>,
 }
 
-/// A read of a memory outside.
+/// A read of a memory outside the module.
 pub(super) struct Fetch {
-    /// Position of the memory in the module, and of the read in the memory.
+    /// Index of the memory in the module, and of the read in the memory.
     pub(super) memory: usize,
     pub(super) read: usize,
     /// Words by column.
@@ -35,29 +35,29 @@ pub(super) struct Fetch {
 pub(super) struct Lowering {
     pub(super) at: Context,
     pub(super) names: Names,
-    /// Names that tables and memories have in files: no two are the same.
+    /// Names of tables and memories in files; all different.
     pub(super) titles: Names,
     pub(super) module: Module,
-    /// Stage that statements go to.
+    /// Index of the stage that receives statements.
     pub(super) stage: usize,
     /// Scope of the latest statement.
     pub(super) scope: String,
-    /// Least bit of each column in its table's rows, by the table's position in the module.
+    /// Lowest bit of each column in its table's rows, by the table's index in the module.
     pub(super) columns: BTreeMap<(usize, u32), u32>,
-    /// Flags that are set in some phases.
+    /// Flags that are set in some phases, by those phases.
     pub(super) flags: BTreeMap<Vec<u32>, Bit>,
-    /// Ports so far on the clock by table, and the copy that the latest is at.
+    /// By table: the number of clocked ports so far, and the copy that the latest one uses.
     pub(super) ports: BTreeMap<usize, (u64, usize)>,
-    /// Where memories are.
+    /// Where memories are placed.
     pub(super) memories: Memories,
-    /// Reads of memories outside, by table, address and stage.
+    /// Reads of memories outside the module, by table, address and stage.
     pub(super) reads: BTreeMap<(TableId, Signal, u32), Fetch>,
-    /// Valid bits of slower rates, from the slowest: the one that the latest stage has.
+    /// Valid bits of slower rates, slowest first: the bit of the latest stage.
     pub(super) valids: Vec<(Rate, String)>,
 }
 
 impl Lowering {
-    /// Scope and local name in one.
+    /// Scope and local name in one name.
     pub(super) fn flat_name(&self, signal: Signal) -> String {
         let netlist = self.at.rtl.netlist();
         let mut path = netlist.scope_path(netlist.node(signal.node).scope).join("_");
@@ -73,7 +73,7 @@ impl Lowering {
         self.push(Word { name, bits, signed, frac, format: Some(format), driver, used: Vec::new() })
     }
 
-    /// A name that the netlist gives; another one than that is told.
+    /// Takes a name that the netlist wants; if it has to change, both names are recorded.
     pub(super) fn take(&mut self, wanted: &str) -> String {
         let name = self.names.take(wanted);
         if name != wanted {
@@ -94,7 +94,7 @@ impl Lowering {
         self.push(Word { name, bits, signed, frac, format: None, driver, used: Vec::new() })
     }
 
-    /// Adds a word, of which no bit is used so far.
+    /// Adds a word without used bits.
     fn push(&mut self, word: Word) -> WordId {
         let used = vec![false; usize::try_from(word.bits).expect("bug: 32 bits fit")];
         self.module.words.push(Word { used, ..word });
@@ -186,7 +186,7 @@ impl Lowering {
         self.aligned(word, self.module.word(word).frac, bits)
     }
 
-    /// The word that `user` takes operand `i` from.
+    /// The word of operand `i` of `user`.
     pub(super) fn operand(&self, user: NodeId, i: usize) -> WordId {
         let operand = self.at.rtl.netlist().node(user).operands[i];
         self.at.signals[&self.at.rtl.operand(user, operand)]

@@ -1,14 +1,14 @@
 {% for line in header %}//{% if line %} {{ line }}{% endif %}
 {% endfor -%}
 //
-// {{ name }} with what is outside of it, for its testbenches: ports are those of a module with one rate and
-// without memories. Names in capitals are the bench's own.
+// {{ name }} with its surroundings, for its testbenches. The bench has the ports of a module with
+// one rate and without memories. Names in capitals belong to the bench.
 {%- for rate in rates %}
-// Words of rate {{ rate.name }} go in {{ entry - rate.entry }} cycle{{ "s" if entry - rate.entry != 1 }} before the sample of the fastest rate that they came with, when they differ from
-// those before.
+// Words of rate {{ rate.name }} enter {{ entry - rate.entry }} cycle{{ "s" if entry - rate.entry != 1 }} before the sample of the fastest rate that they came with, and only
+// if they differ from the previous ones.
 {%- endfor %}
 {%- for memory in memories %}
-// Words of memory {{ memory.title }} stand in {{ memory.file }}{{ "; they are written under reset" if memory.write }}.
+// Words of memory {{ memory.title }} come from {{ memory.file }}{{ "; they are written during the reset" if memory.write }}.
 {%- endfor %}
 module {{ top }} (
     input  wire clk,
@@ -30,7 +30,7 @@ module {{ top }} (
     wire TAKEN = valid_in{{ " & ready" if interval > 1 }};
 {%- for rate in rates %}
 
-    // Words of rate {{ rate.name }}, with those that are slower.
+    // Words of rate {{ rate.name }} and of slower rates.
     wire [{{ rate.bits - 1 }}:0] WORDS_{{ rate.name }} = { {%- for name in rate.ports %}{{ name }}{{ ", " if not loop.last }}{% endfor -%} };
     reg [{{ rate.bits - 1 }}:0] LAST_{{ rate.name }};
     reg KNOWN_{{ rate.name }};
@@ -49,7 +49,7 @@ module {{ top }} (
 {%- endfor %}
 {%- if entry > 0 %}
 
-    // What comes later.
+    // Delays for rates that enter later.
     wire VALID_0 = TAKEN;
 {%- for stage in range(entry) %}
     reg VALID_{{ stage + 1 }};

@@ -1,14 +1,14 @@
 {% for line in header %}--{% if line %} {{ line }}{% endif %}
 {% endfor -%}
 --
--- {{ name }} with what is outside of it, for its testbench: ports are those of a module with one rate and
--- without memories. Names between backslashes are the bench's own.
+-- {{ name }} with its surroundings, for its testbench. The bench has the ports of a module with
+-- one rate and without memories. Names between backslashes belong to the bench.
 {%- for rate in rates %}
--- Words of rate {{ rate.name }} go in {{ entry - rate.entry }} cycle{{ "s" if entry - rate.entry != 1 }} before the sample of the fastest rate that they came with, when they differ from
--- those before.
+-- Words of rate {{ rate.name }} enter {{ entry - rate.entry }} cycle{{ "s" if entry - rate.entry != 1 }} before the sample of the fastest rate that they came with, and only
+-- if they differ from the previous ones.
 {%- endfor %}
 {%- for memory in memories %}
--- Words of memory {{ memory.title }} stand in {{ memory.file }}{{ "; they are written under reset" if memory.write }}.
+-- Words of memory {{ memory.title }} come from {{ memory.file }}{{ "; they are written during the reset" if memory.write }}.
 {%- endfor %}
 library ieee;
 use ieee.std_logic_1164.all;
@@ -88,7 +88,7 @@ begin
 {%- endif %}
 {%- for rate in rates %}
 
-    -- Words of rate {{ rate.name }}, with those that are slower.
+    -- Words of rate {{ rate.name }} and of slower rates.
     \words {{ rate.name }}\ <= {% for name in rate.ports %}std_logic_vector({{ name }}){{ " & " if not loop.last }}{% endfor %};
     \changed {{ rate.name }}\ <= '0' when \known {{ rate.name }}\ = '1' and \last {{ rate.name }}\ = \words {{ rate.name }}\ else \taken\;
     process (clk)
@@ -117,7 +117,7 @@ begin
 {%- endfor %}
 {%- if entry > 0 %}
 
-    -- What comes later.
+    -- Delays for rates that enter later.
     process (clk)
     begin
         if rising_edge(clk) then

@@ -1,6 +1,6 @@
-// {{ name }} against {{ reference }}, its combinational reference, which gets what went in
-// {{ latency }} cycles ago. `differ` must stay 0 once that many cycles have passed{% if interval > 1 %}: results are
-// there {{ latency }} cycles after inputs that were taken, and only then{% endif %}.
+// Compares {{ name }} with {{ reference }}, its combinational reference, which receives the
+// inputs of {{ latency }} cycles ago. `differ` must stay 0 after that many cycles{% if interval > 1 %}. Results are
+// compared only where they are valid: {{ latency }} cycles after accepted inputs{% endif %}.
 module {{ name }}_equal (
     input  wire clk,
     input  wire valid_in,

@@ -1,8 +1,8 @@
 {% for line in header %}//{% if line %} {{ line }}{% endif %}
 {% endfor -%}
 //
-// Verilator's harness of {{ name }}: feeds vectors from a file, or from the standard input if
-// there is none, with stalls and gaps now and then and a reset in mid-stream, and compares every
+// Verilator harness of {{ name }}. It feeds vectors from a file, or from standard input if no
+// file is given, with random stalls and gaps{% if not state %} and a reset in mid-stream{% endif %}, and compares every
 // bit of every output and the latency. The last line says PASS or FAIL; the status is 0 or 1.
 #include "V{{ top }}.h"
 #include "verilated.h"
@@ -22,12 +22,12 @@ static constexpr int kInterval = {{ interval }};
 static constexpr uint64_t kShown = 10;  // of the mismatches
 static const char* const kNames[] = { {%- for port in outputs %}"{{ port.name }}"{{ ", " if not loop.last }}{% endfor -%} };
 
-// Hexadecimal words, {{ (inputs | length) + (outputs | length) }} a line.
+// Hexadecimal words, {{ (inputs | length) + (outputs | length) }} per line.
 class Vectors {
   public:
     explicit Vectors(FILE* file) : file_(file), buffer_(1 << 16) {}
 
-    // False at the end; `cut` if it comes in the middle of a line.
+    // False at the end. `cut` is set if a line is incomplete or malformed.
     bool read(uint64_t* words, bool& cut) {
         for (int field = 0; field < kFields; ++field) {
             int c = next();
@@ -87,10 +87,10 @@ int main(int argc, char** argv) {
     V{{ top }} dut{&context};
     Vectors vectors(file);
 
-    // What should come out, moving beside the pipeline; the newest at `head`.
+    // Expected outputs, shifted along with the pipeline; the newest entry is at `head`.
     std::vector<Entry> pipe(kLatency + 1);
     int head = 0;
-    // What a reset forgot goes in again.
+    // Words lost in the reset; they are sent again.
     std::deque<Entry> again;
 {%- if interval > 1 %}
     int phase = 0;  // as the module should count it
@@ -104,7 +104,7 @@ int main(int argc, char** argv) {
     dut.ce = 0;
     dut.valid_in = 0;
 {%- if resets > 1 %}
-    // As long as it takes to write memories.
+    // The reset lasts until the memories are written.
     for (int cycle = 0; cycle < {{ resets }}; ++cycle) {
         dut.clk = 0;
         dut.eval();
@@ -124,8 +124,8 @@ int main(int argc, char** argv) {
         random ^= random << 13;
         random ^= random >> 7;
         random ^= random << 17;
-        // Which cycles stall and which are gaps is no function of the words.
-        // A reset comes while the pipeline is full, during a stall, which doesn't hold it up.
+        // Stalls and gaps don't depend on the words.
+        // The reset comes while the pipeline is full, during a stall, and takes effect despite it.
         const bool reset = !reset_done && sent{% if interval > 1 %} * kInterval{% endif %} > kLatency{% if interval > 1 %} && phase == kInterval / 2{% endif %};
         reset_done = reset_done || reset;
         const bool ce = kLatency == 0 || (!reset && (random & 15) != 0);

@@ -1,11 +1,12 @@
 {% for line in header %}//{% if line %} {{ line }}{% endif %}
 {% endfor -%}
 //
-// Self-checking testbench of {{ name }}. It reads {{ vectors }}: per line the words of the
-// inputs, then of the expected outputs, in hexadecimal. First all vectors go straight through,
-// one {% if interval > 1 %}each {{ interval }} cycles, when it is ready, and between them what isn't to be taken{% else %}a cycle{% endif %}; then, {% if state %}from a reset on{% else %}after a reset in mid-stream{% endif %}, the first {{ again }} go again with stalls and
-// gaps. Every bit of every output and the latency are compared. The last line says PASS or
-// FAIL, and a failure ends with a status that isn't 0. With +vcd it writes {{ name }}_tb.vcd.
+// Self-checking testbench of {{ name }}. Each line of {{ vectors }} holds the input words
+// and then the expected output words, in hexadecimal. The first pass sends all vectors without
+// stalls, one {% if interval > 1 %}every {{ interval }} cycles when the module is ready, with words that it must ignore in between{% else %}per cycle{% endif %}. The second pass
+// sends the first {{ again }} again with stalls and gaps, {% if state %}starting with a reset{% else %}with a reset in mid-stream{% endif %}. Every bit of every
+// output and the latency are compared. The last line says PASS or FAIL; a failure ends with a
+// nonzero status. With +vcd the testbench writes {{ name }}_tb.vcd.
 module {{ name }}_tb;
     localparam LATENCY = {{ latency }};
 {%- if interval > 1 %}
@@ -22,7 +23,7 @@ module {{ name }}_tb;
 {%- if interval > 1 %}
     wire ready;
 {%- endif %}
-    // No port can have a name that stands here for something else.
+    // The prefix port_ keeps the ports' names apart from the names used here.
 {%- for port in inputs %}
     reg {{ port.shape }}port_{{ port.name }};
 {%- endfor %}
@@ -44,7 +45,7 @@ module {{ name }}_tb;
 {%- endfor %}
     );
 
-    // What should come out, moving beside the pipeline; entry 0 belongs to what goes in.
+    // Expected outputs, shifted along with the pipeline; entry 0 belongs to the current inputs.
     reg [{{ output_bits - 1 }}:0] expected [0:LATENCY];
     reg valid [0:LATENCY];
     integer number [0:LATENCY];
@@ -134,7 +135,7 @@ module {{ name }}_tb;
                     $display("mismatch: vector %0d ready expected %b got %b", sent, phase == 0, ready);
             end
 {%- endif %}
-            // Each word counts once: in the cycle after which the pipeline moves on.
+            // Each word is checked once: in a cycle with ce, after which the pipeline advances.
             if (ce && valid[LATENCY]) begin
 {%- for port in outputs %}
                 if (port_{{ port.name }} !== expected[LATENCY]{{ port.slice }}) begin
@@ -164,7 +165,7 @@ module {{ name }}_tb;
         end
     endtask
 
-    // What goes in after this edge: words stay where the pipeline stood still.
+    // Sets the inputs after this edge. They don't change while the pipeline is stalled.
     task drive;
         begin
             lfsr = {lfsr[30:0], lfsr[31] ^ lfsr[21] ^ lfsr[1] ^ lfsr[0]};
@@ -187,7 +188,7 @@ module {{ name }}_tb;
                 port_{{ port.name }} <= valid[0] ? next_{{ port.name }} : {{ port.bits }}'bx;
 {%- endfor %}
             end
-            // A reset in mid-stream, which a stall doesn't hold up: what is on its way is forgotten.
+            // A reset in mid-stream, which takes effect despite the stall: words in flight are lost.
             if (stalls && !reset_done && sent == {{ again }} / 2{% if interval > 1 %} && phase == INTERVAL / 2{% endif %}) begin
                 rst <= 1'b1;
                 ce <= 1'b0;
@@ -199,7 +200,7 @@ module {{ name }}_tb;
     always @(posedge clk) begin
         check;
         if (rst && stalls) begin
-            // Forgotten, but for what hasn't gone in yet.
+            // Words in flight are lost. The word that hasn't entered yet isn't.
             for (i = 1; i <= LATENCY; i = i + 1) if (valid[i]) checked = checked + 1;
         end
         move_on;

@@ -1,12 +1,12 @@
 {% for line in header %}--{% if line %} {{ line }}{% endif %}
 {% endfor -%}
 --
--- Self-checking testbench of {{ name }}. It reads {{ vectors }}: per line the words of the
--- inputs, then of the expected outputs, in hexadecimal. First all vectors go straight through,
--- one {% if interval > 1 %}each {{ interval }} cycles, when it is ready, and between them what isn't to be taken{% else %}a cycle{% endif %}; then, {% if state %}from a reset on{% else %}after a reset in mid-stream{% endif %}, the first {{ again }} go again with stalls and
--- gaps. Every bit of every output and the latency are compared. The last line says PASS or
--- FAIL, and a failure ends with a status that isn't 0, of which GHDL says a line more. With
--- --vcd=FILE, GHDL writes waves.
+-- Self-checking testbench of {{ name }}. Each line of {{ vectors }} holds the input words
+-- and then the expected output words, in hexadecimal. The first pass sends all vectors without
+-- stalls, one {% if interval > 1 %}every {{ interval }} cycles when the module is ready, with words that it must ignore in between{% else %}per cycle{% endif %}. The second pass
+-- sends the first {{ again }} again with stalls and gaps, {% if state %}starting with a reset{% else %}with a reset in mid-stream{% endif %}. Every bit of every
+-- output and the latency are compared. The last line says PASS or FAIL; a failure ends with a
+-- nonzero status, for which GHDL prints one more line. With --vcd=FILE, GHDL writes waves.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -22,7 +22,7 @@ architecture test of {{ name }}_tb is
 {%- endif %}
     constant shown : natural := 10; -- of the mismatches
 
-    -- Each port has its name after dut_, so that it can't be one that is used here.
+    -- The prefix dut_ keeps the ports' names apart from the names used here.
     signal clk : std_logic := '0';
     signal rst : std_logic := '1';
     signal ce : std_logic := '1';
@@ -71,7 +71,7 @@ begin
         type words_t is array (0 to latency) of std_logic_vector({{ output_bits - 1 }} downto 0);
         type numbers_t is array (0 to latency) of natural;
 
-        -- What should come out, moving beside the pipeline; entry 0 belongs to what goes in.
+        -- Expected outputs, shifted along with the pipeline; entry 0 belongs to the current inputs.
         variable expected : words_t;
         variable valid : std_logic_vector(0 to latency) := (others => '0');
         variable number : numbers_t;
@@ -164,7 +164,7 @@ begin
                     & to_string(should_be_ready) & " got " & to_string(ready));
             end if;
 {%- endif %}
-            -- Each word counts once: in the cycle after which the pipeline moves on.
+            -- Each word is checked once: in a cycle with ce, after which the pipeline advances.
             if ce = '1' and valid(latency) = '1' then
 {%- for port in outputs %}
                 check_port("{{ port.name }}", expected(latency)({{ port.top }} downto {{ port.low }}),
@@ -196,7 +196,7 @@ begin
 {%- endif %}
         end procedure;
 
-        -- What goes in after this edge: words stay where the pipeline stood still.
+        -- Sets the inputs after this edge. They don't change while the pipeline is stalled.
         procedure drive is
         begin
             lfsr := lfsr(30 downto 0) & (lfsr(31) xor lfsr(21) xor lfsr(1) xor lfsr(0));
@@ -227,7 +227,7 @@ begin
                     valid_in <= '1';
                 end if;
 {%- endif %}
-                -- A gap carries the opposite of the latest word.
+                -- In a gap the inputs are the complement of the latest words.
                 if valid(0) = '1' then
 {%- for port in inputs %}
                     dut_{{ port.name }} <= {{ 'signed' if port.signed else 'unsigned' }}(next_{{ port.name }});
@@ -238,7 +238,7 @@ begin
 {%- endfor %}
                 end if;
             end if;
-            -- A reset in mid-stream, which a stall doesn't hold up: what is on its way is forgotten.
+            -- A reset in mid-stream, which takes effect despite the stall: words in flight are lost.
             if stalls and not reset_done and sent = {{ again }} / 2{% if interval > 1 %} and phase = interval / 2{% endif %} then
                 rst <= '1';
                 ce <= '0';
@@ -267,7 +267,7 @@ begin
             wait until rising_edge(clk);
             check;
             if rst = '1' and stalls then
-                -- Forgotten, but for what hasn't gone in yet.
+                -- Words in flight are lost. The word that hasn't entered yet isn't.
                 for i in 1 to latency loop
                     if valid(i) = '1' then
                         checked := checked + 1;
