@@ -117,8 +117,7 @@ pub(super) fn ends(overflow: Overflow) -> bool {
     matches!(overflow, Overflow::Saturate | Overflow::Symmetric)
 }
 
-const UNENDED: &str =
-    "with this overflow mode, out-of-range results are far from the golden";
+const UNENDED: &str = "with this overflow mode, out-of-range results are far from the golden";
 
 fn rounding_bound(values: &Values, _: &dyn Fn(&str) -> f64) -> f64 {
     rounding_ulp(values) * 2f64.powi(-cast::signed_count(values.bits("out_frac_bits")))

@@ -1,4 +1,5 @@
-//! What `hdl_out/` and `testbenches/` hold is what the code makes of the defaults of every unit.
+//! `hdl_out/` and `testbenches/` hold what the code generates for the committed settings of every
+//! unit.
 
 use crate::common::design;
 use fixpath::emit::{Package, Settings};
@@ -8,7 +9,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Name, unit and parameters of every setting that is committed.
+/// Name, unit and parameters of every committed setting.
 pub(crate) const COMMITTED: &[(&str, &str, &[&str])] = &[
     ("rotation_exact", "rotation", &[]),
     ("rotation_exact_polar_cordic", "rotation", &["output=polar-cordic"]),
@@ -41,8 +42,8 @@ pub(crate) const COMMITTED: &[(&str, &str, &[&str])] = &[
     ("tangent_faceted", "tangent", &["frame=faceted"]),
 ];
 
-/// Netlist, module in both languages and tables go to `hdl_out`, what tests them to a folder of
-/// `testbenches`.
+/// The netlist, the modules in both languages and the tables go to `hdl_out`; their testbenches go
+/// to a folder in `testbenches`.
 fn files(name: &str, unit: &str, assignments: &[&str]) -> Vec<(PathBuf, String)> {
     let design = design(unit, assignments);
     let settings = Settings {
@@ -59,7 +60,7 @@ fn files(name: &str, unit: &str, assignments: &[&str]) -> Vec<(PathBuf, String)>
         files.push((hardware.join(&file.name), file.text.clone()));
     }
     for file in &package.companions {
-        // Yosys's script stands beside what it reads; the list is of one folder.
+        // Yosys's script is beside the files that it reads; the list covers one folder.
         let folder = if file.name.ends_with(".ys") { &hardware } else { &bench };
         if !file.name.ends_with("_files.txt") {
             files.push((folder.join(&file.name), file.text.clone()));
@@ -92,17 +93,17 @@ fn committed_hardware_is_up_to_date() {
                 fs::write(&path, &text).unwrap();
             }
             let committed = fs::read_to_string(&path).unwrap_or_default();
-            // Not assert_eq: a table is a long text.
+            // Not assert_eq, which would print a long table.
             let old = format!("{} is old: FIXPATH_BLESS=1 cargo test rewrites it", path.display());
             assert!(committed == text, "{old}");
             made.insert(path);
         }
     }
-    // Nothing is left of what isn't made any more.
+    // No file may remain that is no longer generated.
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut folders = vec![root.join("hdl_out")];
     folders.extend(COMMITTED.iter().map(|(name, _, _)| root.join("testbenches").join(name)));
-    // What makefiles leave beside testbenches is ignored, as git does.
+    // Outputs of makefiles beside testbenches are ignored, as git does.
     let is_left = |path: &Path| {
         let extension = path.extension().and_then(|extension| extension.to_str());
         let bench = path.parent() != Some(&folders[0]);
@@ -113,6 +114,6 @@ fn committed_hardware_is_up_to_date() {
         if bless && !made.contains(&path) {
             fs::remove_file(&path).unwrap();
         }
-        assert!(bless || made.contains(&path), "{} is made by nothing", path.display());
+        assert!(bless || made.contains(&path), "{} is no longer generated", path.display());
     }
 }

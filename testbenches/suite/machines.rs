@@ -43,8 +43,9 @@ fn some_rtl(netlist: &Arc<Netlist>, seed: u64) -> Option<Rtl> {
     Some(Rtl::new(Arc::clone(netlist), schedule))
 }
 
-/// Feeds the cycle simulator as its schedule says, each rate when it likes; each valid result is the reference's. A sample
-/// goes with the last slower one that was there when it came, and with what that one goes with.
+/// Feeds the cycle simulator as its schedule says, each rate when it likes; each valid result is
+/// the reference's. A sample goes with the last slower one that was there when it came, and with
+/// what that one goes with.
 fn check_cycles(netlist: &Netlist, rtl: Rtl, seed: u64) -> usize {
     const SLOTS: u64 = 80;
     let schedule = rtl.schedule().clone();
@@ -57,7 +58,8 @@ fn check_cycles(netlist: &Netlist, rtl: Rtl, seed: u64) -> usize {
         .map(|id| timings.iter().position(|t| t.rate == netlist.node(*id).rate).unwrap())
         .collect();
     let mut random = Random::new(seed);
-    // By slot, one for each sample of the fastest rate: the words that come, and which rates are data.
+    // By slot, one for each sample of the fastest rate: the words that come, and which rates are
+    // data.
     let mut slots: Vec<(Vec<i64>, Vec<bool>)> = Vec::new();
     // By rate: its last sample, with the words of slower rates that it goes with.
     let mut samples: Vec<Vec<i64>> = vec![vec![0; rate_of.len()]; timings.len()];
@@ -291,8 +293,8 @@ fn slow_rates_come_first_and_are_held() {
     assert_eq!(netlist.node(node("both")).rate, Rate::Face);
     assert_eq!(netlist.node(netlist.outputs()[0].node).rate, Rate::Pixel);
     let schedule = Schedule::pipeline(&netlist, Rom::Block, Depth::Period(2000)).unwrap();
-    // Of 2000 ps, 1500 are for logic: gain is held after a cycle, the product of 2300 ps takes one of its own, and the
-    // memory three and one for its address.
+    // Of 2000 ps, 1500 are for logic: gain is held after a cycle, the product of 2300 ps takes one
+    // of its own, and the memory three and one for its address.
     let timings: Vec<[u32; 3]> =
         schedule.timings().iter().map(|t| [t.entry, t.latency, t.interval]).collect();
     assert_eq!(timings[..2], [[0, 1, 1], [1, 1, 1]]);
@@ -312,7 +314,8 @@ fn slow_rates_come_first_and_are_held() {
     assert!(by_hand.to_string().contains("ports of one rate"), "{by_hand}");
 }
 
-/// A product of slow words is made once, however many pixels come: between them the multiplier's ports carry anything.
+/// A product of slow words is made once, however many pixels come: between them the multiplier's
+/// ports carry anything.
 #[test]
 fn held_words_stay_while_slow_ports_carry_anything() {
     let netlist = Arc::new(mixed().bind("map", &[Arc::from(vec![0; 16])]).unwrap());
@@ -588,7 +591,8 @@ fn memories_and_rates_on_the_command_line() {
     refused(&["sim", &delay, "-p", &map], "errors can't be told of samples by themselves");
 }
 
-/// Ports of a module and what its bench has may be called alike; tables and memories have files of their own.
+/// Ports of a module and what its bench has may be called alike; tables and memories have files of
+/// their own.
 #[test]
 #[ignore = "needs iverilog, ghdl and verilator: testbenches/run installs them"]
 fn names_that_meet_those_of_the_bench() {

@@ -221,7 +221,8 @@ fn names_stay_unique_in_their_scope() {
     assert_eq!(unique.len(), labels.len());
 }
 
-/// Message of a netlist with input `x`, s8f4, and output `y` beside what `wrong` does; without the place in the code.
+/// Message of a netlist with input `x`, s8f4, and output `y` beside what `wrong` does; without the
+/// place in the code.
 fn refusal<R>(wrong: impl FnOnce(&mut Builder, NodeId) -> R) -> String {
     let mut b = Builder::new("wrong");
     let x = b.input("x", format("s8f4"), Quantity::Number);
@@ -391,7 +392,8 @@ fn tables_are_whole() {
     );
 }
 
-/// A node and a table of another builder, of this one's past and of a finished netlist: indices that exist here, too.
+/// A node and a table of another builder, of this one's past and of a finished netlist: indices
+/// that exist here, too.
 #[test]
 fn what_is_another_builders_is_seen() {
     let mut other = Builder::new("other");
@@ -823,8 +825,8 @@ fn read(text: &str) -> Result<Netlist, String> {
     Netlist::parse(text, Path::new("n.txt")).map_err(|error| error.to_string())
 }
 
-/// What is written is read back to the same netlist: every unit by itself and with each other choice of each
-/// parameter.
+/// What is written is read back to the same netlist: every unit by itself and with each other
+/// choice of each parameter.
 #[test]
 fn files_of_units_are_read_back() {
     for unit in UNITS.iter() {
@@ -856,7 +858,8 @@ fn files_of_random_netlists_are_read_back() {
     }
 }
 
-/// Files that are large or deep without having many lines, and what a builder makes that no file holds.
+/// Files that are large or deep without having many lines, and what a builder makes that no file
+/// holds.
 #[test]
 fn functions_that_call_too_much_are_refused() {
     let head = "fixpath netlist 1\nname n\nfunction f0 = add(x, 1)\n";

@@ -1,5 +1,5 @@
-//! A program of another crate's: units of its own through every command (`examples/own_units.rs`, the public interface
-//! alone).
+//! A program of another crate's: units of its own through every command (`examples/own_units.rs`,
+//! the public interface alone).
 
 use assert_cmd::Command;
 use assert_cmd::cargo::cargo_bin;
@@ -73,7 +73,8 @@ fn every_command_takes_its_units() {
                 assert!(0.1 * stated < seen, "{unit}: {seen} of {stated}");
                 continue;
             }
-            // One of them brings a golden in single precision; `sim` says which are not judged in it.
+            // One of them brings a golden in single precision; `sim` says which are not judged in
+            // it.
             let known = unit == "complex_product";
             assert_eq!(sim["hard_cases"][0]["float32"].is_array(), known, "{unit}");
             assert_eq!(sim["hard_cases"][0]["float32_worst"].is_number(), known, "{unit}");
@@ -105,7 +106,8 @@ fn its_function_is_tabulated_by_every_scheme() {
     }
 }
 
-/// Points that differ in what the golden reads don't share it: each has the error that it has alone.
+/// Points that differ in what the golden reads don't share it: each has the error that it has
+/// alone.
 #[test]
 fn its_sweeps_have_goldens_of_their_own() {
     let folder = tempfile::tempdir().unwrap();

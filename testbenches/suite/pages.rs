@@ -10,7 +10,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
-/// Languages of blocks: commands, which run; examples of files, which tests of their readers take; what is printed.
+/// Languages of blocks: commands, which run; examples of files, which tests of their readers take;
+/// what is printed.
 const LANGUAGES: [&str; 3] = ["sh", "toml", "text"];
 
 fn pages() -> Vec<PathBuf> {
@@ -23,7 +24,8 @@ fn pages() -> Vec<PathBuf> {
     pages
 }
 
-/// What a page has: blocks of code with their languages, code within text, links, and anchors of headings.
+/// What a page has: blocks of code with their languages, code within text, links, and anchors of
+/// headings.
 #[derive(Default)]
 struct Page {
     blocks: Vec<(String, String)>,

@@ -1,5 +1,6 @@
-//! What other programs read: JSON by its schema, CSV in typed readers, Markdown in a strict renderer, PNG by its
-//! colours; and text from outside, which acts on none of them, nor on a terminal.
+//! What other programs read: JSON by its schema, CSV in typed readers, Markdown in a strict
+//! renderer, PNG by its colours; and text from outside, which acts on none of them, nor on a
+//! terminal.
 
 use crate::common::{done, fixpath, written};
 use fixpath::json::{SCHEMA, SCHEMA_VERSION};
@@ -15,8 +16,8 @@ fn json_of(args: &[&str]) -> Value {
 
 const SMALL: &str = "[image]\nwidth = 24\nheight = 16\n[height]\nsource = \"brick\"\nscale = 3.0\n[[object]]\nshape = \"cube\"\n";
 
-/// A JSON Schema of the keywords that ours uses; any other keyword is an error, and so is a field that the schema
-/// doesn't name.
+/// A JSON Schema of the keywords that ours uses; any other keyword is an error, and so is a field
+/// that the schema doesn't name.
 struct Schema(Value);
 
 impl Schema {
@@ -261,7 +262,8 @@ fn type_of(field: &str) -> Option<Type> {
     }
 }
 
-/// Every column has one type in all its rows, and a name of its own, whatever the case of its letters.
+/// Every column has one type in all its rows, and a name of its own, whatever the case of its
+/// letters.
 fn check_csv(text: &str, what: &str) {
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let names = reader.headers().unwrap().clone();
@@ -345,7 +347,8 @@ fn every_csv_has_a_type_for_each_column() {
     check_csv(&done(&[&eval[..], &["--out", "-"]].concat()), "eval");
 }
 
-/// Raw HTML, links and pictures of a Markdown text; every row of a table has the cells of its heading.
+/// Raw HTML, links and pictures of a Markdown text; every row of a table has the cells of its
+/// heading.
 #[allow(clippy::wildcard_enum_match_arm, reason = "the enumeration is another crate's")]
 fn marks(text: &str) -> (Vec<String>, Vec<String>) {
     let (mut html, mut links) = (Vec::new(), Vec::new());

@@ -1,7 +1,8 @@
 //! Pages for readers are rendered: what they tell of measurements comes from figures.
 //!
 //! A template `.readme/PAGE.md.jinja` gives `PAGE.md`. It reads the documents that commands of
-//! `.readme/measure` gave as `f.NAME`; what templates read of them is what `.readme/figures.json` keeps.
+//! `.readme/measure` gave as `f.NAME`; what templates read of them is what `.readme/figures.json`
+//! keeps.
 
 use minijinja::value::{Enumerator, Kwargs, Object, ObjectRepr, Value};
 use minijinja::{AutoEscape, Environment, Error, ErrorKind, UndefinedBehavior, context};

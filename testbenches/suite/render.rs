@@ -333,8 +333,8 @@ fn small(name: &str) -> &'static str {
 }
 
 /// What the largest limit of a scene may be of the largest difference seen there, where tables are
-/// fine: a bound adds up the worst of some ten steps, and the steepest part of a highlight is seldom
-/// where a pixel is off.
+/// fine: a bound adds up the worst of some ten steps, and the steepest part of a highlight is
+/// seldom where a pixel is off.
 const IDLE: f64 = 50.0;
 
 /// Limits that are both many times what is seen and more than two codes of 8 bits say nothing. A
@@ -516,7 +516,8 @@ fn colours_known_beforehand() {
     all_are(&scene(low, "exponent = 4\n"), [0.375 + h, 0.1875 + h, h], 3e-4);
     let both = [facing, low].concat();
     all_are(&scene(&both, "exponent = 4\n"), [1.0, 0.4375 + 0.25 + h, 0.25 + h], 3e-4);
-    // From behind and from right behind there is ambient light alone; from the side a highlight too.
+    // From behind and from right behind there is ambient light alone; from the side a highlight
+    // too.
     let aside = 0.25 * 0.5f64.powi(8);
     for (direction, h) in [("[0.3, 0.1, -1]", 0.0), ("[0, 0, -1]", 0.0), ("[-1, 0, 0]", aside)] {
         let light = format!("[[light]]\ndirection = {direction}\n");
@@ -551,7 +552,8 @@ fn level_heights_are_no_heights() {
     assert_eq!(picture(&made), picture("[texture]\nfile = \"one.png\"\n"));
 }
 
-/// A mirrored texture of a map is the texture of that map turned round: the same bumps, the right way out.
+/// A mirrored texture of a map is the texture of that map turned round: the same bumps, the right
+/// way out.
 #[test]
 fn bumps_of_a_mirrored_texture_stand_out() {
     let files = files();

@@ -1,7 +1,6 @@
 //! The rotation unit against rotation matrices, and its variants against the paper's equations.
 //!
-//! Everything here is written from the mathematics: nothing is taken from the unit but its
-//! ports.
+//! Everything here is written from the mathematics: nothing is taken from the unit but its ports.
 
 use fixpath::measure::{Basis, BoundCheck, Inputs, Report, measure};
 use fixpath::netlist::{Netlist, Quantity};

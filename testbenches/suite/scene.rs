@@ -362,7 +362,8 @@ fn one_cube_in_every_format_is_the_cube() {
         Scene::parse(&text, &folder.path().join("scene.toml")).unwrap()
     };
     let expected = traced(&scene("shape = \"cube\""));
-    // Without normals, and with normals of no length: its edges are sharp enough for those of its faces.
+    // Without normals, and with normals of no length: its edges are sharp enough for those of its
+    // faces.
     let bare = cube_gltf("").0.replace("\"NORMAL\": 1, ", "");
     write("bare.glb", &glb(&bare, &binary));
     let mut zeros = binary.clone();
@@ -439,8 +440,9 @@ pub(crate) fn gltf_of(
     )
 }
 
-/// A wavy sheet as a list, as strips stitched into one, and as strips of vertices without indices; and a hexagon as a
-/// list and as a fan: the same pictures, and vertices that triangles share are there once.
+/// A wavy sheet as a list, as strips stitched into one, and as strips of vertices without indices;
+/// and a hexagon as a list and as a fan: the same pictures, and vertices that triangles share are
+/// there once.
 #[test]
 fn lists_strips_and_fans_are_one_shape() {
     let folder = tempfile::tempdir().unwrap();
@@ -656,7 +658,8 @@ fn pictures_are_turned_as_their_exif_data_ask() {
         assert_eq!(scene.bumps.size(), (width, height));
         for y in 0..height {
             for x in 0..width {
-                // Where the first row and the first column of what is stored are seen (Exif 2.3, 4.6.4).
+                // Where the first row and the first column of what is stored are seen (Exif 2.3,
+                // 4.6.4).
                 let (from_x, from_y) = match orientation {
                     1 => (x, y),
                     2 => (w - 1 - x, y),
@@ -675,7 +678,8 @@ fn pictures_are_turned_as_their_exif_data_ask() {
     }
 }
 
-/// A bit of each byte of a PNG file turned over, and each end cut off: another picture never comes of it.
+/// A bit of each byte of a PNG file turned over, and each end cut off: another picture never comes
+/// of it.
 #[test]
 fn damaged_pictures_are_refused() {
     let folder = tempfile::tempdir().unwrap();
@@ -728,7 +732,8 @@ fn heights_are_grey() {
     let picture = |of: &dyn Fn(u32, u32) -> [u8; 3]| {
         image::RgbImage::from_fn(16, 16, |x, y| image::Rgb(of(x, y)))
     };
-    // Grey, then with differences as conversions and JPEG leave them, then with as much as is legal.
+    // Grey, then with differences as conversions and JPEG leave them, then with as much as is
+    // legal.
     for name in ["g.png", "g.jpg"] {
         assert!(read(picture(&|x, y| [grey(x, y); 3]), name).is_ok());
         let noisy = |x: u32, y: u32| {
@@ -1144,7 +1149,8 @@ fn seen_of(bytes: &[u8]) -> (Fragments, Vec<String>) {
     (traced(&scene), notes.collect())
 }
 
-/// Files as people have them: the picture is that of the plain one, and what was passed over is said.
+/// Files as people have them: the picture is that of the plain one, and what was passed over is
+/// said.
 #[test]
 fn one_square_as_many_obj_files() {
     let [v, vt, vn, f] = UPRIGHT;
@@ -1287,8 +1293,8 @@ fn made_normals(mesh: &str, crease: &str, extra: &str) -> (Scene, Fragments) {
     (scene, f)
 }
 
-/// A roof of two slopes of 45°, whose ridge is the y axis; the left one is cut into two triangles, the right one into
-/// three of different sizes.
+/// A roof of two slopes of 45°, whose ridge is the y axis; the left one is cut into two triangles,
+/// the right one into three of different sizes.
 const ROOF: &str = "v -1 -1 -1\nv 0 -1 0\nv 0 1 0\nv -1 1 -1\nv 1 -1 -1\nv 1 1 -1\nv 0.25 -1 -0.25\nf 1 2 3\nf 1 3 4\nf 2 7 3\nf 7 5 3\nf 5 6 3\n";
 
 #[test]
@@ -1305,7 +1311,8 @@ fn normals_are_made_by_angle_up_to_creases() {
     notes.replace_range(..notes.find("m.obj").unwrap(), "");
     expect!["m.obj: 15 of 15 corners have no normal: means of the triangles around it are taken, up to edges of `crease_degrees` = 89 (by `tangent-faceted` alone those of the triangles)"].assert_eq(&notes);
 
-    // On the ridge, angles of 90° at one end and 90° at the other on each side, whatever the cuts: straight up.
+    // On the ridge, angles of 90° at one end and 90° at the other on each side, whatever the cuts:
+    // straight up.
     let (_, round) = made_normals(ROOF, "crease_degrees = 90", "");
     for i in 0..round.len() {
         let [x, y, _] = [0, 1, 2].map(|axis| round.position[axis][i]);
@@ -1319,7 +1326,8 @@ fn normals_are_made_by_angle_up_to_creases() {
     }
 }
 
-/// Where some corners of a triangle have normals, its side is theirs, also for what is made at the others.
+/// Where some corners of a triangle have normals, its side is theirs, also for what is made at the
+/// others.
 #[test]
 fn made_normals_are_on_the_side_of_those_given() {
     let square = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvn 0 0 0.1\n";
@@ -1380,7 +1388,8 @@ fn a_scene_has_limits_as_a_whole() {
     assert!(why.ends_with(expected), "{why}");
 }
 
-/// One face 50 000 times gives the picture of one; faces that rays would all try are refused before.
+/// One face 50 000 times gives the picture of one; faces that rays would all try are refused
+/// before.
 #[test]
 fn faces_upon_each_other() {
     let folder = tempfile::tempdir().unwrap();

@@ -293,8 +293,8 @@ fn designs_with_other_light_have_their_own_golden() {
     }
 }
 
-/// In the middle of a highlight the dot product is 1, and light is what the formula says, in tables of
-/// any size and scheme.
+/// In the middle of a highlight the dot product is 1, and light is what the formula says, in tables
+/// of any size and scheme.
 #[test]
 fn light_in_the_middle_of_a_highlight_is_the_formula_s() {
     let one = 1i64 << 16;

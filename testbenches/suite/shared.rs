@@ -362,7 +362,8 @@ fn waves_show_the_table() {
     assert!(compared > 200, "{compared}");
 }
 
-/// A constant that is the same in every operation of a unit is no port of it, but it is in what is told.
+/// A constant that is the same in every operation of a unit is no port of it, but it is in what is
+/// told.
 #[test]
 fn formulas_have_their_constants() {
     let set = ["schedule=shared", "share_add=40"];
@@ -409,7 +410,8 @@ fn an_interval_too_short_names_kind_operations_and_remedy() {
     );
 }
 
-/// A shared unit whose words are too wide names the parameters that cure it, as a flat datapath does.
+/// A shared unit whose words are too wide names the parameters that cure it, as a flat datapath
+/// does.
 #[test]
 fn a_shared_unit_that_is_too_wide_names_parameters_whose_change_cures_it() {
     let wide = ["position_bits=30", "norm_bits=24", "component_bits=24", "dot_frac_bits=24"];

@@ -1,4 +1,5 @@
-//! Pipelines cut down to what a scene needs: equal on every pixel, and without what it doesn't need.
+//! Pipelines cut down to what a scene needs: equal on every pixel, and without what it doesn't
+//! need.
 
 use fixpath::render::{Pipeline, SpecialisedStage, specialise_to};
 use fixpath::scene::Scene;

@@ -43,7 +43,8 @@ impl Ports<'_> {
     }
 }
 
-/// A triangle in whole numbers: dP/du and dP/dv times det, det, the area, and the edges from its first corner.
+/// A triangle in whole numbers: dP/du and dP/dv times det, det, the area, and the edges from its
+/// first corner.
 struct Exact {
     by_u: [i128; 3],
     by_v: [i128; 3],
@@ -147,7 +148,8 @@ const VARIANTS: &[&[&str]] = &[
     &["frame=faceted", "mirror=off", "basis=printed"],
 ];
 
-/// The patent's rules from whole numbers, the documented frames where they give none, and the flags.
+/// The patent's rules from whole numbers, the documented frames where they give none, and the
+/// flags.
 #[test]
 fn goldens_are_those_of_the_seed() {
     for set in VARIANTS {
@@ -180,7 +182,8 @@ fn goldens_are_those_of_the_seed() {
             let [t, b, n] = if flags[1] {
                 exact.fallback(&ports, faceted, printed_basis)
             } else if faceted {
-                // T x dP/dv has the sign of T's and of det's; (e1 x e2)/det is the product of dP/du and dP/dv.
+                // T x dP/dv has the sign of T's and of det's; (e1 x e2)/det is the product of dP/du
+                // and dP/dv.
                 let product = if t == du { sign } else { -sign };
                 let n = unit(exact.area.map(|x| turn * product * x));
                 let b = if printed_basis {
@@ -222,7 +225,8 @@ fn goldens_are_those_of_the_seed() {
     }
 }
 
-/// Which of T, B, N are on the side of dP/du, dP/dv, and e1 x e2, without and with a mirrored texture.
+/// Which of T, B, N are on the side of dP/du, dP/dv, and e1 x e2, without and with a mirrored
+/// texture.
 #[test]
 fn what_each_rule_of_mirroring_gets_wrong() {
     for (set, right) in VARIANTS.iter().zip([
@@ -281,7 +285,8 @@ fn words_of(design: &Design, values: &[(&str, f64)]) -> Vec<i64> {
     netlist.inputs().iter().enumerate().map(word).collect()
 }
 
-/// A bumpy floor, lit in texture space as if its bumps were modelled, where the texture is mirrored or not.
+/// A bumpy floor, lit in texture space as if its bumps were modelled, where the texture is mirrored
+/// or not.
 #[test]
 fn bumps_are_the_right_way_out_on_mirrored_textures() {
     let (a, b) = (0.3, -0.2); // height a u + b v
@@ -608,7 +613,8 @@ fn widths_that_do_not_go_together_are_refused() {
     }
 }
 
-/// At the ends of all widths: whatever doesn't go together is refused by a parameter, not by a node.
+/// At the ends of all widths: whatever doesn't go together is refused by a parameter, not by a
+/// node.
 #[test]
 fn no_width_is_refused_by_a_node() {
     const ENDS: [(&str, [&str; 2]); 10] = [
@@ -661,7 +667,8 @@ fn every_variant_shares_its_multipliers() {
     }
 }
 
-/// On reals the netlists are the goldens, where exact products fit an `f64`: there is no algorithm error.
+/// On reals the netlists are the goldens, where exact products fit an `f64`: there is no algorithm
+/// error.
 #[test]
 fn netlists_on_reals_are_the_goldens() {
     for set in VARIANTS {
@@ -676,7 +683,8 @@ fn netlists_on_reals_are_the_goldens() {
     }
 }
 
-/// What a triangle gives is taken once for its vertices: with smooth normals the exact edges, of a facet the map.
+/// What a triangle gives is taken once for its vertices: with smooth normals the exact edges, of a
+/// facet the map.
 #[test]
 fn triangles_share_what_does_not_depend_on_the_vertex() {
     for (set, primitive, vertex) in

@@ -218,7 +218,8 @@ fn every_rule_between_coordinates_has_its_message() {
     gx_refuses(&[BASE, BUMP, color], &format!("TEXCOORD1 (BUMP0) after TEXCOORD0 (SRTG): {order}"));
 }
 
-/// The patents' two "should" can't both be kept by two bases that have a bump each: either way is legal, and is told.
+/// The patents' two "should" can't both be kept by two bases that have a bump each: either way is
+/// legal, and is told.
 #[test]
 fn two_bases_each_have_their_bump_in_either_order() {
     let advice = |calls: &[[&str; 4]]| -> Vec<String> {
@@ -320,8 +321,8 @@ fn all_generated() -> Vec<TexGen> {
 #[test]
 fn register_words_hold_every_legal_coordinate() {
     let all = all_generated();
-    // 2 matrices from 12 attributes at 3 rows, as no matrix starts at the last; 2 colours at 4; 8 lights
-    // over 7 coordinates with IDENTITY.
+    // 2 matrices from 12 attributes at 3 rows, as no matrix starts at the last; 2 colours at 4; 8
+    // lights over 7 coordinates with IDENTITY.
     assert_eq!(all.len(), 2 * 12 * 3 + 2 * 4 + 8 * 7);
     for generated in all {
         assert_eq!(TexGen::unpack(generated.pack(), generated.matrix()), Ok(generated));

@@ -62,7 +62,8 @@ fn the_sampler_is_right_for_every_word() {
                     _ => index.clamp(0, side - 1),
                 };
                 for (at, word) in words.iter().enumerate() {
-                    // s · side = word · 2^(log2 - frac_bits), in halves of texels times 2^frac_bits.
+                    // s · side = word · 2^(log2 - frac_bits), in halves of texels times
+                    // 2^frac_bits.
                     let halves = 2 * word * side;
                     let half_texels = 1i64 << (frac_bits + 1);
                     let context = format!("{filter} {address} {word} of {frac_bits} bits");
@@ -82,7 +83,8 @@ fn the_sampler_is_right_for_every_word() {
     }
 }
 
-/// On a centre a sample is its texel; between two, half of each; on the map's end, what the mode says.
+/// On a centre a sample is its texel; between two, half of each; on the map's end, what the mode
+/// says.
 #[test]
 fn texel_centres_are_at_halves() {
     for (address, outside) in [("wrap", 7), ("clamp", 0)] {
@@ -208,7 +210,8 @@ fn ports_mean_what_they_say() {
     assert_eq!(out["out_b"][0], 20 + 8 * 6);
 }
 
-/// Stated bounds hold over random words and the whole hard-case list, at the ends of every parameter.
+/// Stated bounds hold over random words and the whole hard-case list, at the ends of every
+/// parameter.
 #[test]
 fn bounds_hold() {
     let mut settings: Vec<(&str, Vec<String>)> = Vec::new();

@@ -1,5 +1,6 @@
-//! Tangent-space set-up of whole scenes: bumps the right way out on mirrored halves, errors told apart, vertices
-//! shared, frames fed to other pipelines, and the standard tangent generator as an outside judge.
+//! Tangent-space set-up of whole scenes: bumps the right way out on mirrored halves, errors told
+//! apart, vertices shared, frames fed to other pipelines, and the standard tangent generator as an
+//! outside judge.
 
 use crate::common::fixpath;
 use crate::readme::is_told;
@@ -49,8 +50,8 @@ fn place(scene: &Scene, pixel: usize) -> Option<(f64, f64)> {
     (x.abs() < 0.99 && y.abs() < 0.99).then_some((x, y))
 }
 
-/// Light on the dome of `mirrored` at (x, y), in green: from its formula and the height map, with the surface's own
-/// derivatives along u and v; `relief` 0 leaves the bumps out.
+/// Light on the dome of `mirrored` at (x, y), in green: from its formula and the height map, with
+/// the surface's own derivatives along u and v; `relief` 0 leaves the bumps out.
 fn on_dome(scene: &Scene, x: f64, y: f64, relief: f64) -> f64 {
     let (zx, zy) = (-1.2 * x * (1.0 - y * y), -1.2 * y * (1.0 - x * x));
     let normal = DVec3::new(-zx, -zy, 1.0).normalize();
@@ -80,7 +81,8 @@ fn on_dome(scene: &Scene, x: f64, y: f64, relief: f64) -> f64 {
     (diffuse.min(1.0) * f64::from(texel) + specular).min(1.0)
 }
 
-/// How the relief of a picture goes with that of the heights, on the left half and on the right one.
+/// How the relief of a picture goes with that of the heights, on the left half and on the right
+/// one.
 fn reliefs(scene: &Scene, picture: &Picture) -> [f64; 2] {
     let mut sums = [[0.0; 3]; 2];
     for (pixel, colour) in picture.pixels().iter().enumerate() {
@@ -108,12 +110,13 @@ fn mirrored_apart(a: &Picture, b: &Picture) -> f64 {
     count.filter(|(row, column)| differ(*row, *column)).count() as f64 / a.pixels().len() as f64
 }
 
-/// Both halves of the dome have the same texture, mirrored on the left: by handedness its bumps stand out on both, and
-/// the picture under a mirrored light is the mirrored picture. By the patent's rule, and without any, the left half is
-/// wrong.
+/// Both halves of the dome have the same texture, mirrored on the left: by handedness its bumps
+/// stand out on both, and the picture under a mirrored light is the mirrored picture. By the
+/// patent's rule, and without any, the left half is wrong.
 #[test]
 fn bumps_stand_out_on_both_halves() {
-    // A side at which no pixel is on the border of a texel: on one, a picture and its image in a mirror see either side.
+    // A side at which no pixel is on the border of a texel: on one, a picture and its image in a
+    // mirror see either side.
     let scene = small("mirrored", 194);
     let mut turned = scene.clone();
     let Place::Direction(light) = scene.lights[0].place else { panic!("a far light") };
@@ -205,8 +208,8 @@ fn arithmetic_and_algorithm_are_told_apart() {
     }
 }
 
-/// Meshes of the golden and of the flow have one arithmetic of texture coordinates: where every other pixel is on a
-/// border of texels, both see the same one.
+/// Meshes of the golden and of the flow have one arithmetic of texture coordinates: where every
+/// other pixel is on a border of texels, both see the same one.
 #[test]
 fn texels_on_borders_are_those_of_the_golden() {
     let rendered = set_up(&small("mirrored", 192), &BOTH[..1], &[]);
@@ -216,8 +219,8 @@ fn texels_on_borders_are_those_of_the_golden() {
     assert!(algorithm < 1.0, "{algorithm}");
 }
 
-/// An object has words of its own scale: a small dome in front of a plane 20000 times as large is as near to its
-/// flow as alone, and so are frames.
+/// An object has words of its own scale: a small dome in front of a plane 20000 times as large is
+/// as near to its flow as alone, and so are frames.
 #[test]
 fn a_small_object_beside_a_large_one_keeps_its_digits() {
     let text = |large: &str| {
@@ -289,7 +292,8 @@ fn strips_and_fans_are_set_up_as_lists() {
         Scene::parse(SHEET_SCENE, &folder.path().join("scene.toml")).unwrap()
     };
     let by_list = set_up(&scene(&gltf_of(&vertices, &[(4, Some(&list))])), &BOTH, &[]);
-    // A fan about the first vertex of the last row's first square, as one more draw: it is the strip's square again.
+    // A fan about the first vertex of the last row's first square, as one more draw: it is the
+    // strip's square again.
     let fan = [0u16, 1, 12, 11];
     let strip_scene = scene(&gltf_of(&vertices, &[(5, Some(&strip)), (6, Some(&fan))]));
     let by_strip = set_up(&strip_scene, &BOTH, &[]);
@@ -342,9 +346,9 @@ fn strips_and_fans_are_set_up_as_lists() {
     }
 }
 
-/// The polar and the Cartesian pipeline on frames of the set-up: as near to the golden as on frames in floating
-/// point, mirrored or not; and the patent's rule for mirrored textures is seen through them.
-/// An octahedron without normals, and with texture coordinates if they are asked for.
+/// The polar and the Cartesian pipeline on frames of the set-up: as near to the golden as on frames
+/// in floating point, mirrored or not; and the patent's rule for mirrored textures is seen through
+/// them. An octahedron without normals, and with texture coordinates if they are asked for.
 fn octahedron(uvs: bool) -> (tempfile::TempDir, Result<Scene, fixpath::error::Error>) {
     let folder = tempfile::tempdir().unwrap();
     let mut text = "v 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\n".to_owned();
@@ -363,8 +367,8 @@ fn octahedron(uvs: bool) -> (tempfile::TempDir, Result<Scene, fixpath::error::Er
     (folder, scene)
 }
 
-/// Without normals `tangent-faceted` alone shows facets of shared vertices; where another pipeline needs normals at
-/// vertices, all are held against the smooth surface.
+/// Without normals `tangent-faceted` alone shows facets of shared vertices; where another pipeline
+/// needs normals at vertices, all are held against the smooth surface.
 #[test]
 fn a_mesh_without_normals_is_faceted_where_nothing_needs_them() {
     let (_folder, scene) = octahedron(true);
@@ -552,12 +556,13 @@ fn triangle(design: &Design, row: &[i64]) -> [SharedVertex; 3] {
     })
 }
 
-/// On a triangle alone nothing is averaged, so the standard generator's tangent is the patent's, at right angles to N
-/// as `basis=orthonormal` has it, up to words and to its own `f32`. With a unit roundoff u = 2^-24, words are exact
-/// in `f32`, and so are edges. `dv2 e1 - dv1 e2` has two rounded products and their rounded difference, so an error of
-/// 2.1 u (|dv2| |e1| + |dv1| |e2|); `T - N (N·T)` and three normalisations take 24 u of |T|; both count more, the
-/// shorter the part of T across N is. That its N, of words, isn't of length 1 leaves of T a part
-/// (1 - |N|²) (N·T) along N. The unit's T is off by its stated bound.
+/// On a triangle alone nothing is averaged, so the standard generator's tangent is the patent's, at
+/// right angles to N as `basis=orthonormal` has it, up to words and to its own `f32`. With a unit
+/// roundoff u = 2^-24, words are exact in `f32`, and so are edges. `dv2 e1 - dv1 e2` has two
+/// rounded products and their rounded difference, so an error of 2.1 u (|dv2| |e1| + |dv1| |e2|);
+/// `T - N (N·T)` and three normalisations take 24 u of |T|; both count more, the shorter the part
+/// of T across N is. That its N, of words, isn't of length 1 leaves of T a part (1 - |N|²) (N·T)
+/// along N. The unit's T is off by its stated bound.
 #[test]
 fn lone_triangles_have_the_standard_tangent() {
     let design = Unit::find("tangent").unwrap().values::<&str>(&[]).unwrap().build().unwrap();
@@ -603,11 +608,12 @@ fn lone_triangles_have_the_standard_tangent() {
     }
 }
 
-/// On meshes handedness is that of the standard generator on every triangle. Its tangents are averaged per corner, over
-/// triangles that share vertex and handedness, each put at right angles to N and weighted by the corner's
-/// angle; the patent has one for each triangle. So its tangent is no farther from ours than ours of any of those
-/// triangles are from each other (a cone of less than half a turn holds every mean of vectors in it), and on a plane,
-/// where all are one, both agree. (On the sphere triangles at a pole meet in a fan, each with a tangent of its own.)
+/// On meshes handedness is that of the standard generator on every triangle. Its tangents are
+/// averaged per corner, over triangles that share vertex and handedness, each put at right angles
+/// to N and weighted by the corner's angle; the patent has one for each triangle. So its tangent is
+/// no farther from ours than ours of any of those triangles are from each other (a cone of less
+/// than half a turn holds every mean of vectors in it), and on a plane, where all are one, both
+/// agree. (On the sphere triangles at a pole meet in a fan, each with a tangent of its own.)
 #[test]
 fn meshes_have_the_standard_handedness() {
     let set = ["position_int_bits=2", "position_frac_bits=18", "uv_int_bits=3", "uv_frac_bits=17"];
@@ -683,7 +689,8 @@ fn meshes_have_the_standard_handedness() {
             let cone = others
                 .map(|other| corner.tangent.angle_between(corners[*other].tangent))
                 .fold(0.0, f64::max);
-            // Both ends of the cone are words; f32 is finer, but for N of words, which isn't of length 1.
+            // Both ends of the cone are words; f32 is finer, but for N of words, which isn't of
+            // length 1.
             let tolerance = 3.0 * stated + 2f64.powi(-13);
             assert!(angle <= cone + tolerance, "{name} {at}: {angle} > {cone} + {tolerance}");
             if ["plane", "cube"].contains(&name) {

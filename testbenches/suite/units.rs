@@ -193,7 +193,8 @@ fn a_proof_shrinks_widths_whatever_they_are_called() {
     assert_eq!(proofs.len(), 2);
 }
 
-/// Values of a parameter to sweep, as it reads them: names, ends of ranges and something between. Tables stay small.
+/// Values of a parameter to sweep, as it reads them: names, ends of ranges and something between.
+/// Tables stay small.
 fn some_values(param: &Param) -> Vec<String> {
     match &param.kind {
         Kind::Choice(names) => names.iter().map(ToString::to_string).collect(),
@@ -210,7 +211,8 @@ fn some_values(param: &Param) -> Vec<String> {
     }
 }
 
-/// Points of a sweep over a parameter: how many, and those whose figures aren't those that they have alone.
+/// Points of a sweep over a parameter: how many, and those whose figures aren't those that they
+/// have alone.
 fn apart(unit: &Unit, setting: &[String], param: &Param) -> (usize, Vec<String>) {
     let inputs = Inputs { sampler: Sampler::Lit, samples: 300, seed: 5 };
     let design = |value: String| {
@@ -480,8 +482,8 @@ fn what_is_read_and_not_there_is_an_error() {
     );
 }
 
-/// Formats by name, of any sort: a design or an error, no panic; the engines agree on what is built; and a name that
-/// isn't there is refused with the nearest.
+/// Formats by name, of any sort: a design or an error, no panic; the engines agree on what is
+/// built; and a name that isn't there is refused with the nearest.
 #[test]
 fn formats_of_nodes_are_taken_or_refused() {
     let formats = [
@@ -646,7 +648,8 @@ fn a_coarser_node_is_worse_and_is_told() {
     assert!(matches!(&coarse.bounds, Bounds::Unstated(_)));
 }
 
-/// A netlist's file in place of a unit: its words are the unit's, its total error is its arithmetic error.
+/// A netlist's file in place of a unit: its words are the unit's, its total error is its arithmetic
+/// error.
 #[test]
 fn a_netlist_stands_for_a_unit() {
     let netlist = Unit::find("rotation")

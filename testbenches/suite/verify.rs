@@ -16,8 +16,8 @@ use std::time::Duration;
 /// What a design is put through.
 #[derive(Clone, Copy)]
 enum Effort {
-    /// Every tool: 10^6 random vectors in Verilator, 10^3 in Icarus and GHDL; recorded, 10^4 in those
-    /// and the proof by Yosys.
+    /// Every tool: 10^6 random vectors in Verilator, 10^3 in Icarus and GHDL; recorded, 10^4 in
+    /// those and the proof by Yosys.
     Long,
     /// As that, with 10^5 in Verilator.
     Normal,

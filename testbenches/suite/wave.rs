@@ -203,7 +203,8 @@ fn angle_errors_are_those_that_sim_measures() {
     assert!(directions >= 8, "{directions}");
 }
 
-/// In its own cycle: a direction at the pole that should be at the equator is 90° off, and it alone.
+/// In its own cycle: a direction at the pole that should be at the equator is 90° off, and it
+/// alone.
 #[test]
 fn an_angle_error_is_in_the_cycle_of_its_result() {
     let design = design(&["variant=printed"]);
@@ -276,8 +277,8 @@ fn errors_are_found_by_their_name() {
     }
 }
 
-/// GTKWave takes the name of the waves from the first quote of their line to the last; a name that is no line is left
-/// out, and the rest stays as it is.
+/// GTKWave takes the name of the waves from the first quote of their line to the last; a name that
+/// is no line is left out, and the rest stays as it is.
 #[test]
 fn save_files_name_the_waves_in_one_line() {
     let design = Unit::find("rotation").unwrap().defaults().build().unwrap();
@@ -469,7 +470,8 @@ fn gtkwave_decodes_words_as_the_save_file_tells_it() {
     let (reference, _) = netlist.eval(&rows[0]).unwrap();
     let x = netlist.outputs()[0].node;
     let value = netlist.node(x).format.value(reference[x.index()]);
-    // A signed word by its fixed-point shift, a real twin, and an unsigned angle in turns and degrees.
+    // A signed word by its fixed-point shift, a real twin, and an unsigned angle in turns and
+    // degrees.
     assert_eq!(number("x[1:-16]"), value);
     assert_eq!(number("x_value"), value);
     assert_eq!(number("phi_a[15:0]"), 65_000.0 / 65_536.0);

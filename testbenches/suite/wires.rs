@@ -94,7 +94,8 @@ fn operators_are_the_builders_operations() {
     check(&by_wires, 1, 300).unwrap();
 }
 
-/// A real number beside a wire is the constant of exactly its value, in the smallest format that has it.
+/// A real number beside a wire is the constant of exactly its value, in the smallest format that
+/// has it.
 #[test]
 fn constants_are_exact() {
     let cases = [
@@ -301,7 +302,8 @@ fn nodes_have_stable_names() {
     assert!(!plain.to_text().contains("inner.narrow_2"));
 }
 
-/// One format is overridden: that node has it, all others keep theirs, and formats behind it follow.
+/// One format is overridden: that node has it, all others keep theirs, and formats behind it
+/// follow.
 #[test]
 fn a_format_by_name_changes_that_node() {
     let plain = recipe(&Overrides::default()).unwrap();

@@ -109,8 +109,7 @@ pub(crate) fn bit_of(b: &mut Builder, a: NodeId, appended: u32, i: u32) -> NodeI
 pub(crate) fn word_of(b: &mut Builder, bits: &[NodeId]) -> NodeId {
     let Some((first, rest)) = bits.split_first() else {
         b.fail(Error::usage(
-            "formats given by name leave a result without bits: give finer ones"
-                .to_owned(),
+            "formats given by name leave a result without bits: give finer ones".to_owned(),
         ));
         return b.constant(0, Format::FLAG);
     };
