@@ -8,9 +8,9 @@
 //! 2^channel_bits - 1. Differences and their sum are signed and as wide as needed; only the result
 //! is clamped.
 //!
-//! A bilinear sample is three linear interpolations, top and bottom along a and then along b: `p +
-//! x (q - p)`, each rounded to `guard_bits`. An interpolated value lies between its ends, so the
-//! error of an earlier interpolation isn't amplified.
+//! A bilinear sample is three linear interpolations, top and bottom along a and then along b:
+//! `p + x (q - p)`, each rounded to `guard_bits`. An interpolated value lies between its ends, so
+//! the error of an earlier interpolation isn't amplified.
 
 use super::parts::plan::rounding_ulp;
 use super::sampler::{clamped, filter, fraction_bits};

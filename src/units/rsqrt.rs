@@ -98,7 +98,8 @@ impl<'a> Root<'a> {
         let scheme = self.values.choice("root_scheme");
         let addr_bits = self.values.bits("root_addr_bits");
         let newton = (scheme == NEWTON).then_some(frac_bits + GUARD_BITS);
-        // A Newton step doubles the number of correct bits, so the table needs no more than that.
+        // A Newton step doubles the number of correct bits, so the table's words hold only as many
+        // bits as a table of this size gets right.
         let most = frac_bits + GUARD_BITS;
         let table_bits = if newton.is_some() { most.min(addr_bits + 3) } else { most };
         let kept_bits = kept_bits(self.values);

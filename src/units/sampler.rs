@@ -140,7 +140,7 @@ fn design(values: &Values) -> Result<Design> {
         .bounds(Bounds::Stated(bounds)))
 }
 
-/// A word clamped to 0 to `last`, by two comparisons and two multiplexers.
+/// A word clamped to 0 to `last`, by a comparator and two multiplexers.
 pub(super) fn clamped(b: &mut Builder, word: NodeId, last: NodeId) -> NodeId {
     let zero = b.constant(0, Format::FLAG);
     let above = b.less(last, word);

@@ -551,6 +551,6 @@ fn relative_errors_of_small_results_are_relative() {
     let stated = bound("r_relative").bound;
     assert!(worst <= stated && stated <= 2.0 * worst, "{worst:e} {stated:e}");
     assert_eq!(bound("r_relative").over.as_deref(), Some("the result"));
-    assert_eq!(bound("r_scaled").over.as_deref(), Some("the result, or 1 where it is less"));
+    assert_eq!(bound("r_scaled").over.as_deref(), Some("the result, at least 1"));
     assert_eq!(bound("r").over, None);
 }

@@ -128,7 +128,7 @@ impl<'a> Machine<'a> {
         };
         let two = |a: Operand, b: Operand| {
             let (a, b) = (self.operand(a), self.operand(b));
-            assert_eq!(a.1, b.1, "what {} compares", to.name);
+            assert_eq!(a.1, b.1, "operands that {} compares", to.name);
             (a.0, b.0, a.1)
         };
         let value = |id: WordId| {

@@ -209,7 +209,7 @@ fn tables_of_every_word_are_correctly_rounded() {
                 for (raw, x, word) in sweep(&tabulated) {
                     let mut exact = target(&tabulated, x) * scale;
                     if quarter_wave && exact == tabulated.output.min_raw() as f64 {
-                        exact += 1.0; // folding stores magnitudes, and this word's isn't representable
+                        exact += 1.0; // folding stores magnitudes; this one doesn't fit
                     }
                     let distance = (word as f64 - exact).abs();
                     assert!(

@@ -203,7 +203,7 @@ fn a_reset_forgets_samples() {
         given
     };
     assert_eq!(results(&mut cycle, &[1, 2, 4, 8]), [1, 2, 3, 6]);
-    assert_eq!(results(&mut cycle, &[16]), [12], "words stay where nothing comes");
+    assert_eq!(results(&mut cycle, &[16]), [12], "words stay until new ones come");
     cycle.reset();
     assert_eq!(results(&mut cycle, &[16, 3]), [16, 3]);
     let mut state = State::new(&netlist);
@@ -338,7 +338,7 @@ fn words_are_bound_once_and_checked() {
     let netlist = mixed();
     let words: Arc<[i64]> = (0..16).map(|i| i * 7 - 50).collect();
     let bound = netlist.bind("map", &[Arc::clone(&words)]).unwrap();
-    assert!(bound == netlist, "what is bound is no part of the datapath");
+    assert!(bound == netlist, "bound words are not part of the datapath");
     assert!(bound.unbound() == netlist && bound.unbound().eval(&[0, 0, 0]).is_err());
     let y = bound.outputs()[0].node;
     for u in 0..16 {

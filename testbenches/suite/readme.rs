@@ -64,7 +64,7 @@ struct Part {
 
 impl Part {
     fn json(&self) -> &Json {
-        self.all.pointer(&self.at).expect("made for a part that is there")
+        self.all.pointer(&self.at).expect("made only for an existing part")
     }
 
     /// The parts of `part` that were read, with the command and the version that produced it.

@@ -1,8 +1,8 @@
 //! Results of slow tools, kept by the digest of all their inputs.
 //!
 //! A tool gives the same result for the same input. `testbenches/records.json` holds, by name, the
-//! digest of an input and its result. A run is repeated if its input has changed. `testbenches/run
-//! --long` always repeats it, and compares. FIXPATH_BLESS=1 rewrites the file.
+//! digest of an input and its result. A run is repeated if its input has changed.
+//! `testbenches/run --long` always repeats it, and compares. FIXPATH_BLESS=1 rewrites the file.
 
 use fixpath::outside::Tool;
 use serde_json::{Map, Value, json};

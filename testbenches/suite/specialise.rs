@@ -291,7 +291,7 @@ fn operations() -> Vec<(&'static str, Build)> {
     ]
 }
 
-/// Results that are exactly the reachable ones where single intervals make that cheap.
+/// Operations whose result ranges are exact, where single intervals make that cheap.
 const EXACT_ENDS: &[&str] = &[
     "add",
     "sub",

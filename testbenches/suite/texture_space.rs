@@ -560,10 +560,10 @@ fn triangle(design: &Design, row: &[i64]) -> [SharedVertex; 3] {
 /// On a single triangle nothing is averaged. So the standard generator's tangent is the patent's,
 /// at right angles to N as with `basis=orthonormal`, up to the words and its own `f32`. The unit
 /// roundoff is u = 2^-24. Words are exact in `f32`, and so are edges. `dv2 e1 - dv1 e2` has two
-/// rounded products and a rounded difference: an error of 2.1 u (|dv2| |e1| + |dv1| |e2|). `T - N
-/// (N·T)` and three normalisations take 24 u of |T|. Both count more, the shorter the part of T
-/// across N is. As its N, from words, doesn't have length 1, a part (1 - |N|²) (N·T) of T along N
-/// remains. The unit's T is off by its stated bound.
+/// rounded products and a rounded difference: an error of 2.1 u (|dv2| |e1| + |dv1| |e2|).
+/// `T - N (N·T)` and three normalisations take 24 u of |T|. Both count more, the shorter the part
+/// of T across N is. As its N, from words, doesn't have length 1, a part (1 - |N|²) (N·T) of T
+/// along N remains. The unit's T is off by its stated bound.
 #[test]
 fn lone_triangles_have_the_standard_tangent() {
     let design = Unit::find("tangent").unwrap().values::<&str>(&[]).unwrap().build().unwrap();

@@ -174,7 +174,7 @@ fn odd() -> Unit {
         .param(Param::bits("breadth", 2..=12).default(12))
         .param(Param::int("only_told_bits", 0..=99).role(Role::Label).default(99))
         .design(|values| {
-            assert_eq!(values.int("only_told_bits"), Some(99), "told alone, it is no width");
+            assert_eq!(values.int("only_told_bits"), Some(99), "a label isn't a width");
             let mut b = Builder::new("odd");
             let format = Format::unsigned(values.bits("breadth"), 0)?;
             let input = b.input("a", format, Quantity::Number);

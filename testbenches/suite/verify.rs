@@ -376,7 +376,7 @@ mod commands {
             assert_eq!((code, stderr.as_str()), (0, ""));
             let files = contents(&out);
             for name in files.keys() {
-                assert!(told.contains(&format!("  {name}")), "{name} is not told: {told}");
+                assert!(told.contains(&format!("  {name}")), "{name} is not reported: {told}");
             }
             files
         });

@@ -9,10 +9,10 @@
 //!   B are not normalised. The normal isn't used. Here T displaces s and B displaces t. In that
 //!   console's own API the vector of s is the *second* of a vertex's N, B, T, and it belongs at
 //!   port `tangent`.
-//! - `setting=nv`, `GL_NV_texgen_emboss`: T and BN of [`super::basis`], `Es = PCTs + Ks (L·BN)/|L|
-//!   PCTq, Et = PCTt - Kt (L·T)/|L| PCTq`; r and q pass through. L points to the light, and CT
-//!   along growing t. BN = N × CT then points against growing s, and both displacements lead away
-//!   from the light.
+//! - `setting=nv`, `GL_NV_texgen_emboss`: T and BN of [`super::basis`],
+//!   `Es = PCTs + Ks (L·BN)/|L| PCTq, Et = PCTt - Kt (L·T)/|L| PCTq`; r and q pass through. L
+//!   points to the light, and CT along growing t. BN = N × CT then points against growing s, and
+//!   both displacements lead away from the light.
 //!
 //! The parameters `light`, `source` and `destination` name the light and the coordinates that the
 //! ports stand for, for the report of `fixpath texgen`. No word depends on them.

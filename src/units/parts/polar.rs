@@ -61,7 +61,8 @@ pub(crate) fn cordic(
     cx = fit(b, cx);
     cy = fit(b, cy);
 
-    let turns = b.checked(Format::signed_turns(angle_bits)); // -½ <= angle < ½; the sum of all steps is below 0.28
+    // -½ <= angle < ½; the sum of all steps is below 0.28.
+    let turns = b.checked(Format::signed_turns(angle_bits));
     let one = b.constant(1, Format::FLAG);
     let step_of = |i: i32| {
         let turns = libm::atan(2f64.powi(-i)) / TAU;

@@ -21,8 +21,8 @@
 //!
 //! # What the patent prints, and what is wrong
 //!
-//! - **Mirrored textures.** (dP/du, dP/dv, N) is right-handed if det > 0 and left-handed if det <
-//!   0. If det < 0, N x T points along -dP/dv. The patent negates the tangent there
+//! - **Mirrored textures.** (dP/du, dP/dv, N) is right-handed if det > 0 and left-handed if det
+//!   < 0. If det < 0, N x T points along -dP/dv. The patent negates the tangent there
 //!   (`mirror=printed`): then B points along dP/dv, and T along -dP/du. A map [T; N x T; N] is
 //!   right-handed for any T, so no sign of T makes both right: it only moves the fault from one
 //!   axis to the other. Bumps along u are then lit from the wrong side; with `mirror=off`, bumps

@@ -34,9 +34,9 @@ impl Switches {
         }
     }
 
-    /// Which rows of the map change their sign where the texture is mirrored. T comes from `dv2 e1
-    /// - dv1 e2`, which already has the sign of det. B comes from `N x` that or from `du1 e2 - du2
-    /// e1`, and N from `e1 x e2`.
+    /// Which rows of the map change their sign where the texture is mirrored. T comes from
+    /// `dv2 e1 - dv1 e2`, which already has the sign of det. B comes from `N x` that or from
+    /// `du1 e2 - du2 e1`, and N from `e1 x e2`.
     pub(super) fn turned(self) -> [bool; 3] {
         let t = self.mirror != Mirror::Printed;
         match (self.faceted, self.orthonormal) {
