@@ -39,8 +39,8 @@ pub(super) const LEAST: f64 = 0.25;
 /// With v the exact vector, u the direction of L and k the factor, the displacement is k v·u. In
 /// words, v' is off by `vector` + `vector_share |v|`. The block-normalised w', at least ½ long,
 /// points along u' with |u' - u| <= `direction`. Its reciprocal length is at most 2 and has the
-/// relative error `length`. The dot product is off by `dot`. So `d' - d = (1 + length)((v' -
-/// v)·u' + v·(u' - u)) + length v·u + 2 (1 + length) dot`.
+/// relative error `length`. The dot product is off by `dot`. So
+/// `d' - d = (1 + length)((v' - v)·u' + v·(u' - u)) + length v·u + 2 (1 + length) dot`.
 struct Errors {
     /// Maximum length of v.
     longest: f64,
