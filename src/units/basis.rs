@@ -1,9 +1,9 @@
-//! The vectors of `GL_NV_texgen_emboss`: from a normal and a tangent to a binormal and a tangent at
-//! right angles to it.
+//! The vectors of `GL_NV_texgen_emboss`: a normal and a tangent give a binormal and a tangent, at
+//! right angles to the normal and to each other.
 //!
-//! `B = N x CT, BN = B/|B|, T = BN x N`. CT may be of any length, since BN doesn't depend on it: the
-//! specification's normalisation of CT needs no hardware. Where N is parallel to CT, or one of them is 0, B is
-//! 0: then BN and T are 0, which displaces nothing, and `degenerate` is 1.
+//! `B = N x CT, BN = B/|B|, T = BN x N`. CT may have any length: BN doesn't depend on it, so the
+//! normalisation of CT in the specification needs no hardware. If N is parallel to CT, or either is
+//! 0, then B = 0. In that case BN and T are 0, nothing is displaced, and `degenerate` is 1.
 
 use super::cross::cross;
 use super::dot::vector_ports;
@@ -24,7 +24,7 @@ pub fn unit() -> Unit {
     Unit::new("basis", "binormal and tangent from normal and tangent: N x CT, normalised, x N")
         .source("GL_NV_texgen_emboss, section 2.10.4")
         .formula(
-            "B = N x CT; BN = B/|B|; T = BN x N; both 0 where B is 0",
+            "B = N x CT; BN = B/|B|; T = BN x N; both 0 if B is 0",
         )
         .params([
             component_bits(),
@@ -36,7 +36,7 @@ pub fn unit() -> Unit {
             root_frac_bits(),
             Param::rounding("rounding"),
         ])
-        .inputs("normal_x … normal_z: N in eye space; ct_x … ct_z: CT there, of any length; all from -2 to 2")
+        .inputs("normal_x … normal_z: N in eye space; ct_x … ct_z: CT in eye space, of any length; all from -2 to 2")
         .outputs("t_x … t_z: T; bn_x … bn_z: BN; degenerate: 1 where N is parallel to CT, and T and BN are 0")
         .design(design)
 }
@@ -44,46 +44,46 @@ pub fn unit() -> Unit {
 pub(super) fn component_bits() -> Param {
     Param::bits("component_bits", 2..=24)
         .default(16)
-        .help("bits of the components of vectors, signed, from -2 to 2")
+        .help("bits of vector components, signed, from -2 to 2")
 }
 
 pub(super) fn guard_bits() -> Param {
     Param::bits("guard_bits", 0..=8)
         .default(4)
-        .help("extra fraction bits of the vectors that come of them")
+        .help("extra fraction bits of vectors computed from these components")
 }
 
 pub(super) fn dot_frac_bits() -> Param {
     Param::bits("dot_frac_bits", 2..=24)
         .default(20)
-        .help("fraction bits of dot products, where the exact ones have more")
+        .help("fraction bits of dot products, which are rounded to these")
 }
 
-/// Format of the components of vectors.
+/// Format of vector components.
 pub(super) fn component(values: &Values) -> Result<Format> {
     let bits = values.bits("component_bits");
     Format::signed(bits, cast::signed_count(bits) - 2)
 }
 
-/// Fraction bits of vectors that come of components.
+/// Fraction bits of vectors computed from components.
 pub(super) fn vector_frac_bits(values: &Values) -> i32 {
     cast::signed_count(values.bits("component_bits") + values.bits("guard_bits")) - 2
 }
 
-/// A word in fewer fraction bits, if it has more; nothing overflows.
+/// Rounds a word to `frac_bits` fraction bits if it has more. Nothing overflows.
 pub(super) fn rounded(b: &mut Builder, exact: NodeId, frac_bits: i32, round: Round) -> NodeId {
     let format = b.format(exact);
     if format.frac_bits() <= frac_bits {
         return exact;
     }
-    // One more whole bit for a carry.
+    // One more integer bit for a carry.
     let bits = format.int_bits() + 1 + frac_bits + i32::from(format.is_signed());
     let format = Format::new(format.is_signed(), bits.max(1).unsigned_abs(), frac_bits);
     let format = b.checked(format);
     b.narrow(exact, format, round, Overflow::Saturate)
 }
 
-/// T, BN and the flag for B = 0, which is only known where B is normalised; else T = B x N.
+/// T, BN and the flag for B = 0. The flag exists only if B is normalised; otherwise BN = B.
 pub(super) fn frame(
     b: &mut Builder,
     root: &mut Root<'_>,
@@ -93,7 +93,7 @@ pub(super) fn frame(
     let (frac_bits, round) = (vector_frac_bits(root.values), root.round);
     let exact = cross(b, "n_cross_ct", n, ct);
     let (bn, zero) = if normalise {
-        // -2 to 2: 1 has a code.
+        // -2 to 2: 1 is representable.
         let format = Format::signed((frac_bits + 2).unsigned_abs(), frac_bits)?;
         let (bn, zero) = unit_vector(b, root, "bn", exact, format)?;
         (bn, Some(zero))
@@ -105,7 +105,7 @@ pub(super) fn frame(
     Ok((t, bn, zero))
 }
 
-/// Length of the error of a unit vector: a share for its direction and length, and the roundings.
+/// Length of the error of a unit vector: from its direction, from its length, and from rounding.
 pub(super) fn unit_error(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
     let length = length_error(values, worst);
     direction_error(values) * (1.0 + length) + length + vector_rounding(values)
@@ -116,7 +116,7 @@ pub(super) fn vector_rounding(values: &Values) -> f64 {
     3f64.sqrt() * rounding_ulp(values) * 2f64.powi(-vector_frac_bits(values))
 }
 
-/// The most that N may be long, in words from -2 to 2.
+/// The greatest length of N with components from -2 to 2.
 pub(super) fn longest() -> f64 {
     2.0 * 3f64.sqrt()
 }
@@ -163,7 +163,7 @@ fn design(values: &Values) -> Result<Design> {
         .tabulated(tabulated))
 }
 
-/// T, BN and whether B is 0, of the golden.
+/// The golden model's T and BN, and whether B is 0.
 pub(super) fn golden_frame<F: Real>(
     n: [F; 3],
     ct: [F; 3],
@@ -178,7 +178,7 @@ pub(super) fn golden_frame<F: Real>(
     (cross(bn, n), bn, zero)
 }
 
-/// A vector over its length; 0 stays 0.
+/// A vector divided by its length; 0 stays 0.
 pub(super) fn golden_unit<F: Real>(v: [F; 3]) -> [F; 3] {
     let length = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
     if length > F::zero() { v.map(|x| x / length) } else { v }

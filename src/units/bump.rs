@@ -1,14 +1,15 @@
 //! The whole bump mapping unit of Lee et al., Fig. 8: two rotations and the illumination unit.
 //!
 //! The light L and the halfway vector H are rotated into the frame of the normal N. The perturbed
-//! normal N', which comes from the bump vector map in the texture frame, is turned by psi about N
-//! into the same frame: one adder for both dot products, where turning L' and H' would take two.
-//! Then come the dot products and the light tables. Pipelines:
+//! normal N', which the bump vector map gives in the texture frame, is turned by psi about N into
+//! the same frame. That takes one adder for both dot products; turning L' and H' would take two.
+//! The dot products and the light tables follow. Pipelines:
 //!
 //! - `printed`: rotation and illumination as the paper prints them;
-//! - `corrected`: both with their identities mended;
-//! - `exact-polar`: the exact rotation, converted to polar form, and the mended illumination;
-//! - `exact-cartesian`: the exact rotation in components and their dot product, N' in components.
+//! - `corrected`: both with their identities corrected;
+//! - `exact-polar`: the exact rotation, converted to polar form, and the corrected illumination;
+//! - `exact-cartesian`: the exact rotation in Cartesian components, a Cartesian dot product, and N'
+//!   in components.
 
 use super::illumination::{
     self, DOTS, Light, cartesian_dot, components, corrected_dot_bound, diffuse_bound,
@@ -40,9 +41,9 @@ pub fn unit() -> Unit {
             Param::choice("pipeline", ["printed", "corrected", "exact-polar", "exact-cartesian"])
                 .role(Role::Pipeline)
                 .default("exact-polar")
-                .help("as the paper prints it, mended, or the exact rotation with polar or Cartesian dot products"),
+                .help("as the paper prints it, with its identities corrected, or the exact rotation with polar or Cartesian dot products"),
             Param::choice("conversion", ["table", "cordic"])
-                .help("how exact-polar goes from components to angles"),
+                .help("how exact-polar converts components to angles"),
             plan::angle_bits(),
             plan::table_addr_bits(),
             Param::scheme("scheme"),
@@ -155,7 +156,7 @@ fn design(values: &Values) -> Result<Design> {
     let bounds = match pipeline {
         "exact-polar" | "exact-cartesian" => stated(values),
         _ => Bounds::unstated(
-            "asin, 1/sin and 1/cos have infinite slopes, which no word length bounds; each table's own error is stated",
+            "asin, 1/sin and 1/cos have infinite slopes, so no word length bounds the error; each table's own error is stated",
         ),
     };
     Ok(Design::new(values, netlist)
@@ -183,7 +184,7 @@ fn turned(
     let products = |b: &mut Builder, u, v| (b.mul(u, cos), b.mul(v, sin));
     let (xc, ys) = products(b, x, y);
     let (yc, xs) = products(b, y, x);
-    let (tx, ty) = (b.sub(xc, ys), b.add(yc, xs)); // below 2 sqrt 2, but for table error
+    let (tx, ty) = (b.sub(xc, ys), b.add(yc, xs)); // below 2 sqrt 2, except for table error
     let work = number(2, plan.work_bits)?;
     let word = |b: &mut Builder, node, name| {
         let word = b.narrow(node, work, plan.round, Overflow::Saturate);
@@ -195,7 +196,7 @@ fn turned(
 /// Bounds of the exact pipelines.
 fn stated(values: &Values) -> Bounds {
     let polar = values.choice("pipeline") == "exact-polar";
-    // With a highlight those of H', too.
+    // With a highlight, those of H' too.
     let of = |all: &'static [&'static str]| {
         if values.flag("highlight") { all } else { &all[..all.len() / 2] }
     };
@@ -219,7 +220,7 @@ fn angle_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
     rotation::polar_bound(values, worst, values.choice("conversion") == "cordic")
 }
 
-/// Of N'·A: that of the rotated vector's error, and the illumination unit's.
+/// Bound on N'·A: from the error of the rotated vector, plus that of the illumination unit.
 fn dot_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
     let ulp = |bits: u32| 2f64.powi(-cast::signed_count(bits));
     let rounding = rounding_ulp(values);
@@ -228,16 +229,16 @@ fn dot_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
         // A dot product of unit vectors changes by no more than the angle.
         return angle_bound(values, worst).min(2.0) + corrected_dot_bound(worst) + last;
     }
-    // Words of N' need not be a unit vector: its components are at most 2 in magnitude.
+    // N' as words may not be a unit vector: its components are at most 2 in magnitude.
     let (length, across) = (2.0 * 3f64.sqrt(), 2.0 * 2f64.sqrt());
     let rotated = 3f64.sqrt() * rotation::component_bound(values, worst);
-    // Each of two components: |x| + |y| times the table's error, and one rounding.
+    // Error of each of two components: |x| + |y| times the table's error, and one rounding.
     let work = values.bits("frac_bits") + values.bits("guard_bits");
     let turned = 2f64.sqrt() * (2f64.sqrt() * across * worst("sincos") + rounding * ulp(work));
     length * rotated + (1.0 + rotated) * turned + last
 }
 
-/// The golden model: matrices of the rotations, dot products of components, the reflection formula.
+/// The golden model: rotation matrices, Cartesian dot products, the reflection formula.
 fn golden<F: Real>(values: &Values) -> Golden<F> {
     let highlight = values.flag("highlight");
     let vectors = if highlight { 2 } else { 1 };

@@ -1,15 +1,16 @@
-//! The texture combiner of the emboss family: a bump as the difference of two samples of a height map.
+//! The texture combiner of the emboss family: a bump is the difference of two height map samples.
 //!
-//! `out = clamp(diffuse + Σ (h(S0, T0) - h(S1, T1)) · 2^gain_log2)`, for each channel and over the lights
-//! (US 6,980,218: the undisplaced sample less the displaced one; each light has its own displaced
-//! one). Where displacements lead away from the light, as in `GL_NV_texgen_emboss` and with the patents' own sign of L,
-//! the displaced sample less the undisplaced one is the emboss that is bright toward it:
-//! `difference=displaced-undisplaced`. Texels and channels are codes of `channel_bits`, 0 to 2^channel_bits - 1; differences and their
-//! sum are signed and as wide as they need be; only the result is clamped.
+//! `out = clamp(diffuse + Σ (h(S0, T0) - h(S1, T1)) · 2^gain_log2)`, for each channel, summed over
+//! the lights (US 6,980,218: the undisplaced sample less the displaced one; each light has its own
+//! displaced sample). `GL_NV_texgen_emboss` and the patents' own sign of L displace away from the
+//! light. There the displaced sample less the undisplaced one is bright toward the light:
+//! `difference=displaced-undisplaced`. Texels and channels are codes of `channel_bits`, 0 to
+//! 2^channel_bits - 1. Differences and their sum are signed and as wide as needed; only the result
+//! is clamped.
 //!
 //! A bilinear sample is three linear interpolations, top and bottom along a and then along b:
-//! `p + x (q - p)`, rounded to `guard_bits` each. An interpolation lies between its ends, so an error of an
-//! earlier one is passed on at most.
+//! `p + x (q - p)`, each rounded to `guard_bits`. An interpolated value lies between its ends, so
+//! the error of an earlier interpolation isn't amplified.
 
 use super::parts::plan::rounding_ulp;
 use super::sampler::{clamped, filter, fraction_bits};
@@ -35,39 +36,39 @@ pub fn unit() -> Unit {
             filter(),
             Param::int("lights", 1..=MAX_LIGHTS)
                 .role(Role::Count)
-                .help("displaced samples, one for each light"),
+                .help("number of displaced samples, one for each light"),
             Param::choice("difference", ["undisplaced-displaced", "displaced-undisplaced"])
-                .help("which sample is taken from which: the first for displacements toward the light, the other for those away from it"),
+                .help("sign of the difference: undisplaced-displaced for displacements toward the light, the other for displacements away from it"),
             Param::bits("channel_bits", 1..=16)
                 .default(8)
-                .help("bits of texels and of the channels of light, in and out"),
+                .help("bits of texels and of the light's channels, in and out"),
             fraction_bits(),
             Param::bits("guard_bits", 0..=16)
                 .default(4)
-                .help("fraction bits that an interpolated height keeps (bilinear)"),
-            Param::int("gain_log2", -8..=8).default(0).help("differences count 2^gain_log2 times"),
+                .help("fraction bits of interpolated heights (bilinear)"),
+            Param::int("gain_log2", -8..=8).default(0).help("differences are multiplied by 2^gain_log2"),
             Param::rounding("rounding"),
         ])
         .inputs("h and d0 … d7: texels of the undisplaced sample and of each light's displaced one (nearest); or h_00, h_10, h_01, h_11 (column 0 or 1, then row), h_a, h_b (fractions), and likewise d0_00 … d7_b (bilinear); r, g, b: diffuse light")
-        .outputs("out_r, out_g, out_b: codes like those of the texels, clamped")
+        .outputs("out_r, out_g, out_b: codes as for texels, clamped")
         .design(design)
 }
 
-/// Most lights: as many as an API of the patent counts, 0 to 7.
+/// Maximum number of lights: the patent's API counts them from 0 to 7.
 const MAX_LIGHTS: i64 = 8;
 
-/// Texels of a bilinear sample by column and row, and its fractions, as ports end.
+/// Suffixes of the ports of a bilinear sample: its texels by column and row, and its fractions.
 const CORNERS: [&str; 4] = ["00", "10", "01", "11"];
 const FRACTIONS: [&str; 2] = ["a", "b"];
 const CHANNELS: [&str; 3] = ["r", "g", "b"];
 const OUTPUTS: [&str; 3] = ["out_r", "out_g", "out_b"];
 
-/// True if the undisplaced sample is taken from the displaced ones.
+/// True if the undisplaced sample is subtracted from the displaced ones.
 fn is_reversed(values: &Values) -> bool {
     values.choice("difference") == "displaced-undisplaced"
 }
 
-/// Names of the samples: the undisplaced one, and that of each light.
+/// Names of the samples: the undisplaced one, then one for each light.
 fn samples(values: &Values) -> Vec<String> {
     let lights = values.bits("lights");
     std::iter::once("h".to_owned()).chain((0..lights).map(|light| format!("d{light}"))).collect()
@@ -118,7 +119,7 @@ fn design(values: &Values) -> Result<Design> {
     let relief = b.shift(relief, gain.expect("bug: a small number"));
     let last = b.constant(code.max_raw(), code);
     let out = diffuse.map(|channel| {
-        let sum = b.add(channel, relief); // signed: a difference of codes is
+        let sum = b.add(channel, relief); // signed, as a difference of codes
         let format = b.format(sum);
         let whole = format.int_bits().unsigned_abs() + 2; // one for rounding up, one for the sign
         let format = Format::signed(whole, 0);
@@ -138,32 +139,33 @@ fn design(values: &Values) -> Result<Design> {
         .bounds(Bounds::Stated(vec![Bound::new("channel", OUTPUTS, channel_bound)])))
 }
 
-/// `p + x (q - p)`, rounded to the guard bits where it has more.
+/// `p + x (q - p)`, rounded to `guard_bits` fraction bits if it has more.
 fn lerp(b: &mut Builder, values: &Values, [p, q]: [NodeId; 2], x: NodeId) -> Result<NodeId> {
     let step = b.sub(q, p);
     let part = b.mul(step, x);
     let exact = b.add(p, part);
-    // Between p and q, so not negative and below 2^channel_bits, also when rounded up.
+    // Between p and q, so not negative and below 2^channel_bits, even when rounded up.
     let frac = values.bits("guard_bits").min(b.format(exact).frac_bits().unsigned_abs());
     let between = Format::unsigned(values.bits("channel_bits") + frac, cast::signed_count(frac))?;
     Ok(b.narrow(exact, between, values.rounding("rounding"), Overflow::Wrap))
 }
 
-/// Up to two roundings of each sample and the last one, in codes.
+/// Bound in codes: up to two roundings of each sample, and the last one.
 fn channel_bound(values: &Values, _: &dyn Fn(&str) -> f64) -> f64 {
     let gain_log2 = values.int("gain_log2").expect("bug: no auto here");
     let gain = 2f64.powi(i32::try_from(gain_log2).expect("bug: a small number"));
     let guard = values.bits("guard_bits");
     let (roundings, frac_bits) = match (values.choice("filter"), values.bits("fraction_bits")) {
         ("nearest", _) => (0, 0),
-        // Along a the exact result has the fraction's bits, along b these and what was kept before.
+        // Along a, the exact result has the bits of the fraction; along b, those plus the bits kept
+        // after a.
         (_, along) => {
             let both = along.min(guard) + along;
             (u8::from(along > guard) + u8::from(both > guard), both.min(guard))
         }
     };
-    // A rounding is off by up to half an ulp to either side, or up to an ulp to one: those of two
-    // samples differ by an ulp either way.
+    // A rounding is off by up to half an ulp to either side, or by up to one ulp to one side: the
+    // errors of two samples differ by at most one ulp in either case.
     let ulp = 2f64.powi(-cast::signed_count(guard));
     let relief = f64::from(values.bits("lights")) * gain * f64::from(roundings) * ulp;
     let is_whole = i64::from(frac_bits) <= gain_log2;
@@ -201,7 +203,7 @@ fn golden<F: Real>(values: &Values) -> Golden<F> {
     })
 }
 
-/// Codes and fractions uniform.
+/// Uniform codes and fractions.
 fn draw(_: &Values, ports: &InputPorts<'_>) -> Draw {
     let formats: Vec<Format> = (0..ports.len()).map(|at| ports.format(at)).collect();
     Draw::new(move |_, uniform, columns, count| {
@@ -209,7 +211,7 @@ fn draw(_: &Values, ports: &InputPorts<'_>) -> Draw {
         for _ in 0..count {
             for (column, format) in columns.iter_mut().zip(&formats) {
                 let fraction = format.frac_bits() > 0;
-                // Fractions are reals, codes are codes.
+                // Fractions are real numbers; codes are integers.
                 let codes = cast::f64_of_count(format.words());
                 column.push(if fraction {
                     uniform.draw()
@@ -228,7 +230,8 @@ fn hard_cases(values: &Values) -> Vec<HardCase> {
     let most = (1i64 << values.bits("channel_bits")) - 1;
     let last = (1i64 << values.bits("fraction_bits")) - 1;
     let (half, small) = ((last + 1) / 2, most.min(1));
-    // Texels of the undisplaced sample, of the displaced ones, fractions of both, diffuse light.
+    // Texels of the undisplaced sample, texels of the displaced ones, fractions of both, diffuse
+    // light.
     type Case = ([i64; 4], [i64; 4], [i64; 2], [i64; 2], [i64; 3]);
     let words = |(h, d, fractions, others, diffuse): Case| -> Vec<i64> {
         let sample = |texels: [i64; 4], fractions: [i64; 2]| {
@@ -252,7 +255,7 @@ fn hard_cases(values: &Values) -> Vec<HardCase> {
                     for d in [0, most] {
                         clamps.push(([h; 4], [d; 4], [a, b], [b, a], diffuse));
                     }
-                    // To the limit, one past it, and one short of it.
+                    // To the limit, one above it, and one below it.
                     let d = (h + channel).min(most);
                     for d in [d - small, d, d + small].map(|d| d.clamp(0, most)) {
                         clamps.push(([h; 4], [d; 4], [a, b], [a, b], [channel; 3]));
@@ -275,8 +278,8 @@ fn hard_cases(values: &Values) -> Vec<HardCase> {
     }
     vec![
         cases("equal heights: the diffuse light itself", flat),
-        cases("the clamp: far past it, at it, and a code beside", clamps),
+        cases("the clamp: far past it, at it, and one code off", clamps),
         cases("rounding ties, both signs", ties),
-        cases("one texel against three, at every fraction's end", cliffs),
+        cases("one texel against three, at the ends of both fractions", cliffs),
     ]
 }

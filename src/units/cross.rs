@@ -1,4 +1,5 @@
-//! The cross product (`cross` alone is a word of SystemVerilog, so the unit has a longer name).
+//! The cross product. The unit's name is `cross_product` because `cross` is a SystemVerilog
+//! keyword.
 
 use super::dot::{ended, params, result, rounding_bounds, signed, vector_ports};
 use crate::base::error::Result;
@@ -17,7 +18,7 @@ pub fn unit() -> Unit {
     .formula("x = v_y w_z - v_z w_y; y = v_z w_x - v_x w_z; z = v_x w_y - v_y w_x")
     .params(params())
     .inputs("v_x, v_y, v_z, w_x, w_y, w_z: two vectors")
-    .outputs("x, y, z: v x w, rounded; past their format as overflow says")
+    .outputs("x, y, z: v x w, rounded; out-of-range results follow overflow")
     .design(design)
 }
 

@@ -1,4 +1,4 @@
-//! The dot product of three, and what units of vectors in words share.
+//! The three-component dot product, and code shared by the units of vectors in words.
 
 use super::parts::plan::rounding_ulp;
 use crate::base::cast;
@@ -8,7 +8,7 @@ use crate::netlist::{Builder, NodeId, Part, Quantity};
 use crate::number::format::{Format, Overflow, Round};
 use crate::number::trig::Real;
 
-// Products of words of 26 bits, and sums of three, are exact in an f64, and so is the golden.
+// Products of 26-bit words, and sums of three of them, are exact in an f64, so the golden is exact.
 
 /// The unit.
 #[must_use]
@@ -18,15 +18,15 @@ pub fn unit() -> Unit {
         .formula("dot_product = v_x w_x + v_y w_y + v_z w_z")
         .params(params())
         .inputs("v_x, v_y, v_z, w_x, w_y, w_z: two vectors")
-        .outputs("dot_product: v·w, rounded; past its format as overflow says")
+        .outputs("dot_product: v·w, rounded; out-of-range results follow overflow")
         .design(design)
 }
 
 pub(super) fn v_frac_bits() -> Param {
-    Param::bits("v_frac_bits", 0..=28).default(14).help("fraction bits of those")
+    Param::bits("v_frac_bits", 0..=28).default(14).help("fraction bits of v")
 }
 
-/// Overflow of results, whose first two modes the golden has too.
+/// Overflow of results. The golden models the first two modes.
 pub(super) fn ending_overflow() -> Param {
     Param::overflow("overflow").among([
         Overflow::Saturate,
@@ -36,23 +36,23 @@ pub(super) fn ending_overflow() -> Param {
     ])
 }
 
-/// Parameters of two vectors and results.
+/// Parameters of two input vectors and of the results.
 pub(super) fn params() -> [Param; 8] {
     [
         Param::bits("v_bits", 2..=26).default(16).help("bits of the components of v, signed"),
         v_frac_bits(),
         Param::bits("w_bits", 2..=26).default(16).help("bits of the components of w, signed"),
-        Param::bits("w_frac_bits", 0..=28).default(14).help("fraction bits of those"),
+        Param::bits("w_frac_bits", 0..=28).default(14).help("fraction bits of w"),
         Param::bits("out_bits", 2..=63).default(24).help("bits of each result, signed"),
-        Param::bits("out_frac_bits", 0..=56).default(18).help("fraction bits of those"),
+        Param::bits("out_frac_bits", 0..=56).default(18).help("fraction bits of the results"),
         ending_overflow()
-            .help("overflow of results; with the first two the golden ends where the format does"),
+            .help("overflow of results; saturate and symmetric clamp the golden to the same range"),
         Param::rounding("rounding"),
     ]
 }
 
-/// `v_x w_x + v_y w_y + v_z w_z`, exact: three multipliers and two adders in a part of that name.
-/// Every dot product of the emboss family is built here, so that schedules can share them.
+/// `v_x w_x + v_y w_y + v_z w_z`, exact: three multipliers and two adders, in a part called `name`.
+/// All dot products of the emboss family are built here, so that schedules can share them.
 pub(super) fn dot(b: &mut Builder, name: &str, v: [NodeId; 3], w: [NodeId; 3]) -> NodeId {
     b.part(Part::Dot, name, |b| {
         let [x, y, z] = [0, 1, 2].map(|i| b.mul(v[i], w[i]));
@@ -85,7 +85,7 @@ pub(super) fn result(values: &Values) -> Result<(Format, Round, Overflow)> {
     ))
 }
 
-/// What takes a golden value to where the format of results ends, if that saturates.
+/// The function that clamps a golden value to the range of the result's format, if that saturates.
 pub(super) fn ended<F: Real>(values: &Values) -> impl Fn(F) -> F + Send + Sync + use<F> {
     let bits = cast::signed_count(values.bits("out_bits"));
     let frac_bits = cast::signed_count(values.bits("out_frac_bits"));
@@ -93,7 +93,7 @@ pub(super) fn ended<F: Real>(values: &Values) -> impl Fn(F) -> F + Send + Sync +
     move |exact| ended_at(overflow, bits - 1 - frac_bits, frac_bits, exact)
 }
 
-/// A value where a signed format of so many whole and fraction bits ends, if it saturates.
+/// A value clamped to a signed format with this many integer and fraction bits, if it saturates.
 pub(super) fn ended_at<F: Real>(overflow: Overflow, int_bits: i32, frac_bits: i32, exact: F) -> F {
     let two = F::one() + F::one();
     let (limit, ulp) = (two.powi(int_bits), two.powi(-frac_bits));
@@ -104,7 +104,7 @@ pub(super) fn ended_at<F: Real>(overflow: Overflow, int_bits: i32, frac_bits: i3
     }
 }
 
-/// One rounding of results, or why none is stated.
+/// A bound of one rounding, or the reason why none is stated.
 pub(super) fn rounding_bounds(values: &Values, quantities: &[&str]) -> Bounds {
     if !ends(values.overflow("overflow")) {
         return Bounds::unstated(UNENDED);
@@ -112,13 +112,12 @@ pub(super) fn rounding_bounds(values: &Values, quantities: &[&str]) -> Bounds {
     Bounds::Stated(vec![Bound::new("result", quantities, rounding_bound)])
 }
 
-/// True for overflow modes that the golden has too.
+/// True for the overflow modes that the golden models.
 pub(super) fn ends(overflow: Overflow) -> bool {
     matches!(overflow, Overflow::Saturate | Overflow::Symmetric)
 }
 
-const UNENDED: &str =
-    "with this overflow mode results past the format are elsewhere, not near the golden";
+const UNENDED: &str = "with this overflow mode, out-of-range results are far from the golden";
 
 fn rounding_bound(values: &Values, _: &dyn Fn(&str) -> f64) -> f64 {
     rounding_ulp(values) * 2f64.powi(-cast::signed_count(values.bits("out_frac_bits")))

@@ -1,7 +1,7 @@
 //! Gouraud bump mapping of Ernst et al. 1998, as Lee et al. count it in Table 1: Cartesian.
 //!
-//! The set-up of [`super::peercy`]; then two dot products, one power table, and a multiplier for
-//! the diffuse coefficient.
+//! The set-up of [`super::peercy`], followed by two dot products, one power table, and a multiplier
+//! for the diffuse coefficient.
 
 use super::illumination::{
     self, Curve, DOTS, Light, cartesian_dot, diffuse_bound, dot_groups, golden_dot, golden_light,
@@ -86,7 +86,7 @@ fn design(values: &Values) -> Result<Design> {
         .tabulated(tabulated))
 }
 
-/// The light of dot products: a multiplier for the diffuse light, a table for the specular one.
+/// Light from dot products: a multiplier for the diffuse light, a table for the specular light.
 fn lit(b: &mut Builder, plan: &mut Plan<'_>, dots: &[NodeId]) -> Result<Light> {
     let values = plan.values;
     let bits = values.bits("light_bits");
@@ -101,7 +101,7 @@ fn lit(b: &mut Builder, plan: &mut Plan<'_>, dots: &[NodeId]) -> Result<Light> {
         let one = b.constant(1 << plan.frac_bits, unit);
         let past = b.less(one, towards);
         let towards = b.mux(past, one, towards);
-        // 0 to 1, which has a code.
+        // 0 to 1; 1 is representable.
         let coefficient = Format::unsigned(bits + 1, frac)?;
         let constant = |b: &mut Builder, name| -> Result<NodeId> {
             let word =
@@ -131,15 +131,15 @@ fn lit(b: &mut Builder, plan: &mut Plan<'_>, dots: &[NodeId]) -> Result<Light> {
     Ok(light)
 }
 
-/// Of N'·A: both are unit vectors but for their components' error.
+/// Bound on N'·A: both vectors have unit length up to the error of their components.
 fn dot_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
     let vector = 3f64.sqrt() * setup::component_bound(values, worst);
     let last = rounding_ulp(values) * 2f64.powi(-cast::signed_count(values.bits("frac_bits")));
     vector + vector * (1.0 + vector) + last
 }
 
-/// Worst errors with that of the diffuse product in place of a table: its coefficients are rounded
-/// to nearest, and one rounding follows.
+/// Worst errors, with the diffuse product's in place of a table's: its coefficients are rounded to
+/// nearest, and one rounding follows.
 fn product<'a>(values: &'a Values, worst: &'a dyn Fn(&str) -> f64) -> impl Fn(&str) -> f64 + 'a {
     let ulp = 2f64.powi(-cast::signed_count(values.bits("light_bits")));
     move |name| if name == "diffuse" { (1.0 + rounding_ulp(values)) * ulp } else { worst(name) }

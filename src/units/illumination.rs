@@ -1,15 +1,16 @@
 //! The illumination unit of Lee et al., section 4.2 and Fig. 8: two dot products and light tables.
 //!
-//! From L', H' and the perturbed normal N', all in the texture frame, to the light of a pixel:
-//! `diffuse = ka + kd max(0, N'·L')`, `specular = ks max(0, N'·H')^n`, and their sum. Variants:
+//! The unit computes the light of a pixel from L', H' and the perturbed normal N', all in the
+//! texture frame: `diffuse = ka + kd max(0, N'·L')`, `specular = ks max(0, N'·H')^n`, and their
+//! sum. Variants:
 //!
-//! - `printed`: eqs (24), (25) letter for letter, whose second bracket has the wrong sign;
-//! - `corrected`: with that sign mended: 3 cosines and 1 multiplier a dot product;
-//! - `kim`: eqs (3), (4), as Kim et al. 2001: 5 sines and cosines and 3 multipliers;
+//! - `printed`: eqs (24), (25) exactly as printed; the second bracket has the wrong sign;
+//! - `corrected`: the same with that sign corrected: 3 cosines and 1 multiplier per dot product;
+//! - `kim`: eqs (3), (4), after Kim et al. 2001: 5 sines and cosines and 3 multipliers;
 //! - `cartesian`: the plain dot product of components, 3 multipliers.
 //!
-//! A rounded dot product can pass 1, so it has a guard bit; from 1 on, light is a constant beside the
-//! table. Where it is negative there is ambient light alone.
+//! A rounded dot product can exceed 1, so it has a guard bit. From 1 on, a constant replaces the
+//! table's light. If the dot product is negative, only ambient light remains.
 
 use super::parts::fragment;
 use super::parts::plan::{self, Plan, angle, number, rounding_ulp};
@@ -39,7 +40,7 @@ pub fn unit() -> Unit {
             Param::choice("variant", ["printed", "corrected", "kim", "cartesian"])
                 .role(Role::Variant)
                 .default("corrected")
-                .help("(24) and (25) letter for letter, mended, Kim's (3) and (4), or the dot product of components"),
+                .help("eqs (24) and (25) as printed, with the sign corrected, Kim's eqs (3) and (4), or the Cartesian dot product"),
             plan::angle_bits(),
             plan::table_addr_bits(),
             Param::scheme("scheme"),
@@ -74,7 +75,7 @@ pub(super) fn cos_addr_bits() -> Param {
 
 pub(super) fn highlight() -> Param {
     Param::choice("highlight", ["on", "off"])
-        .help("off leaves out the halfway vector and all that comes of it")
+        .help("off leaves out the halfway vector, its dot product and the specular light")
 }
 
 pub(super) fn diffuse_addr_bits() -> Param {
@@ -93,13 +94,13 @@ pub(super) fn specular_addr_bits() -> Param {
 
 pub(super) fn light_scheme() -> Param {
     Param::scheme("light_scheme")
-        .help("how the light tables approximate; sharp highlights ask for linear")
+        .help("how the light tables approximate; sharp highlights need linear")
 }
 
 pub(super) fn light_bits() -> Param {
     Param::bits("light_bits", 2..=24)
         .default(16)
-        .help("bits of the light tables' words and of the light; all of them fraction bits")
+        .help("bits of the light and of the light tables' words; all are fraction bits")
 }
 
 pub(super) fn ambient() -> Param {
@@ -113,14 +114,14 @@ pub(super) fn diffuse() -> Param {
     Param::real("diffuse", 0.0..=1.0)
         .role(Role::Material(Reflection::Diffuse))
         .default(0.6)
-        .help("light by the diffuse reflection of a surface that faces it, Ii kd")
+        .help("diffuse light of a surface that faces the light, Ii kd")
 }
 
 pub(super) fn specular() -> Param {
     Param::real("specular", 0.0..=1.0)
         .role(Role::Material(Reflection::Specular))
         .default(0.3)
-        .help("light in the middle of the highlight, Ii ks")
+        .help("specular light in the middle of the highlight, Ii ks")
 }
 
 pub(super) fn exponent() -> Param {
@@ -130,7 +131,7 @@ pub(super) fn exponent() -> Param {
         .help("exponent n of the specular reflection")
 }
 
-/// N'·A of polar forms; a word of `frac_bits` fraction bits between -2 and 2.
+/// N'·A of polar forms: a word with `frac_bits` fraction bits, between -2 and 2.
 pub(super) fn polar_dot(
     b: &mut Builder,
     plan: &mut Plan<'_>,
@@ -147,7 +148,7 @@ pub(super) fn polar_dot(
             let (_, cos_delta) = plan.sincos(b, delta)?;
             let ((sin_a, cos_a), (sin_p, cos_p)) =
                 (plan.sincos(b, theta_a)?, plan.sincos(b, theta_p)?);
-            let along = b.mul(cos_a, cos_p); // -1 to 1 but for table error
+            let along = b.mul(cos_a, cos_p); // -1 to 1 except for table error
             let across = b.mul(sin_a, sin_p);
             let across =
                 b.narrow(across, number(2, plan.work_bits)?, plan.round, Overflow::Saturate);
@@ -178,11 +179,11 @@ pub(super) fn polar_dot(
         let across = b.mul(across, cos_delta);
         Ok(b.add(along, across))
     })?;
-    // Below 1.5 in magnitude whatever the tables' sizes, but for `printed`.
+    // Below 1.5 in magnitude for tables of any size, except for `printed`.
     Ok(b.narrow(dot, number(1, plan.frac_bits)?, plan.round, Overflow::Saturate))
 }
 
-/// The dot product of components of one format; exact up to its last place.
+/// The dot product of components of one format; exact except for its last rounding.
 pub(super) fn cartesian_dot(
     b: &mut Builder,
     plan: &Plan<'_>,
@@ -195,7 +196,7 @@ pub(super) fn cartesian_dot(
         let sum = b.add(x, y);
         b.add(sum, z)
     });
-    // Components of words that are no unit vectors: -12 <= sum <= 12.
+    // Words may not be unit vectors: -12 <= sum <= 12.
     Ok(b.narrow(sum, number(4, plan.frac_bits)?, plan.round, Overflow::Saturate))
 }
 
@@ -210,7 +211,7 @@ pub(super) struct Light {
 }
 
 impl Light {
-    /// Makes the output ports.
+    /// Adds the output ports.
     pub(super) fn output(&self, b: &mut Builder) {
         b.output("intensity", self.intensity);
         b.output("diffuse", self.diffuse);
@@ -220,7 +221,7 @@ impl Light {
     }
 }
 
-/// Names of the output ports that [`Light::output`] makes.
+/// Names of the output ports that [`Light::output`] adds.
 pub(super) fn light_ports(values: &Values) -> &'static [&'static str] {
     let all = &["intensity", "diffuse", "specular"];
     if values.flag("highlight") { all } else { &all[..2] }
@@ -253,12 +254,12 @@ pub(super) fn light(
     Ok(light)
 }
 
-/// `offset + factor * max(0, x)^exponent`, the light at a cosine x; 0^0 is 1.
+/// `offset + factor * max(0, x)^exponent`, the light at a cosine x. 0^0 is 1.
 #[derive(Clone, Copy)]
 pub(super) struct Curve {
     /// Light at 0.
     pub(super) offset: f64,
-    /// Light at 1 without it; not negative, as the offset.
+    /// Light at 1 less the offset. Neither is negative.
     pub(super) factor: f64,
     /// The exponent.
     pub(super) exponent: u8,
@@ -271,7 +272,7 @@ impl Curve {
     }
 }
 
-/// The light table at a dot product, and its offset alone where that is negative.
+/// The light table at a dot product; the offset alone if the dot product is negative.
 pub(super) fn table(
     b: &mut Builder,
     plan: &mut Plan<'_>,
@@ -288,7 +289,7 @@ pub(super) fn table(
     let away = if exponent > 0 {
         b.negative(dot)
     } else {
-        // 0^0 is 1 in the table; a surface at a right angle gets no light.
+        // The table has 0^0 = 1, but a surface at a right angle gets no light.
         let (towards, one) = (b.less(zero, dot), b.constant(1, Format::FLAG));
         b.xor(towards, one)
     };
@@ -301,7 +302,7 @@ pub(super) fn table(
         Overflow::Saturate,
     );
     b.name(index, &format!("{name}_index"));
-    // The table ends below 1: light at 1, the middle of a highlight, is a constant of its own.
+    // The table ends below 1. Light at 1, the middle of a highlight, is a separate constant.
     let facing = b.slice(index, plan.frac_bits, 1);
     let fraction = b.slice(index, 0, plan.frac_bits);
     let fraction = b.shift(fraction, -frac);
@@ -327,7 +328,7 @@ pub(super) fn table(
     b.means(light, [index], |[x]| function.of(&x));
     let light = b.mux(away, dark, light);
     if exponent > 0 {
-        // The function is its offset there, to more places than the constant.
+        // Here the function equals its offset, at a higher precision than the constant.
         b.means(light, [dot], |[x]| function.of(&x));
     }
     Ok(b.name(light, name))
@@ -389,13 +390,13 @@ fn design(values: &Values) -> Result<Design> {
 /// Scopes and names of the dot products.
 pub(super) const DOTS: [&str; 2] = ["dot_l", "dot_h"];
 
-/// The dot products as judged groups.
+/// The dot products as groups whose errors are judged.
 pub(super) fn dot_groups(netlist: &Netlist, highlight: bool) -> Result<Vec<Group>> {
     let names = if highlight { &DOTS[..] } else { &DOTS[..1] };
     names.iter().map(|name| Group::inside(netlist, *name, Shape::Scalar, [name])).collect()
 }
 
-/// Bounds of the dot products and of the light that they give.
+/// Bounds of the dot products and of the light computed from them.
 fn light_bounds(values: &Values) -> Bounds {
     let bounds = vec![
         Bound::new("dot", DOTS, dot_bound),
@@ -406,7 +407,7 @@ fn light_bounds(values: &Values) -> Bounds {
     Bounds::Stated(restricted(values, bounds))
 }
 
-/// Bounds of what there is without the highlight.
+/// Bounds that remain without the highlight.
 pub(super) fn restricted(values: &Values, mut bounds: Vec<Bound>) -> Vec<Bound> {
     if !values.flag("highlight") {
         for bound in &mut bounds {
@@ -423,7 +424,7 @@ fn ulp(bits: u32) -> f64 {
     2f64.powi(-cast::signed_count(bits))
 }
 
-/// Of N'·A: what the terms' table errors add up to, and the last rounding.
+/// Bound on N'·A: the sum of the terms' table errors, and the last rounding.
 fn dot_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
     let last = rounding_ulp(values) * ulp(values.bits("frac_bits"));
     let inner = match values.choice("variant") {
@@ -434,7 +435,8 @@ fn dot_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
     inner + last
 }
 
-/// Of (3), (4). cos cos: 2e + e². sin sin: as much, and one rounding; times cos: (1 + e) of it, and e.
+/// Bound for eqs (3), (4). cos cos: 2e + e². sin sin: as much, and one rounding; times cos: (1 + e)
+/// of it, plus e.
 pub(super) fn kim_dot_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
     let e = worst("sincos");
     let work = values.bits("frac_bits") + values.bits("guard_bits");
@@ -442,21 +444,21 @@ pub(super) fn kim_dot_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64
     pair + (1.0 + e) * (pair + rounding_ulp(values) * ulp(work)) + e
 }
 
-/// Of (24) mended: e for the half sum; for the product e of its half difference, which is at most 1,
-/// and e of its cosine.
+/// Bound for the corrected eq (24): e for the half sum. The half difference is at most 1 and off by
+/// e, and its cosine is off by e.
 pub(super) fn corrected_dot_bound(worst: &dyn Fn(&str) -> f64) -> f64 {
     let e = worst("cos");
     e + e + (1.0 + e) * e
 }
 
-/// Of the diffuse light, from the dot product's bound: its slope is kd. Light of 1 saturates one
-/// place lower.
+/// Bound on the diffuse light from the bound on the dot product; its slope is kd. Light of 1
+/// saturates one ulp lower.
 pub(super) fn diffuse_bound(values: &Values, worst: &dyn Fn(&str) -> f64, dot: f64) -> f64 {
     worst("diffuse") + values.real("diffuse") * dot + ulp(values.bits("light_bits"))
 }
 
-/// Of the specular light: what the dot product's bound makes of its power, and all of it ks. With
-/// an exponent of 0 it jumps at a right angle.
+/// Bound on the specular light: the change of the power over the bound on the dot product, times
+/// ks. With exponent 0 the light jumps at a right angle.
 pub(super) fn specular_bound(values: &Values, worst: &dyn Fn(&str) -> f64, dot: f64) -> f64 {
     let slope = match values.bits("exponent") {
         0 => 1.0,
@@ -466,13 +468,13 @@ pub(super) fn specular_bound(values: &Values, worst: &dyn Fn(&str) -> f64, dot: 
     worst("specular") + values.real("specular") * slope + ulp(values.bits("light_bits"))
 }
 
-/// Of their sum, which saturates one place below 1.
+/// Bound on the sum of both, which saturates one ulp below 1.
 pub(super) fn intensity_bound(values: &Values, worst: &dyn Fn(&str) -> f64, dot: f64) -> f64 {
     let specular = if values.flag("highlight") { specular_bound(values, worst, dot) } else { 0.0 };
     diffuse_bound(values, worst, dot) + specular + ulp(values.bits("light_bits"))
 }
 
-/// Components of directions, angles in turns.
+/// Components of directions with angles in turns.
 pub(super) fn components<F: Real>(phi: &[F], theta: &[F]) -> [Vec<F>; 3] {
     let zero = || vec![F::default(); phi.len()];
     let (mut sin_phi, mut cos_phi, mut sin_theta, mut cos_theta) = (zero(), zero(), zero(), zero());
@@ -484,8 +486,8 @@ pub(super) fn components<F: Real>(phi: &[F], theta: &[F]) -> [Vec<F>; 3] {
     [cos_phi, sin_phi, cos_theta]
 }
 
-/// What gives the golden light of dot products: intensity, diffuse, specular (if there is a highlight), and
-/// then the dot products themselves, into the first columns.
+/// A function that computes the golden light from dot products. It writes the first columns:
+/// intensity, diffuse, specular (if there is a highlight), then the dot products themselves.
 pub(super) fn golden_light<F: Real>(
     values: &Values,
 ) -> impl Fn(&[Vec<F>], &mut [Vec<F>]) + Send + Sync + use<F> {
@@ -514,12 +516,12 @@ pub(super) fn golden_light<F: Real>(
     }
 }
 
-/// Dot products of columns of components.
+/// Dot products of component columns.
 pub(super) fn golden_dot<F: Real>(u: [&[F]; 3], v: [&[F]; 3]) -> Vec<F> {
     (0..u[0].len()).map(|i| u[0][i] * v[0][i] + u[1][i] * v[1][i] + u[2][i] * v[2][i]).collect()
 }
 
-/// The golden model: spherical coordinates, dot products of components, the reflection formula.
+/// The golden model: spherical coordinates, Cartesian dot products, the reflection formula.
 fn golden<F: Real>(values: &Values) -> Golden<F> {
     let cartesian = values.choice("variant") == "cartesian";
     let light = golden_light(values);
@@ -541,7 +543,7 @@ fn golden<F: Real>(values: &Values) -> Golden<F> {
     })
 }
 
-/// Hard cases of the illumination unit.
+/// The named hard cases.
 fn hard_cases(values: &Values, cartesian: bool) -> Vec<HardCase> {
     let highlight = values.flag("highlight");
     let bits = values.bits("angle_bits");
@@ -604,7 +606,8 @@ fn hard_cases(values: &Values, cartesian: bool) -> Vec<HardCase> {
     all
 }
 
-/// Words of the ports of a direction given as words of angles: those, or components of them.
+/// Words of the ports of a direction given as angle words: the angles themselves, or its
+/// components.
 pub(super) fn direction_words(
     values: &Values,
     cartesian: bool,

@@ -1,10 +1,10 @@
-//! Bump mapping by angles of Kim et al. 2001, as Lee et al. count it in Table 1: polar.
+//! Bump mapping by angles after Kim et al. 2001, as Lee et al. count it in Table 1: polar.
 //!
-//! The paper gives the illumination, its eqs (3) and (4), and of the set-up only its count, 31
-//! multipliers, 6 tables and 18 adders, and that it builds a matrix for each pixel. The set-up here
-//! is a reconstruction: sines and cosines of six angles give L, H and the frame of N in components,
-//! 3×3 transforms take L and H into that frame, and tables turn them into angles again. N' is
-//! turned by psi into the frame of N, which is one adder.
+//! Lee et al. give the illumination, eqs (3) and (4). Of the set-up they give only the count (31
+//! multipliers, 6 tables and 18 adders) and say that it builds a matrix for each pixel. The set-up
+//! here is a reconstruction: sines and cosines of six angles give L, H and the frame of N in
+//! components, 3×3 transforms take L and H into that frame, and tables convert them back to angles.
+//! One adder turns N' by psi into the frame of N.
 
 use super::illumination::{
     self, DOTS, components, diffuse_bound, dot_groups, golden_dot, golden_light, intensity_bound,
@@ -31,7 +31,7 @@ pub fn unit() -> Unit {
          diffuse = ka + kd max(0, N'.L'); specular = ks max(0, N'.H')^n; intensity = diffuse + specular",
         )
         .params([
-            Param::choice("conversion", ["table", "cordic"]).help("how components become angles"),
+            Param::choice("conversion", ["table", "cordic"]).help("how components are converted to angles"),
             plan::angle_bits(),
             plan::table_addr_bits(),
             Param::scheme("scheme"),
@@ -168,18 +168,18 @@ fn set_up(
     Ok((rotated, [phi_p, theta_p]))
 }
 
-/// Of the angle of L' and H': of the components, then of the conversion.
+/// Bound on the angle of L' and H': the error of the components, then that of the conversion.
 fn angle_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
     let work = values.bits("frac_bits") + values.bits("guard_bits");
     let rounding = rounding_ulp(values) * 2f64.powi(-cast::signed_count(work));
     let e = worst("sincos");
-    // A product of sines or cosines, then three products of such with such.
+    // A product of sines or cosines, then three products of two such products.
     let entry = 2.0 * e + e * e + rounding;
     let component = 3.0 * (2.0 * entry + entry * entry) + rounding;
     converted_bound(values, worst, component, values.choice("conversion") == "cordic")
 }
 
-/// Of N'·A: a dot product of unit vectors changes by no more than the angle.
+/// Bound on N'·A: a dot product of unit vectors changes by no more than the angle.
 fn dot_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
     let last = rounding_ulp(values) * 2f64.powi(-cast::signed_count(values.bits("frac_bits")));
     angle_bound(values, worst).min(2.0) + kim_dot_bound(values, worst) + last

@@ -1,15 +1,16 @@
-//! The intelligent memory IMEM of Kugler 1998, as Lee et al. describe and count it: polar, maps.
+//! The intelligent memory IMEM of Kugler 1998, as Lee et al. describe and count it: polar, with
+//! maps.
 //!
-//! The paper says that the normal comes in Cartesian form and is converted to angles, that it is
+//! The paper says that the normal comes in Cartesian form and is converted to angles. It is
 //! perturbed "by using three rotations, which are executed by two additions and one look-up table
-//! access", a map of 32 KB, and that light maps of 2^20 × 16 bits, addressed by the perturbed
-//! direction, give the light. The rest is a reconstruction: the three rotations of N' are about z
-//! by psi (an addition), about y by theta_n (the map, addressed by azimuth, polar angle and
-//! theta_n) and about z by phi_n (an addition). The address of a light map is N' rotated so that
-//! its light is at the pole, which takes a subtraction and the same map.
+//! access", a map of 32 KB. Light maps of 2^20 × 16 bits, addressed by the perturbed direction,
+//! give the light. The rest is a reconstruction. The three rotations of N' are about z by psi (an
+//! addition), about y by theta_n (the map, addressed by azimuth, polar angle and theta_n) and about
+//! z by phi_n (an addition). The address of a light map is N' rotated so that the light is at the
+//! pole, which takes a subtraction and the same map.
 //!
-//! A map holds what is right in the middle of its cell. It is made only as large as is asked for:
-//! the paper's are `tilt_addr_bits=14` and `map_addr_bits=20`.
+//! A map entry is exact in the middle of its cell. The maps' sizes are parameters: the paper's are
+//! `tilt_addr_bits=14` and `map_addr_bits=20`.
 
 use super::illumination::{self, Curve, components, golden_dot, golden_light};
 use super::parts::fragment;
@@ -35,18 +36,18 @@ pub fn unit() -> Unit {
          diffuse = ka + kd max(0, c of L); specular = ks max(0, c of H)^n; intensity = diffuse + specular, each from a light map",
         )
         .params([
-            Param::choice("conversion", ["table", "cordic"]).help("how the normal becomes angles"),
+            Param::choice("conversion", ["table", "cordic"]).help("how the normal is converted to angles"),
             Param::bits("tilt_addr_bits", 6..=20)
                 .role(Role::TableSize)
                 .default(14)
-                .help("address bits of the map that turns a direction about y, shared by its three angles"),
+                .help("address bits of the map that rotates a direction about y, divided among its three angles"),
             Param::bits("map_angle_bits", 2..=16)
                 .default(8)
-                .help("bits of each angle in that map; a polar angle's word counts half of an azimuth's"),
+                .help("bits of each angle in that map; an LSB of a polar angle is half an LSB of an azimuth"),
             Param::bits("map_addr_bits", 4..=20)
                 .role(Role::TableSize)
                 .default(12)
-                .help("address bits of each light map, shared by its two angles; the paper's have 20"),
+                .help("address bits of each light map, divided between its two angles; the paper's have 20"),
             plan::angle_bits(),
             plan::table_addr_bits(),
             Param::scheme("scheme"),
@@ -102,7 +103,8 @@ fn design(values: &Values) -> Result<Design> {
     let mut parts = Vec::new();
     for (which, [phi_a, theta_a]) in lights.iter().enumerate() {
         parts.push(b.scope(["light", "half"][which], |b| -> Result<NodeId> {
-            // By -theta_a about y: by theta_a, with both azimuths half a turn on.
+            // Rotating by -theta_a about y is rotating by theta_a with both azimuths half a turn
+            // on.
             let difference = b.sub(world[0], *phi_a);
             let format = b.format(world[0]);
             let format = Format::turns(format.bits().max(plan.angle_bits))?;
@@ -148,12 +150,12 @@ fn design(values: &Values) -> Result<Design> {
         .draw(fragment::draw)
         .hard(hard)
         .bounds(Bounds::unstated(
-            "near a pole, a cell of a map has azimuths of the whole turn in it: no cell size bounds the light",
+            "near a pole, one cell of a map spans all azimuths, so no cell size bounds the error of the light",
         ))
         .tabulated(tabulated))
 }
 
-/// Address bits of a map's azimuth, polar angle, and angle of the turn.
+/// Address bits of a map's azimuth, polar angle, and rotation angle.
 fn tilt_bits(values: &Values) -> [u32; 3] {
     let bits = values.bits("tilt_addr_bits");
     // Polar angles span half a turn: the same number of bits makes cells half as high as wide.
@@ -171,8 +173,8 @@ fn middle(i: i64, bits: u32, span: f64) -> f64 {
     (cast::f64_of(i) + 0.5) * span * 2f64.powi(-cast::signed_count(bits))
 }
 
-/// Azimuth and polar angle of the direction of azimuth and polar angle that is turned about y by an angle from z to
-/// x; all in turns.
+/// Azimuth and polar angle of a direction after rotation about y by an angle from z to x, all in
+/// turns. The direction is given by its azimuth and polar angle.
 fn tilted([phi, theta, by]: &[Expr; 3]) -> [Expr; 2] {
     let ((sin_phi, cos_phi), (sin_theta, cos_theta), (sin_by, cos_by)) = (
         (phi.sin_turns(), phi.cos_turns()),
@@ -184,7 +186,7 @@ fn tilted([phi, theta, by]: &[Expr; 3]) -> [Expr; 2] {
     [y.atan2_turns(&x), inclination(&x, &y, &z)]
 }
 
-/// The map of directions turned about y.
+/// The map of directions rotated about y.
 fn tilt_map(b: &mut Builder, values: &Values) -> Result<TableId> {
     let [phi_bits, theta_bits, by_bits] = tilt_bits(values);
     let word_bits = values.bits("map_angle_bits");
@@ -228,14 +230,14 @@ fn azimuth_index(b: &mut Builder, phi: NodeId, bits: u32) -> Result<NodeId> {
     Ok(b.concat(word, zeros))
 }
 
-/// The top bits of a polar angle, whose words span half a turn; more saturates.
+/// The top bits of a polar angle, whose words span half a turn; larger angles saturate.
 fn polar_index(b: &mut Builder, theta: NodeId, bits: u32) -> Result<NodeId> {
     let format = Format::unsigned(bits, cast::signed_count(bits) + 1)?;
     let index = b.narrow(theta, format, Round::Floor, Overflow::Saturate);
     Ok(b.slice(index, 0, bits))
 }
 
-/// A direction turned about y by an access to the map.
+/// A direction rotated about y by one access to the map.
 fn tilt(
     b: &mut Builder,
     values: &Values,
@@ -259,7 +261,7 @@ fn tilt(
     }))
 }
 
-/// The light of a direction that is seen from its light's pole.
+/// The light of a direction seen from the light's pole.
 fn light_map(
     b: &mut Builder,
     values: &Values,
@@ -275,12 +277,13 @@ fn light_map(
     let [phi_bits, theta_bits] = map_bits(values);
     let row = (0..1i64 << theta_bits).map(|i| {
         let cosine = crate::number::function::cos_turns(middle(i, theta_bits, 0.5));
-        // With an exponent of 0 the function is not 0 at negative cosines, but the light is.
+        // With exponent 0 the function isn't 0 at negative cosines, but the light is.
         let light = if cosine > 0.0 { function.eval(cosine) } else { offset };
         Ok(quantize(light, output, Round::HalfEven, Overflow::Saturate)?.0)
     });
     let row = row.collect::<Result<Vec<i64>>>()?;
-    // One light at the pole is the same at all azimuths; a map would hold any number of lights.
+    // With one light at the pole, all azimuths have the same light; a map could hold any number of
+    // lights.
     let words = row.repeat(1 << phi_bits);
     let column = Column { name: "light".to_owned(), format: output, words: Arc::from(words) };
     let table = Table {
@@ -297,8 +300,8 @@ fn light_map(
     Ok(b.means(light, [theta], |[theta]| function.of(&theta.cos_turns())))
 }
 
-/// The golden model: N' in the world by the axes of N's own frame, dot products with L and H; and
-/// the direction of N' in the frames of N, L and H.
+/// The golden model: N' in the world by the axes of N's own frame, and dot products with L and H;
+/// also the direction of N' in the frames of N, L and H.
 fn golden<F: Real>(values: &Values) -> Golden<F> {
     let light = golden_light(values);
     Golden::new(move |inputs: &[&[F]], outputs: &mut [Vec<F>]| {
@@ -308,7 +311,8 @@ fn golden<F: Real>(values: &Values) -> Golden<F> {
         let (zero, one) = (F::zero(), F::one());
         let turned: Vec<F> = phi_p.iter().zip(psi).map(|(phi, psi)| *phi + *psi).collect();
         let [px, py, pz] = components(&turned, theta_p);
-        // Sines and cosines of the polar form of N; at a pole its azimuth is 0, and so is that of 0.
+        // Sines and cosines of the polar form of N. At a pole its azimuth is 0; a zero N counts as
+        // at the pole.
         let mut world = [vec![zero; len], vec![zero; len], vec![zero; len]];
         for i in 0..len {
             let across = (nx[i] * nx[i] + ny[i] * ny[i]).sqrt();
@@ -340,7 +344,7 @@ fn golden<F: Real>(values: &Values) -> Golden<F> {
             }
             directions.push(seen);
         }
-        light(&dots, outputs); // the dot products land where directions follow
+        light(&dots, outputs); // the dot products are overwritten by the directions below
         let first = outputs.len() - 3 * directions.len();
         for (column, axis) in outputs[first..].iter_mut().zip(directions.into_iter().flatten()) {
             *column = axis;

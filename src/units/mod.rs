@@ -1,12 +1,12 @@
 //! Units: parameterised datapaths with their golden models.
 //!
-//! A unit is one file and one row of [`UNITS`]: its parameters with their legal
-//! ranges, its netlist, its golden function in plain floating point (written
-//! from the mathematics and not from the netlist), its input sampler, its hard
-//! cases and its stated error bound. The command line, the sweep and the reports know
-//! units only through [`all`]: this table, and what another crate gave to [`crate::main`].
+//! A unit is one file and one row of [`UNITS`]. It has parameters with legal ranges, a netlist, a
+//! golden model (the same function in plain floating point, written from the mathematics and not
+//! from the netlist), an input sampler, hard cases and a stated error bound. The command line, the
+//! sweep and the reports see units only through [`all`]: this table, and the units that another
+//! crate passed to [`crate::main`].
 //!
-//! What they are made of, [`Design`] and its like, has its public names here too.
+//! [`Design`] and the other types that a unit is built from are re-exported here.
 
 pub mod basis;
 pub mod bump;
@@ -63,20 +63,20 @@ pub static UNITS: LazyLock<Vec<Unit>> = LazyLock::new(|| {
     ]
 });
 
-/// Units of other crates, which [`crate::main`] was given.
+/// Units of other crates, as passed to [`crate::main`].
 static OTHERS: OnceLock<Vec<Unit>> = OnceLock::new();
 
-/// Every unit that commands know.
+/// Every unit that the commands know.
 pub fn all() -> impl Iterator<Item = &'static Unit> + Clone {
     UNITS.iter().chain(OTHERS.get().into_iter().flatten())
 }
 
-/// The unit of this name, of those of this crate.
+/// The unit of this crate with this name.
 pub(crate) fn built_in(name: &str) -> &'static Unit {
     UNITS.iter().find(|unit| unit.name == name).expect("bug: a unit of this crate")
 }
 
-/// Makes units known to commands beside [`UNITS`]: once, before any is asked for.
+/// Adds units to those of [`UNITS`]. Call it once, before any unit is looked up.
 pub(crate) fn add(units: &[Unit]) -> Result<()> {
     for (at, unit) in units.iter().enumerate() {
         unit.check()?;
@@ -93,7 +93,8 @@ pub(crate) fn add(units: &[Unit]) -> Result<()> {
     OTHERS.set(units.to_vec()).map_err(|_| known())
 }
 
-/// The unit of this name, or the netlist of a file: a name has neither a dot nor a slash.
+/// The unit with this name, or the netlist in this file. Unit names contain neither a dot nor a
+/// slash.
 pub(crate) fn named(name: &str) -> Result<Unit> {
     if !name.contains(['.', '/', '\\']) {
         return Unit::find(name).cloned();
@@ -103,14 +104,14 @@ pub(crate) fn named(name: &str) -> Result<Unit> {
     Ok(Unit::of_netlist(Netlist::parse(&text, path)?))
 }
 
-/// How large a netlist's file may be.
+/// Largest size of a netlist file.
 const MAX_FILE_BYTES: u64 = 1 << 28;
 
 impl Unit {
-    /// The unit of this name, of those that commands know.
+    /// The unit with this name, among all that the commands know.
     ///
     /// # Errors
-    /// If there is none; the message names the nearest.
+    /// If there is none; the message suggests the nearest name.
     pub fn find(name: &str) -> Result<&'static Self> {
         all()
             .find(|unit| unit.name == name)

@@ -1,8 +1,8 @@
-//! Block normalisation: a vector of words shifted up by one common number of places, until its
-//! largest component has no leading zero left.
+//! Block normalisation: the words of a vector are shifted up by one common number of places, until
+//! the largest component has no leading zero.
 //!
-//! What comes of it doesn't depend on the vector's size, so positions may span a large range: the
-//! direction keeps as many bits next to a light as far away.
+//! The normalised direction doesn't depend on the vector's size, so positions may span a large
+//! range: the direction keeps as many bits next to a light as far away.
 
 use super::dot::{dot, signed, vector_ports};
 use super::parts::divide;
@@ -22,7 +22,7 @@ pub fn unit() -> Unit {
     Unit::new("normalise", "block normalisation: three words shifted by the leading zeros of the largest")
         .source("the light vector of US 6,980,218 in fixed point: a displacement doesn't depend on its length")
         .formula(
-            "x, y, z = v_x, v_y, v_z times 2^places over the top of their words: the largest |component| has no leading zero",
+            "x, y, z = v_x, v_y, v_z times 2^places, as fractions of full scale: the largest |component| has no leading zero",
         )
         .params([
             Param::bits("v_bits", 2..=32).default(16).help("bits of the components, signed"),
@@ -31,7 +31,7 @@ pub fn unit() -> Unit {
             Param::rounding("rounding"),
         ])
         .inputs("v_x, v_y, v_z: the vector")
-        .outputs("x, y, z: v over the power of two that its largest component is just below (or the most negative word is); places: by how many the words were shifted up; degenerate: 1 for the zero vector, whose words and places are 0")
+        .outputs("x, y, z: v divided by the smallest power of two above its largest |component| (or equal to it for the most negative word); places: number of places that the words were shifted up; degenerate: 1 for the zero vector, for which the words and places are 0")
         .design(design)
 }
 
@@ -41,25 +41,25 @@ pub(super) fn norm_bits() -> Param {
         .help("bits of block-normalised words, from -1 to 1; the largest is ½ or more in magnitude")
 }
 
-/// A vector over a power of two.
+/// A vector divided by a power of two.
 pub(super) struct Block {
-    /// Its words, from -1 to 1: signed, all of them fraction bits but the sign; exact.
+    /// Its words, from -1 to 1: signed, with fraction bits only, exact.
     pub(super) words: [NodeId; 3],
-    /// By how many places they were shifted up; means nothing for the zero vector.
+    /// Number of places that they were shifted up; undefined for the zero vector.
     places: NodeId,
     /// Flag: the zero vector.
     pub(super) zero: NodeId,
 }
 
-/// Shifts three words of one format up by their common leading zeros.
+/// Shifts three words of one format up by their common number of leading zeros.
 pub(super) fn block(b: &mut Builder, name: &str, v: [NodeId; 3]) -> Block {
     b.scope(name, |b| {
         let format = b.format(v[0]);
         let v = in_one_format(b, format, v);
         let bits = format.bits();
-        // Leading zeros of the largest are those of all magnitudes together.
+        // The largest component has as many leading zeros as the OR of all magnitudes.
         let [x, y, z] = v.map(|x| {
-            let magnitude = b.abs(x); // up to 2^(bits - 1), which has a code
+            let magnitude = b.abs(x); // up to 2^(bits - 1), which is representable
             b.slice(magnitude, 0, bits)
         });
         let any = b.or(x, y);
@@ -69,7 +69,7 @@ pub(super) fn block(b: &mut Builder, name: &str, v: [NodeId; 3]) -> Block {
         b.name(largest, "largest");
         let (_, count) = divide::normalise(b, largest, 1);
         let top = cast::signed_count(bits) - format.frac_bits();
-        // To 2^(top - 1) and above, which is below 2^top; 0 for 0.
+        // Shifted to 2^(top - 1) or above, below 2^top; 0 for 0.
         let places = b.means(count, [largest], |[a]| {
             a.equal(0.0).select(0.0, f64::from(top - 1) - a.exponent())
         });
@@ -99,7 +99,7 @@ pub(super) fn block(b: &mut Builder, name: &str, v: [NodeId; 3]) -> Block {
     })
 }
 
-/// The words in fewer bits: -1 to 1, the largest still ½ or more in magnitude.
+/// The words in fewer bits: from -1 to 1, the largest still at least ½ in magnitude.
 pub(super) fn narrowed(
     b: &mut Builder,
     name: &str,
@@ -115,9 +115,10 @@ pub(super) fn narrowed(
     })
 }
 
-/// Length of the difference of the narrowed direction to the exact one, both as unit vectors: no
-/// more than that of the words over the shorter length, which is ½ or more. To nearest a word is off
-/// by half an ulp, or, as 1 has no code, by one; then the length is an ulp below 1 or more.
+/// Length of the difference between the narrowed direction and the exact one, both as unit vectors.
+/// It is at most the difference of the words divided by the shorter length, which is at least ½.
+/// Rounded to nearest, a word is off by half an ulp. Where 1 isn't representable it is off by one
+/// ulp; then the length is at least 1 less an ulp.
 pub(super) fn direction_error(values: &Values) -> f64 {
     let ulp = 2f64.powi(1 - cast::signed_count(values.bits("norm_bits")));
     let off = 3f64.sqrt() * ulp;
@@ -125,8 +126,9 @@ pub(super) fn direction_error(values: &Values) -> f64 {
     error.min(2.0)
 }
 
-/// A vector over its length, in a signed format that holds 1, and the flag for the zero vector,
-/// which stays 0: block normalisation, then a reciprocal root and a product for each component.
+/// A vector divided by its length, in a signed format that holds 1, and the flag for the zero
+/// vector, which stays 0. It takes block normalisation, a reciprocal root, and a product for each
+/// component.
 pub(super) fn unit_vector(
     b: &mut Builder,
     root: &mut Root<'_>,
@@ -139,7 +141,7 @@ pub(super) fn unit_vector(
     let square = dot(b, &format!("{name}_square"), words, words);
     let factor = root.of_square(b, &format!("{name}_length"), square)?;
     let unit = words.map(|word| {
-        let exact = b.mul(word, factor); // -1 to 1, but for errors
+        let exact = b.mul(word, factor); // -1 to 1, except for errors
         b.narrow(exact, format, root.round, Overflow::Saturate)
     });
     for (word, axis) in unit.iter().zip(["x", "y", "z"]) {
@@ -170,7 +172,7 @@ fn design(values: &Values) -> Result<Design> {
     ))
 }
 
-/// One rounding; where 1 is rounded to and has no code, an ulp.
+/// One rounding; one ulp where 1 would be the result and isn't representable.
 fn component_bound(values: &Values, _: &dyn Fn(&str) -> f64) -> f64 {
     rounding_ulp(values).max(1.0) * 2f64.powi(1 - cast::signed_count(values.bits("norm_bits")))
 }

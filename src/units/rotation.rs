@@ -1,12 +1,12 @@
-//! The polar rotation unit of Lee et al., *An Effective Hardware Architecture for Bump Mapping Using Angular
-//! Operation*, Fig. 7.
+//! The polar rotation unit of Lee et al., *An Effective Hardware Architecture for Bump Mapping
+//! Using Angular Operation*, Fig. 7.
 //!
-//! It takes a direction A = (phi_a, theta_a) and the normal N = (phi_n, theta_n), all in
-//! turns, and gives A' = A turned by -phi_n about z, then by -theta_n about y. Three variants:
+//! It rotates a direction A = (phi_a, theta_a) into the frame of the normal N = (phi_n, theta_n),
+//! all angles in turns: A' is A turned by -phi_n about z, then by -theta_n about y. Three variants:
 //!
-//! - `printed`: eqs (5)-(9), (16)-(21), (26), (27) letter for letter;
-//! - `corrected`: the same tables, multipliers and adders with the identities mended;
-//! - `exact`: the rotation's triple products expanded to sums, one table read per term.
+//! - `printed`: eqs (5)-(9), (16)-(21), (26), (27) exactly as printed;
+//! - `corrected`: the same tables, multipliers and adders with corrected identities;
+//! - `exact`: the rotation's triple products expanded into sums, one table read per term.
 
 use super::parts::plan::{self, Plan, angle, number, rounding_ulp};
 use super::parts::polar::{self, PolarTables};
@@ -46,9 +46,9 @@ pub fn unit() -> Unit {
             Param::choice("variant", ["printed", "corrected", "exact"])
                 .role(Role::Variant)
                 .default("exact")
-                .help("as the paper prints it, with its identities mended, or the exact rotation"),
+                .help("as the paper prints it, with its identities corrected, or the exact rotation"),
             Param::choice("output", ["auto", "cartesian", "polar-cordic", "polar-table"])
-                .help("form of the result; auto is cartesian for exact, and the paper's own polar form for the others"),
+                .help("form of the result; auto: cartesian for exact, the paper's own polar form for the others"),
             plan::angle_bits(),
             plan::table_addr_bits(),
             Param::scheme("scheme"),
@@ -56,7 +56,7 @@ pub fn unit() -> Unit {
             plan::frac_bits(),
             Param::bits("int_bits", 0..=1)
                 .default(1)
-                .help("integer bits of the components; 1 gives 1.0 a code, 0 saves a bit and 1.0 overflows"),
+                .help("integer bits of the components; 1: +1.0 is representable; 0: one bit less, +1.0 overflows"),
             plan::guard_bits(),
             Param::rounding("rounding"),
             plan::overflow(),
@@ -70,7 +70,7 @@ pub fn unit() -> Unit {
             plan::quadrants(),
             plan::cordic_iterations(),
         ])
-        .inputs("phi_a, theta_a, phi_n, theta_n: angles, modulo a turn (theta past half a turn goes on over the pole)")
+        .inputs("phi_a, theta_a, phi_n, theta_n: angles, modulo a turn (theta > 180° continues past the pole)")
         .outputs("x, y, z (output=cartesian) or phi, theta: angles (the others)")
         .design(design)
 }
@@ -118,7 +118,7 @@ fn design(values: &Values) -> Result<Design> {
         }
         ("exact", _) => Bounds::Stated(vec![Bound::new("angle", ["angle"], angle_bound)]),
         _ => Bounds::unstated(
-            "asin, 1/sin and 1/cos have infinite slopes, which no word length bounds; each table's own error is stated",
+            "asin, 1/sin and 1/cos have infinite slopes, so no word length bounds the error; each table's own error is stated",
         ),
     };
     let shape = if output == "cartesian" { Shape::Cartesian } else { Shape::Polar };
@@ -139,17 +139,17 @@ pub(super) enum Form {
     Cartesian {
         /// Format of each.
         format: Format,
-        /// What becomes of components past it.
+        /// Overflow mode of components out of its range.
         overflow: Overflow,
     },
     /// phi, theta of x, y, z by CORDIC.
     PolarCordic,
-    /// phi, theta of x, y, z by tables; also the form in which the paper's variants come.
+    /// phi, theta of x, y, z by tables. The paper's variants have this form too.
     PolarTable,
 }
 
-/// Rotates a direction: phi_a, theta_a, phi_n, theta_n to x, y, z or phi, theta in the words of
-/// ports. The paper's variants have no form but the polar one.
+/// Rotates a direction: phi_a, theta_a, phi_n, theta_n to x, y, z or to phi, theta in words of the
+/// ports' format. The paper's variants have only the polar form.
 pub(super) fn rotate(
     b: &mut Builder,
     plan: &mut Plan<'_>,
@@ -210,7 +210,7 @@ fn exact(
     let (sin_ym, cos_ym) = read(b, ym, "ymn")?;
     let (sin_ap, cos_ap) = read(b, ap, "apn")?;
     let (sin_am, cos_am) = read(b, am, "amn")?;
-    // Each sum is below 1 in magnitude but for table error; formats grow to hold any words.
+    // Each sum is below 1 in magnitude except for table error; formats grow to hold any words.
     let [x, y, z] = b.scope("sums", |b| {
         let quarters = |b: &mut Builder, [p, q, r, s]: [NodeId; 4], minus: bool| {
             // p + q + r + s, or p - q + r - s
@@ -247,8 +247,8 @@ fn exact(
     Ok(angles.to_vec())
 }
 
-/// phi, theta in the words of ports of a direction in three words of one format, `1 + work_bits`
-/// bits and a sign; (0, 0, 0) gives 0, 0.
+/// Converts a direction to phi, theta in words of the ports' format. Its three words have one
+/// format, of `1 + work_bits` bits and a sign. (0, 0, 0) gives 0, 0.
 pub(super) fn to_polar(
     b: &mut Builder,
     plan: &mut Plan<'_>,
@@ -263,7 +263,7 @@ pub(super) fn to_polar(
         let azimuth =
             b.scope("azimuth", |b| polar::cordic(b, y, x, iterations, work_bits, angle_bits));
         let theta = b.scope("polar_angle", |b| {
-            // The first CORDIC's length is too long by its gain, so z is made so too.
+            // The first CORDIC's length is too long by its gain, so z is scaled by it too.
             let z = polar::scale(b, z, polar::gain(iterations), work_bits);
             polar::cordic(b, azimuth.length, z, iterations, work_bits, angle_bits)
         });
@@ -337,8 +337,8 @@ fn over_twice(y: &Expr, f: &Expr) -> Expr {
     y.equal(0.0).select(0.0, y / (2.0 * f))
 }
 
-/// Integer bits of the atan table's index. Past 2^k it is off by 2^-k rad; with 2^a cells over
-/// ±2^k, a direct cell is off by 2^(k-a) and a linear one by about 2^(2k-2a) rad.
+/// Integer bits of the atan table's index. Beyond 2^k the result is off by 2^-k rad. With 2^a cells
+/// over ±2^k, a direct cell is off by 2^(k-a) rad and a linear one by about 2^(2k-2a) rad.
 fn atan_int_bits(values: &Values) -> u32 {
     let count = |bits: i64| u32::try_from(bits).expect("bug: counts of bits are small");
     let own = values.int("atan_addr_bits");
@@ -366,7 +366,7 @@ fn seed(
     let full_circle = plan.values.choice("quadrants") == "full";
     let inner_turn = Format::turns(work_angle)?;
 
-    // (6): X, Y. As printed they are halved, and then Δ may not be reduced modulo a turn first.
+    // (6): X, Y. As printed they are halved, so Δ may not be reduced modulo a turn before.
     let (big_x, big_y) = b.scope("angles", |b| -> Result<_> {
         let difference = b.sub(phi_a, phi_n);
         b.name(difference, "delta_exact");
@@ -406,7 +406,7 @@ fn seed(
     )[0];
     b.turns(asin);
     let theta_x = if corrected {
-        // ½ - asin where cos theta_a < 0: the negated angle with its top bit inverted.
+        // ½ - asin where cos theta_a < 0: negate the angle and invert its top bit.
         let quarter = b.constant(1 << (plan.angle_bits - 2), Format::turns(plan.angle_bits)?);
         let three_quarters =
             b.constant(3 << (plan.angle_bits - 2), Format::turns(plan.angle_bits)?);
@@ -425,7 +425,7 @@ fn seed(
     b.turns(theta_x);
     b.name(theta_x, "theta_x");
 
-    // Z = theta_x - theta_n; tables see it modulo a turn.
+    // Z = theta_x - theta_n; the tables take it modulo a turn.
     let difference = b.sub(theta_x, theta_n);
     b.name(difference, "z_exact");
     let big_z = angle(b, "ang_z", difference, Format::signed_turns(work_angle)?);
@@ -461,7 +461,8 @@ fn seed(
         phi
     };
 
-    // (26), (27): theta_prop of y_k, which its approximations let pass 1: the index saturates.
+    // (26), (27): theta_prop of y_k. Approximation errors can take y_k beyond 1, so the index
+    // saturates.
     let y_k = b.mul(y_double, recip_cos);
     b.means(y_k, [y_double, big_z], |[y, z]| over_twice(&y, &z.cos_turns()));
     let y_k = b.narrow(y_k, number(0, work)?, plan.round, Overflow::Saturate);
@@ -484,11 +485,11 @@ fn seed(
     Ok(vec![plan.angle_word(b, "phi", phi)?, plan.angle_word(b, "theta", theta)?])
 }
 
-/// |x', y', z'| each: the terms' weights add up to 2, so twice the table's worst error, and
-/// the last rounding.
+/// Error of each of |x'|, |y'|, |z'|: the terms' weights add up to 2, so it is twice the table's
+/// worst error plus the last rounding.
 pub(super) fn component_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
     let ulp = 2f64.powi(-cast::signed_count(values.bits("frac_bits")));
-    // Without an integer bit, 1.0 saturates one ulp lower.
+    // Without an integer bit, 1.0 saturates to one ulp less.
     let saturation = if has_int_bit(values) { 0.0 } else { ulp };
     2.0 * worst("sincos") + rounding_ulp(values) * ulp + saturation
 }
@@ -497,13 +498,14 @@ fn angle_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
     polar_bound(values, worst, values.choice("output") == "polar-cordic")
 }
 
-/// True unless the components have no integer bit; only the rotation unit alone lets one choose.
+/// True unless the components have no integer bit; only the rotation unit lets the user choose
+/// that.
 fn has_int_bit(values: &Values) -> bool {
     !values.has("int_bits") || *values.get("int_bits") != Value::Int(0)
 }
 
-/// Angle between vectors in rad of variant `exact` in a polar form: the components' error, then
-/// the conversion's.
+/// Angle in rad between the exact vector and that of variant `exact` in a polar form: the error of
+/// the components, then that of the conversion.
 pub(super) fn polar_bound(values: &Values, worst: &dyn Fn(&str) -> f64, cordic: bool) -> f64 {
     let work_bits = values.bits("frac_bits") + values.bits("guard_bits");
     let work_ulp = 2f64.powi(-cast::signed_count(work_bits));
@@ -511,8 +513,8 @@ pub(super) fn polar_bound(values: &Values, worst: &dyn Fn(&str) -> f64, cordic: 
     converted_bound(values, worst, component, cordic)
 }
 
-/// Angle between vectors in rad after [`to_polar`] of a unit vector whose components are off by
-/// `component` at most.
+/// Angle in rad between vectors after [`to_polar`] of a unit vector whose components are off by at
+/// most `component`.
 pub(super) fn converted_bound(
     values: &Values,
     worst: &dyn Fn(&str) -> f64,
@@ -524,42 +526,45 @@ pub(super) fn converted_bound(
     let work_ulp = ulp(values.bits("frac_bits") + guard_bits);
     let work_angle_ulp = ulp(values.bits("angle_bits") + guard_bits);
     let rounding = rounding_ulp(values);
-    // The vector before conversion is off by `vector` in length, so its angle by asin of that,
-    // and its length is 1 - vector at least. A vector off by 1 may point anywhere.
+    // Before conversion the vector is off by `vector` in length, so its angle is off by asin of
+    // that, and its length is at least 1 - vector. A vector off by 1 may point anywhere.
     let vector = 3f64.sqrt() * component;
     if vector >= 1.0 {
         return std::f64::consts::PI;
     }
     let length = 1.0 - vector;
-    // Each conversion is two angles of a plane vector, azimuth and polar angle. An error `plane` of
-    // a plane vector of length s turns it by asin(plane / s) where plane < s, and else by anything.
-    // For the polar angle s is the vector's length; for the azimuth it is sin theta times that, but
-    // the azimuth turns the vector by sin theta times as much only: by twice `plane` at most.
+    // Each conversion gives two angles of plane vectors, azimuth and polar angle. An error `plane`
+    // of a plane vector of length s turns it by asin(plane / s) if plane < s, and otherwise by any
+    // angle. For the polar angle, s is the vector's length. For the azimuth, s is sin theta times
+    // that; but the azimuth turns the vector only by sin theta times as much, so by at most twice
+    // `plane`.
     let turned = |plane: f64| libm::asin((plane / length).min(1.0));
     let (azimuth, polar) = if cordic {
-        // x, y and the angle keep `cordic_frac_bits`, so all dropped bits stay below one ulp of
-        // what they stand for. The last step leaves at most its own angle undone.
+        // x, y and the angle keep `cordic_frac_bits`, so the dropped bits together stay below one
+        // ulp of the kept word. The last step leaves at most its own angle as a rest.
         let iterations = cordic_iterations(values);
         let rest = 2f64.powi(1 - cast::signed_count(iterations));
         let dropped = 2.0 * turned(2.0 * work_ulp) + TAU * work_angle_ulp;
-        // That rest also shortens the length that the polar angle starts from, by 1 - cos of it.
+        // That rest also shortens the length from which the polar angle is computed, by 1 - cos of
+        // it.
         (rest + dropped, rest + dropped + turned(1.0 - libm::cos(rest)))
     } else {
         // The ratio is off by the reciprocal's error, one rounding, and one ulp where it saturates
-        // below 1; atan has a slope of at most 1 rad.
+        // below 1. The slope of atan is at most 1 rad.
         let ratio = worst("recip") + (rounding + 1.0) * work_ulp;
         let angle = TAU * worst("atan") + ratio;
-        // The length is off by the secant's error and its slope below 1 of the ratio's.
+        // The length is off by the secant's error, and by the ratio's times a slope below 1.
         (angle, angle + turned(worst("atan") + ratio + 2.0 * work_ulp))
     };
-    // Both angles are rounded to the port's words.
+    // Both angles are rounded to the ports' words.
     let port = rounding * TAU * ulp(values.bits("angle_bits"));
     (libm::asin(vector) + azimuth + polar + 2.0 * port).min(std::f64::consts::PI)
 }
 
 /// The golden model: the rotation in plain floating point, angles in turns.
 ///
-/// Written from the mathematics; knows no netlist. Exact up to float rounding, singular nowhere.
+/// Written from the mathematics, independent of the netlist. Exact up to float rounding, without
+/// singularities.
 fn golden<F: Real>(_: &Values) -> Golden<F> {
     const BLOCK: usize = 256;
     Golden::new(|inputs: &[&[F]], outputs: &mut [Vec<F>]| {
@@ -604,7 +609,7 @@ fn draw(_: &Values, _: &InputPorts<'_>) -> Draw {
     })
 }
 
-/// From numbers in 0 to 1 to the azimuths and polar angles of directions.
+/// Converts numbers from 0 to 1 to the azimuths and polar angles of directions.
 struct Directions<'a> {
     columns: &'a mut [Vec<f64>],
     lit: bool,
@@ -686,8 +691,8 @@ fn hard_cases(values: &Values) -> Vec<HardCase> {
             unit.extend(near(quarter).map(|t| [-quarter + delta, t, 0, theta]));
         }
     }
-    // First and last entry and the joints of each table, through an input that leads there; for
-    // tables of more than 2^14 entries, 2^14 of their joints.
+    // The first and last entry and the joints of each table, through an input that leads there. For
+    // tables of more than 2^14 entries, only 2^14 joints.
     let cells = |size: &str| {
         let own = values.int(size);
         let bits = own.unwrap_or_else(|| values.int("table_addr_bits").expect("bug: no auto here"));
@@ -707,9 +712,10 @@ fn hard_cases(values: &Values) -> Vec<HardCase> {
         }
         all
     };
-    // With N at the pole: theta_a is X's, Y's and Z's angle; sin theta_a is asin's index; delta is
-    // phi', whose tangent is atan's index; at theta_a = ¼ turn sin delta is y_k. The exact unit's
-    // tables take the larger component, ½ to 1, and the ratio of two, 0 to 1.
+    // With N at the pole, theta_a is the angle of X, Y and Z, and sin theta_a is asin's index.
+    // delta is phi', whose tangent is atan's index. At theta_a = ¼ turn, sin delta is y_k. The
+    // exact unit's tables take the larger component, ½ to 1, and the ratio of two components, 0 to
+    // 1.
     let exact = values.choice("variant") == "exact";
     let arc = |sine: f64| at(asin_turns(sine));
     let sincos_joints = joints("sincos_addr_bits", &|x| (at(x), [0; 4], 1));
@@ -728,7 +734,7 @@ fn hard_cases(values: &Values) -> Vec<HardCase> {
         (arc(sine), [0, quarter, 0, 0], 0)
     });
     vec![
-        cases("poles: theta = 0 or half a turn, and one word either side", poles),
+        cases("poles: theta = 0 or half a turn, and one word off to either side", poles),
         cases("both vectors at a pole", both_poles),
         cases("phi wrap: first and last word", wrap),
         cases("A parallel to N, and one word off", parallel),

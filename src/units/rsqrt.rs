@@ -1,4 +1,4 @@
-//! The reciprocal square root as a unit, and the one that units of vectors share.
+//! The reciprocal square root as a unit, and the one shared by the units of vectors.
 
 use super::parts::plan::rounding_ulp;
 use super::parts::root::{self, newton_error, reciprocal_root};
@@ -31,13 +31,13 @@ pub fn unit() -> Unit {
         Param::bits("input_frac_bits", 0..=32).default(18).help("fraction bits of a"),
         Param::bits("root_int_bits", 1..=17)
             .default(9)
-            .help("the result saturates at 2^root_int_bits, and so does the golden"),
+            .help("the result and the golden saturate at 2^root_int_bits"),
         root_scheme(),
         root_addr_bits(),
         root_frac_bits(),
         Param::rounding("rounding"),
     ])
-    .inputs("a: a number from 0")
+    .inputs("a: a number, 0 or more")
     .outputs("r: 1/sqrt(a), or 0 for 0; degenerate: 1 for 0")
     .design(design)
 }
@@ -55,23 +55,23 @@ pub(super) fn root_addr_bits() -> Param {
     Param::bits("root_addr_bits", 2..=16)
         .role(Role::TableSize)
         .default(9)
-        .help("address bits of its table")
+        .help("address bits of the reciprocal root's table")
 }
 
 pub(super) fn root_frac_bits() -> Param {
     Param::bits("root_frac_bits", 2..=22).default(18).help("fraction bits of the reciprocal root")
 }
 
-/// Guard bits of a Newton step, and of the operand's mantissa.
+/// Guard bits of a Newton step and of the operand's mantissa.
 const GUARD_BITS: u32 = 2;
 
-/// The reciprocal root of the parameters.
+/// The reciprocal root as set by the parameters.
 pub(super) struct Root<'a> {
     pub(super) values: &'a Values,
     pub(super) round: Round,
-    /// Bits of the block-normalised words that it serves, if the unit has any.
+    /// Bits of its block-normalised operands, if the unit has any.
     pub(super) norm_bits: u32,
-    /// Its table, once there is a root.
+    /// Its table, once a root is built.
     pub(super) tabulated: Vec<Tabulated>,
 }
 
@@ -85,7 +85,7 @@ impl<'a> Root<'a> {
         }
     }
 
-    /// 1/sqrt of an unsigned word, below 2^int_bits; more saturates, 1/sqrt(0) among it.
+    /// 1/sqrt of an unsigned word, below 2^int_bits; larger results saturate, including 1/sqrt(0).
     pub(super) fn emit(
         &mut self,
         b: &mut Builder,
@@ -98,7 +98,8 @@ impl<'a> Root<'a> {
         let scheme = self.values.choice("root_scheme");
         let addr_bits = self.values.bits("root_addr_bits");
         let newton = (scheme == NEWTON).then_some(frac_bits + GUARD_BITS);
-        // A Newton step doubles the good bits: no more of them in the table than that.
+        // A Newton step doubles the number of correct bits, so the table's words hold only as many
+        // bits as a table of this size gets right.
         let most = frac_bits + GUARD_BITS;
         let table_bits = if newton.is_some() { most.min(addr_bits + 3) } else { most };
         let kept_bits = kept_bits(self.values);
@@ -126,7 +127,8 @@ impl<'a> Root<'a> {
         Ok(root)
     }
 
-    /// 1/sqrt of the exact square of a block-normalised vector, ¼ to 3, after `dot_frac_bits` of it.
+    /// 1/sqrt of the exact square of a block-normalised vector. The square, ¼ to 3, is rounded to
+    /// `dot_frac_bits`.
     pub(super) fn of_square(
         &mut self,
         b: &mut Builder,
@@ -134,7 +136,7 @@ impl<'a> Root<'a> {
         square: NodeId,
     ) -> Result<NodeId> {
         let frac_bits = self.values.bits("dot_frac_bits");
-        // ¼ has a code, so rounding keeps ¼ and above there.
+        // ¼ is representable, so a rounded square stays at least ¼.
         let format = Format::unsigned(2 + frac_bits, cast::signed_count(frac_bits))?;
         let square = b.narrow(square, format, self.round, Overflow::Saturate);
         b.name(square, &format!("{name}_square"));
@@ -143,7 +145,7 @@ impl<'a> Root<'a> {
     }
 }
 
-/// Bits of the operand's mantissa that are kept.
+/// Bits kept of the operand's mantissa.
 fn kept_bits(values: &Values) -> u32 {
     (values.bits("root_frac_bits") + GUARD_BITS).max(4)
 }
@@ -158,15 +160,15 @@ pub(super) fn root_error(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
         }
         _ => worst("recip_root"),
     };
-    // What the mantissa's last bits are worth comes on top of what is known of the rest.
+    // The mantissa's dropped bits multiply the error.
     (1.0 + table) * (1.0 + dropped) - 1.0
 }
 
 /// Largest relative error of [`Root::of_square`] as the reciprocal of the length of its words.
 pub(super) fn length_error(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
     let ulp = |name| rounding_ulp(values) * 2f64.powi(-cast::signed_count(values.bits(name)));
-    // The square is ¼ or more before and after its rounding; the root of it is rounded, and counts
-    // times the length, which is below sqrt(3).
+    // The square is at least ¼ before and after its rounding. Its root is rounded, and that error
+    // is multiplied by the length, which is below sqrt(3).
     (1.0 + 4.0 * ulp("dot_frac_bits")).sqrt() * (1.0 + root_error(values, worst)) - 1.0
         + 3f64.sqrt() * ulp("root_frac_bits")
 }
@@ -189,7 +191,7 @@ fn design(values: &Values) -> Result<Design> {
     groups[0].shape = Shape::Scaled {
         scales: vec![
             Scale::new("relative", "the result"),
-            Scale::new("scaled", "the result, or 1 where it is less"),
+            Scale::new("scaled", "the result, at least 1"),
         ],
         texels: None,
     };
@@ -218,14 +220,14 @@ fn largest(values: &Values) -> f64 {
     libm::exp2(of_one_lsb.min(values.bits("root_int_bits").into()))
 }
 
-/// No result but that of 0 is less.
+/// Lower limit of all results except that of 0.
 fn least(values: &Values) -> f64 {
     let whole_bits =
         f64::from(values.bits("input_bits")) - f64::from(values.bits("input_frac_bits"));
     libm::exp2(-0.5 * whole_bits)
 }
 
-/// The golden and its scales. The error of a result of 0 is 0 over anything.
+/// The golden and its scales. A result of 0 has the relative error 0.
 fn golden<F: Real>(values: &Values) -> Golden<F> {
     let two = F::one() + F::one();
     let int_bits = cast::signed_count(values.bits("root_int_bits"));
@@ -245,7 +247,7 @@ fn hard_cases(format: Format) -> Vec<HardCase> {
     let powers = (0..format.bits()).flat_map(|k| [(1 << k) - 1, 1i64 << k, (1 << k) + 1]);
     vec![
         HardCase::new("zero", rows(vec![0])),
-        HardCase::new("powers of two, and one beside", rows(powers.collect())),
+        HardCase::new("powers of two, and one word off", rows(powers.collect())),
         HardCase::new("the largest words", rows(vec![format.max_raw() - 1, format.max_raw()])),
     ]
 }

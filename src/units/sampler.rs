@@ -1,15 +1,15 @@
-//! The sampler of the emboss family: texture coordinates to texels.
+//! The sampler of the emboss family: from texture coordinates to texels.
 //!
-//! A map of 2^log2_width by 2^log2_height texels covers coordinates 0 to 1 along each axis, and texel i of a
-//! row lies over i / width to (i + 1) / width, so that its centre is at (i + ½) / width, as in OpenGL.
-//! `nearest` gives the texel that a coordinate lies in. `bilinear` gives the two columns and the two rows whose
-//! centres are around it, and the part of the way from the first to the second: with u = s · width - ½,
-//! i0 = ⌊u⌋, i1 = i0 + 1, a = u - ⌊u⌋.
+//! A map of 2^log2_width by 2^log2_height texels covers coordinates 0 to 1 along each axis. Texel i
+//! of a row covers i / width to (i + 1) / width, so its centre is at (i + ½) / width, as in OpenGL.
+//! `nearest` gives the texel that contains the coordinate. `bilinear` gives the two columns and the
+//! two rows whose centres enclose it, and the fraction of the way from the first to the second:
+//! with u = s · width - ½, i0 = ⌊u⌋, i1 = i0 + 1, a = u - ⌊u⌋.
 //!
-//! Texels outside the map are found by `wrap` (the map repeats) or `clamp` (its border goes on), for
-//! each axis on its own. The position u is cut off, never rounded up, after `fraction_bits`, so texels are
-//! always those of the exact position. What that takes off, less than an ulp of the fractions, it takes off
-//! every sample, and differences of samples hardly see it.
+//! Texels outside the map follow `wrap` (the map repeats) or `clamp` (its border continues), for
+//! each axis separately. The position u is truncated to `fraction_bits`, never rounded up, so
+//! texels are always those of the exact position. The truncation, less than an ulp of the
+//! fractions, is common to all samples and nearly cancels in their differences.
 
 use crate::base::cast;
 use crate::base::error::Result;
@@ -32,11 +32,11 @@ pub fn unit() -> Unit {
         .params([
             filter(),
             Param::choice("address_s", ["wrap", "clamp"])
-                .help("beyond the map along s: it repeats, or its border goes on"),
+                .help("beyond the map along s: the map repeats (wrap), or its border continues (clamp)"),
             Param::choice("address_t", ["wrap", "clamp"]).help("beyond the map along t, likewise"),
             Param::bits("int_bits", 0..=16)
                 .default(4)
-                .help("integer bits of the coordinates, beside the sign"),
+                .help("integer bits of the coordinates, without the sign"),
             Param::bits("frac_bits", 1..=30).default(20).help("fraction bits of the coordinates"),
             Param::int("log2_width", 1..=13)
                 .role(Role::MapSize)
@@ -49,14 +49,14 @@ pub fn unit() -> Unit {
             fraction_bits(),
         ])
         .inputs("s, t: texture coordinates, 0 to 1 over the map")
-        .outputs("i, j: column and row (nearest); or i0, i1, a and j0, j1, b: columns and rows around, and how far the sample is from the first to the second, 0 to 1 (bilinear)")
+        .outputs("i, j: column and row (nearest); or i0, i1, a and j0, j1, b: enclosing columns and rows, and the sample's fraction of the way from the first to the second, 0 to 1 (bilinear)")
         .design(design)
 }
 
 pub(super) fn filter() -> Param {
     Param::choice("filter", ["nearest", "bilinear"])
         .default("bilinear")
-        .help("one texel of each sample, or four and their weights")
+        .help("one texel per sample, or four and their weights")
 }
 
 pub(super) fn fraction_bits() -> Param {
@@ -65,7 +65,7 @@ pub(super) fn fraction_bits() -> Param {
         .help("bits of the fractions between texels (bilinear)")
 }
 
-/// Coordinate, parameters of its axis, and names of the position and of what comes out.
+/// Coordinate, parameters of its axis, and names of the position and of the outputs.
 const AXES: [(&str, &str, &str, &str, [&str; 4]); 2] = [
     ("s", "address_s", "log2_width", "u", ["i", "i0", "i1", "a"]),
     ("t", "address_t", "log2_height", "v", ["j", "j0", "j1", "b"]),
@@ -92,7 +92,7 @@ fn design(values: &Values) -> Result<Design> {
             } else {
                 scaled
             };
-            // As many integer bits as the exact position has: nothing overflows.
+            // As many integer bits as the exact position: nothing overflows.
             let whole = b.format(exact).int_bits().unsigned_abs() + 1;
             let first = b.narrow(exact, Format::signed(whole, 0)?, Round::Floor, Overflow::Wrap);
             if first != exact {
@@ -140,7 +140,7 @@ fn design(values: &Values) -> Result<Design> {
         .bounds(Bounds::Stated(bounds)))
 }
 
-/// A word kept within 0 to `last`, by a comparator and two multiplexers.
+/// A word clamped to 0 to `last`, by a comparator and two multiplexers.
 pub(super) fn clamped(b: &mut Builder, word: NodeId, last: NodeId) -> NodeId {
     let zero = b.constant(0, Format::FLAG);
     let above = b.less(last, word);
@@ -149,12 +149,13 @@ pub(super) fn clamped(b: &mut Builder, word: NodeId, last: NodeId) -> NodeId {
     b.mux(below, zero, most)
 }
 
-/// What is cut off the position: less than an ulp, and nothing if the coordinate has no more bits.
+/// The truncated part of the position: less than an ulp, and nothing if the coordinate has no more
+/// bits.
 fn fraction_bound(values: &Values, _: &dyn Fn(&str) -> f64) -> f64 {
     let ulp = |bits: i64| 2f64.powi(-i32::try_from(bits).expect("bug: counts are small"));
     let bits = |name| i64::from(values.bits(name));
     let kept = bits("fraction_bits");
-    // The position has so many fraction bits; one for the half texel.
+    // Fraction bits of the position; at least one, for the half texel.
     let side = bits("log2_width").min(bits("log2_height"));
     let exact = (bits("frac_bits") - side).max(1);
     if exact <= kept { 0.0 } else { ulp(kept) - ulp(exact) }
@@ -211,7 +212,7 @@ fn hard_cases(values: &Values, coordinate: Format) -> Vec<HardCase> {
     let (min, max) = (coordinate.min_raw(), coordinate.max_raw());
     let one = 1i64 << values.bits("frac_bits");
     let near = |word: i64| [word - 2, word - 1, word, word + 1, word + 2];
-    // Words on both axes, one of them elsewhere too.
+    // Each word on both axes, and on one axis with another value on the other.
     let cases = |name, words: Vec<i64>| {
         let words = words.into_iter().filter(|word| (min..=max).contains(word));
         let both = words.flat_map(|word| [vec![word, word], vec![word, 0], vec![max / 3, word]]);
@@ -228,14 +229,14 @@ fn hard_cases(values: &Values, coordinate: Format) -> Vec<HardCase> {
         sides.into_iter().flat_map(at).flat_map(|word| [word, word - one]).flat_map(near).collect()
     };
     vec![
-        cases("centres of texels, and a word or two beside", texels(1)),
-        cases("borders between texels, and a word or two beside", texels(0)),
+        cases("centres of texels, and a word or two off", texels(1)),
+        cases("borders between texels, and a word or two off", texels(0)),
         cases(
-            "ends of the map: 0 and ±1, and a word or two beside",
+            "ends of the map: 0 and ±1, and a word or two off",
             [0, one, -one].into_iter().flat_map(near).collect(),
         ),
         cases(
-            "the first and the last word, and a word or two beside",
+            "the first and the last word, and a word or two off",
             [min, max].into_iter().flat_map(near).collect(),
         ),
         cases(

@@ -1,4 +1,4 @@
-//! Vertices of a surface: what random and hard cases give the ports of embossing units.
+//! Random and hard surface vertices for the ports of embossing units.
 
 use crate::design::{Draw, HardCase, InputPorts, Uniform, Values};
 use crate::netlist::{Netlist, NodeId};
@@ -20,7 +20,7 @@ struct Vertex {
 }
 
 impl Vertex {
-    /// All numbers, each at the place that [`Vertex::place`] tells.
+    /// All numbers, each at its [`Vertex::place`].
     fn numbers(&self) -> [f64; 27] {
         let [m0, m1, m2] = [0, 1, 2].map(|row| self.matrix.row(row));
         let vectors = [m0, m1, m2, self.tangent, self.binormal, self.light, self.vertex];
@@ -33,7 +33,7 @@ impl Vertex {
         all
     }
 
-    /// Where the number of an input port is.
+    /// Index of an input port's number.
     fn place(port: &str) -> usize {
         let scalars = ["s0", "t0", "r0", "q0", "ks", "kt"];
         if let Some(at) = scalars.iter().position(|name| *name == port) {
@@ -54,9 +54,10 @@ impl Vertex {
         3 * vector + axis
     }
 
-    /// A random one: a rotation times ½ to 2, half of them reflected; T and B at right angles or, one
-    /// in two, not, and then from ¾ to 5/4 long; the vertex within 1000 of the eye in each axis, the
-    /// light 2^-6 to 2^10 from it, all sizes alike.
+    /// A random vertex. The matrix is a rotation times ½ to 2, reflected for half of them. T and B
+    /// are at right angles for half of them; for the others they aren't, and are ¾ to 5/4 long. The
+    /// vertex is within 1000 of the eye in each axis, and the light 2^-6 to 2^10 from the vertex,
+    /// uniform on a logarithmic scale.
     fn random(uniform: &mut Uniform) -> Self {
         let mut sphere = || {
             let (z, turns) = (1.0 - 2.0 * uniform.draw(), uniform.draw());

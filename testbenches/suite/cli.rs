@@ -1,4 +1,4 @@
-//! The command line as scripts use it: results, exit codes, messages, and files left whole.
+//! The command line as scripts use it: results, exit codes, messages, and complete files.
 
 use crate::common::{fixpath, refused, run};
 use std::fs;
@@ -111,7 +111,7 @@ fn every_parameter_at_both_ends_of_its_range_builds_or_says_why_not() {
                 let args = ["sim", "rotation", "--samples", "200", "-p", &variant, "-p", &set];
                 let (code, _, stderr) = run(&args);
                 let fine = code == 0 || code == 2 && stderr.starts_with("error: ");
-                // Mode `error` may stop a run: that is what it is for.
+                // Overflow mode `error` may stop a run, which is its purpose.
                 let stopped = code == 1 && set == "overflow=error";
                 assert!(fine || stopped, "{args:?}: {code} {stderr}");
             }
@@ -123,7 +123,7 @@ fn every_parameter_at_both_ends_of_its_range_builds_or_says_why_not() {
 fn eval_writes_words_values_and_golden() {
     let folder = tempfile::tempdir().unwrap();
     let (input, out) = (folder.path().join("in.csv"), folder.path().join("out.csv"));
-    // Columns in another order, one more than needed, and spaces.
+    // Columns in another order, one more than needed, and with spaces.
     fs::write(&input, "note,theta_n,phi_n,theta_a,phi_a\na, 0, 0, 90, 90\nb,0,0,45,-360\n")
         .unwrap();
     let args =
@@ -231,7 +231,7 @@ fn malformed_csv_names_line_and_column_and_leaves_nothing() {
         refused(&["wave", "rotation", "--in", input, "--out", out], message);
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "only the input is there");
     }
-    // What was there stays.
+    // The previous file stays.
     let folder = tempfile::tempdir().unwrap();
     let (input, out) = (folder.path().join("in.csv"), folder.path().join("out.csv"));
     fs::write(&input, format!("{header}1,2,3,4\n1,2,3,oops\n")).unwrap();
@@ -279,7 +279,7 @@ fn a_full_disk_is_one_clear_line() {
     let input = folder.path().join("in.csv");
     fs::write(&input, "phi_a,theta_a,phi_n,theta_n\n1,2,3,4\n").unwrap();
     let input = input.to_str().unwrap();
-    // The device that is always full, and stays a device.
+    // /dev/full is always full, and it stays a device.
     refused(
         &["eval", "rotation", "--in", input, "--out", "/dev/full"],
         "/dev/full: can't write: No space left",
@@ -456,7 +456,7 @@ fn a_wave_is_a_pair_or_nothing() {
     fs::write(at("c.vcd"), "old").unwrap();
     refused(&["wave", "rotation", "--out", &at("c.vcd")], "c.gtkw: can't write");
     assert_eq!(fs::read_to_string(at("c.vcd")).unwrap(), "old");
-    // A pattern of many stars is matched at once, and a window needs no more samples than itself.
+    // A pattern of many stars is matched in linear time, and a window needs only its own samples.
     let stars = "*".repeat(40) + "q";
     refused(&["wave", "rotation", "--signals", &stars, "--out", &at("d.vcd")], "no signal matches");
     let args = ["wave", "rotation", "--samples", "10000000", "--cycles", "0..5", "--out"];
@@ -489,7 +489,7 @@ fn links_stay_links_and_temporary_names_stay_hidden() {
 fn a_wave_stops_at_a_forbidden_overflow() {
     let folder = tempfile::tempdir().unwrap();
     let (input, out) = (folder.path().join("in.csv"), folder.path().join("o.vcd"));
-    // A along N: z is 1, which has no code without an integer bit.
+    // A along N: z is 1, which isn't representable without an integer bit.
     fs::write(&input, "phi_a,theta_a,phi_n,theta_n\n0,0.25,0,0\n0,0,0,0\n").unwrap();
     let args = ["wave", "rotation", "-p", "int_bits=0", "-p", "overflow=error", "--angle", "turns"];
     let mut command = fixpath();
@@ -531,9 +531,9 @@ fn every_hard_case_can_be_had_as_csv() {
         count += 1;
     }
     assert_eq!(value["inputs"]["samples"], count);
-    // Nothing was drawn.
+    // No random inputs are drawn.
     assert_eq!(value["inputs"]["seed"], serde_json::Value::Null);
-    // They are inputs as they are.
+    // The cases are usable as inputs unchanged.
     let to = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let cases = cases.to_str().unwrap();
     for (command, out) in [("eval", to("out.csv")), ("wave", to("out.vcd"))] {
@@ -558,7 +558,8 @@ fn a_sweep_leaves_somebodys_files_alone() {
     assert_eq!(fs::read_to_string(folder.path().join("report.md")).unwrap(), "mine");
 }
 
-/// Every whole number is read in the same forms, and one that can't be is told with its value and them.
+/// All options accept whole numbers in the same forms. A refused number is reported with its value
+/// and the accepted forms.
 #[test]
 fn numbers_are_read_in_the_forms_that_people_write() {
     let sim = |samples: &str, seed: &str| {
@@ -604,7 +605,7 @@ fn numbers_are_read_in_the_forms_that_people_write() {
     );
 }
 
-/// What a sampler can't use is told, and changes nothing.
+/// A sampler or seed that has no effect is noted, and changes no result.
 #[test]
 fn samples_and_seeds_without_a_use_are_noted() {
     let sim = ["sim", "rotation", "-p", "angle_bits=3", "--json"];
@@ -635,7 +636,7 @@ fn samples_and_seeds_without_a_use_are_noted() {
     );
 }
 
-/// A coarse input looks good against its own golden: such sweeps are ranked end to end.
+/// A coarse input looks good against its own golden, so such sweeps are ranked end to end.
 #[test]
 fn a_sweep_over_input_widths_is_ranked_end_to_end() {
     let folder = tempfile::tempdir().unwrap();
@@ -648,13 +649,13 @@ fn a_sweep_over_input_widths_is_ranked_end_to_end() {
     assert!(fs::read_to_string(out.join("report.md")).unwrap().contains("real inputs"));
 }
 
-/// An interrupt leaves finished points and no half-written file.
+/// An interrupt leaves finished points and no incomplete file.
 #[test]
 #[cfg(unix)]
 fn an_interrupt_leaves_nothing_half_written() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("big.vcd");
-    // The suite may itself run where signals are ignored.
+    // The suite itself may run with signals ignored.
     let mut child = std::process::Command::new("env")
         .arg("--default-signal=INT")
         .arg(assert_cmd::cargo::cargo_bin("fixpath"))
@@ -662,7 +663,7 @@ fn an_interrupt_leaves_nothing_half_written() {
         .arg(&out)
         .spawn()
         .unwrap();
-    // Until it writes, then stop it in the middle.
+    // Wait until it writes, then interrupt it.
     while is_empty(folder.path()) {
         assert!(child.try_wait().unwrap().is_none(), "still running");
         std::thread::sleep(std::time::Duration::from_millis(20));
@@ -673,7 +674,7 @@ fn an_interrupt_leaves_nothing_half_written() {
     assert!(is_empty(folder.path()));
 }
 
-/// `--profile` tells where the time went: parts that make up the whole.
+/// `--profile` reports the time of each part, and the parts add up to the total.
 #[test]
 fn a_profile_tells_the_share_of_each_part() {
     let run = |args: &[&str]| {
@@ -705,7 +706,7 @@ fn a_profile_tells_the_share_of_each_part() {
     assert!(json["profile_seconds"]["engine"].as_f64().unwrap() > 0.0);
 }
 
-/// Fewer bases change nothing of those that are left, on any inputs; total is always one of them.
+/// With fewer bases the remaining figures are unchanged, on any inputs; total is always among them.
 #[test]
 fn fewer_bases_give_the_same_figures() {
     let figures = |sampler: &[&str], basis: &[&str]| -> Vec<serde_json::Value> {
@@ -738,7 +739,7 @@ fn fewer_bases_give_the_same_figures() {
     assert!(told.contains("total, arithmetic, algorithm, end-to-end"), "{told}");
 }
 
-/// A scene or an option that is wrong is refused with its place, before anything is written.
+/// A wrong scene or option is refused with its place, before anything is written.
 #[test]
 fn a_render_that_is_wrong_writes_nothing() {
     let folder = tempfile::tempdir().unwrap();
@@ -848,7 +849,7 @@ fn a_render_that_is_wrong_writes_nothing() {
     refused(&["render", &good, "--out", &format!("{good}/out")], "can't make the folder");
     assert!(fs::read_to_string(&good).unwrap().starts_with("[image]"));
 
-    // Nor does a folder stand in the way of a name: an earlier run may have written it.
+    // A folder with the name of an output file is no obstacle: an earlier run may have written it.
     fs::create_dir(folder.path().join("plane")).unwrap();
     let mut command = fixpath();
     command.current_dir(folder.path()).args([
@@ -867,8 +868,8 @@ fn a_render_that_is_wrong_writes_nothing() {
     assert!(stderr.contains("good.toml: is no folder"), "{stderr}");
 }
 
-/// Figures of different machines are set side by side. The system's library takes other paths where the
-/// processor has fused multiply-add; told that it has none, nothing may change.
+/// Figures of different machines are compared side by side. The system library takes other code
+/// paths on processors with fused multiply-add; with these disabled, no figure may change.
 #[test]
 fn figures_do_not_depend_on_fused_multiply_add() {
     for unit in ["illumination", "bump", "kim", "kugler", "basis", "emboss", "tangent"] {

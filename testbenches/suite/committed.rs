@@ -1,5 +1,6 @@
-//! The hardware of every unit at its defaults, and of some settings more, is what is committed: a few
-//! settings in full in `hdl_out/` and `testbenches/`, and a digest of each file of the others.
+//! The generated hardware of every unit at its defaults, and of some other settings, doesn't change
+//! unnoticed: a few settings are committed in full in `hdl_out/` and `testbenches/`, the others as a
+//! digest of each file.
 
 use crate::common::design;
 use fixpath::emit::{Package, Settings};
@@ -11,7 +12,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Name, unit and parameters of every setting that is committed.
+/// Name, unit and parameters of every committed setting.
 pub(crate) const COMMITTED: &[(&str, &str, &[&str])] = &[
     ("rotation_exact", "rotation", &[]),
     ("rotation_exact_polar_cordic", "rotation", &["output=polar-cordic"]),
@@ -44,8 +45,8 @@ pub(crate) const COMMITTED: &[(&str, &str, &[&str])] = &[
     ("tangent_faceted", "tangent", &["frame=faceted"]),
 ];
 
-/// The settings whose files are committed for readers: tables and no multiplier, a shared multiplier
-/// with an interval, products of vectors, plain words.
+/// The settings committed in full, for readers: tables without a multiplier, a time-shared
+/// multiplier, dot products, a root by table.
 const IN_FULL: &[&str] = &["rotation_exact", "rotation_corrected_shared", "emboss", "rsqrt"];
 
 /// The digests of the files of all other settings, in the format of `sha256sum`.
@@ -72,7 +73,7 @@ pub(crate) fn files(name: &str, unit: &str, assignments: &[&str]) -> Vec<(PathBu
         files.push((hardware.join(&file.name), file.text.clone()));
     }
     for file in &package.companions {
-        // Yosys's script stands beside what it reads; the list is of one folder.
+        // Yosys's script is beside the files that it reads; the list covers one folder.
         let folder = if file.name.ends_with(".ys") { &hardware } else { &bench };
         if !file.name.ends_with("_files.txt") {
             files.push((folder.join(&file.name), file.text.clone()));
@@ -128,10 +129,10 @@ fn committed_hardware_is_up_to_date() {
     let changed = changed.unwrap_or("a file less");
     assert!(bless || committed == digests, "{DIGESTS} is out of date: {changed}: {rewrite}");
     check(Path::new(DIGESTS), &digests);
-    // Nothing is left that isn't made any more.
+    // No file may remain that is no longer generated.
     let mut folders = vec![PathBuf::from("hdl_out")];
     folders.extend(IN_FULL.iter().map(|name| Path::new("testbenches").join(name)));
-    // What makefiles leave beside testbenches is ignored, as git does.
+    // Outputs of makefiles beside testbenches are ignored, as git does.
     let is_left = |path: &Path| {
         let extension = path.extension().and_then(|extension| extension.to_str());
         let bench = path.parent() != Some(&folders[0]);
@@ -146,6 +147,6 @@ fn committed_hardware_is_up_to_date() {
         if bless && !made.contains(&path) {
             fs::remove_file(root().join(&path)).unwrap();
         }
-        assert!(bless || made.contains(&path), "no setting makes {}", path.display());
+        assert!(bless || made.contains(&path), "{} is no longer generated", path.display());
     }
 }

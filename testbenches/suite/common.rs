@@ -1,4 +1,4 @@
-//! What tests of several files take: designs, runs of the program, vectors, scenes, files.
+//! Helpers shared by the tests: designs, runs of the program, vectors, scenes, files.
 
 use assert_cmd::Command;
 use fixpath::render::Pipeline;
@@ -29,14 +29,15 @@ pub(crate) fn run(args: &[&str]) -> (i32, String, String) {
     told(fixpath().args(args).output().unwrap())
 }
 
-/// Standard output of a run that has nothing to say beside it.
+/// Standard output of a run whose standard error is empty.
 pub(crate) fn done(args: &[&str]) -> String {
     let (code, stdout, stderr) = run(args);
     assert_eq!((code, stderr.as_str()), (0, ""), "{args:?}");
     stdout
 }
 
-/// Expects wrong use: exit code 2, nothing on standard output, one line that says `message`.
+/// Expects a usage error: exit code 2, nothing on standard output, and one line that contains
+/// `message`.
 pub(crate) fn refused(args: &[&str], message: &str) {
     let (code, stdout, stderr) = run(args);
     assert_eq!((code, stdout.as_str()), (2, ""), "{args:?}: {stderr}");
@@ -63,7 +64,7 @@ pub(crate) fn cross(u: Vector, v: Vector) -> Vector {
     [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
 }
 
-/// What the pixels of a scene see.
+/// The pixels' views of a scene.
 pub(crate) fn traced(scene: &Scene) -> Fragments {
     let mut fragments = Fragments::default();
     scene.trace(0..scene.image.height, &mut fragments);

@@ -1,4 +1,4 @@
-//! One node over every combination of the words that it depends on.
+//! One node over all combinations of the words it depends on.
 
 use crate::common::{design, fixpath};
 use fixpath::measure::{Basis, Cone, ConeReport, Inputs, measure};
@@ -9,8 +9,8 @@ fn cone(design: &Design, node: &str) -> ConeReport {
     Cone::new(&design.netlist, node).unwrap().measure(design, &|_| ()).unwrap()
 }
 
-/// An output's cone and the exhaustive run of the whole unit see the same errors: those of ports outside
-/// the cone again and again.
+/// The cone of an output and the exhaustive run of the whole unit find the same errors. The
+/// exhaustive run finds each once per combination of the ports outside the cone.
 #[test]
 fn outputs_are_as_in_an_exhaustive_run() {
     let rotation = |variant| vec!["angle_bits=4", "table_addr_bits=4", "int_bits=0", variant];
@@ -19,9 +19,9 @@ fn outputs_are_as_in_an_exhaustive_run() {
     let cases: [(&str, Vec<&str>, &[&str]); 5] = [
         ("rotation", rotation("variant=exact"), &["x", "y", "z"]),
         ("combine", combine, &["out_r", "out_g"]),
-        // Many runs, and ports of unequal widths.
+        // Many runs, with ports of unequal widths.
         ("dot", dot, &["dot_product"]),
-        // Below a block; many runs of one port.
+        // Fewer samples than a block; many runs of one port.
         ("rsqrt", vec!["input_bits=9"], &["r"]),
         ("rsqrt", vec!["input_bits=17"], &["r"]),
     ];
@@ -66,7 +66,7 @@ fn outputs_are_as_in_an_exhaustive_run() {
     }
 }
 
-/// Words and reals of differences of angles may be whole turns apart, which is no error.
+/// Differences of angles as words and as reals may be whole turns apart, which is no error.
 #[test]
 fn angles_are_modulo_a_turn() {
     let design = design("rotation", &["variant=corrected", "angle_bits=4"]);
@@ -78,7 +78,8 @@ fn angles_are_modulo_a_turn() {
     }
 }
 
-/// At poles values on reals are past every format: such samples are counted and left out.
+/// At poles, values on reals are out of every format's range: such samples are counted and left
+/// out.
 #[test]
 fn poles_are_left_out_and_counted() {
     let design = design("rotation", &["variant=corrected", "angle_bits=3"]);

@@ -1,4 +1,4 @@
-//! Synthesis figures: what is read from tools, the estimate, and how far it is from Yosys.
+//! Synthesis figures: parsing of tool output, the estimate, and its deviation from Yosys.
 
 use crate::committed::COMMITTED;
 use crate::common::design;
@@ -33,17 +33,17 @@ fn module_of(assignments: &[&str]) -> Module {
     Module::new(&rtl_of(assignments), &Options::default()).unwrap()
 }
 
-/// What makes the scripts, arguments and test bench that tools get, and reads what they say.
+/// The code that makes the tools' scripts, arguments and test bench, and that parses their output.
 const COST: &str = include_str!("../../src/hardware/cost/mod.rs");
 
-/// All that tools get of a module.
+/// All texts that tools receive for a module.
 fn texts_of(module: &Module) -> Vec<String> {
     let mut files = module.table_files();
     files.push(module.file(&Verilog));
     files.into_iter().map(|file| file.text).chain([COST.to_owned()]).collect()
 }
 
-/// What Yosys makes of a module: its cells, from the record if there.
+/// Yosys's result for a module: its cells, from the record if there.
 fn cells_in(name: &str, module: &Module, target: Target) -> BTreeMap<String, u64> {
     let texts = texts_of(module);
     let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
@@ -56,7 +56,7 @@ fn cost_in(name: &str, module: &Module, target: Target) -> Cost {
     Cost::of_cells(&cells_in(name, module, target))
 }
 
-/// What nextpnr makes of a module on iCE40, from the record if there.
+/// nextpnr's result for a module on iCE40, from the record if there.
 fn clock_in(name: &str, module: &Module) -> serde_json::Value {
     let mut texts = texts_of(module);
     texts.extend(outside::YOSYS.version());
@@ -68,7 +68,7 @@ fn clock_in(name: &str, module: &Module) -> serde_json::Value {
     recorded(&format!("nextpnr {name}"), &outside::NEXTPNR_ICE40, &texts, made)
 }
 
-/// `a + b` and `a * b` of two words of these bits, rounded to half of them.
+/// `a + b` and `a * b` of two words with these bits, rounded to half of them.
 fn arithmetic(bits: u32) -> Arc<Rtl> {
     let mut b = Builder::new("arithmetic");
     let format = Format::signed(bits, 4).unwrap();
@@ -166,7 +166,7 @@ fn block_rams_take_their_best_shape() {
             "{target:?} {addr_bits} {columns}"
         );
     }
-    // Eight ports of which two read one column, copies for each port or every two.
+    // Eight ports, two of which read one column; one copy per port or per two ports.
     let rtl = rtl_of(&[]);
     for (target, count) in [(Target::Ice40, 70), (Target::Ecp5, 11), (Target::Xilinx, 11)] {
         assert_eq!(estimate(&rtl, target).unwrap().block_rams, count, "{target:?}");
@@ -231,13 +231,13 @@ fn show_tells_the_estimate_and_how_far_it_is() {
         let row = text.lines().find(|line| line.trim_start().starts_with(target.name())).unwrap();
         assert!(row.contains(&format!(" {} ({} %)", cost.luts, deviations[0])), "{row}");
     }
-    // The two counts of flip-flops are told apart.
+    // The two counts of flip-flops are distinguished.
     let registers = rtl_of(&[]).register_bits();
     assert!(text.contains(&format!("{registers} register bits")), "{text}");
     assert!(text.contains("flip-flops: register bits of the pipeline, without"), "{text}");
 }
 
-/// Settings that the deviations are over: time-shared hardware isn't estimated.
+/// Settings that the deviations cover: time-shared hardware isn't estimated.
 fn fitted() -> impl Iterator<Item = &'static [&'static str]> + Clone {
     let flat = |set: &[&str]| !set.contains(&"schedule=shared");
     let rotations = COMMITTED.iter().filter(move |(_, unit, set)| *unit == "rotation" && flat(set));
@@ -257,7 +257,7 @@ fn a_missing_yosys_is_named_with_what_brings_it() {
     assert_eq!(stderr.trim(), "error: yosys is not found: install it with `apt-get install yosys`");
 }
 
-/// The stated deviations are true for every committed setting of the rotation unit, and no larger than they need be.
+/// The stated deviations hold for every committed setting of the rotation unit, and are tight.
 #[test]
 #[ignore = "needs yosys and nextpnr-ice40: testbenches/run installs them"]
 fn the_stated_deviations_are_true() {
@@ -302,7 +302,7 @@ fn tables_go_where_they_are_asked_and_nothing_latches() {
     }
 }
 
-/// Yosys took all memory of a machine for memories of many ports.
+/// Yosys used up all memory of a machine on memories with many ports.
 #[test]
 #[ignore = "needs yosys and nextpnr-ice40: testbenches/run installs them"]
 fn tables_of_many_ports_are_synthesised() {
@@ -314,7 +314,7 @@ fn tables_of_many_ports_are_synthesised() {
     }
 }
 
-/// Functions with a case for each address share no block RAM, and the estimate knows it.
+/// Functions with one case per address share no block RAM, and the estimate accounts for that.
 #[test]
 #[ignore = "needs yosys and nextpnr-ice40: testbenches/run installs them"]
 fn tables_as_cases_take_a_block_ram_for_each_read() {
@@ -339,7 +339,7 @@ fn nextpnr_reaches_a_clock_or_says_what_does_not_fit() {
     let clock = clock_in("large", &module_of(&[]));
     assert_eq!(clock["too_large"]["device"], "hx8k", "{clock}");
     assert_eq!(clock["too_large"]["why"], "70 of 32 block RAMs");
-    // Without a clock of its own it is timed between the registers around it.
+    // A combinational design is timed between the registers around it.
     let still = module_of(&[SMALL, &["rom=distributed", "stages=0"]].concat());
     let clock = clock_in("still", &still);
     assert!(clock["reached"]["mhz"].is_f64(), "{clock}");

@@ -1,4 +1,4 @@
-//! What a picture's figures are over: the pixels that see an object, and none is no result.
+//! A picture's figures cover the pixels that see an object; with no such pixel there is no result.
 
 use crate::common::{done, json, refused, written};
 use fixpath::picture::{Difference, PIXELS_PER_DEGREE};
@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 const SMALL: &str = "[image]\nwidth = 24\nheight = 16\n[height]\nsource = \"brick\"\nscale = 3.0\n";
 
-/// A cube seen from inside, one behind the camera, and one whose normals point away.
+/// A cube seen from inside, a cube behind the camera, and a cube whose normals point away.
 fn empty_scenes(folder: &Path) -> Vec<PathBuf> {
     let camera = |eye: &str, target: &str| {
         format!("{SMALL}[camera]\neye = {eye}\ntarget = {target}\nfov_degrees = 60.0\n")
@@ -71,7 +71,7 @@ fn figures_of_pixels_are_over_the_covered_ones() {
     assert!(covered > 1000.0 && covered < 0.9 * all);
     let shot = &rendered.shots[0];
     let over = rendered.difference(&shot.picture, &rendered.golden, PIXELS_PER_DEGREE).unwrap();
-    // The background is the same in both: it adds nothing to sums, and pixels to divide by.
+    // The background is equal in both: it adds nothing to sums but adds pixels to divide by.
     let whole = Difference::between(&shot.picture, &rendered.golden, PIXELS_PER_DEGREE).unwrap();
     assert_eq!((over.covered_px as f64, over.background_px as f64), (covered, all - covered));
     let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-12 * b.abs(), "{a} and {b}");
@@ -80,7 +80,8 @@ fn figures_of_pixels_are_over_the_covered_ones() {
     near(over.srgb8_differing, whole.srgb8_differing * all / covered);
     near(over.psnr_db, whole.psnr_db - 10.0 * (all / covered).log10());
     assert_eq!((over.max, over.ssim, over.flip), (whole.max, whole.ssim, whole.flip));
-    // Quantiles too: more than a third of the picture is background, and its median isn't 0.
+    // This holds for quantiles too: more than a third of the picture is background, but its median
+    // isn't 0.
     let report = rendered.report(shot, &over);
     assert!(report.figures[0].p50 > 0.0 && report.figures[0].mean == over.mean);
     let squares = f64::powi(report.figures[0].rms, 2);
@@ -147,7 +148,7 @@ fn a_refused_setting_says_why_in_its_row() {
         assert!(row.unwrap().contains(why), "{text}");
         assert!(text.contains("refused because"), "{text}");
     }
-    // What wasn't built has parameters all the same, and numbers are numbers.
+    // A refused setting still has its parameters, and numbers are JSON numbers.
     let record = json(&out.join("ladder.json"));
     assert_eq!(record["rungs"][1]["parameters"]["guard_bits"], 8);
     assert_eq!(record["rungs"][1]["parameters"]["angle_bits"], 22);

@@ -1,4 +1,4 @@
-//! Pipelines: every depth gives the reference's words, delayed by the latency.
+//! Pipelines: at every depth the words are those of the reference, delayed by the latency.
 
 use crate::engines::random_netlist;
 use fixpath::cycle::Cycle;
@@ -9,7 +9,7 @@ use fixpath::schedule::{Depth, Rom, Schedule};
 use fixpath::units::rotation;
 use std::sync::Arc;
 
-/// Words for input ports: a hash of sample and port, and the ends of the format now and then.
+/// Words for input ports: a hash of sample and port, and sometimes the ends of the format.
 fn stimulus(netlist: &Netlist, sample: u64) -> Vec<i64> {
     let word = |(port, id): (usize, &fixpath::netlist::NodeId)| {
         let format = netlist.node(*id).format;
@@ -24,7 +24,7 @@ fn stimulus(netlist: &Netlist, sample: u64) -> Vec<i64> {
     netlist.inputs().iter().enumerate().map(word).collect()
 }
 
-/// Feeds samples with a gap here and there and compares each valid result with the reference.
+/// Feeds samples with occasional gaps and compares each valid result with the reference.
 fn check(netlist: &Arc<Netlist>, schedule: Schedule, context: &str) {
     let latency = schedule.latency();
     let mut cycle = Cycle::new(Arc::new(Rtl::new(Arc::clone(netlist), schedule)));
@@ -58,7 +58,7 @@ fn random_netlists_at_every_depth() {
                 let schedule = Schedule::pipeline(&netlist, rom, Depth::Stages(stages));
                 let Ok(schedule) = schedule else {
                     let clocked = rom == Rom::Block && !netlist.tables().is_empty();
-                    assert!(clocked, "only reads on a clock ask for a latency");
+                    assert!(clocked, "only clocked reads require a latency");
                     continue;
                 };
                 assert_eq!(schedule.latency(), stages);

@@ -1,4 +1,5 @@
-//! The emboss family against a plain model of both published schemes, written here from the publications.
+//! The emboss family against a plain model of both published schemes, written here from the
+//! publications.
 
 use crate::common::{Vector, cross, design, dot};
 use fixpath::format::float20;
@@ -48,7 +49,7 @@ fn gx(ports: &Ports<'_>) -> Vec<f64> {
 /// Es - PCTs, Et - PCTt, Es, Et, degenerate, Eq, Er of GL_NV_texgen_emboss.
 fn nv(ports: &Ports<'_>, ks: f64, kt: f64) -> Vec<f64> {
     let (n, ct) = (ports.vector("normal"), unit(ports.vector("ct")));
-    // Exact, so that parallel vectors are seen.
+    // Exact, so that parallel vectors are detected.
     let parallel = cross(n, ports.vector("ct")) == [0.0; 3];
     let bn = if parallel { [0.0; 3] } else { unit(cross(n, ct)) };
     let t = cross(bn, n);
@@ -90,7 +91,7 @@ fn goldens_are_those_of_the_seeds() {
         for words in samples(&design, 20_000) {
             let ports = Ports::new(&design.netlist, &words);
             let mut should = model(&ports);
-            // Coordinates end where their words do.
+            // Coordinates are clamped to the range of their words.
             let (low, high) = (-64.0, 64.0 - 2f64.powi(-18));
             should[2..4].iter_mut().for_each(|x| *x = x.clamp(low, high));
             for (is, should) in golden(&design, &ports).iter().zip(should) {
@@ -100,7 +101,7 @@ fn goldens_are_those_of_the_seeds() {
     }
 }
 
-/// Fixed words against the model of this file, where T differs from B: s and t aren't exchanged.
+/// Fixed words against the model of this file, with T different from B: s and t aren't exchanged.
 #[test]
 fn s_goes_with_the_tangent_and_t_with_the_binormal() {
     let one = |set: &[&str], l: Vector| {
@@ -137,7 +138,7 @@ fn s_goes_with_the_tangent_and_t_with_the_binormal() {
     assert_eq!(one(&["l_sign=vertex-light"], l), [-0.6, -0.8]);
     assert_eq!(one(&["t_sign=minus"], l), [0.6, -0.8]);
     assert_eq!(one(&[given, "constants=parameters", "ks=0.5", "kt=-0.25"], l), [0.3, -0.2]);
-    // A small constant keeps its fraction bits beside a large one.
+    // A small constant keeps its fraction bits next to a large one.
     let far_apart = ["ks=30000", "kt=0.005"];
     assert_eq!(one(&[given, "constants=parameters", far_apart[0], far_apart[1]], l)[1], 0.004);
     // N = x, CT = y: BN = z, T = BN x N = y.
@@ -218,7 +219,7 @@ const SETS: &[(&str, &[&str])] = &[
     ("emboss", &["setting=nv", "ks=4", "kt=-3.3"]),
     ("emboss", &["setting=nv", "ks=1234.567", "kt=-65536"]),
     ("emboss", &["setting=nv", "constants=ports", "constant_int_bits=4", "constant_frac_bits=16"]),
-    // As small and as large as can be.
+    // The least and the greatest widths.
     (
         "emboss",
         &[
@@ -273,7 +274,8 @@ const SETS: &[(&str, &[&str])] = &[
     ),
 ];
 
-/// Every stated bound holds over the hard list and random inputs, and no method errs by itself.
+/// Every stated bound holds over the hard list and random inputs, and no method has an error of its
+/// own.
 #[test]
 fn bounds_hold_at_every_width_and_switch() {
     for (name, set) in SETS {
@@ -294,7 +296,8 @@ fn bounds_hold_at_every_width_and_switch() {
     }
 }
 
-/// On reals the netlists are the goldens: there is no algorithm error. Where words end, reals don't.
+/// On reals the netlists equal the goldens: there is no algorithm error. Words are clamped to their
+/// range, reals aren't.
 #[test]
 fn netlists_on_reals_are_the_goldens() {
     for (name, set) in [
@@ -315,7 +318,8 @@ fn netlists_on_reals_are_the_goldens() {
             let report = &measure(&[&design], &inputs, &|_| ()).unwrap()[0];
             for figures in report.figures.iter().filter(|f| f.basis == Basis::Algorithm) {
                 let quantity = figures.quantity.as_str();
-                // Saturated: dot, cross never at these; coordinates only in the hard list.
+                // Words that saturate differ from reals. dot and cross never saturate here,
+                // coordinates only in the hard list.
                 if sampler == Sampler::Hard && ["s1", "t1"].contains(&quantity) {
                     continue;
                 }
@@ -325,8 +329,9 @@ fn netlists_on_reals_are_the_goldens() {
     }
 }
 
-/// The target: 2^-13 of the displacement's scale, |T_e| or |B_e|, with 16-bit components, at the
-/// defaults, over a million vertices whose lights are 2^-6 to 2^10 away, and over the hard list.
+/// The target is 2^-13 of the displacement's scale, |T_e| or |B_e|. It applies at the defaults,
+/// with 16-bit components, over a million vertices with lights 2^-6 to 2^10 away, and over the hard
+/// list.
 #[test]
 fn displacements_are_within_the_target_at_the_defaults() {
     for setting in ["setting=gx", "setting=nv"] {
@@ -341,14 +346,14 @@ fn displacements_are_within_the_target_at_the_defaults() {
                 assert!(seen <= 2f64.powi(-13), "{setting} {sampler:?} {quantity}: {seen}");
             }
         }
-        // And it is promised, not only seen.
+        // The bound promises it too.
         let relative =
             bounds.stated.iter().find(|bound| bound.of.iter().any(|of| of == "ds_relative"));
         assert!(relative.unwrap().bound <= 2f64.powi(-13), "{setting}");
     }
 }
 
-/// The same at each distance by itself: none hides behind the others.
+/// The same at each distance separately, so that no distance hides behind the others.
 #[test]
 fn near_lights_are_no_worse_than_far_ones() {
     let design = design("emboss", &[]);
@@ -356,7 +361,7 @@ fn near_lights_are_no_worse_than_far_ones() {
     let lsb = 2f64.powi(-15);
     let mut worst = vec![0.0f64; 17];
     for (row, words) in samples(&design, 60_000).iter().take(60_000).enumerate() {
-        // The light is put at a distance of its own.
+        // The light is moved to a chosen distance.
         let octave = row % 17;
         let distance = 2f64.powi(octave as i32 - 6);
         let ports = Ports::new(netlist, words);
@@ -383,7 +388,7 @@ fn near_lights_are_no_worse_than_far_ones() {
     assert!(worst.iter().all(|error| *error < 2f64.powi(-13)), "{worst:?}");
 }
 
-/// Floats of 20 bits: by arithmetic on the value here, by bits of an `f32` there.
+/// Floats of 20 bits: computed arithmetically from the value here, from the bits of an `f32` there.
 #[test]
 fn inputs_of_20_bits_keep_12_significant_bits() {
     let cut = |x: f64| {
@@ -402,7 +407,7 @@ fn inputs_of_20_bits_keep_12_significant_bits() {
     }
     assert_eq!((float20(1.0), float20(-4095.9), float20(0.0)), (1.0, -4095.0, 0.0));
 
-    // Words of light and matrix have no more than 12 significant bits, others do.
+    // Only words of light and matrix are limited to 12 significant bits.
     let design = design("emboss", &["input20=on"]);
     let netlist = &design.netlist;
     let inputs = Inputs { sampler: Sampler::Lit, samples: 2000, seed: 2 };
@@ -416,26 +421,27 @@ fn inputs_of_20_bits_keep_12_significant_bits() {
             let significant = 64
                 - word.unsigned_abs().leading_zeros() as i64
                 - i64::from(word.trailing_zeros().min(63));
-            // A rounding of the word itself may carry into a thirteenth bit.
+            // Rounding the word itself may carry into a thirteenth bit.
             assert!(!short || significant <= 12, "{name} {word}");
             others |= !short && significant > 12;
         }
     }
     assert!(others);
-    // What it costs is told end to end, and only there.
+    // The cost of the short floats shows only in the end-to-end error.
     let plain = self::design("emboss", &[]);
     let inputs = Inputs { sampler: Sampler::Lit, samples: 40_000, seed: 2 };
     let reports = measure(&[&plain, &design], &inputs, &|_| ()).unwrap();
     let mean = |report: usize, basis| reports[report].figures("ds_relative", basis).mean;
     assert!(mean(1, Basis::EndToEnd) > 4.0 * mean(0, Basis::EndToEnd));
     assert!(mean(1, Basis::Total) < 1.5 * mean(0, Basis::Total));
-    // Lights beside far vertices are lost: quantiles of errors of hundreds of texels are told, too.
+    // Lights next to far vertices are lost. Quantiles of errors of hundreds of texels are reported,
+    // too.
     let texels = reports[1].figures("ds_texels", Basis::EndToEnd);
     assert!(texels.p999 > 100.0 && texels.p999 <= texels.max, "{texels:?}");
 }
 
 /// The structure that schedules share: nine dot products, three differences, one reciprocal root,
-/// one product and one sum each for s and t.
+/// one product and one sum for each of s and t.
 #[test]
 fn gx_is_made_of_the_parts_that_the_patent_draws() {
     let design = design("emboss", &[]);
@@ -469,7 +475,7 @@ fn gx_is_made_of_the_parts_that_the_patent_draws() {
     assert_eq!((counts.datapath.multipliers, counts.reciprocal_roots), (29, 1));
 }
 
-/// Coordinates past the end of their words are counted, and wrap or stay there.
+/// Out-of-range coordinates are counted, and wrap or saturate.
 #[test]
 fn coordinates_saturate_or_wrap() {
     for (overflow, should) in [("saturate", 64.0 - 2f64.powi(-18)), ("wrap", -63.5)] {
@@ -492,7 +498,8 @@ fn coordinates_saturate_or_wrap() {
     }
 }
 
-/// A sweep is led by the error in texels; where points differ in their words it is ranked end to end.
+/// A sweep is ranked by the error in texels; if points differ in their input words, it is ranked
+/// end to end.
 #[test]
 fn sweeps_are_in_texels_and_see_what_inputs_are() {
     let folder = tempfile::tempdir().unwrap();
@@ -520,7 +527,8 @@ fn sweeps_are_in_texels_and_see_what_inputs_are() {
     }
 }
 
-/// Where results are below 1, the last rounding is a larger share of them: a relative bound says so.
+/// For results below 1 the last rounding is a larger part of the result, and the relative bound
+/// accounts for it.
 #[test]
 fn relative_errors_of_small_results_are_relative() {
     let design = design("rsqrt", &["input_frac_bits=8", "input_bits=21", "root_int_bits=5"]);
@@ -538,11 +546,11 @@ fn relative_errors_of_small_results_are_relative() {
     // a = 7668.8125
     let word = 7668 * 256 + 208;
     assert!(off(word) > 1e-4 && bound("r_scaled").bound < 2e-5);
-    // Large words are those of small results.
+    // Large input words give small results.
     let worst = ((1i64 << 21) - 60_000..1 << 21).map(off).fold(0.0, f64::max);
     let stated = bound("r_relative").bound;
     assert!(worst <= stated && stated <= 2.0 * worst, "{worst:e} {stated:e}");
     assert_eq!(bound("r_relative").over.as_deref(), Some("the result"));
-    assert_eq!(bound("r_scaled").over.as_deref(), Some("the result, or 1 where it is less"));
+    assert_eq!(bound("r_scaled").over.as_deref(), Some("the result, at least 1"));
     assert_eq!(bound("r").over, None);
 }

@@ -1,4 +1,5 @@
-//! Embossed scenes: what looks raised is raised, fixed point stays near the golden, and hostile scenes are refused.
+//! Embossed scenes: raised shapes look raised, fixed point stays near the golden, and hostile
+//! scenes are refused.
 
 use crate::common;
 use fixpath::picture::{Difference, PIXELS_PER_DEGREE, Picture};
@@ -29,14 +30,14 @@ fn difference(shot: &Shot, rendered: &Rendered) -> f64 {
     Difference::between(&shot.picture, golden, PIXELS_PER_DEGREE).unwrap().max.difference
 }
 
-/// Within its bound, which is no idle one.
+/// Checks that a picture is within its bound, and that the bound is not idle.
 fn within_the_bound(scene: &Scene, set: &[&str], context: &str) {
     let rendered = embossed(scene, set);
     assert!(rendered.covered > 500, "{context}: {}", rendered.covered);
     for shot in &rendered.shots {
         let known = shot.emboss.unwrap();
         let (bound, off) = (known.bound.unwrap(), known.displacement_max_texels);
-        // The bound takes displacements as they are: these have one of their own.
+        // The bound holds for the displacements as computed; those have a limit of their own.
         let most = if set.is_empty() { 2e-3 } else { 0.3 };
         assert!(off < most, "{context} {}: {off} texels", shot.pipeline.name);
         let seen = difference(shot, &rendered);
@@ -45,7 +46,7 @@ fn within_the_bound(scene: &Scene, set: &[&str], context: &str) {
     }
 }
 
-/// Green of a picture, less that of another.
+/// Green of a picture minus that of another.
 fn relief(picture: &Picture, flat: &Picture) -> Vec<f64> {
     let pairs = picture.pixels().iter().zip(flat.pixels());
     pairs.map(|(a, b)| f64::from(a[1]) - f64::from(b[1])).collect()
@@ -60,13 +61,14 @@ fn reliefs(scene: &Scene) -> Vec<Vec<f64>> {
     let mut flat = scene.clone();
     flat.emboss.strength = 0.0;
     let (bumped, flat) = (embossed(scene, &[]), embossed(&flat, &[]));
-    // Each golden, and each picture: flat ones are equal, whichever way they displace.
+    // For each golden and each picture. Flat ones are equal, whichever way they displace.
     let goldens = bumped.shots.iter().map(|shot| bumped.golden_of(shot));
     let pictures = bumped.shots.iter().map(|shot| &shot.picture);
     goldens.chain(pictures).map(|picture| relief(picture, &flat.golden)).collect()
 }
 
-/// On the plate a pixel is a texel: what rises away from the light is bright, whoever draws it.
+/// On the plate a pixel is a texel: slopes that rise away from the light are bright in every
+/// pipeline's picture.
 #[test]
 fn raised_letters_are_bright_towards_the_light() {
     let raised = Scene::builtin("lettering-raised").unwrap();
@@ -88,11 +90,11 @@ fn raised_letters_are_bright_towards_the_light() {
         assert!(correlation(up, &rises) < -0.9, "{}", correlation(up, &rises));
         assert!(correlation(down, &rises) > 0.9);
     }
-    // Mirror images in shading, but for the clamp at 0.
+    // The shadings are mirror images, except for the clamp at 0.
     let (up, down) = (&up[0], &down[0]);
     let apart = up.iter().zip(down).filter(|(up, down)| (*up + *down).abs() > 1e-6).count();
     assert!(apart < up.len() / 100, "{apart} of {}", up.len());
-    // The patent's sign turns what looks raised.
+    // The patent's sign swaps raised and sunken.
     let mut turned = raised.clone();
     turned.emboss.light_sign = LightSign::VertexLight;
     for relief in reliefs(&turned) {
@@ -100,8 +102,9 @@ fn raised_letters_are_bright_towards_the_light() {
     }
 }
 
-/// CT points along growing t, Ks and Kt are positive but for a mirrored texture, and by the extension's own equations
-/// both displacements lead away from the light; the displaced height less the other one is then bright toward it.
+/// CT points along growing t, and Ks and Kt are positive except for a mirrored texture. By the
+/// extension's own equations both displacements lead away from the light, so the displaced height
+/// minus the undisplaced one is bright toward it.
 #[test]
 fn nv_displaces_away_from_the_light() {
     let scene = Scene::builtin("lettering-raised").unwrap();
@@ -116,7 +119,7 @@ fn nv_displaces_away_from_the_light() {
     let alone = render(&scene, &pipelines(&[])[1..], false, &|_| ()).unwrap();
     assert_eq!(&alone.golden, rendered.golden_of(away));
     assert_ne!(alone.golden, rendered.golden);
-    // From nothing but the map: the light is up, to the left, and toward the eye.
+    // From the map alone: the light is up, to the left, and toward the eye.
     let (width, height) = (512i64, 256i64);
     let light = DVec3::new(-1.0, 1.0, 1.0).normalize();
     let texel = |x: i64, y: i64| {
@@ -141,7 +144,7 @@ fn nv_displaces_away_from_the_light() {
     }
 }
 
-/// The golden once more, from nothing but the map and the light's direction.
+/// The golden derived again, from only the map and the light's direction.
 #[test]
 fn the_golden_is_the_formula() {
     for (address, filter) in [(Address::Wrap, Filter::Bilinear), (Address::Clamp, Filter::Nearest)]
@@ -161,7 +164,7 @@ fn the_golden_is_the_formula() {
             };
             (scene.bumps.heights()[(y * width + x) as usize] * 255.0).round() / 255.0
         };
-        // x to the right, y downwards, centres at whole numbers.
+        // x to the right, y downwards, pixel centres at integers.
         let sample = |x: f64, y: f64| {
             if filter == Filter::Nearest {
                 return texel((x + 0.5).floor() as i64, (y + 0.5).floor() as i64);
@@ -187,7 +190,7 @@ fn the_golden_is_the_formula() {
     }
 }
 
-/// Every built-in scene by both pipelines, fine and coarse.
+/// Every built-in scene with both pipelines, fine and coarse.
 #[test]
 fn pictures_are_within_their_bounds() {
     for name in
@@ -230,7 +233,7 @@ fn many_lights_and_both_addresses_are_within_their_bounds() {
     assert_ne!(embossed(&scene, &[]).golden, one.golden);
 }
 
-/// The wrong vector for s is seen, in either setting.
+/// Using the wrong vector for s is detected in either setting.
 #[test]
 fn tangent_and_binormal_are_told_apart() {
     let scene = small("brick");
@@ -248,7 +251,7 @@ fn tangent_and_binormal_are_told_apart() {
     }
 }
 
-/// A plate turned over like a page, with its light on the other side, is the picture turned over.
+/// A plate turned over like a page, with the light on the other side, gives the mirrored picture.
 #[test]
 fn a_mirrored_plate_is_a_mirrored_picture() {
     let text = |mirrored: bool| {
@@ -278,7 +281,7 @@ fn a_mirrored_plate_is_a_mirrored_picture() {
     within_the_bound(&mirrored, &[], "mirrored");
 }
 
-/// Nearest texels: all but those beside a texel's border are those of the golden.
+/// Nearest texels: only pixels next to a texel border may differ from the golden.
 #[test]
 fn nearest_texels_are_nearly_all_the_goldens() {
     let mut scene = small("brick");
@@ -308,7 +311,8 @@ fn pictures_do_not_depend_on_threads() {
     }
 }
 
-/// Vertices lie on the surface, frames are at right angles, triangles cover what rays cover.
+/// Vertices lie on the surface, frames are at right angles, and triangles cover the pixels that
+/// rays hit.
 #[test]
 fn triangles_are_the_surfaces() {
     for name in ["plane", "cube", "sphere"] {
@@ -430,14 +434,14 @@ fn scenes_that_can_not_be_embossed_say_why() {
         let message = refused(&scene(&text)).to_string();
         assert!(message.contains(says), "{text}: {message}");
     }
-    // On the very spot of a light nothing is displaced.
+    // At the exact position of a light nothing is displaced.
     let text = format!(
         "[height]\nsource = \"brick\"\n[camera]\neye = [0, -1, 3]\n[[light]]\nkind = \"point\"\nposition = [0, 0, 0]\n{plane}"
     );
     within_the_bound(&scene(&text), &[], "a light on the surface");
 }
 
-/// What takes one picture of a light that moves says so, wherever it tells its figures.
+/// Commands that take one picture of a moving light say so in every report of figures.
 #[test]
 fn a_light_that_is_taken_where_it_starts_is_noted() {
     let folder = tempfile::tempdir().unwrap();
@@ -469,7 +473,7 @@ fn a_light_that_is_taken_where_it_starts_is_noted() {
     let told = run(&[&compare[..], &["--json"]].concat(), 1);
     assert_eq!(of(&told)["scenes"][0]["notes"], serde_json::json!([note]));
     assert!(read("c.md").contains(in_markdown));
-    // Every frame has its picture: nothing to note.
+    // Every frame has its picture: there is nothing to note.
     run(&["render", "scene.toml", "--out", "f", "--pipelines", "emboss-gx"], 0);
     assert_eq!(of(&read("f/figures.json"))["frames"][2]["notes"], serde_json::json!([]));
 }
@@ -525,7 +529,7 @@ fn the_command_line_writes_frames_and_refuses() {
     }
 }
 
-/// A scene that says how it is embossed is, where no pipelines are named.
+/// A scene with an [emboss] section is embossed if no pipelines are named.
 #[test]
 fn an_emboss_section_asks_for_emboss_pipelines() {
     let folder = tempfile::tempdir().unwrap();
@@ -542,7 +546,8 @@ fn an_emboss_section_asks_for_emboss_pipelines() {
     }
 }
 
-/// The ladder of an emboss: finer fractions and larger tables err less, and every rung is within its bound.
+/// The ladder of an emboss: finer fractions and larger tables have smaller errors, and every rung
+/// is within its bound.
 #[test]
 fn a_ladder_shows_what_each_parameter_costs() {
     let folder = tempfile::tempdir().unwrap();

@@ -11,7 +11,7 @@ use fixpath::units::{UNITS, Unit};
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
 use std::sync::Arc;
 
-/// A small generator of its own: the netlist of a seed is the same for ever.
+/// A small generator of our own, so that a seed always gives the same netlist.
 pub(crate) struct Random(u64);
 
 impl Random {
@@ -46,7 +46,7 @@ impl Random {
         of[self.below(of.len())]
     }
 
-    /// A word of a format: an extreme one half of the time.
+    /// A word of a format; half of the time an extreme one.
     pub(crate) fn word(&mut self, format: Format) -> i64 {
         let (lo, hi) = (format.min_raw(), format.max_raw());
         let extremes = [lo, hi, 0, -1, 1, lo + 1, hi - 1, hi / 2, lo / 2];
@@ -58,25 +58,26 @@ impl Random {
     }
 }
 
-/// A netlist of every sort of operation, as a function of `seed` alone.
+/// A netlist with every kind of operation, as a function of `seed` alone.
 pub(crate) fn random_netlist(seed: u64) -> Netlist {
     random_netlist_of(seed, 4 + (seed % 61) as usize)
 }
 
-/// As [`random_netlist`] with about `operations` operations.
+/// Like [`random_netlist`], with about `operations` operations.
 pub(crate) fn random_netlist_of(seed: u64, operations: usize) -> Netlist {
     let mut random = Random::new(seed);
-    // Widths that keep 32-bit lanes, that just leave them, and any.
+    // Widths that stay in 32-bit lanes, that just leave them, and any.
     let max_bits = random.pick(&[6, 16, 31, 32, 33, 63, 63]);
     grow(random, operations, max_bits)
 }
 
-/// As [`random_netlist_of`] with words of at most `max_bits` bits.
+/// Like [`random_netlist_of`], with words of at most `max_bits` bits.
 pub(crate) fn random_netlist_within(seed: u64, operations: usize, max_bits: u32) -> Netlist {
     grow(Random::new(seed), operations, max_bits)
 }
 
-/// As [`random_netlist`] with memories, which have words, delays, and half of the time ports of several rates.
+/// Like [`random_netlist_within`] with memories (with words bound) and delays, and half of the time
+/// with ports of several rates.
 pub(crate) fn random_machine(seed: u64) -> Netlist {
     let mut random = Random::new(seed ^ 0x3a5e);
     let max_bits = random.pick(&[6, 12, 16, 31, 33]);
@@ -106,11 +107,11 @@ fn grow_with(mut random: Random, operations: usize, max_bits: u32, machine: bool
         grower.input();
     }
     while grower.nodes.len() < operations {
-        // Ports may come late, when columns have been given back.
+        // Ports may come late, after columns have been freed.
         if grower.random.chance(3) { grower.input() } else { grower.operation() }
     }
     let Grower { mut random, mut b, nodes, memories, .. } = grower;
-    // Every node should matter: the last few, and some from anywhere.
+    // Every node should matter: outputs are the last few nodes, and some from anywhere.
     let mut outputs = vec![nodes[nodes.len() - 1]];
     for _ in 0..random.below(6) {
         let any = random.pick(&nodes);
@@ -128,13 +129,13 @@ struct Grower {
     random: Random,
     b: Builder,
     max_bits: u32,
-    /// With memories and delays.
+    /// Whether to use memories and delays.
     machine: bool,
-    /// Those of ports.
+    /// Rates of the ports.
     rates: Vec<Rate>,
     nodes: Vec<NodeId>,
     tables: Vec<(TableId, Table)>,
-    /// Words for memories.
+    /// Words for the memories.
     memories: Vec<(String, Vec<Arc<[i64]>>)>,
     ports: Vec<NodeId>,
 }
@@ -166,7 +167,7 @@ impl Grower {
         self.nodes.push(node);
     }
 
-    /// Any node, the latest ones more often.
+    /// Any node; later ones are more likely.
     fn any(&mut self) -> NodeId {
         let len = self.nodes.len();
         let recent = if self.random.chance(60) { len.min(8) } else { len };
@@ -219,7 +220,7 @@ impl Grower {
             match op.result_format(&formats, None, &[]) {
                 Ok(format) if format.bits() <= self.max_bits => return operands,
                 Ok(_) | Err(_) => {
-                    // The flag in front is never the one to narrow.
+                    // Never narrow the flag in front.
                     let first = usize::from(op.arity() == 3);
                     for operand in &mut operands[first..] {
                         let bits = (self.max_bits / 3).max(2);
@@ -261,7 +262,7 @@ impl Grower {
         self.random.below(self.tables.len())
     }
 
-    /// An operation of any kind that there is.
+    /// An operation of any kind.
     fn operation(&mut self) {
         let op = self.random.pick(Op::ALL);
         let node = match op {
@@ -335,7 +336,7 @@ impl Grower {
                 let (node, samples) = (self.any(), self.random.pick(&[1, 1, 2, 3, 40]));
                 self.b.delay(node, samples)
             }
-            // Ports come by themselves; in their place comes what all else needs.
+            // Ports are added elsewhere; a narrow is built in their place.
             Op::Narrow { .. } | Op::Input | Op::Delay { .. } => {
                 let (node, format) = (self.any(), self.format());
                 self.narrow_to(node, format)
@@ -345,13 +346,13 @@ impl Grower {
         self.meaning(node);
     }
 
-    /// Sometimes a node stands for something else on reals. Only live nodes may be named: the
-    /// node's operands are, and ports.
+    /// Sometimes gives a node another meaning on reals. Only live nodes may be named: the node's
+    /// operands and ports are live.
     fn meaning(&mut self, node: NodeId) {
         if self.random.chance(80) {
             return;
         }
-        // A new node on `of` carries it, so that the meaning's node is its operand.
+        // A new node on `of` carries the meaning, so that the named node is its operand.
         let of = self.any();
         if of > node {
             return;
@@ -368,7 +369,7 @@ impl Grower {
         self.push(stand_in);
     }
 
-    /// Any primitives of two variables and of numbers, so many deep at most.
+    /// A random expression of two variables and numbers, with a maximum depth.
     fn expression(&mut self, depth: usize) -> Expr {
         if depth == 0 || self.random.chance(20) {
             return match self.random.below(4) {
@@ -408,7 +409,7 @@ fn part<T: Copy>(columns: &[Vec<T>], range: std::ops::Range<usize>) -> Vec<Vec<T
     columns.iter().map(|column| column[range.clone()].to_vec()).collect()
 }
 
-/// Says at which sample a column differs from the reference.
+/// Reports the first sample at which a column differs from the reference.
 fn compare<T: std::fmt::Debug>(
     netlist: &Netlist,
     id: NodeId,
@@ -471,7 +472,8 @@ pub(crate) fn check(netlist: &Netlist, seed: u64, count: usize) -> Result<(), St
                 return Err(format!("{features:?}: overflows {:?}", runner.overflows()));
             }
         }
-        // In two parts with one runner: nothing of the first may stay but the counts and what delays hold.
+        // In two parts with one runner: nothing of the first part may remain except counts and the
+        // contents of delays.
         let mut runner = program.runner();
         let mut given = vec![vec![77; 3]; outputs.len()];
         for range in [0..count / 2, count / 2..count] {
@@ -507,7 +509,7 @@ pub(crate) fn check(netlist: &Netlist, seed: u64, count: usize) -> Result<(), St
     check_reals(netlist, &columns, &all, &ports)
 }
 
-/// The error must name the first `narrow` that overflowed where that is forbidden.
+/// The error must name the first `narrow` with a forbidden overflow.
 fn check_refusal(
     netlist: &Netlist,
     narrows: &[NodeId],
@@ -562,7 +564,7 @@ fn check_reals(
         runner.run(&program, &views(&part(&columns, 0..count / 3)), &mut given);
         runner.run(&program, &views(&columns), &mut given);
         for (id, column) in outputs.iter().zip(&given) {
-            // A NaN is as good as another; all else is equal to the last bit.
+            // NaNs are all equal; everything else is equal to the last bit.
             compare(netlist, *id, column, &expected[id.index()], |a, b| {
                 a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan()
             })?;
@@ -592,8 +594,8 @@ fn engines_agree_with_the_reference_on_random_netlists() {
         .unwrap();
 }
 
-/// Ports whose words repeat from block to block: what depends on them only is computed once, and is
-/// the same to the last bit and overflow.
+/// Ports whose words repeat from block to block: values that depend only on them are computed once,
+/// and are equal to the last bit and overflow.
 #[test]
 fn what_repeats_is_computed_once() {
     for seed in 0..150 {
@@ -618,7 +620,7 @@ fn check_repeats(netlist: &Netlist, seed: u64) {
     let mut runner = plain.runner();
     let mut should = vec![Vec::new(); outputs.len()];
     runner.run(&plain, &views(&columns), &mut should).unwrap();
-    // Only what the outputs depend on is computed and counted.
+    // Only values that the outputs depend on are computed and counted.
     let mut inside = vec![false; netlist.nodes().len()];
     outputs.iter().for_each(|id| inside[id.index()] = true);
     for id in netlist.ids().collect::<Vec<_>>().into_iter().rev() {
@@ -671,7 +673,8 @@ fn check_repeats(netlist: &Netlist, seed: u64) {
     assert_eq!(run(&once, &values(false)), plain, "{repeats:?}\n{}", netlist.to_text());
 }
 
-/// If the generator stopped making an operation, the test above would say less than it claims.
+/// If the generator stopped producing an operation, the tests above would check less than they
+/// claim.
 #[test]
 fn random_netlists_have_every_operation_and_width() {
     let mut seen = std::collections::BTreeMap::new();
@@ -707,8 +710,8 @@ fn blocks_of_every_length() {
     }
 }
 
-/// A sine and a cosine of one angle are one step on reals: in either order, twice, one inside the other, as outputs,
-/// and where the angle repeats; and so in the units.
+/// A sine and a cosine of one angle are one step on reals: in either order, twice, nested, as
+/// outputs, with repeating angles, and in the units.
 #[test]
 fn sines_beside_cosines() {
     let angle = Format::signed(16, 16).unwrap();
@@ -717,7 +720,7 @@ fn sines_beside_cosines() {
         let (x, y) = (b.input("x", angle, Quantity::Turns), b.input("y", angle, Quantity::Turns));
         let mut frac = 4;
         let mut apply = |b: &mut Builder, function: &Function, of| {
-            // Of another format each, as equal nodes are built once.
+            // Each has its own format, since equal nodes are built once.
             frac += 1;
             let to = Format::signed(20, frac).unwrap();
             let stand_in = b.narrow(of, to, Round::HalfUp, Overflow::Wrap);
@@ -755,8 +758,8 @@ fn sines_beside_cosines() {
     }
 }
 
-/// Sums that only one sum reads are computed in its pass: every sign at every place, of words that need
-/// shifts and of those that don't, in all lanes, alone and with what narrows them.
+/// Sums read by only one sum are computed in its pass: every sign at every place, of words with and
+/// without shifts, in all lanes, alone and with narrows.
 #[test]
 fn sums_of_sums() {
     for (seed, bits) in
@@ -810,7 +813,7 @@ fn late_ports_keep_their_words() {
     check(&netlist, 1, 700).unwrap();
 }
 
-/// Words at the edge of 32-bit lanes, where alignment needs more than the result does.
+/// Words at the edge of 32-bit lanes, where alignment needs more bits than the result.
 #[test]
 fn comparisons_that_need_wider_lanes_than_their_words() {
     for (bits, frac) in [(16, 15), (16, 16), (15, 17), (32, 0), (31, 0), (31, 1)] {
@@ -829,7 +832,7 @@ fn comparisons_that_need_wider_lanes_than_their_words() {
     }
 }
 
-/// Every pair of formats near the lanes' limits, every mode, through a single `narrow`.
+/// Every pair of formats near the lanes' limits, in every mode, through a single `narrow`.
 #[test]
 fn narrow_columns_agree_with_narrow() {
     let bits = [1u32, 2, 8, 30, 31, 32, 33, 62, 63];

@@ -1,4 +1,5 @@
-//! What commands do to files: inputs stay, outputs are whole, of one run, and nobody else's.
+//! What commands do to files: inputs stay unchanged, outputs are complete and of one run, and other
+//! files stay.
 #![cfg(unix)]
 
 use assert_cmd::cargo::cargo_bin;
@@ -13,7 +14,7 @@ use std::time::{Duration, Instant};
 const CSV: &str = "phi_a,theta_a,phi_n,theta_n\n1,2,3,4\n";
 const SCENE: &str = "[image]\nwidth = 8\nheight = 8\n[[object]]\nshape = \"plane\"\n";
 
-/// A command in a folder, with the usual signals.
+/// A command in a folder, with default signal handling.
 fn command(folder: &Path, args: &[&str]) -> Command {
     let mut command = Command::new("env");
     command.arg("--default-signal=INT,HUP,TERM").arg(cargo_bin("fixpath"));
@@ -21,7 +22,7 @@ fn command(folder: &Path, args: &[&str]) -> Command {
     command
 }
 
-/// Exit code, or none after a signal; and both streams.
+/// Exit code, or none after a signal, and both streams.
 fn ended(output: &Output) -> (Option<i32>, String) {
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
     (output.status.code(), text(&output.stdout) + &text(&output.stderr))
@@ -64,7 +65,7 @@ fn names(folder: &Path) -> BTreeSet<String> {
     fs::read_dir(folder).unwrap().map(|entry| name(entry).into_string().unwrap()).collect()
 }
 
-/// All files that runs have not put into their places.
+/// All temporary files that runs have not renamed.
 fn left(folder: &Path) -> Vec<String> {
     let is_temporary =
         |name: &String| [".fixpath-", "fixpath-", "new-"].iter().any(|p| name.starts_with(p));
@@ -92,11 +93,11 @@ fn no_command_writes_over_what_it_reads() {
             refused(here, &args, &format!("{out}: is the input"));
         }
     }
-    // The save file beside a VCD, whose name nobody gave.
+    // The save file beside a VCD, which isn't named on the command line.
     let args = ["wave", "rotation", "--in", "in.gtkw", "--out", "in.vcd"];
     refused(here, &args, "in.gtkw: is the input");
     assert!(!here.join("in.vcd").exists());
-    // Streams of the shell.
+    // Streams redirected by the shell.
     let script = "\"$0\" eval rotation --in - --out in.csv < in.csv";
     let append = "\"$0\" eval rotation --in in.csv --out - >> in.csv";
     for script in [script, append] {
@@ -108,7 +109,7 @@ fn no_command_writes_over_what_it_reads() {
         assert_eq!(fs::read_to_string(here.join(name)).unwrap(), CSV, "{name}");
     }
 
-    // What a scene reads: the file itself, its pictures, its meshes.
+    // The inputs of a scene: the file itself, its pictures, its meshes.
     let plane = "[image]\nwidth = 8\nheight = 8\n[[object]]\nshape = \"plane\"\n";
     let grey = "[texture]\nsource = \"constant\"\ncolor = [0.5, 0.5, 0.5]\n";
     write("grey.toml", &format!("{plane}{grey}"));
@@ -134,13 +135,13 @@ fn no_command_writes_over_what_it_reads() {
         let args = ["render", scene, "--out", out, "--pipelines", "printed"];
         let start = Instant::now();
         refused(here, &args, &format!("{taken}: is the input"));
-        // Before the work: the huge scene takes long.
+        // Refused before the work starts: the huge scene would take long.
         assert!(start.elapsed() < Duration::from_secs(20), "{scene}");
     }
     assert_eq!(fs::read(here.join("first/golden.png")).unwrap(), golden);
     assert_eq!(fs::read_to_string(here.join("first/mesh.obj")).unwrap(), mesh);
     assert_eq!(names(&here.join("second")), BTreeSet::from(["figures.txt".to_owned()]));
-    // Nor does a run that no longer makes a file remove it where it is the input now.
+    // A run doesn't remove a file that it no longer makes if that file is now an input.
     let args = ["render", "height.toml", "--out", "first", "--pipelines", "exact-cartesian"];
     works(here, &args);
     assert!(
@@ -194,7 +195,7 @@ fn a_run_takes_away_what_an_earlier_one_made_and_nothing_else() {
         let before = names(&out);
         works(here, &[&second[..], &["--out", "out"]].concat());
         let mut should = clean(&second);
-        assert!(!before.is_subset(&should), "{first:?}: nothing was to go");
+        assert!(!before.is_subset(&should), "{first:?}: nothing was to be removed");
         should.insert("mine.hex".to_owned());
         assert_eq!(names(&out), should, "{first:?} {second:?}");
         assert_eq!(fs::read_to_string(out.join("mine.hex")).unwrap(), "precious");
@@ -204,7 +205,7 @@ fn a_run_takes_away_what_an_earlier_one_made_and_nothing_else() {
     works(here, &[&hdl(&["--name", "a"])[..], &["--out", "out"]].concat());
     works(here, &[&hdl(&["--name", "b"])[..], &["--out", "out"]].concat());
     assert!(["a.v", "b.v"].iter().all(|name| here.join("out").join(name).exists()));
-    // A list that names what is elsewhere takes nothing from there.
+    // A list that names files elsewhere removes nothing there.
     fs::write(here.join("keep.txt"), "precious").unwrap();
     let there = fs::metadata(here.join("keep.txt")).unwrap();
     let time = there.modified().unwrap().duration_since(std::time::UNIX_EPOCH).unwrap().as_nanos();
@@ -248,7 +249,7 @@ fn of_two_runs_at_once_one_is_refused_and_a_dead_one_refuses_nobody() {
     works(here, &args("small.toml"));
     assert_eq!(left(here), [""; 0]);
 
-    // An interrupt on the first run leaves nothing.
+    // An interrupt of the first run leaves nothing.
     let mut first = start(here, &["render", "large.toml", "--out", "none"]);
     wait_for("the list is there", || here.join("none/.fixpath/render").exists());
     sleep(Duration::from_millis(100));
@@ -290,7 +291,7 @@ fn what_a_kill_left_goes_with_the_next_run_and_modes_stay() {
     fs::create_dir(here.join("tmp")).unwrap();
     let mut child = start(here, &["wave", "rotation", "--samples", "3000000", "--out", "w.vcd"]);
     wait_for("it writes", || !left(here).is_empty());
-    // Another run leaves alone what belongs to one that lives.
+    // A run leaves the files of a live run alone.
     fs::write(here.join("in.csv"), CSV).unwrap();
     let eval = ["eval", "rotation", "--in", "in.csv", "--out", "out.csv"];
     works(here, &eval);
@@ -310,7 +311,7 @@ fn what_a_kill_left_goes_with_the_next_run_and_modes_stay() {
     fs::set_permissions(here.join("hdl/dot.v"), fs::Permissions::from_mode(0o604)).unwrap();
     works(here, &hdl);
     assert_eq!(mode("hdl/dot.v"), 0o604);
-    // A new file is as any other.
+    // A new file has the usual mode.
     fs::write(here.join("other"), "").unwrap();
     assert_eq!(mode("hdl/dot.vhd"), mode("other"));
 }
@@ -342,7 +343,8 @@ fn a_pipe_is_waited_for_where_a_command_names_it_and_else_refused() {
         let message = format!("{file}: can't read: it is a pipe; a regular file is needed");
         refused(here, &["render", scene, "--out", "out"], &message);
     }
-    // Whoever is late at the other end, here until the note is there, is waited for; a signal ends that.
+    // The program waits for a late reader or writer, here until the note appears; a signal ends the
+    // wait.
     let late = "exec 2>err; mkfifo q r; \
                 told() { until grep -q \"note: $1: waiting for the other end of this pipe\" err; do sleep 0.1; done; }; \
                 \"$0\" eval rotation --in p --out - | grep -c , & told p; cat in.csv > p; wait; \
@@ -351,7 +353,7 @@ fn a_pipe_is_waited_for_where_a_command_names_it_and_else_refused() {
     let mut bash = Command::new("timeout");
     bash.args(["300", "bash", "-c", late]).arg(cargo_bin("fixpath")).current_dir(here);
     assert_eq!(ended(&bash.output().unwrap()), (Some(0), "2\n2\n143\n".to_owned()));
-    // With somebody there it is as any file.
+    // With a process at the other end it is like any file.
     let script = "cat in.csv > p & \"$0\" eval rotation --in p --out - | grep -c , ; \
                   cat p > copy & \"$0\" eval rotation --in in.csv --out p; wait; grep -c , copy";
     let mut bash = Command::new("bash");
@@ -373,7 +375,7 @@ fn errors_of_the_system_keep_their_words() {
     refused(here, &eval("in.csv/out.csv"), "can't write: Not a directory (os error 20)");
     let long = "x".repeat(300);
     refused(here, &eval(&long), "can't write: File name too long (os error 36)");
-    // A limit is told with the file that was asked for, not where it was on its way.
+    // A limit is reported with the requested file, not with its temporary file.
     let script = "ulimit -f 1; \"$0\" hdl rotation --out out";
     let mut bash = Command::new("bash");
     bash.args(["-c", script]).arg(cargo_bin("fixpath")).current_dir(here);
@@ -394,7 +396,8 @@ fn commands_to_copy_are_quoted() {
     assert!(told.contains("make -C 'a b' -f dot_icarus.mk"), "{told}");
 }
 
-/// Runs killed at random moments, full disks, closed streams; `testbenches/faults 3600` tries for longer.
+/// Runs killed at random moments, full disks, closed streams; `testbenches/faults 3600` runs
+/// longer.
 #[test]
 fn faults_lose_nothing() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));

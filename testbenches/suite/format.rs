@@ -1,12 +1,12 @@
-//! Formats, `narrow` and `quantize` against rounding of the real number.
+//! Formats, `narrow` and `quantize` against rounding of real numbers.
 //!
-//! The oracle rounds reals by comparing them with the middle of two whole numbers; it shares
-//! nothing with the crate. At these sizes every number in it is an exact `f64`.
+//! The oracle rounds reals by comparing them with the middle of two integers; it shares nothing
+//! with the crate. At these sizes all its numbers are exact in `f64`.
 
 use fixed::types::{I4F4, I8F8, U4F4, U8F8};
 use fixpath::format::{Format, Overflow, Round, addr_bits, bit_len, narrow, quantize};
 
-/// `x` rounded to a whole number.
+/// `x` rounded to an integer.
 pub(crate) fn rounded(x: f64, round: Round) -> f64 {
     let (below, above) = (x.floor(), x.ceil());
     let middle = below + 0.5;
@@ -28,13 +28,13 @@ pub(crate) fn rounded(x: f64, round: Round) -> f64 {
     }
 }
 
-/// Least and greatest whole number of a format, from its printed form alone.
+/// Least and greatest integer of a format, from its printed form alone.
 fn limits(to: Format) -> (f64, f64) {
     let span = 2f64.powi(to.bits() as i32);
     if to.is_signed() { (-span / 2.0, span / 2.0 - 1.0) } else { (0.0, span - 1.0) }
 }
 
-/// The word for a whole number of ulps, and whether it overflowed.
+/// The word for an integer number of ulps, and whether it overflowed.
 fn fitted(whole: f64, to: Format, overflow: Overflow) -> (i64, bool) {
     let (mut lo, hi) = limits(to);
     if overflow == Overflow::Symmetric && to.is_signed() {
@@ -117,7 +117,7 @@ fn narrow_at_the_ends_of_wide_words() {
     }
 }
 
-/// As [`oracle`] for words past 53 bits: Euclidean division by the step in `i128`.
+/// Like [`oracle`], for words beyond 53 bits: Euclidean division by the step in `i128`.
 fn wide_oracle(raw: i64, shift: i32, to: Format, round: Round, overflow: Overflow) -> (i64, bool) {
     let (lo, hi) = if to.is_signed() {
         (-(1i128 << (to.bits() - 1)), (1i128 << (to.bits() - 1)) - 1)
@@ -125,8 +125,8 @@ fn wide_oracle(raw: i64, shift: i32, to: Format, round: Round, overflow: Overflo
         (0, (1i128 << to.bits()) - 1)
     };
     let lo = if overflow == Overflow::Symmetric && to.is_signed() { -hi } else { lo };
-    // |raw| <= 2^63: a step of 2^70 leaves the same quotient and side of the middle as any
-    // larger one, and 2^64 ulps and up are all one word, 0 in the low bits.
+    // |raw| <= 2^63: a step of 2^70 gives the same quotient and side of the middle as any larger
+    // step. From 2^64 ulps up, the low bits of the word are always 0.
     let whole = if shift > 0 {
         let step = 1i128 << shift.min(70);
         let (below, rest) = (i128::from(raw).div_euclid(step), i128::from(raw).rem_euclid(step));
@@ -184,7 +184,7 @@ fn quantize_is_rounding_of_the_real_number_on_a_fine_grid() {
     for to in formats(1..=5, &[-3, -1, 0, 1, 4]) {
         let ulp = 2f64.powi(-to.frac_bits());
         let (lo, hi) = limits(to);
-        // 16 steps an ulp meet every tie; two ulps past each end.
+        // 16 steps per ulp hit every tie; the range extends two ulps beyond each end.
         for step in (16 * (lo as i64 - 2))..=(16 * (hi as i64 + 2)) {
             let value = step as f64 / 16.0 * ulp;
             check_quantize(value, to);
@@ -214,7 +214,7 @@ fn quantize_next_to_ties_and_far_away() {
             );
         }
     }
-    // Wide formats: the words around 2^53, where every f64 is whole, and the ends.
+    // Wide formats: words around 2^53, above which every f64 is an integer, and the ends.
     let s63 = Format::signed(63, 0).unwrap();
     let mode = (Round::HalfEven, Overflow::Saturate);
     assert_eq!(quantize(2f64.powi(53), s63, mode.0, mode.1).unwrap(), (1 << 53, false));
@@ -415,7 +415,7 @@ fn spanning_formats_hold_their_ends_and_are_the_smallest() {
     assert_eq!(Format::spanning(-(1 << 62) - 1, 0, 0), Err(64));
 }
 
-/// The crate `fixed` rounds words of types known at compile time.
+/// The crate `fixed` rounds words whose types are known at compile time.
 #[test]
 fn narrow_agrees_with_crate_fixed_on_16_bit_words() {
     let to = Format::signed(8, 0).unwrap();
@@ -431,7 +431,8 @@ fn narrow_agrees_with_crate_fixed_on_16_bit_words() {
             (Round::HalfEven, x.overflowing_round_ties_even(), x.saturating_round_ties_even()),
         ] {
             assert_eq!(ours(round, Overflow::Wrap), (whole(theirs), overflowed), "{raw} {round}");
-            // Saturation of `fixed` keeps fraction bits; where it saturates, so do we.
+            // Saturation in `fixed` keeps fraction bits; values that saturate there saturate here
+            // too.
             let expected = if overflowed { i64::from(i8::MAX) } else { whole(saturated) };
             assert_eq!(ours(round, Overflow::Saturate), (expected, overflowed), "{raw} {round}");
         }
@@ -464,7 +465,7 @@ fn conversion_agrees_with_crate_fixed_on_16_bit_words() {
         let theirs = U4F4::saturating_from_num(x);
         assert_eq!(ours(u8f4, Overflow::Saturate).0, i64::from(theirs.to_bits()));
 
-        // From reals `fixed` rounds to the even word.
+        // From reals, `fixed` rounds half to even.
         let real = f64::from(raw) / 1024.0;
         let ours = |to, overflow| quantize(real, to, Round::HalfEven, overflow).unwrap();
         let (theirs, overflowed) = I4F4::overflowing_from_num(real);

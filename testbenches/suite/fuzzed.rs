@@ -1,4 +1,4 @@
-//! The fuzz targets' readers over their seeds: what fuzzing once found stays found.
+//! The readers of the fuzz targets on their seeds: regressions of what fuzzing found.
 
 #[path = "../../fuzz/readers.rs"]
 mod readers;
@@ -7,7 +7,7 @@ use std::fs;
 use std::panic::catch_unwind;
 use std::path::Path;
 
-/// Every seed through its reader, and as it arrives when it is cut off or a bit of it is wrong.
+/// Each seed goes through its reader unchanged, truncated, and with a bit flipped.
 #[test]
 fn seeds_of_the_fuzz_targets() {
     let seeds = Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz/seeds");
@@ -41,7 +41,7 @@ fn seeds_of_the_fuzz_targets() {
     }
 }
 
-/// Each reader is a target, and each target one.
+/// Each reader is a target, and each target is a reader.
 #[test]
 fn targets_are_the_readers() {
     let fuzz = Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz");

@@ -1,5 +1,6 @@
-//! glTF files of one square, each written in another way that the format allows: all give one picture. And those that
-//! it doesn't allow, or that say something else: each is refused with what is wrong.
+//! glTF files of one square, each written in another way that the format allows: all give one
+//! picture. Files that the format doesn't allow, or that contradict themselves, are each refused
+//! with the reason.
 
 use crate::common;
 use crate::scene::{base64, glb};
@@ -9,7 +10,8 @@ use std::f64::consts::FRAC_PI_2;
 use std::fmt::Write as _;
 use std::fs;
 
-/// Two triangles in the plane z = 0, with u and v (down, as glTF has it) over a part of the texture.
+/// Two triangles in the plane z = 0, with u and v (downwards, as in glTF) over a part of the
+/// texture.
 const POINTS: [f64; 12] = [-1.0, -1.0, 0.0, 1.0, -1.0, 0.0, 1.0, 1.0, 0.0, -1.0, 1.0, 0.0];
 const NORMALS: [f64; 12] = [0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0];
 const UVS: [f64; 8] = [0.0, 1.0, 0.75, 1.0, 0.75, 0.25, 0.0, 0.25];
@@ -20,7 +22,7 @@ const SHORT: u32 = 5122;
 const UNSIGNED_SHORT: u32 = 5123;
 const FLOAT: u32 = 5126;
 
-/// A file that grows: its document, and the buffer to which accessors add.
+/// A file under construction: its document, and the buffer to which accessors are added.
 struct File {
     document: Value,
     bytes: Vec<u8>,
@@ -46,7 +48,7 @@ impl File {
         Self { document, bytes: Vec::new() }
     }
 
-    /// The square, each attribute of plain floats.
+    /// The square, with all attributes as plain floats.
     fn square() -> Self {
         let mut file = Self::empty();
         file.primitive(&POINTS, &UVS);
@@ -133,7 +135,7 @@ fn extended(name: &str) -> File {
     file
 }
 
-/// The square with its texture coordinates divided out of what a texture of its material does to them.
+/// The square, whose texture coordinates undo the texture transform of its material.
 fn transformed(transform: Value, texture: &str, uv_name: &str, uvs: &[f64]) -> File {
     let mut file = File::empty();
     let primitive = file.primitive(&POINTS, uvs);
@@ -154,7 +156,8 @@ fn transformed(transform: Value, texture: &str, uv_name: &str, uvs: &[f64]) -> F
     file
 }
 
-/// The square by a skin of two joints, one of them turned by a quarter about z, which its bind matrix takes back.
+/// The square, placed by a skin of two joints. One is turned by a quarter turn about z, which its
+/// bind matrix undoes.
 fn skinned() -> File {
     let mut file = File::empty();
     file.primitive(&POINTS, &UVS);
@@ -171,8 +174,8 @@ fn skinned() -> File {
     (bind[17], bind[20], bind[29]) = (-1.0, 1.0, 2.0);
     let binds = file.accessor("MAT4", FLOAT, &bind);
     let half = 0.5f64.sqrt();
-    // The node of the mesh doesn't move it.
-    // By the two, the square is at x = 3 and at x = -1: weighed, where it was.
+    // The mesh's own node doesn't move it.
+    // The two joints place the square at x = 3 and at x = -1; the weights give its original place.
     file.document["nodes"] = json!([
         { "mesh": 0, "skin": 0, "translation": [100, 0, 0] },
         { "children": [2], "translation": [3, 0, 0] },
@@ -183,8 +186,8 @@ fn skinned() -> File {
     file
 }
 
-/// The square, half of it by its own points, half by a morph target, which also sets normals and texture coordinates
-/// upright.
+/// The square, half by its own points and half by a morph target, which also corrects normals and
+/// texture coordinates.
 fn morphed() -> File {
     let mut file = File::empty();
     let base: Vec<f64> = POINTS.iter().map(|x| 0.5 * x).collect();
@@ -204,7 +207,8 @@ fn morphed() -> File {
     file
 }
 
-/// The square without normals as in a mirror, which what places it undoes: a node, or the joint of a skin.
+/// The square without normals, mirrored; its placement by a node or by the joint of a skin undoes
+/// that.
 fn mirrored(by_skin: bool) -> File {
     let mut file = File::empty();
     let points: Vec<f64> = POINTS.chunks(3).flat_map(|p| [-p[0], p[1], p[2]]).collect();
@@ -225,7 +229,7 @@ fn mirrored(by_skin: bool) -> File {
     file
 }
 
-/// Points of which some come from a sparse accessor.
+/// Points, some of which come from a sparse accessor.
 fn sparse(base: Option<&[f64]>) -> File {
     let mut file = File::square();
     let (indices, values): (Vec<f64>, Vec<f64>) = match base {
@@ -330,8 +334,8 @@ fn one_square_in_many_ways() {
         "texture transform of a normal map and another set",
         text(transformed(other_set, "normalTexture", "TEXCOORD_1", &halves)),
     ));
-    // The extension's own example, which shows the lower left quadrant of the image, turned; with two scales, so that
-    // the order counts.
+    // The extension's own example: it shows the lower left quadrant of the image, rotated. The two
+    // scales differ, so the order matters.
     let example = json!({ "offset": [0, 1], "rotation": FRAC_PI_2, "scale": [0.5, 0.25] });
     let turned: Vec<f64> =
         UVS.chunks(2).flat_map(|uv| [2.0 * (1.0 - uv[1]), 4.0 * uv[0]]).collect();
@@ -343,7 +347,7 @@ fn one_square_in_many_ways() {
     let mut quantized = extended("KHR_mesh_quantization");
     let points = quantized.accessor("VEC3", SHORT, &POINTS.map(|x| 32767.0 * x));
     quantized.document["accessors"][points]["normalized"] = json!(true);
-    // Of 4 bytes each, as alignment asks.
+    // Padded to 4 bytes each, as alignment requires.
     let normals: Vec<f64> =
         NORMALS.chunks(3).flat_map(|n| [127.0 * n[0], 127.0 * n[1], 127.0 * n[2], 0.0]).collect();
     let normals_view = quantized.view(BYTE, &normals);
@@ -359,7 +363,7 @@ fn one_square_in_many_ways() {
         let found = traced(&file, extension);
         assert_eq!(found.pixel, expected.pixel, "{name}");
         assert_eq!(found.face, expected.face, "{name}");
-        // Rounding may choose on the border of a texel only.
+        // Rounding may choose only at the border of a texel.
         let differ = (0..found.len()).filter(|i| found.texel[*i] != expected.texel[*i]).count();
         assert!(differ <= 2, "{name}: {differ}");
         for i in 0..found.len() {
@@ -385,7 +389,7 @@ fn vertices_are_shared_whatever_the_material() {
     assert_eq!((sharing.vertices, sharing.primitives), (4, 6));
 }
 
-/// What a file uses and this doesn't read may change a shape.
+/// An extension that is used but not read may change a shape.
 #[test]
 fn extensions_that_are_not_read_are_told() {
     let mut file = File::square();
@@ -466,7 +470,7 @@ fn what_is_wrong_is_said() {
     matrix[3] = 0.5;
     perspective.document["nodes"][0]["matrix"] = json!(matrix);
     refused("matrix", &perspective.gltf());
-    // Whole numbers without sign, wherever they are indices.
+    // Indices must have an unsigned integer type.
     let mut joints = skinned();
     let wrong = joints.accessor("VEC4", BYTE, &[0.0, -1.0, 0.0, 0.0].repeat(4));
     joints.document["meshes"][0]["primitives"][0]["attributes"]["JOINTS_0"] = json!(wrong);
@@ -527,7 +531,8 @@ fn what_is_wrong_is_said() {
     "#]].assert_eq(&seen);
 }
 
-/// The specification: where there are no normals, they are flat. Means are taken where the scene asks for them.
+/// By the specification, meshes without normals are flat. They are smoothed if the scene asks for
+/// it.
 #[test]
 fn a_mesh_without_normals_is_faceted() {
     let folder = tempfile::tempdir().unwrap();
@@ -551,7 +556,7 @@ fn a_mesh_without_normals_is_faceted() {
         (normals, scene.notes()[0].rsplit_once("m.glb: ").unwrap().1.to_owned())
     };
     let (flat, told) = read("");
-    // (1, -1, 1/2) is the corner that is up: the facets are of slopes (1/4, -1/4) and of none.
+    // The corner (1, -1, 1/2) is raised: the facets have the slopes (1/4, -1/4) and none.
     let [tilted, up] = flat[..] else { panic!("{flat:?}") };
     assert_eq!(up, [0.0, 0.0, 1.0]);
     for (got, want) in tilted.iter().zip([-0.25, 0.25, 1.0]) {
@@ -560,11 +565,12 @@ fn a_mesh_without_normals_is_faceted() {
     let expected = "6 of 6 corners have no normal: those of the triangles are taken, as glTF asks for; `crease_degrees` = 60 in its [[object]] takes means up to such edges";
     assert_eq!(told, expected);
     let (round, told) = read("crease_degrees = 60");
-    assert!(round.len() > 50, "means differ from point to point");
+    assert!(round.len() > 50, "smoothed normals differ from point to point");
     assert!(told.contains("up to edges of `crease_degrees` = 60 (by"), "{told}");
 }
 
-/// Many primitives that read one accessor of triangles without area: no triangle comes of it, however long it takes.
+/// Many primitives read one accessor of triangles without area: no triangle results, and the work
+/// is limited.
 #[test]
 fn work_has_a_limit() {
     let mut file = File::square();

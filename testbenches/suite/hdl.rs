@@ -1,5 +1,5 @@
-//! Emitted hardware in outside tools: simulators give the reference's words, no tool warns, and
-//! testbenches fail where they should.
+//! Emitted hardware in external tools: simulators give the reference's words, no tool warns, and
+//! testbenches fail when they should.
 
 use crate::engines::{random_netlist, random_netlist_of, random_words};
 use crate::lower::{badly_named, shared_rtl};
@@ -22,7 +22,7 @@ use std::process::Command;
 use std::sync::Arc;
 use tempfile::TempDir;
 
-/// Some depth for a netlist, by its seed.
+/// A depth for a netlist, chosen by its seed.
 pub(crate) fn some_rtl(netlist: &Arc<Netlist>, seed: u64) -> Arc<Rtl> {
     let rom = if seed.is_multiple_of(3) { Rom::Distributed } else { Rom::Block };
     let depth = match seed % 4 {
@@ -36,7 +36,7 @@ pub(crate) fn some_rtl(netlist: &Arc<Netlist>, seed: u64) -> Arc<Rtl> {
     Arc::new(Rtl::new(Arc::clone(netlist), schedule))
 }
 
-/// Writes everything for a netlist into a folder; gives the module. The vectors are `first`,
+/// Writes everything for a netlist into a folder and returns the module. The vectors are `first`,
 /// then random ones.
 pub(crate) fn emit_with(
     rtl: &Arc<Rtl>,
@@ -48,7 +48,7 @@ pub(crate) fn emit_with(
     emit_options(rtl, Options { tables, ..Options::default() }, first, random, folder)
 }
 
-/// As [`emit_with`], with more to choose.
+/// Like [`emit_with`], with more options.
 pub(crate) fn emit_options(
     rtl: &Arc<Rtl>,
     options: Options,
@@ -71,7 +71,7 @@ pub(crate) fn emit_options(
     module
 }
 
-/// As [`emit_with`], with random vectors alone.
+/// Like [`emit_with`], with random vectors only.
 pub(crate) fn emit(rtl: &Arc<Rtl>, tables: Option<Tables>, vectors: u64, folder: &Path) -> Module {
     emit_with(rtl, tables, Vec::new(), vectors, folder)
 }
@@ -82,7 +82,7 @@ pub(crate) fn place(seed: u64) -> Option<Tables> {
     PLACES[(seed % 3) as usize]
 }
 
-/// How a program ended: whether well, its output, and its errors.
+/// How a program ended: success, its output, and its errors.
 pub(crate) struct Ended {
     pub(crate) well: bool,
     pub(crate) status: Option<i32>,
@@ -92,7 +92,7 @@ pub(crate) struct Ended {
 
 impl Ended {
     pub(crate) fn last(&self) -> &str {
-        // What make says of a failure stands on the other stream.
+        // make reports a failure on the other stream.
         self.stdout.lines().last().unwrap_or_default()
     }
 }
@@ -109,14 +109,14 @@ pub(crate) fn tool(folder: &Path, program: &str, arguments: &[&str]) -> Ended {
     }
 }
 
-/// Panics with all that a program said, and leaves the files.
+/// Panics with the program's whole output, and keeps the files.
 fn give_up(folder: TempDir, what: &str, ended: &Ended) -> ! {
     let kept = folder.keep();
     let Ended { status, stdout, stderr, .. } = ended;
     panic!("{what} in {}: status {status:?}\n{stdout}\n{stderr}", kept.display());
 }
 
-/// A run that should pass, without a word on the stream of warnings.
+/// A run that should pass without any warning.
 pub(crate) fn passes(folder: TempDir, make: &str, vectors: u64, what: &str) -> TempDir {
     let ended = tool(folder.path(), "make", &["-s", "-f", make]);
     let quiet = ended.stderr.is_empty();
@@ -126,7 +126,7 @@ pub(crate) fn passes(folder: TempDir, make: &str, vectors: u64, what: &str) -> T
     folder
 }
 
-/// Verilator's and Yosys's opinion: none.
+/// Verilator and Yosys must not warn.
 pub(crate) fn lints(folder: TempDir, module: &Module, allowed: &[&str], what: &str) {
     let name = &module.name;
     let (file, top) = (format!("{name}.v"), testbench::top_name(module));
@@ -142,7 +142,7 @@ pub(crate) fn lints(folder: TempDir, module: &Module, allowed: &[&str], what: &s
         give_up(folder, &format!("{what}: verilator"), &verilator);
     }
     let yosys = tool(folder.path(), "yosys", &["-q", &format!("{name}.ys")]);
-    // The counts of cells are all that a quiet run prints.
+    // A quiet run prints only the counts of cells.
     let complains = format!("{}{}", yosys.stdout, yosys.stderr).to_lowercase().contains("warning");
     if !yosys.well || complains || !yosys.stderr.is_empty() {
         give_up(folder, &format!("{what}: yosys"), &yosys);
@@ -167,7 +167,8 @@ fn no_tool_warns_of_random_netlists() {
         let netlist = Arc::new(random_netlist(seed));
         let folder = tempfile::tempdir().unwrap();
         let module = emit(&some_rtl(&netlist, seed / 3), place(seed), 1, folder.path());
-        // Verilator folds constants through wires, and says where a comparison is then a
+        // Verilator folds constants through wires and warns if a comparison becomes constant.
+        // Random netlists compare constants; the units don't.
         // constant. Random netlists compare constants; the units don't.
         lints(folder, &module, &["-Wno-UNSIGNED", "-Wno-CMPCONST"], &format!("seed {seed}"));
     });
@@ -180,7 +181,7 @@ pub(crate) fn figure_8_rtl() -> Arc<Rtl> {
     Arc::new(Rtl::new(netlist, schedule))
 }
 
-/// Hardware that shares, of some seeds: the first so many that a schedule is found for.
+/// Hardware that shares, for the first seeds for which a schedule is found.
 pub(crate) fn some_shared(count: usize) -> Vec<(u64, Arc<Rtl>)> {
     let found = (0u64..).filter_map(|seed| Some((seed, shared_rtl(seed)?)));
     found.filter(|(_, rtl)| rtl.schedule().interval() > 1).take(count).collect()
@@ -216,7 +217,8 @@ fn shared_hardware_in_verilator() {
     });
 }
 
-/// One product serves three: registers at its ports, two cycles inside, a delay FIFO beside it.
+/// One product serves three: registers at its ports, two internal cycles, and a delay FIFO beside
+/// it.
 pub(crate) fn little_shared() -> Arc<Rtl> {
     let format = Format::signed(6, 4).unwrap();
     let mut b = Builder::new("little");
@@ -289,7 +291,7 @@ fn faults_of_shared_hardware_are_found() {
             let _ = fs::remove_file(folder.path().join("little_tb.vvp"));
             let _ = fs::remove_dir_all(folder.path().join("obj_little"));
             fs::write(folder.path().join("little.v"), &text).unwrap();
-            // Warnings stop no build here.
+            // Here warnings don't stop the build.
             let makefile = folder.path().join(make);
             let mut lines = fs::read_to_string(&makefile).unwrap();
             lines = lines.replace("-Wall --Mdir", "-Wno-fatal --Mdir");
@@ -313,7 +315,7 @@ const ROTATIONS: [&[&str]; 5] = [
 fn no_tool_warns_of_rotation() {
     ROTATIONS.into_par_iter().enumerate().for_each(|(number, assignments)| {
         let mut assignments = assignments.to_vec();
-        // Small tables: the placement matters here and not the size.
+        // Small tables: this test is about their placement, not their size.
         assignments.push("scheme=linear");
         let design = rotation::unit().values(&assignments).unwrap().build().unwrap();
         let rtl = Arc::new(design.rtl().unwrap());
@@ -325,7 +327,7 @@ fn no_tool_warns_of_rotation() {
     });
 }
 
-/// The first netlist without constants, which Verilator would fold, that is as asked.
+/// The first netlist of the requested kind without constants, which Verilator would fold.
 fn first_netlist(is_asked: impl Fn(&Netlist) -> bool) -> (u64, Arc<Netlist>) {
     let folds =
         |netlist: &Netlist| netlist.nodes().iter().any(|node| matches!(node.op, Op::Const { .. }));
@@ -361,7 +363,7 @@ fn random_netlists_in_verilator() {
     });
 }
 
-/// Runs Icarus's testbench with a wave; gives it and the time of the first vector.
+/// Runs Icarus's testbench with a wave; returns it and the time of the first vector.
 fn icarus_wave(folder: TempDir, name: &str, what: &str) -> (ReadBack, u64) {
     let ended = tool(folder.path(), "make", &["-s", "-f", &format!("{name}_icarus.mk"), "wave"]);
     if !ended.well || !ended.last().starts_with("PASS") || !ended.stderr.is_empty() {
@@ -409,7 +411,8 @@ fn the_hardware_moves_as_our_wave_shows_it() {
                 let flat = path.replace('.', "_");
                 let theirs_name = format!("{name}_tb.dut.{flat}");
                 assert!(theirs.signals.contains_key(&theirs_name), "{what}: no {theirs_name}");
-                // Past the last vector the testbench sends unknown words, and our wave zeros.
+                // After the last vector the testbench sends unknown words, and our wave sends
+                // zeros.
                 let stage = u64::from(*stage);
                 if at >= stage && at - stage < rows.len() as u64 {
                     let (should, is) = (read.at(&ours, now), theirs.at(&theirs_name, then));
@@ -447,7 +450,7 @@ fn random_hardware_moves_as_the_cycle_simulator() {
         for id in netlist.ids() {
             let mut all = vec![Signal { node: id, stage: rtl.schedule().stage(id) }];
             all.extend(rtl.registers(id));
-            // The register of a port has the port's name.
+            // A port's register has the port's name.
             all.retain(|signal| {
                 !signals.iter().any(|(_, port)| port == signal && signal.stage > 0)
             });
@@ -499,7 +502,7 @@ pub(crate) fn little() -> Arc<Rtl> {
     Arc::new(Rtl::new(netlist, schedule))
 }
 
-/// Vectors with a fault, and what should be said of it.
+/// Vectors with a fault, and the expected message.
 pub(crate) fn faulty_vectors(good: &str) -> Vec<(&'static str, Option<String>, &'static str)> {
     let lines: Vec<&str> = good.lines().collect();
     let with = |line: usize, text: String| {
@@ -507,7 +510,7 @@ pub(crate) fn faulty_vectors(good: &str) -> Vec<(&'static str, Option<String>, &
         lines[line] = text;
         Some(lines.join("\n") + "\n")
     };
-    // The least bit of a field.
+    // The least significant bit of a field.
     let flipped = |line: usize, field: usize| {
         let mut fields: Vec<String> = lines[line].split(' ').map(str::to_owned).collect();
         let word = u64::from_str_radix(&fields[field], 16).unwrap() ^ 1;
@@ -517,7 +520,7 @@ pub(crate) fn faulty_vectors(good: &str) -> Vec<(&'static str, Option<String>, &
     let last = lines.len() - 1;
     let cut = lines[last].rsplit_once(' ').unwrap().0.to_owned();
     let more = format!("{good}{}\n", lines[0].split_once(' ').unwrap().0);
-    // What two lines expect, swapped: inputs are the first two fields.
+    // The expected outputs of two lines, swapped; the first two fields are inputs.
     let swapped = {
         let parts =
             |line: usize| lines[line].split_at(lines[line].match_indices(' ').nth(1).unwrap().0);
@@ -548,13 +551,13 @@ pub(crate) fn put(path: &Path, text: Option<&str>) {
     }
 }
 
-/// The text with the first of some words replaced, which must be there.
+/// The text with the first of some words replaced; it must occur.
 pub(crate) fn replaced(text: &str, from: &str, to: &str) -> String {
     assert!(text.contains(from), "`{from}` is not in the file");
     text.replacen(from, to, 1)
 }
 
-/// The last line says FAIL, the status is not 0, and some line names the fault.
+/// The last line is FAIL, the status is not 0, and some line names the fault.
 pub(crate) fn fails(ended: &Ended, status: i32, what: &str, says: &str) {
     let Ended { stdout, stderr, .. } = ended;
     assert_eq!(ended.status, Some(status), "{what}\n{stdout}\n{stderr}");
@@ -571,7 +574,7 @@ fn the_testbench_can_fail() {
     let vectors = at("little_vectors.txt");
     let good = fs::read_to_string(&vectors).unwrap();
     let run = || {
-        // What make makes of the status is 2, whatever it was.
+        // make exits with 2 for any failure.
         let ended = tool(folder.path(), "make", &["-f", "little_icarus.mk"]);
         Ended { stdout: ended.stdout.lines().map(|l| format!("{l}\n")).collect(), ..ended }
     };
@@ -583,7 +586,7 @@ fn the_testbench_can_fail() {
         fails(&alone, 1, what, says);
         put(&vectors, Some(&good));
     }
-    // The hardware itself: a wrong row, another latency, a register too few, a wrong sign.
+    // Faults in the hardware: a wrong row, another latency, a missing register, a wrong sign.
     let row = module.table_files().remove(0);
     let source = fs::read_to_string(at("little.v")).unwrap();
     let bench = fs::read_to_string(at("little_tb.v")).unwrap();
@@ -636,7 +639,7 @@ fn the_testbench_can_fail() {
     ] {
         let right = fs::read_to_string(at(file)).unwrap();
         fs::write(at(file), text).unwrap();
-        // Whatever the clock of the file system says.
+        // Independent of the file system's clock.
         fs::remove_file(at("little_tb.vvp")).unwrap();
         let ended = run();
         fails(&ended, 2, what, says);
@@ -657,7 +660,7 @@ fn the_harness_can_fail() {
     let run = || tool(folder.path(), "obj_little/Vlittle", &["little_vectors.txt"]);
     assert_eq!(run().last(), "PASS 200 vectors");
     for (what, text, says) in faulty_vectors(&good) {
-        // It takes any number of vectors, through a pipe too; its PASS says how many.
+        // It accepts any number of vectors, also through a pipe; its PASS reports how many.
         if says.starts_with("should hold") {
             put(&vectors, text.as_deref());
             assert_eq!(run().last(), "PASS 150 vectors");
@@ -671,7 +674,7 @@ fn the_harness_can_fail() {
     let row = module.table_files().remove(0);
     fs::write(folder.path().join(&row.name), row.text.replacen("0df\n", "0de\n", 1)).unwrap();
     fails(&run(), 1, "a wrong row", "sum expected");
-    // What only shows beside a stall, a reset or the latency.
+    // Faults that show only with a stall, a reset or the latency.
     let still = "always @(posedge clk)\n        if (ce) begin";
     let faults = [
         ("little_harness.cpp", "kLatency = 4", "kLatency = 5", "valid_out expected"),
@@ -686,7 +689,7 @@ fn the_harness_can_fail() {
         let text = fs::read_to_string(&path).unwrap();
         fs::write(&path, replaced(&text, right, wrong)).unwrap();
         let ended = tool(folder.path(), "make", &["-s", "-f", "little_verilator.mk"]);
-        // What make makes of the status is 2, whatever it was.
+        // make exits with 2 for any failure.
         fails(&ended, 2, wrong, says);
     });
 }
@@ -702,7 +705,7 @@ fn passes_build(folder: TempDir) -> TempDir {
 #[test]
 #[ignore = "needs iverilog, verilator and yosys: testbenches/run installs them"]
 fn bad_names_in_every_tool() {
-    // Keywords of every language, and names that back ends declare for themselves.
+    // Keywords of every language, and names that back ends declare themselves.
     let words = [
         "wire", "begin", "signal", "entity", "class", "clk", "ce", "rst", "valid_in", "unused",
         "valid", "valid_s1", "valid_s2", "address", "t_row", "names", "do", "priority", "final",
@@ -745,7 +748,7 @@ fn ports_may_be_called_as_testbenches_call_things() {
     }
 }
 
-/// Every operation on every pair of some words, each an output.
+/// Every operation on every pair of some words, each as an output.
 pub(crate) fn every_operation() -> Netlist {
     let mut b = Builder::new("operations");
     let formats = [(true, 4, 1), (false, 5, 2), (true, 3, 0), (false, 4, -1), (true, 1, 0)];
@@ -794,7 +797,7 @@ fn every_operation_in_icarus() {
     lints(folder, &module, &[], "operations");
 }
 
-/// Yosys proves a pipeline equal to its reference, and finds a fault of any kind in it.
+/// Yosys proves a pipeline equal to its reference, and finds any kind of fault in it.
 #[test]
 #[ignore = "needs yosys: testbenches/run installs it"]
 fn the_proof_can_fail() {
@@ -814,7 +817,7 @@ fn the_proof_can_fail() {
     let register = good.text.lines().find(|line| line.trim_start().starts_with("y <= ")).unwrap();
     let early = register.replace(&format!("_s{};", last - 1), ";");
     assert_ne!(register, early, "y waits in a register before it goes out");
-    // One bit of the row before last.
+    // One bit of the last row but one.
     let row = good.text.lines().find(|line| line.contains("sincos_rom[14] = 16'h")).unwrap();
     let at = row.find("sincos_rom[14]").unwrap();
     let digit_at = at + "sincos_rom[14] = 16'h".len() + 3;

@@ -22,7 +22,7 @@ fn ghdl(folder: &Path, name: &str) -> Output {
     Command::new("make").args(["-s", "-f", &makefile]).current_dir(folder).output().unwrap()
 }
 
-/// Runs a folder's testbench: it says that all is well, and nothing else.
+/// Runs a folder's testbench: it must report success, and nothing else.
 pub(crate) fn check(folder: tempfile::TempDir, name: &str, vectors: u64, what: &str) {
     let output = ghdl(folder.path(), name);
     let stdout = String::from_utf8_lossy(&output.stdout);
@@ -78,8 +78,8 @@ fn rotations_in_ghdl() {
     }
 }
 
-/// GHDL makes gates of all that is emitted: every operation, and every committed unit where its
-/// tables are.
+/// GHDL synthesises everything that is emitted: every operation, and every committed unit with its
+/// table placement.
 #[test]
 #[ignore = "needs ghdl: testbenches/run installs it"]
 fn ghdl_synthesises_every_operation_and_unit() {
@@ -110,8 +110,8 @@ fn ghdl_synthesises_every_operation_and_unit() {
     }
 }
 
-/// A table that is read without a clock becomes no block RAM, wherever it stands and by way of
-/// whichever language: not even where a register is next to it, on either side.
+/// A table read without a clock never becomes block RAM, in either language, even with a register
+/// next to it on either side.
 #[test]
 #[ignore = "needs ghdl and yosys: testbenches/run installs them"]
 fn tables_without_a_clock_take_no_block_ram_from_either_language() {
@@ -128,7 +128,7 @@ fn tables_without_a_clock_take_no_block_ram_from_either_language() {
     for port in ["x", "z"] {
         let address = b.input(port, format, Quantity::Number);
         let other = b.input(&format!("{port}_mask"), format, Quantity::Number);
-        // The address is ready a stage before it is needed.
+        // The address is ready one stage before it is needed.
         let address = b.xor(address, other);
         let row = b.read(id, 0, address);
         b.output(&format!("{port}_square"), row);
@@ -147,11 +147,11 @@ fn tables_without_a_clock_take_no_block_ram_from_either_language() {
             for (target, ram) in
                 [("ice40", "SB_RAM40_4K"), ("ecp5", "DP16KD"), ("xilinx", "RAMB18E1")]
             {
-                // What GHDL makes of cases takes Yosys long: one family shows it.
+                // Yosys takes long for what GHDL makes of cases, so one family suffices.
                 if tables == Tables::Case && source != verilog && target != "ecp5" {
                     continue;
                 }
-                // Up to where memories are mapped.
+                // Up to the mapping of memories.
                 let script = format!(
                     "read_verilog {source}; synth_{target} -top {} -run :map_ffram; \
                      select -assert-none t:{ram} t:*RAMB36* t:*TDP*; select -assert-min 1 t:$dff*",
@@ -218,7 +218,7 @@ fn any_name_is_a_word_in_ghdl() {
     }
 }
 
-/// Ties and limits are rare among the words of wide formats: here all words of small ones occur.
+/// Ties and limits are rare among words of wide formats. Here all words of small formats occur.
 #[test]
 #[ignore = "needs ghdl: testbenches/run installs it"]
 fn every_rounding_and_limit_in_ghdl() {
@@ -245,7 +245,7 @@ fn every_rounding_and_limit_in_ghdl() {
     check(folder, &module.name, 1000, "narrowings");
 }
 
-/// A run through make; without the line that GHDL adds to a failure.
+/// A run through make, without the line that GHDL adds to a failure.
 fn run(folder: &Path, name: &str) -> Ended {
     let ended = tool(folder, "make", &["-s", "-f", &format!("{name}_ghdl.mk")]);
     let is_ghdls = |line: &&str| line.starts_with("simulation finished");
@@ -264,7 +264,7 @@ fn the_vhdl_testbench_can_fail() {
     assert_eq!(run(folder.path(), "little").last(), "PASS 200 vectors");
     for (what, text, says) in faulty_vectors(&good) {
         put(&vectors, text.as_deref());
-        // What make makes of any status.
+        // make exits with 2 for any failure.
         fails(&run(folder.path(), "little"), 2, what, says);
         put(&vectors, Some(&good));
     }
@@ -306,7 +306,7 @@ fn the_vhdl_testbench_can_fail() {
     ] {
         let right = fs::read_to_string(at(file)).unwrap();
         fs::write(at(file), text).unwrap();
-        // Whatever the clock of the file system says.
+        // Independent of the file system's clock.
         fs::remove_dir_all(at("ghdl_little")).unwrap();
         fails(&run(folder.path(), "little"), 2, what, says);
         fs::write(at(file), right).unwrap();
@@ -315,7 +315,7 @@ fn the_vhdl_testbench_can_fail() {
     assert_eq!(run(folder.path(), "little").last(), "PASS 200 vectors");
 }
 
-/// A count is a word of any width, and GHDL's integers have 32 bits: no word is too large.
+/// A count is a word of any width, while GHDL's integers have 32 bits. No word may be too large.
 #[test]
 #[ignore = "needs ghdl: testbenches/run installs it"]
 fn counts_wider_than_integers_in_ghdl() {

@@ -5,7 +5,7 @@ use serde_json::Value;
 use std::fs;
 use std::path::Path;
 
-/// A small scene of two lights and two materials, in a file of a folder.
+/// A small scene of two lights and two materials, as a file in a folder.
 fn scene(folder: &Path, name: &str, exponents: [u32; 2]) -> String {
     let path = folder.join(name);
     let text = format!(
@@ -23,7 +23,7 @@ fn scene(folder: &Path, name: &str, exponents: [u32; 2]) -> String {
     path.to_str().unwrap().to_owned()
 }
 
-/// Figures of `fixpath render` by one pipeline.
+/// Figures of `fixpath render` with one pipeline.
 fn rendered(scene: &str, pipeline: &str, params: &[String], out: &Path) -> Value {
     let out_text = out.to_str().unwrap();
     let mut args = vec!["render", scene, "--pipelines", pipeline, "--out", out_text];
@@ -61,7 +61,7 @@ fn same(point: &Value, render: &Value) {
     assert!(quantiles.is_sorted(), "{quantiles:?}");
 }
 
-/// Points without the time that they took.
+/// Points without their run times.
 fn timeless(record: &Value) -> Vec<Value> {
     let mut points = record["points"].as_array().unwrap().clone();
     for point in &mut points {
@@ -125,14 +125,14 @@ fn a_sweep_over_a_scene_has_the_figures_of_its_pictures() {
         assert!(fs::read_to_string(out.join(plot)).unwrap().contains("largest difference (1/255)"));
     }
 
-    // Ranked by something else, without a picture anew.
+    // Ranking by another measure needs no new picture.
     let before = fs::read_to_string(out.join("sweep.json")).unwrap();
     let told = done(&[&args[..], &["--error", "flip"]].concat());
     assert!(told.contains("by the FLIP"), "{told}");
     let after = fs::read_to_string(out.join("sweep.json")).unwrap();
     assert_eq!(after.replace("\"error\": \"flip\"", "\"error\": \"max\""), before);
 
-    // A point that is missing is measured again.
+    // A missing point is measured again.
     let mut cut = record.clone();
     cut["points"].as_array_mut().unwrap().remove(2);
     fs::write(out.join("sweep.json"), cut.to_string()).unwrap();
@@ -157,7 +157,7 @@ fn a_sweep_refuses_to_mix_scenes() {
     };
     done(&with(&path, &[]).iter().map(String::as_str).collect::<Vec<_>>());
     let before = fs::read(out.join("sweep.json")).unwrap();
-    // The same name, another exponent in the file.
+    // The same name, with another exponent in the file.
     scene(folder.path(), "a.toml", [33, 8]);
     refused_with(with(&path, &[]), "holds another sweep: scene is a.toml (32 x 32 px, fingerprint");
     scene(folder.path(), "a.toml", [32, 8]);
@@ -238,7 +238,7 @@ fn a_ladder_has_the_figures_of_its_pictures() {
         );
         assert!(told.lines().any(|line| line.trim_start().starts_with(pipeline)));
     }
-    // Wider is better, where the method is exact.
+    // Where the method is exact, wider is better.
     for pipeline in rungs.chunks(3).skip(1) {
         assert!(max(&pipeline[0]) > 2.0 * max(&pipeline[1]));
         assert!(max(&pipeline[1]) > 2.0 * max(&pipeline[2]));
@@ -316,12 +316,12 @@ fn ladders_of_unfit_rungs_and_dull_scenes() {
         refused(&[&["render", "plane", "--out", out_text], args].concat(), message);
     }
     assert!(!out.exists());
-    // Nothing shines: there are no light tables to judge.
+    // Without specular light there are no light tables to judge.
     let dull = folder.path().join("dull.toml");
     let text = "[image]\nwidth = 16\nheight = 16\n[material]\nspecular = 0.0\n[[object]]\nshape = \"cube\"\n";
     fs::write(&dull, text).unwrap();
     let dull = dull.to_str().unwrap();
-    // A width of 22 is more than a product of that unit has room for, with all these guard bits.
+    // With all these guard bits, a width of 22 exceeds the 63 bits of a product in that unit.
     let args = ["render", dull, "--pipelines", "printed", "--ladder=5,22", "--json"];
     let told = done(
         &[&args[..], &["-p", "guard_bits=8", "-p", "table_addr_bits=4", "--out", out_text]]

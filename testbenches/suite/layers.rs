@@ -1,4 +1,5 @@
-//! Folders name only those below them, so that data flows one way; inside a folder the files do, too.
+//! Folders name only those below them, so that data flows one way. Files inside a folder do
+//! likewise.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -13,8 +14,9 @@ const FOLDERS: &[&str] = &[
 /// Files that stand for the whole crate.
 const ROOTS: &[&str] = &["lib", "main"];
 
-/// Folders whose `mod.rs` holds more than their list of files, so that it names files that name it. Beside these there is
-/// no circle; an entry without one has to go. What it takes: what `mod.rs` holds gets a file of its own.
+/// Folders whose `mod.rs` holds more than the list of its files, so that it and its files name each
+/// other. No other circles are allowed, and an entry without a circle must be deleted. To remove an
+/// entry, move the content of its `mod.rs` to a file of its own.
 const HEADS: &[&str] = &["design", "hardware/cost", "netlist", "schedule", "shading/scene"];
 
 /// A module's names from the crate's root.
@@ -31,7 +33,7 @@ fn module_of(source: &Path, file: &Path) -> Module {
     names.filter(|name| name != "mod").collect()
 }
 
-/// Source without comments, string literals and test modules, which may name what they like.
+/// Source without comments, string literals and test modules, which may name anything.
 fn code_of(text: &str) -> String {
     let mut code = String::new();
     let mut lines = text.lines();
@@ -58,7 +60,7 @@ fn code_of(text: &str) -> String {
     code
 }
 
-/// The paths that a text starts with: one, or those of a group in braces.
+/// The paths that a text starts with: a single one, or those of a group in braces.
 fn paths(text: &str) -> Vec<Module> {
     let text = text.trim_start();
     let Some(group) = text.strip_prefix('{') else {
@@ -89,7 +91,7 @@ fn paths(text: &str) -> Vec<Module> {
     found
 }
 
-/// What follows each `word::` that isn't itself in a path, but for `pub(in …)`.
+/// The text after each `word::` that isn't itself inside a path, except for `pub(in …)`.
 fn after<'a>(code: &'a str, word: &str) -> Vec<&'a str> {
     let start = format!("{word}::");
     let is_whole = |at: usize| {
@@ -101,7 +103,8 @@ fn after<'a>(code: &'a str, word: &str) -> Vec<&'a str> {
     found.map(|(at, _)| &code[at + start.len()..]).collect()
 }
 
-/// The paths that a file names from the crate's root: by `crate`, by `super`, and those of its own files.
+/// The paths that a file names from the crate's root: by `crate`, by `super`, and through its own
+/// submodules.
 fn named(of: &[String], code: &str) -> BTreeSet<Module> {
     let mut names: BTreeSet<Module> = after(code, "crate").into_iter().flat_map(paths).collect();
     for mut path in after(code, "super").into_iter().flat_map(paths) {
@@ -143,7 +146,7 @@ fn rust_files(folder: &Path, files: &mut Vec<PathBuf>) {
     }
 }
 
-/// Every file of the crate but its roots and its tests, with the paths that it names.
+/// Every file of the crate except its roots and tests, with the paths that it names.
 fn crate_files() -> BTreeMap<Module, BTreeSet<Module>> {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut files = Vec::new();
@@ -160,7 +163,7 @@ fn crate_files() -> BTreeMap<Module, BTreeSet<Module>> {
     .collect()
 }
 
-/// Which files each file names.
+/// The files that each file names.
 fn graph(files: &BTreeMap<Module, BTreeSet<Module>>) -> BTreeMap<Module, BTreeSet<Module>> {
     let file_of = |path: &Module| {
         let mut starts = (1..=path.len()).rev().map(|end| path[..end].to_vec());
@@ -172,7 +175,7 @@ fn graph(files: &BTreeMap<Module, BTreeSet<Module>>) -> BTreeMap<Module, BTreeSe
     edges.collect()
 }
 
-/// Groups of files of which each reaches each other.
+/// Groups of files that reach each other.
 fn circles(graph: &BTreeMap<Module, BTreeSet<Module>>) -> BTreeSet<BTreeSet<Module>> {
     let reached = |from: &Module| -> BTreeSet<Module> {
         let mut seen = BTreeSet::new();
@@ -226,7 +229,7 @@ fn files_of_a_folder_name_each_other_in_no_circle() {
         told(&(&heads - &allowed))
     );
     heads = &allowed - &heads;
-    assert!(heads.is_empty(), "in no circle any more, to be deleted from HEADS: {}", told(&heads));
+    assert!(heads.is_empty(), "no longer in a circle, delete from HEADS: {}", told(&heads));
 
     let without_heads = graph.iter().filter(|(file, _)| !is_head(file)).map(|(file, others)| {
         (file.clone(), others.iter().filter(|other| !is_head(other)).cloned().collect())
@@ -307,7 +310,7 @@ fn the_pages_tell_where_every_file_is() {
                 ["", ".rs", "/"].iter().any(|end| told.contains(&format!("`{module}{end}`")));
             assert!(
                 is_told || ["mod.rs", "tests.rs"].contains(&name.as_str()),
-                "docs/design.md doesn't say what src/{folder}/{name} holds"
+                "docs/design.md doesn't describe src/{folder}/{name}"
             );
         }
     }

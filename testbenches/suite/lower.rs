@@ -1,5 +1,5 @@
-//! Lowered hardware against the reference, without any tool: an interpreter of the language-neutral
-//! form that knows nothing of how it came about, only what its definitions say.
+//! Lowered hardware against the reference, without external tools. The interpreter of the
+//! language-neutral form knows nothing about how the form was built, only what its definitions say.
 
 use crate::engines::{Random, random_netlist, random_netlist_within};
 use crate::hdl::{little_shared, some_rtl};
@@ -21,7 +21,7 @@ fn mask(bits: u32) -> u128 {
     if bits >= 128 { u128::MAX } else { (1 << bits) - 1 }
 }
 
-/// A pattern as a number; the top bit counts negative if `signed`.
+/// A pattern as a number; if `signed`, the top bit counts negative.
 fn number(pattern: u128, bits: u32, signed: bool) -> i128 {
     assert!(bits < 128, "a number of {bits} bits");
     let negative = signed && pattern >> (bits - 1) & 1 == 1;
@@ -38,7 +38,7 @@ fn bits_of_row(digits: &str, bits: u32) -> Vec<bool> {
     row.to_vec()
 }
 
-/// Runs a module on patterns of bits.
+/// Runs a module on bit patterns.
 pub(crate) struct Machine<'a> {
     module: &'a Module,
     /// Pattern of each word; rows of tables can be wider than this.
@@ -50,7 +50,7 @@ pub(crate) struct Machine<'a> {
 }
 
 impl<'a> Machine<'a> {
-    /// Registers hold nonsense at first: nothing may depend on it.
+    /// Registers start with arbitrary contents, on which nothing may depend.
     pub(crate) fn new(module: &'a Module) -> Self {
         let mut random = Random::new(1);
         let words = module.words.iter().map(|word| u128::from(random.bits()) & mask(word.bits));
@@ -89,7 +89,7 @@ impl<'a> Machine<'a> {
         self.whole(bit.word) >> bit.bit & 1 == 1
     }
 
-    /// Zeros below, the word's bits from `lo` on, and above them its sign.
+    /// Zeros below, the word's bits from `lo` on, and its sign extension above.
     fn view(&self, view: View) -> u128 {
         let word = self.module.word(view.word);
         assert!(view.lo < word.bits && view.bits <= 128, "{view:?} of {}", word.name);
@@ -128,7 +128,7 @@ impl<'a> Machine<'a> {
         };
         let two = |a: Operand, b: Operand| {
             let (a, b) = (self.operand(a), self.operand(b));
-            assert_eq!(a.1, b.1, "what {} compares", to.name);
+            assert_eq!(a.1, b.1, "operands that {} compares", to.name);
             (a.0, b.0, a.1)
         };
         let value = |id: WordId| {
@@ -173,7 +173,7 @@ impl<'a> Machine<'a> {
                 flag(number(a, bits, *signed) < number(b, bits, *signed))
             }
             Expr::Choose { cases, default } => {
-                // All of them have the bits of the result, taken or not.
+                // All alternatives have the bits of the result, selected or not.
                 let default = of(*default);
                 let cases: Vec<_> = cases.iter().map(|(bit, a)| (self.bit(*bit), of(*a))).collect();
                 cases.into_iter().find(|(holds, _)| *holds).map_or(default, |(_, a)| a)
@@ -206,7 +206,7 @@ impl<'a> Machine<'a> {
         self.tables[table][self.whole(address) as usize].clone()
     }
 
-    /// Lets logic follow the input words.
+    /// Settles the logic for the input words.
     pub(crate) fn settle(&mut self, inputs: &[i64], valid: bool) {
         let module = self.module;
         assert_eq!(inputs.len(), module.inputs.len());
@@ -254,18 +254,18 @@ impl<'a> Machine<'a> {
         self.valid.extend(valid);
     }
 
-    /// Whether the outputs are valid.
+    /// True if the outputs are valid.
     pub(crate) fn valid_out(&self) -> bool {
         let (bit, flag) = &self.module.valid;
         self.valid.get(bit) == Some(&true) && flag.is_none_or(|flag| self.bit(flag))
     }
 
-    /// Whether the module takes its inputs at the next edge.
+    /// True if the module takes its inputs at the next edge.
     pub(crate) fn ready(&self) -> bool {
         self.module.ready.is_none_or(|flag| self.bit(flag))
     }
 
-    /// Patterns at the output ports.
+    /// Bit patterns at the output ports.
     pub(crate) fn outputs(&self) -> Vec<u128> {
         self.module.outputs.iter().map(|(_, id)| self.whole(*id)).collect()
     }
@@ -282,8 +282,8 @@ fn combinational(netlist: Netlist) -> (Arc<Netlist>, Module) {
     (netlist, module)
 }
 
-/// Words that a stream sends, and now and then none, a stall, or one reset; every word of the
-/// module that is a signal is compared with the reference of the sample that it belongs to.
+/// Sends a stream of words, with occasional gaps, stalls, and one reset. Every word of the module
+/// that is a signal is compared with the reference for its sample.
 fn stream(rtl: &Arc<Rtl>, module: &Module, seed: u64) {
     let netlist = rtl.netlist();
     let (latency, interval) = (module.latency as usize, module.interval as usize);
@@ -299,7 +299,7 @@ fn stream(rtl: &Arc<Rtl>, module: &Module, seed: u64) {
     for id in netlist.ids() {
         let mut all = vec![Signal { node: id, stage: rtl.schedule().stage(id) }];
         all.extend(rtl.registers(id));
-        // Inside a unit only what it gives is a signal.
+        // Inside a unit only its result is a signal.
         if !rtl.is_free(id) && rtl.result(id).is_none() {
             assert!(all.len() == 1 && module.signal(all[0]).is_none(), "seed {seed}: {all:?}");
             continue;
@@ -313,7 +313,7 @@ fn stream(rtl: &Arc<Rtl>, module: &Module, seed: u64) {
     let reset_at = latency + 4 + random.below(8);
     let mut reset_done = latency == 0;
     let cycles = 2 * latency + 24 * interval;
-    // The counter starts anywhere.
+    // The phase counter may start anywhere.
     if interval > 1 {
         machine.clock(false, true);
     }
@@ -324,11 +324,11 @@ fn stream(rtl: &Arc<Rtl>, module: &Module, seed: u64) {
         let valid = random.below(8) > 0;
         machine.settle(&words, valid);
         assert_eq!(machine.ready(), phase == 0, "seed {seed}, cycle {at}: ready");
-        // What is there in other phases isn't taken.
+        // Words in other phases aren't taken.
         flight.push_front((netlist.eval(&words).unwrap().0, valid && phase == 0));
         for (signal, index) in &signals {
-            // A constant is the same for every sample; a word is that of a sample in the phase of
-            // its stage, and in a hold register for all of an interval.
+            // A constant is the same for every sample. A word holds a sample in the phase of its
+            // stage, and a hold register holds it for a whole interval.
             let own = rtl.schedule().stage(signal.node) as usize;
             let first = signal.stage as usize;
             let seen = if first == own { first..first + 1 } else { first..first + interval };
@@ -358,7 +358,7 @@ fn stream(rtl: &Arc<Rtl>, module: &Module, seed: u64) {
         let reset = !reset_done && at == reset_at;
         machine.clock(!stall, reset);
         if stall {
-            // The words of this cycle never get in: others stand there in the next.
+            // The words of this cycle never enter: the next cycle has others.
             flight.pop_front();
         } else {
             at += 1;
@@ -369,7 +369,7 @@ fn stream(rtl: &Arc<Rtl>, module: &Module, seed: u64) {
             reset_done = true;
             phase = 0;
             flight.iter_mut().for_each(|(_, valid)| *valid = false);
-            // Where the phase jumps, no word belongs to a sample of before.
+            // When the phase jumps, no word belongs to an earlier sample.
             if interval > 1 {
                 flight.clear();
             }
@@ -385,7 +385,7 @@ fn random_netlists_with_stalls_and_a_reset() {
         let rtl = some_rtl(&netlist, seed / 3);
         stream(&rtl, &module(&rtl), seed);
     }
-    // Every sort of tables at every depth.
+    // Every kind of table at every depth.
     for seed in 0..40 {
         let netlist = Arc::new(random_netlist(seed));
         for rom in [Rom::Block, Rom::Distributed] {
@@ -466,7 +466,7 @@ fn every_narrow_of_small_formats() {
     let from = formats(1..=6, 0..=0);
     let mut compared = 0;
     for from in &from {
-        // From all dropped and more, to shifts past every format.
+        // From shifts that drop all bits and more, to shifts beyond every format.
         for to in formats(1..=6, -8..=9) {
             compared += narrowing(*from, to, words(*from));
         }
@@ -487,7 +487,7 @@ fn narrows_of_wide_formats() {
             narrowing(*from, *to, some_words(*from, 24).into_iter());
         }
     }
-    // Ties and their neighbours, which random words don't meet.
+    // Ties and their neighbours, which random words don't hit.
     let from = Format::signed(63, 40).unwrap();
     for bits in [1, 20, 62, 63] {
         for frac in [-30, -23, -22, -1, 0, 20, 39] {
@@ -500,8 +500,8 @@ fn narrows_of_wide_formats() {
     }
 }
 
-/// Compares one operation with the reference on all words of its operands, or on some where
-/// those are too many; gives how many, 0 if the operation refuses the formats.
+/// Compares one operation with the reference on all words of its operands, or on some if there are
+/// too many. Returns how many, or 0 if the operation refuses the formats.
 fn operation(formats: &[Format], build: &dyn Fn(&mut Builder, &[NodeId]) -> NodeId) -> usize {
     let mut b = Builder::new("operation");
     let operands: Vec<NodeId> = formats
@@ -525,7 +525,7 @@ fn operation(formats: &[Format], build: &dyn Fn(&mut Builder, &[NodeId]) -> Node
     if bits > 12 {
         let columns: Vec<Vec<i64>> = formats.iter().map(|f| some_words(*f, 60)).collect();
         for (i, rotated) in (0..60).flat_map(|i| [0, 7, 31].map(|by| (i, (i + by) % 60))) {
-            // Not all operands at their ends at once.
+            // Not all operands are at their ends at the same time.
             let at = |port: usize| if port.is_multiple_of(2) { i } else { rotated };
             let row: Vec<i64> = columns.iter().enumerate().map(|(p, c)| c[at(p)]).collect();
             compare(&row);
@@ -565,7 +565,7 @@ fn every_operation_on_two_small_words() {
     for a in &small {
         pairs.extend(small.iter().map(|b| [*a, *b]));
     }
-    // Far apart, and as wide as there is.
+    // Formats with distant points, and the widest ones.
     let wide = formats([1, 2, 31, 32, 61, 62, 63].into_iter(), [0, 1, 40].into_iter());
     for a in &wide {
         pairs.extend(wide.iter().map(|b| [*a, *b]));
@@ -593,7 +593,7 @@ fn every_operation_on_one_word() {
     let all = formats(1..=7, -1..=2).into_iter().chain(formats([32, 62, 63].into_iter(), 0..=1));
     for format in all {
         let bits = format.bits();
-        // The opposite of the least word of 63 bits is no word.
+        // The opposite of the least 63-bit word isn't representable.
         let most = bits == Format::MAX_BITS;
         assert!(operation(&[format], &|b, of| b.neg(of[0])) > 0 || most, "{format}");
         assert!(operation(&[format], &|b, of| b.abs(of[0])) > 0, "{format}");
@@ -619,7 +619,7 @@ fn leading_zeros_of_every_number_of_bits() {
     for bits in 1..=63 {
         let format = Format::integer(bits).unwrap();
         assert!(operation(&[format], &|b, of| b.leading_zeros(of[0])) > 0);
-        // One bit set, and all below it.
+        // One bit set, with and without all bits below it.
         let mut b = Builder::new("count");
         let x = b.input("x", format, Quantity::Number);
         let y = b.leading_zeros(x);
@@ -662,7 +662,7 @@ fn words_side_by_side() {
     }
 }
 
-/// A table of columns with these formats and words that are a hash of their place.
+/// A table of columns with these formats; each word is a hash of its place.
 fn table(name: &str, addr_bits: u32, formats: &[Format]) -> Table {
     let mut random = Random::new(u64::from(addr_bits) + formats.len() as u64);
     let column = |(i, format): (usize, &Format)| Column {
@@ -710,7 +710,7 @@ fn tables_of_some_columns_of_which_some_are_read() {
                 let rtl = Arc::new(Rtl::new(Arc::clone(&netlist), schedule));
                 let module = module(&rtl);
                 stream(&rtl, &module, u64::from(read));
-                // Only what is read is stored, once.
+                // Only columns that are read are stored, once.
                 let stored: Vec<&Column> = (0..table.columns.len())
                     .filter(|column| read >> column & 1 == 1)
                     .map(|column| &table.columns[column])
@@ -729,7 +729,7 @@ fn tables_of_some_columns_of_which_some_are_read() {
                 assert_eq!(rom.rows().count(), 1 << table.addr_bits);
                 for (at, row) in rom.rows().enumerate() {
                     assert_eq!(row.len(), bits.div_ceil(4) as usize);
-                    // The other way round: the first column is at the top.
+                    // In reverse order: the first column is at the top.
                     let mut bits: VecDeque<bool> = bits_of_row(&row, bits).into();
                     for column in &stored {
                         let format = column.format;
@@ -744,7 +744,7 @@ fn tables_of_some_columns_of_which_some_are_read() {
     assert!(widest > 128, "rows that no integer holds: {widest}");
 }
 
-/// Bits of words that an expression takes: word, first bit, number of bits.
+/// Bits of words that an expression reads: word, first bit, number of bits.
 fn reads(module: &Module, expr: &Expr) -> Vec<(WordId, u32, u32)> {
     let whole = |id: WordId| (id, 0, module.word(id).bits);
     let view = |operand: Operand| match operand {
@@ -784,8 +784,8 @@ fn reads(module: &Module, expr: &Expr) -> Vec<(WordId, u32, u32)> {
     }
 }
 
-/// Words of Verilog, VHDL and C++ from their standards, by memory and not from the crate's list,
-/// and what Verilator, Icarus, GHDL and g++ were seen to stumble over besides.
+/// Reserved words of Verilog, VHDL and C++, from their standards and not from the crate's list,
+/// plus names that Verilator, Icarus, GHDL and g++ were seen to reject.
 const KEYWORDS: &[&str] = &[
     "abort",
     "abs",
@@ -1061,10 +1061,10 @@ const KEYWORDS: &[&str] = &[
     "xor_eq",
 ];
 
-/// What every module promises, whatever is in it.
+/// Properties that hold for every module, whatever its content.
 fn check_promises(rtl: &Arc<Rtl>, module: &Module) {
     let netlist = rtl.netlist();
-    // Names: of words, tables, ports, the module, and what back ends declare by themselves.
+    // Names: of words, tables, ports and the module, and those that back ends declare themselves.
     let mut names: BTreeSet<&str> = BTreeSet::from([module.name.as_str()]);
     let mut taken: Vec<&str> = module.words.iter().map(|word| word.name.as_str()).collect();
     taken.extend(module.tables.iter().map(|table| table.name.as_str()));
@@ -1099,7 +1099,7 @@ fn check_promises(rtl: &Arc<Rtl>, module: &Module) {
     check_copies(module);
     assert_eq!(module.inputs.len(), netlist.inputs().len());
     assert_eq!(module.outputs.len(), netlist.outputs().len());
-    // Each word is driven once, and before it is used.
+    // Each word is driven once, before it is used.
     let mut defined: BTreeSet<WordId> = BTreeSet::new();
     let define = |id: WordId, defined: &mut BTreeSet<WordId>, drivers: &[Driver]| {
         let word = module.word(id);
@@ -1119,7 +1119,7 @@ fn check_promises(rtl: &Arc<Rtl>, module: &Module) {
         assert_eq!(module.stages.len(), module.latency as usize + 1);
         assert!(module.stages.last().unwrap().registers.is_empty());
     }
-    // Ports that are registers are declared by the head.
+    // Ports that are registers are declared in the head.
     let ports: BTreeSet<WordId> = module
         .outputs
         .iter()
@@ -1158,7 +1158,7 @@ fn check_promises(rtl: &Arc<Rtl>, module: &Module) {
         use_bits(whole(*id), &defined);
         let word = module.word(*id);
         assert_eq!(word.format, Some(netlist.node(netlist.outputs()[port].node).format));
-        // A register behind two ports has the name of the first.
+        // A register that drives two ports has the name of the first.
         let named = module.outputs.iter().any(|(name, _)| *name == word.name);
         assert_eq!(word.driver == Driver::OutputRegister, named, "{name}");
     }
@@ -1178,8 +1178,8 @@ fn check_promises(rtl: &Arc<Rtl>, module: &Module) {
     }
 }
 
-/// A table has no more ports on the clock than a block RAM, and a copy has the rows of its
-/// original and a port at least.
+/// A table has no more clocked ports than a block RAM. A copy has the rows of its original and at
+/// least one port.
 fn check_copies(module: &Module) {
     let mut ports = vec![0; module.tables.len()];
     let registers = module.stages.iter().flat_map(|stage| &stage.registers);
@@ -1210,7 +1210,7 @@ fn check_ports(rtl: &Arc<Rtl>, module: &Module) {
     assert_eq!(given, outputs);
 }
 
-/// Hardware of a schedule that shares, of a netlist that a seed makes.
+/// Hardware of a shared schedule, for the netlist of a seed.
 pub(crate) fn shared_rtl(seed: u64) -> Option<Arc<Rtl>> {
     let mut random = Random::new(seed ^ 0xabcd);
     let netlist = Arc::new(if random.chance(50) {
@@ -1247,7 +1247,7 @@ fn shared_hardware_with_stalls_and_a_reset() {
     }
 }
 
-/// What the outside simulators take in `hdl.rs` reads like this.
+/// Hardware that external simulators run in `hdl.rs`, as text.
 #[test]
 fn a_small_shared_module_as_text() {
     let options = Options { header: vec!["under test".to_owned()], ..Options::default() };
@@ -1274,7 +1274,7 @@ fn promises_of_every_module() {
     }
 }
 
-/// A netlist whose names are as bad as a netlist allows; `words` are names of nodes.
+/// A netlist whose names are as bad as legal; `words` are names of nodes.
 pub(crate) fn badly_named(words: &[&str]) -> Netlist {
     let format = Format::signed(8, 4).unwrap();
     let mut b = Builder::new("names");
@@ -1287,7 +1287,7 @@ pub(crate) fn badly_named(words: &[&str]) -> Netlist {
         last = b.narrow(sum, format, Round::HalfEven, Overflow::Wrap);
         b.name(last, word);
     }
-    // `a_b` and `b` in `a` are one when scopes are gone, and so are those of the helpers.
+    // `a_b` and `b` in `a` coincide without scopes, as do the names of the helpers.
     let root = b.add(last, z);
     b.name(root, "a_b");
     let inner = b.scope("a", |b| {
@@ -1305,7 +1305,7 @@ pub(crate) fn badly_named(words: &[&str]) -> Netlist {
         b.output(&format!("out_{helper}"), node);
     }
     b.output("y", y);
-    // Tables of one name.
+    // Two tables with one name.
     for i in 0..2u32 {
         let id = b.table(table("t", 3 + i, &[format]));
         let address = b.slice(last, 0, 3 + i);
@@ -1340,7 +1340,7 @@ fn no_name_is_a_keyword_or_there_twice() {
     }
 }
 
-/// Whatever a name became is told: in the module and in the head of each file.
+/// Changed names are reported: in the module and in the head of each file.
 #[test]
 fn a_name_that_changes_is_told() {
     let format = Format::signed(8, 0).unwrap();
@@ -1362,7 +1362,8 @@ fn a_name_that_changes_is_told() {
     assert!(module.renamed.is_empty() && module.header.is_empty(), "{:?}", module.renamed);
 }
 
-/// Copies are as many as the netlist's figure has, and are written once where tables are files.
+/// There are as many copies as the netlist's figure says, and each is written once if tables are
+/// files.
 #[test]
 fn tables_with_many_ports_are_copied() {
     for set in [&[][..], &["scheme=linear", "table_addr_bits=7", "quarter_wave=on"]] {

@@ -8,7 +8,7 @@ use fixpath::table::{Scheme, emit};
 use fixpath::units::Tabulated;
 use std::f64::consts::{PI, TAU};
 
-/// Functions that units tabulate, and others of their kinds.
+/// The functions that units tabulate, and others of the same kinds.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Known {
     Sin,
@@ -139,7 +139,7 @@ fn netlist(tabulated: &Tabulated) -> Netlist {
     b.build().unwrap()
 }
 
-/// Argument words, their real numbers and the words of the first function, by the reference.
+/// Argument words, their real values and the words of the first function, from the reference.
 fn sweep(tabulated: &Tabulated) -> Vec<(i64, f64, i64)> {
     let netlist = netlist(tabulated);
     let (argument, out) = (tabulated.argument, netlist.outputs()[0].node);
@@ -152,7 +152,7 @@ fn sweep(tabulated: &Tabulated) -> Vec<(i64, f64, i64)> {
         .collect()
 }
 
-/// The function saturated to the output format.
+/// The function, saturated to the output format.
 fn target(tabulated: &Tabulated, x: f64) -> f64 {
     let output = tabulated.output;
     let ulp = 2f64.powi(-output.frac_bits());
@@ -198,7 +198,7 @@ fn worst_errors_are_as_measured() {
     }
 }
 
-/// An entry for every word is the correctly rounded function, whatever the scheme.
+/// With one entry per word, a table is the correctly rounded function in every scheme.
 #[test]
 fn tables_of_every_word_are_correctly_rounded() {
     for function in Known::ALL {
@@ -209,7 +209,7 @@ fn tables_of_every_word_are_correctly_rounded() {
                 for (raw, x, word) in sweep(&tabulated) {
                     let mut exact = target(&tabulated, x) * scale;
                     if quarter_wave && exact == tabulated.output.min_raw() as f64 {
-                        exact += 1.0; // folding stores magnitudes, and this one has none
+                        exact += 1.0; // folding stores magnitudes; this one doesn't fit
                     }
                     let distance = (word as f64 - exact).abs();
                     assert!(
@@ -230,8 +230,8 @@ fn direct_entries_are_the_rounded_mean_of_the_cells_ends() {
             let tabulated = tabulated(function, Scheme::Direct, addr_bits, false);
             let words = sweep(&tabulated);
             let scale = 2f64.powi(tabulated.output.frac_bits());
-            // Cells are runs of words with the same top bits; the order of words is that of
-            // patterns within each sign.
+            // Cells are runs of words with the same top bits; within each sign, words are ordered
+            // like their patterns.
             let per_cell = words.len() >> addr_bits;
             for cell in words.chunks(per_cell) {
                 let (first, last) = (cell[0], cell[per_cell - 1]);
@@ -268,7 +268,7 @@ fn direct_halves_the_error_of_the_left_edge() {
                 .fold(0.0, f64::max);
             let worst = figures(&tabulated).worst;
             let half_ulp = 0.5 * 2f64.powi(-tabulated.output.frac_bits());
-            // Cells around an extreme lie on one side of their ends' mean.
+            // The cell of an extreme lies on one side of the mean of its ends.
             let limit = if matches!(function, Known::Sin | Known::Cos) { 0.52 } else { 0.5 };
             assert!(worst <= limit * left_edge + half_ulp, "{function:?}: {worst} of {left_edge}");
             assert!(worst >= 0.5 * left_edge - half_ulp, "{function:?}: {worst} of {left_edge}");
@@ -283,8 +283,8 @@ fn linear_is_within_its_textbook_error_for_sin() {
             let tabulated = tabulated(Known::Sin, Scheme::Linear, addr_bits, quarter_wave);
             let cell_turns = 2f64.powi(-(addr_bits as i32));
             let ulp = 2f64.powi(-tabulated.output.frac_bits());
-            // Chord h²/8 max|f''|, centred h²/16; the bases' and slopes' rounding of ¼ ulp / 2
-            // each, the sum's of ½ ulp, and 1 % for extremes between the words looked at.
+            // Error of the chord: h²/8 max|f''|, centred h²/16. Rounding of bases and slopes: ¼ ulp
+            // / 2 each; of the sum: ½ ulp. Plus 1 % for extremes between the tested words.
             let smooth = cell_turns * cell_turns / 16.0 * TAU * TAU * 1.01;
             let worst = figures(&tabulated).worst;
             assert!(worst <= smooth + ulp * (0.5 + 0.125 + 0.125), "{addr_bits}: {worst}");
@@ -295,7 +295,7 @@ fn linear_is_within_its_textbook_error_for_sin() {
     }
 }
 
-/// Bipartite is between direct and linear where the function is smooth, with no multiplier.
+/// Where the function is smooth, bipartite is between direct and linear, without multipliers.
 #[test]
 fn schemes_in_order_of_error() {
     for function in [Known::Sin, Known::Atan, Known::Recip, Known::Secant] {
@@ -325,7 +325,7 @@ fn poles_saturate_to_both_ends() {
                     words[netlist.outputs()[0].node.index()]
                 };
                 let (lo, hi) = (tabulated.output.min_raw(), tabulated.output.max_raw());
-                // Folding stores magnitudes, and the format has no magnitude for its least word.
+                // Folding stores magnitudes; the magnitude of the least word isn't representable.
                 let folded_lo = if quarter_wave { -hi } else { lo };
                 assert_eq!((at(above), at(below)), (hi, folded_lo), "{function:?} {scheme}");
                 assert!((lo..=folded_lo).contains(&at(above - 1)), "{function:?} {scheme}");
@@ -377,7 +377,7 @@ fn direct_tables_are_monotone_where_the_function_is() {
             assert_eq!(figures(&tabulated).not_monotone, 0);
         }
     }
-    // And the count is not idle: a coarse bipartite table steps back at joints near the crests.
+    // The test isn't idle: a coarse bipartite table steps back at joints near the crests.
     let mut coarse = tabulated(Known::Sin, Scheme::Bipartite, 6, false);
     coarse.output = format("s18f16");
     let sine = sweep(&coarse);
@@ -408,7 +408,7 @@ fn stored_bits_follow_the_widths() {
         for table in netlist.tables() {
             for column in &table.columns {
                 assert_eq!(column.words.len(), 64);
-                // The narrowest format for its words.
+                // Each column has the narrowest format for its words.
                 let (lo, hi) =
                     (column.words.iter().min().unwrap(), column.words.iter().max().unwrap());
                 let narrower = Format::new(
@@ -422,7 +422,7 @@ fn stored_bits_follow_the_widths() {
         }
         assert_eq!(netlist.counts().rom_bits, bits);
     }
-    // A table is never larger than its argument.
+    // A table never has more addresses than its argument has words.
     let sizes = |addr_bits| counts(Scheme::Direct, addr_bits, false).rom_bits;
     assert_eq!(sizes(20), sizes(11));
 }
@@ -444,7 +444,7 @@ fn identical_tables_are_stored_once() {
     assert_eq!(counts.schemes.multipliers, 2);
 }
 
-/// On reals a table is its function of the argument, at every word.
+/// On reals a table is its function of the argument, for every word.
 #[test]
 fn tables_stand_for_their_functions() {
     for function in Known::ALL {

@@ -1,4 +1,5 @@
-//! Memories, ports of several rates, and delays: what reaches past the words of one sample.
+//! Memories, ports of several rates, and delays: features that reach beyond the words of one
+//! sample.
 
 use crate::common::{refused, run, written};
 use crate::engines::{Random, random_machine};
@@ -26,7 +27,7 @@ fn read(text: &str) -> Result<Netlist, String> {
     Netlist::parse(text, std::path::Path::new("n.netlist")).map_err(|error| error.to_string())
 }
 
-/// Hardware of a netlist, flat or shared, as the seed says.
+/// Hardware of a netlist, flat or shared depending on the seed.
 fn some_rtl(netlist: &Arc<Netlist>, seed: u64) -> Option<Rtl> {
     let mut random = Random::new(seed ^ 0x717);
     let rom = random.pick(&[Rom::Block, Rom::Distributed]);
@@ -43,8 +44,9 @@ fn some_rtl(netlist: &Arc<Netlist>, seed: u64) -> Option<Rtl> {
     Some(Rtl::new(Arc::clone(netlist), schedule))
 }
 
-/// Feeds the cycle simulator as its schedule says, each rate when it likes; each valid result is the reference's. A sample
-/// goes with the last slower one that was there when it came, and with what that one goes with.
+/// Feeds the cycle simulator as its schedule says, each rate at its own times. Each valid result
+/// must be the reference's. A sample uses the latest slower sample that was present when it
+/// entered, and whatever that one uses.
 fn check_cycles(netlist: &Netlist, rtl: Rtl, seed: u64) -> usize {
     const SLOTS: u64 = 80;
     let schedule = rtl.schedule().clone();
@@ -57,9 +59,9 @@ fn check_cycles(netlist: &Netlist, rtl: Rtl, seed: u64) -> usize {
         .map(|id| timings.iter().position(|t| t.rate == netlist.node(*id).rate).unwrap())
         .collect();
     let mut random = Random::new(seed);
-    // By slot, one for each sample of the fastest rate: the words that come, and which rates are data.
+    // By slot, one for each sample of the fastest rate: the words, and which rates have valid data.
     let mut slots: Vec<(Vec<i64>, Vec<bool>)> = Vec::new();
-    // By rate: its last sample, with the words of slower rates that it goes with.
+    // By rate: its last sample, with the words of slower rates that it uses.
     let mut samples: Vec<Vec<i64>> = vec![vec![0; rate_of.len()]; timings.len()];
     let mut state = State::new(netlist);
     let mut expected: VecDeque<Option<Vec<i64>>> = VecDeque::new();
@@ -98,11 +100,11 @@ fn check_cycles(netlist: &Netlist, rtl: Rtl, seed: u64) -> usize {
             .enumerate()
             .map(|(port, id)| match slot(rate_of[port]) {
                 Some((words, data)) if data[rate_of[port]] => words[port],
-                // Words that are no data are any.
+                // Words that aren't valid data are random.
                 Some(_) | None => random.word(netlist.node(*id).format),
             })
             .collect();
-        // What isn't ready isn't taken.
+        // A rate that isn't ready takes no data.
         let ready: Vec<bool> = (0..timings.len()).map(|rate| cycle.ready_of(rate)).collect();
         let valid =
             |rate: usize| slot(rate).map_or(!ready[rate], |(_, data)| data[rate] || !ready[rate]);
@@ -118,7 +120,7 @@ fn check_cycles(netlist: &Netlist, rtl: Rtl, seed: u64) -> usize {
     seen
 }
 
-/// Products and sums of several rates, more of the slow ones than random netlists have.
+/// Products and sums of several rates, with more of the slow ones than in random netlists.
 fn layered(seed: u64) -> Netlist {
     let mut random = Random::new(seed);
     let mut b = Builder::new("layered");
@@ -133,7 +135,7 @@ fn layered(seed: u64) -> Netlist {
             nodes.push(b.rate(id, *rate));
         }
         for _ in 0..2 + random.below(6) {
-            // Of this rate and of any so far.
+            // One operand of this rate, and one of any rate so far.
             let own = nodes[start + random.below(nodes.len() - start)];
             let any = random.pick(&nodes);
             let made = match random.below(6) {
@@ -158,7 +160,7 @@ fn layered(seed: u64) -> Netlist {
     netlist.bind("map", &[(0..8).map(|_| random.word(format("s5f2"))).collect()]).unwrap()
 }
 
-/// A machine of some sort.
+/// A machine of some kind.
 fn machine(seed: u64) -> Arc<Netlist> {
     Arc::new(if seed.is_multiple_of(3) { layered(seed) } else { random_machine(seed) })
 }
@@ -181,7 +183,7 @@ fn cycles_give_the_words_of_the_reference() {
     );
 }
 
-/// After a reset, delays start anew and slow words have to come again.
+/// After a reset, delays restart and slow words have to be sent again.
 #[test]
 fn a_reset_forgets_samples() {
     let w = Wires::new("steps");
@@ -201,7 +203,7 @@ fn a_reset_forgets_samples() {
         given
     };
     assert_eq!(results(&mut cycle, &[1, 2, 4, 8]), [1, 2, 3, 6]);
-    assert_eq!(results(&mut cycle, &[16]), [12], "words stay where nothing comes");
+    assert_eq!(results(&mut cycle, &[16]), [12], "words stay until new ones come");
     cycle.reset();
     assert_eq!(results(&mut cycle, &[16, 3]), [16, 3]);
     let mut state = State::new(&netlist);
@@ -218,7 +220,7 @@ fn options(seed: u64) -> Options {
     Options { tables: place(seed / 2), memories, ..Options::default() }
 }
 
-/// Seeds with hardware: machines that are flat or shared.
+/// Seeds with hardware, for machines that are flat or shared.
 fn some_hardware(seeds: std::ops::Range<u64>) -> Vec<(u64, Arc<Rtl>)> {
     let rtl = |seed| Some((seed, Arc::new(some_rtl(&machine(seed), seed)?)));
     seeds.filter_map(rtl).collect()
@@ -249,7 +251,7 @@ fn machines_in_ghdl() {
 #[test]
 #[ignore = "needs verilator: testbenches/run installs it"]
 fn machines_in_verilator() {
-    // Constants fold where they are compared, and Verilator says so.
+    // Verilator warns about comparisons of constants, which it folds.
     let folds = |rtl: &Rtl| rtl.netlist().nodes().iter().any(|n| matches!(n.op, Op::Const { .. }));
     let all = some_hardware(0..200).into_iter().filter(|(_, rtl)| !folds(rtl));
     let several = all.filter(|(_, rtl)| rtl.netlist().memories().next().is_some());
@@ -260,7 +262,7 @@ fn machines_in_verilator() {
     });
 }
 
-/// gain * scale + height: once an object, once a face, and a word of a map for each pixel.
+/// gain * scale + height: one gain per object, one scale per face, and a word of a map per pixel.
 fn mixed() -> Netlist {
     let mut b = Builder::new("mixed");
     let input = |b: &mut Builder, name, rate| {
@@ -291,8 +293,8 @@ fn slow_rates_come_first_and_are_held() {
     assert_eq!(netlist.node(node("both")).rate, Rate::Face);
     assert_eq!(netlist.node(netlist.outputs()[0].node).rate, Rate::Pixel);
     let schedule = Schedule::pipeline(&netlist, Rom::Block, Depth::Period(2000)).unwrap();
-    // Of 2000 ps, 1500 are for logic: gain is held after a cycle, the product of 2300 ps takes one of its own, and the
-    // memory three and one for its address.
+    // Of 2000 ps, 1500 ps are for logic. gain is held after one cycle, the product of 2300 ps takes
+    // one cycle of its own, and the memory takes three cycles, plus one for its address.
     let timings: Vec<[u32; 3]> =
         schedule.timings().iter().map(|t| [t.entry, t.latency, t.interval]).collect();
     assert_eq!(timings[..2], [[0, 1, 1], [1, 1, 1]]);
@@ -304,7 +306,7 @@ fn slow_rates_come_first_and_are_held() {
     assert_eq!(rtl.holds(register("gain", 1)), Some(Rate::Object));
     assert_eq!(rtl.holds(register("both", 2)), Some(Rate::Face));
     assert_eq!(rtl.holds(register("both", 3)), None, "from there it goes along with the pixel");
-    // One bit for the object's words, one for the face's, and those of the pixels.
+    // One valid bit for the object's words, one for the face's, and those of the pixels.
     assert_eq!(rtl.valid_bits(), rtl.schedule().latency() - 2);
     let error = Schedule::pipeline(&netlist, Rom::Distributed, Depth::Stages(0)).unwrap_err();
     assert!(error.to_string().contains("the words of a memory arrive on a clock edge"), "{error}");
@@ -312,7 +314,8 @@ fn slow_rates_come_first_and_are_held() {
     assert!(by_hand.to_string().contains("ports of one rate"), "{by_hand}");
 }
 
-/// A product of slow words is made once, however many pixels come: between them the multiplier's ports carry anything.
+/// A product of slow words is computed once for any number of pixels. In between, the multiplier's
+/// ports may carry anything.
 #[test]
 fn held_words_stay_while_slow_ports_carry_anything() {
     let netlist = Arc::new(mixed().bind("map", &[Arc::from(vec![0; 16])]).unwrap());
@@ -335,7 +338,7 @@ fn words_are_bound_once_and_checked() {
     let netlist = mixed();
     let words: Arc<[i64]> = (0..16).map(|i| i * 7 - 50).collect();
     let bound = netlist.bind("map", &[Arc::clone(&words)]).unwrap();
-    assert!(bound == netlist, "what is bound is no part of the datapath");
+    assert!(bound == netlist, "bound words are not part of the datapath");
     assert!(bound.unbound() == netlist && bound.unbound().eval(&[0, 0, 0]).is_err());
     let y = bound.outputs()[0].node;
     for u in 0..16 {
@@ -356,7 +359,7 @@ fn words_are_bound_once_and_checked() {
     wrong("map", &[], "memory `map`: 0 columns are given: it takes one for each of height");
     wrong("map", &[Arc::from([1, 2])], "column `height` has 2 words and 16 rows");
     wrong("map", &[Arc::from([200; 16])], "word 200 at address 0, outside s8f7");
-    // Whoever simulates without words says which are missing.
+    // Simulation without words reports which memories lack them.
     let missing = "no words are bound to memory `map`";
     assert!(netlist.eval(&[0; 3]).unwrap_err().to_string().contains(missing));
     let program = Program::compile(&netlist, &[y]);
@@ -474,7 +477,7 @@ fn malformed_files_name_the_place() {
     }
 }
 
-/// A unit that brings words for its memory, and takes others.
+/// A unit that provides words for its memory, and accepts others.
 fn blend() -> Unit {
     Unit::new("blend", "half of a word of a map, and half of x").design(|p| {
         let mut b = p.builder("blend");
@@ -582,7 +585,7 @@ fn memories_and_rates_on_the_command_line() {
     assert_eq!(code, 0, "{told}");
     let vcd = std::fs::read_to_string(&wave).unwrap();
     assert!(vcd.contains("valid_face"));
-    // Samples with words of earlier ones aren't judged by themselves.
+    // Samples that depend on words of earlier samples aren't judged separately.
     let delay = FETCH.replace("per face ", "").replace(
         "%5 = add %4 %3 : s17f13\noutput y = %5",
         "%5 = delay 3 %4 : s16f13\noutput y = %5",
@@ -591,7 +594,8 @@ fn memories_and_rates_on_the_command_line() {
     refused(&["sim", &delay, "-p", &map], "errors can't be measured on independent samples");
 }
 
-/// Ports of a module and what its bench has may be called alike; tables and memories have files of their own.
+/// A module's ports may have the names of its test bench's objects; tables and memories have files
+/// of their own.
 #[test]
 #[ignore = "needs iverilog, ghdl and verilator: testbenches/run installs them"]
 fn names_that_meet_those_of_the_bench() {
@@ -635,7 +639,7 @@ output map_we = %11
     }
 }
 
-/// A word that is used late keeps until then, whatever is shared with it.
+/// A word that is used late is kept until then, whatever shares its unit.
 #[test]
 fn words_that_are_late_wait_for_their_unit() {
     let w = Wires::new("late");
@@ -657,7 +661,7 @@ fn words_that_are_late_wait_for_their_unit() {
     }
 }
 
-/// A product for each object shares a multiplier over more cycles than a pixel's.
+/// A product per object shares a multiplier over more cycles than a pixel's product.
 #[test]
 fn slow_rates_share_units_over_a_longer_time() {
     let w = Wires::new("slow");
@@ -675,7 +679,7 @@ fn slow_rates_share_units_over_a_longer_time() {
     let rtl = Rtl::new(Arc::clone(&netlist), schedule.clone());
     assert_eq!(rtl.counts().operators.datapath.multipliers, 1);
     assert!(check_cycles(&netlist, rtl, 7) > 40);
-    // A face may take no longer than is asked for all, if that is asked.
+    // If an interval is requested for all, a face may take no longer.
     let plan = Plan { interval: Some(2), ..plan };
     let schedule = Schedule::shared(&netlist, Rom::Block, 5000, &plan).unwrap();
     let intervals: Vec<u32> = schedule.timings().iter().map(|timing| timing.interval).collect();

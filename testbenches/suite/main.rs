@@ -1,4 +1,4 @@
-//! The integration suite, one binary.
+//! The integration suite, as one binary.
 #![allow(
     missing_docs,
     clippy::cast_possible_truncation,

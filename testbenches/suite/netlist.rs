@@ -36,7 +36,7 @@ fn square_table() -> Table {
     }
 }
 
-/// One of most things: a table with two columns, scopes, dead nodes, shared nodes.
+/// A bit of everything: a table with two columns, scopes, dead nodes, shared nodes.
 fn small() -> Netlist {
     let mut b = Builder::new("small");
     let a = b.input("a", format("u3f0"), Quantity::Number);
@@ -149,7 +149,7 @@ fn the_same_operation_is_built_once() {
     let floor = narrow(&mut b, Round::Floor);
     assert_eq!(narrow(&mut b, Round::Floor), floor);
     assert_ne!(narrow(&mut b, Round::HalfUp), floor);
-    // What would change nothing is not built, but symmetric saturation changes a word.
+    // Operations that would change nothing are not built, but symmetric saturation changes a word.
     let (same, signed) = (format("u4f0"), format("s4f0"));
     assert_eq!(b.narrow(sum, same, Round::Floor, Overflow::Error), sum);
     assert_eq!(b.modulo(sum, same), sum);
@@ -179,7 +179,7 @@ fn what_no_output_needs_is_dropped() {
     }
     assert_eq!(needed.len(), netlist.nodes().len());
 
-    // Ports stay, used or not, in their order.
+    // Ports stay in order, used or not.
     let mut b = Builder::new("idle");
     let a = b.input("a", format("u3f0"), Quantity::Number);
     b.input("idle", format("u5f0"), Quantity::Number);
@@ -221,14 +221,15 @@ fn names_stay_unique_in_their_scope() {
     assert_eq!(unique.len(), labels.len());
 }
 
-/// Message of a netlist with input `x`, s8f4, and output `y` beside what `wrong` does; without the place in the code.
+/// Message of a netlist with input `x`, s8f4, and output `y`, on which `wrong` is run; without its
+/// place in the code.
 fn refusal<R>(wrong: impl FnOnce(&mut Builder, NodeId) -> R) -> String {
     let mut b = Builder::new("wrong");
     let x = b.input("x", format("s8f4"), Quantity::Number);
     b.output("y", x);
     wrong(&mut b, x);
     assert!(b.has_failed());
-    // Whatever comes after the first mistake is no panic, and no other message.
+    // Calls after the first mistake neither panic nor change the message.
     let flag = b.less(x, x);
     let other = b.operation(Op::And, &[x, flag], Format::FLAG);
     b.name(other, "NO NAME");
@@ -278,7 +279,7 @@ fn names_that_hardware_languages_refuse_are_refused() {
             b.table(table);
         });
     }
-    // The longest name there is, and keywords: hardware renames them.
+    // The longest legal names, and keywords, which the hardware renames.
     for name in [&"a".repeat(64), "module", "signal", "x9", "a_b_c", "z"] {
         let mut b = Builder::new("legal");
         let x = b.input(name, Format::FLAG, Quantity::Number);
@@ -287,7 +288,7 @@ fn names_that_hardware_languages_refuse_are_refused() {
     }
 }
 
-/// Numbers make names no longer than they may be: what is built can be built again.
+/// Numbers never make a name too long, so whatever is built can be built again.
 #[test]
 fn numbered_names_stay_legal() {
     let mut b = Builder::new("long");
@@ -331,7 +332,7 @@ fn ports_have_names_of_their_own() {
         refusal(|b, x| b.output("x", x)),
         "output `x` of `wrong`: an input has this name: rename one of them"
     );
-    // In whatever scope they were declared.
+    // In any scope.
     assert_eq!(
         refusal(|b, _| b.scope("inner", |b| port(b, "x"))),
         "input `x` of `wrong`: another input has this name: rename one of them"
@@ -390,7 +391,8 @@ fn tables_are_whole() {
     );
 }
 
-/// A node and a table of another builder, of this one's past and of a finished netlist: indices that exist here, too.
+/// A node and a table of another builder, of an earlier state of this one, and of a finished
+/// netlist, with indices that exist here, too.
 #[test]
 fn what_is_another_builders_is_seen() {
     let mut other = Builder::new("other");
@@ -479,7 +481,7 @@ fn operations_are_asked_what_they_can() {
         refusal(|b, _| b.operation(Op::Input, &[], Format::FLAG)),
         "input: a port has a name: use `input`"
     );
-    // A meaning is of what is there before, and of what stays.
+    // A meaning may refer only to earlier nodes and to nodes that are kept.
     assert_eq!(
         refusal(|b, x| b.means(x, [x], |[of]| of.floor())),
         "x (s8f4): its meaning refers to x (s8f4): that must be an earlier node"
@@ -496,7 +498,7 @@ fn operations_are_asked_what_they_can() {
     );
 }
 
-/// Any calls in any order, of ids from anywhere: never a panic, and what is built runs.
+/// Any calls in any order, with ids from anywhere: never a panic, and whatever is built runs.
 #[test]
 fn builders_take_anything() {
     let mut built = 0;
@@ -569,7 +571,7 @@ fn builders_take_anything() {
     assert!((200..3800).contains(&built), "{built}");
 }
 
-/// Words outside a port are an error of whoever is given them.
+/// Words outside a port's format are an error of every consumer.
 #[test]
 fn words_outside_a_port_are_refused() {
     let netlist = Arc::new(small());
@@ -579,7 +581,7 @@ fn words_outside_a_port_are_refused() {
         let mut out = vec![Vec::new(); outputs.len()];
         program.runner().run(&program, &[a, phase], &mut out).map(|()| out)
     };
-    // Anywhere in a block, in the last one, too.
+    // Anywhere in a block, including the last block.
     for count in [1, 2, 700, BLOCK, BLOCK + 1, 2 * BLOCK + 5] {
         for at in [0, count / 2, count - 1] {
             for wrong in [8, 9, -1, 1 << 16, 1 << 32, i64::MIN, i64::MAX, (1 << 32) + 3, 1 << 62] {
@@ -629,7 +631,7 @@ fn words_outside_a_port_are_refused() {
     cycle.settle(&[7, 0], true).unwrap();
 }
 
-/// Every format near the ends of each sort of number.
+/// Every format near the ends of each kind of number.
 #[test]
 fn all_words_of_a_format_pass_and_no_others() {
     fn check<W: Word>(widest: i128) {
@@ -695,7 +697,7 @@ fn the_seeds_hardware_is_counted() {
     let counts = rotation(&["variant=exact", "output=cartesian", "scheme=direct"]).counts();
     assert_eq!(counts.datapath.multipliers, 0);
     assert_eq!((counts.tables, counts.reads, counts.ports), (1, 14, 8));
-    // 2^10 rows of sin and cos, 20 bits each (two whole bits with the sign, 18 fraction bits).
+    // 2^10 rows of sin and cos, 20 bits each (two integer bits with the sign, 18 fraction bits).
     assert_eq!(counts.rom_bits, 1024 * 2 * 20);
     assert_eq!(counts.rom_bits_dual_port, 4 * counts.rom_bits);
 }
@@ -794,7 +796,7 @@ fn counts_are_those_of_the_text() {
     }
 }
 
-/// Multipliers of the datapath do not change with the scheme of its tables.
+/// The scheme of the tables doesn't change the number of multipliers of the datapath.
 #[test]
 fn schemes_are_counted_apart() {
     let datapath = |scheme: &str, wave: &str| {
@@ -813,7 +815,7 @@ fn schemes_are_counted_apart() {
     }
 }
 
-/// The text of a netlist is the same in every run: nothing is in the order of a hash map.
+/// The text of a netlist is the same in every run: nothing depends on the order of a hash map.
 #[test]
 fn text_is_reproducible() {
     let text = |scheme: &str| rotation(&["output=polar-table", scheme]).to_text();
@@ -826,8 +828,8 @@ fn read(text: &str) -> Result<Netlist, String> {
     Netlist::parse(text, Path::new("n.txt")).map_err(|error| error.to_string())
 }
 
-/// What is written is read back to the same netlist: every unit by itself and with each other choice of each
-/// parameter.
+/// A written netlist reads back as the same netlist: every unit at its defaults and with each other
+/// choice of each parameter.
 #[test]
 fn files_of_units_are_read_back() {
     for unit in UNITS.iter() {
@@ -839,7 +841,7 @@ fn files_of_units_are_read_back() {
         }
         for setting in settings {
             let set: Vec<&str> = setting.split_terminator(' ').collect();
-            // Some choices ask for others.
+            // Some choices require others.
             let Ok(design) = unit.values(&set).unwrap().build() else { continue };
             let text = design.netlist.to_file();
             let again =
@@ -859,7 +861,8 @@ fn files_of_random_netlists_are_read_back() {
     }
 }
 
-/// Files that are large or deep without having many lines, and what a builder makes that no file holds.
+/// Files that are large or deep with few lines, and functions that a builder makes but no file can
+/// hold.
 #[test]
 fn functions_that_call_too_much_are_refused() {
     let head = "fixpath netlist 1\nname n\nfunction f0 = add(x, 1)\n";
@@ -932,7 +935,7 @@ fn a_small_file() {
     assert_eq!(read(&netlist.to_file()).unwrap(), netlist);
 }
 
-/// Each with a part of its message; the place is that of the first difference.
+/// Each case has a part of its message; the place is that of the first difference.
 #[test]
 fn malformed_files_are_refused_with_their_place() {
     let cases = [
@@ -988,7 +991,7 @@ fn malformed_files_are_refused_with_their_place() {
     }
     let cut = SMALL_FILE.split("  -8 6").next().unwrap();
     assert!(read(cut).is_err_and(|error| error.contains("ends inside of table `rom` of line 6")));
-    // Whatever is cut off or changed: an error or a netlist, no panic.
+    // For any truncation or change: an error or a netlist, no panic.
     for at in 0..SMALL_FILE.len() {
         let _ = read(&SMALL_FILE[..at]);
         for other in ["%", "9", ".", " ", "\n", "@", "-"] {

@@ -15,7 +15,7 @@ fn steps(raw: i64, format: Format) -> i128 {
     i128::from(raw) * 2i128.pow((FINE - format.frac_bits()) as u32)
 }
 
-/// All formats of 1 to 4 bits with some fraction bits, differing in sign.
+/// All formats of 1 to 4 bits with some fraction bits, signed and unsigned.
 fn small_formats() -> Vec<Format> {
     let mut formats = Vec::new();
     for signed in [false, true] {
@@ -30,7 +30,7 @@ fn words(format: Format) -> std::ops::RangeInclusive<i64> {
     format.min_raw()..=format.max_raw()
 }
 
-/// Evaluates an operation that asks for no format, and checks that its word is in the format.
+/// Evaluates an operation without a format argument, and checks that its word is in the format.
 fn eval(op: Op, of: &[(i64, Format)]) -> (i64, Format) {
     let formats: Vec<Format> = of.iter().map(|(_, format)| *format).collect();
     let out = op.result_format(&formats, None, &[]).unwrap();
@@ -45,7 +45,7 @@ fn eval(op: Op, of: &[(i64, Format)]) -> (i64, Format) {
     (raw, out)
 }
 
-/// Value of an operation on reals, if it has one.
+/// Value of an operation on reals, if defined.
 fn on_reals(op: Op, reals: &[f64], out: Format) -> Option<f64> {
     let mut graph = Graph::default();
     let of: Vec<_> = reals.iter().map(|value| graph.constant(*value)).collect();
@@ -63,7 +63,7 @@ fn check_real(op: Op, of: &[(i64, Format)], (raw, out): (i64, Format)) {
     assert_eq!(on_reals(op, &reals[..of.len()], out), Some(expected), "{op:?} of {of:?}");
 }
 
-/// The fewest bits that hold all of some words, by trying.
+/// The fewest bits that hold all of some words, by trial.
 fn fewest(least: i64, most: i64) -> (bool, u32) {
     let signed = least < 0;
     let fits = |bits: u32| {
@@ -383,7 +383,7 @@ fn words_of_63_bits_pass_and_of_64_are_refused_by_name() {
         wide("concat of a (u63f0), b (u63f0)", 126)
     );
     let fine = Format::signed(60, 4).unwrap();
-    // Alignment to 4 fraction bits takes 67 bits before anything is added.
+    // Alignment to 4 fraction bits takes 67 bits before the operation itself.
     assert_eq!(
         refusal(&[s, fine], |b, i| b.less(i[0], i[1])),
         wide("less of a (s63f0), b (s60f4)", 67)
@@ -441,7 +441,7 @@ fn operands_that_do_not_fit_are_refused() {
         refusal(&[far], |b, i| b.shift(i[0], -28)),
         "node `shift of a (s4f100)`: the binary point moves past 127 places"
     );
-    // The first mistake is the one that is told.
+    // The first mistake is reported.
     let first = refusal(&[s4, u4], |b, i| {
         let wrong = b.and(i[0], i[1]);
         b.slice(wrong, 60, 60)

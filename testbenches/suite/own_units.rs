@@ -1,5 +1,5 @@
-//! A program of another crate's: units of its own through every command (`examples/own_units.rs`, the public interface
-//! alone).
+//! A program of another crate, with its own units in every command (`examples/own_units.rs`, which
+//! uses only the public interface).
 
 use assert_cmd::Command;
 use assert_cmd::cargo::cargo_bin;
@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-/// The example, built as this suite is.
+/// The example, built like this suite.
 pub(crate) static PROGRAM: LazyLock<PathBuf> = LazyLock::new(|| {
     let folder = cargo_bin("fixpath").parent().unwrap().to_owned();
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
@@ -22,7 +22,7 @@ pub(crate) static PROGRAM: LazyLock<PathBuf> = LazyLock::new(|| {
 
 const OWN: [&str; 3] = ["sigmoid", "complex_product", "biquad_step"];
 
-/// What a command tells.
+/// Output of a command.
 fn done(args: &[&str]) -> String {
     let output = Command::new(&*PROGRAM).args(args).output().unwrap();
     let stderr = String::from_utf8(output.stderr).unwrap();
@@ -62,7 +62,7 @@ fn every_command_takes_its_units() {
         assert!(
             done(&["schedule", unit, "-p", "schedule=shared", "-p", "share_add=1"]).contains("add")
         );
-        // Figures with witnesses, and a bound that holds and isn't far from what is seen.
+        // Figures with witnesses, and a bound that holds and is near the errors seen.
         for inputs in [&["--samples", "20000"][..], &["--hard"]] {
             let sim = json(&[&["sim", unit], inputs].concat());
             let bound = &sim["bounds"][0];
@@ -73,7 +73,8 @@ fn every_command_takes_its_units() {
                 assert!(0.1 * stated < seen, "{unit}: {seen} of {stated}");
                 continue;
             }
-            // One of them brings a golden in single precision; `sim` says which are not judged in it.
+            // One of them has a golden in single precision; `sim` reports which units aren't judged
+            // in it.
             let known = unit == "complex_product";
             assert_eq!(sim["hard_cases"][0]["float32"].is_array(), known, "{unit}");
             assert_eq!(sim["hard_cases"][0]["float32_worst"].is_number(), known, "{unit}");
@@ -94,7 +95,7 @@ fn every_command_takes_its_units() {
     }
 }
 
-/// A table of a function of its own, by each scheme: as far off as the scheme's exact error says.
+/// A table of a function of its own, with each scheme: its error is the exact error of the scheme.
 #[test]
 fn its_function_is_tabulated_by_every_scheme() {
     for scheme in fixpath::table::Scheme::ALL {
@@ -105,7 +106,8 @@ fn its_function_is_tabulated_by_every_scheme() {
     }
 }
 
-/// Points that differ in what the golden reads don't share it: each has the error that it has alone.
+/// Points whose goldens read different parameters don't share golden values: each has the error
+/// that it has alone.
 #[test]
 fn its_sweeps_have_goldens_of_their_own() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! README and `docs/`: every command in them runs, every link leads somewhere.
+//! README and `docs/`: every command runs, every link leads somewhere.
 
 use crate::own_units::PROGRAM;
 use assert_cmd::cargo::cargo_bin;
@@ -10,7 +10,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
-/// Languages of blocks: commands, which run; examples of files, which tests of their readers take; what is printed.
+/// Languages of code blocks: commands, which are run; example files, which the tests of their
+/// readers read; printed output.
 const LANGUAGES: [&str; 4] = ["sh", "toml", "csv", "text"];
 
 fn pages() -> Vec<PathBuf> {
@@ -24,7 +25,8 @@ fn pages() -> Vec<PathBuf> {
     pages
 }
 
-/// What a page has: blocks of code with their languages, code within text, links, and anchors of headings.
+/// The parts of a page: code blocks with their languages, inline code, links, and anchors of
+/// headings.
 #[derive(Default)]
 struct Page {
     blocks: Vec<(String, String)>,
@@ -33,7 +35,7 @@ struct Page {
     anchors: BTreeSet<String>,
 }
 
-/// The anchor that a heading gets where such pages are shown.
+/// The anchor of a heading on the sites that show such pages.
 fn anchor(heading: &str) -> String {
     let kept = heading.chars().filter(|c| c.is_alphanumeric() || [' ', '-', '_'].contains(c));
     kept.collect::<String>().to_lowercase().replace(' ', "-")
@@ -102,7 +104,8 @@ fn links_lead_somewhere() {
     }
 }
 
-/// A command line as a shell would run it, of what pages use: words, and `>` into a file.
+/// A command line as a shell would run it, as far as pages use the syntax: words, and `>` into a
+/// file.
 fn command(line: &str, folder: &Path) -> Option<Command> {
     let (line, output) = line.split_once('>').unwrap_or((line, ""));
     let words: Vec<&str> = line.split_whitespace().collect();
@@ -114,12 +117,13 @@ fn command(line: &str, folder: &Path) -> Option<Command> {
             (PROGRAM.clone(), rest)
         }
         ["make", rest @ ..] => (PathBuf::from("make"), rest),
-        // A window; tests of waves open it without a screen. Its files are there.
+        // gtkwave opens a window; the wave tests run it without a screen. Only its files are
+        // checked.
         ["gtkwave", rest @ ..] => {
             rest.iter().for_each(|file| assert!(folder.join(file).exists(), "{file}"));
             return None;
         }
-        // What runs this, and what CI runs beside it.
+        // The command that runs this suite; CI runs it too.
         ["testbenches/run"] => return None,
         _ => panic!("how is `{line}` run?"),
     };
@@ -169,7 +173,7 @@ fn commands_run() {
     assert!(ran > 15, "{ran}");
 }
 
-/// Commands within text are commands that there are.
+/// Commands in inline code exist.
 #[test]
 fn commands_within_text_are_known() {
     let (_, help, _) = crate::common::run(&["--help"]);

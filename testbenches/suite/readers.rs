@@ -1,5 +1,5 @@
-//! What other programs read: JSON by its schema, CSV in typed readers, Markdown in a strict renderer, PNG by its
-//! colours; and text from outside, which acts on none of them, nor on a terminal.
+//! Output as other programs read it: JSON by its schema, CSV in typed readers, Markdown in a strict
+//! renderer, PNG by its colours. Text from outside has no effect in any of them, nor on a terminal.
 
 use crate::common::{done, fixpath, written};
 use fixpath::json::{SCHEMA, SCHEMA_VERSION};
@@ -15,8 +15,8 @@ fn json_of(args: &[&str]) -> Value {
 
 const SMALL: &str = "[image]\nwidth = 24\nheight = 16\n[height]\nsource = \"brick\"\nscale = 3.0\n[[object]]\nshape = \"cube\"\n";
 
-/// A JSON Schema of the keywords that ours uses; any other keyword is an error, and so is a field that the schema
-/// doesn't name.
+/// A JSON Schema with the keywords that ours uses. Any other keyword is an error, and so is a field
+/// that the schema doesn't name.
 struct Schema(Value);
 
 impl Schema {
@@ -98,7 +98,8 @@ fn excerpt(value: &Value) -> String {
     value.to_string().chars().take(80).collect()
 }
 
-/// Every document of every command, and every file, by the schema; and each of its kinds is seen.
+/// Every document of every command, and every file, matches the schema; each kind of document
+/// occurs.
 #[test]
 fn every_json_document_keeps_to_the_schema() {
     let schema = Schema(serde_json::from_str(SCHEMA).unwrap());
@@ -195,7 +196,7 @@ fn every_json_document_keeps_to_the_schema() {
     let output = fixpath().args(["texgen", calls.to_str().unwrap(), "--json"]).output().unwrap();
     check("texgen", &serde_json::from_slice(&output.stdout).unwrap());
 
-    // The others take outside tools.
+    // The other kinds need external tools.
     let mut kinds: BTreeSet<String> = kinds(&schema).collect();
     for outside in ["cost", "verify"] {
         assert!(kinds.remove(outside), "{outside}");
@@ -207,7 +208,7 @@ fn every_json_document_keeps_to_the_schema() {
 /// Names of the documents of a schema.
 fn kinds(schema: &Schema) -> impl Iterator<Item = String> {
     let all = schema.0["oneOf"].as_array().unwrap().iter();
-    // What has no name is a list of one kind.
+    // A document without a name is a list of one kind.
     let names = all.filter_map(|of| of["$ref"].as_str());
     names.map(|name| name.trim_start_matches("#/$defs/document-").to_owned())
 }
@@ -236,7 +237,7 @@ fn json_of_outside_tools_keeps_to_the_schema() {
     }
 }
 
-/// What a typed reader takes a field for, from this field alone.
+/// The type that a typed reader infers from this field alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Type {
     Whole,
@@ -253,7 +254,7 @@ fn type_of(field: &str) -> Option<Type> {
         "true" | "false" => Some(Type::Truth),
         "inf" | "-inf" | "NaN" => Some(Type::Real),
         _ if digits(unsigned) => Some(Type::Whole),
-        // A point or an exponent: else some take it for a whole number.
+        // A point or an exponent; otherwise some readers take it for an integer.
         _ if field.parse::<f64>().is_ok() && unsigned.starts_with(|c: char| c.is_ascii_digit()) => {
             Some(Type::Real)
         }
@@ -261,7 +262,7 @@ fn type_of(field: &str) -> Option<Type> {
     }
 }
 
-/// Every column has one type in all its rows, and a name of its own, whatever the case of its letters.
+/// Every column has one type in all rows, and a name that is unique even without case.
 fn check_csv(text: &str, what: &str) {
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let names = reader.headers().unwrap().clone();
@@ -269,7 +270,7 @@ fn check_csv(text: &str, what: &str) {
     assert_eq!(lower.len(), names.len(), "{what}: {names:?}");
     assert!(!text.contains(['\r', '\t']) && text.ends_with('\n'), "{what}");
     let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
-    // One line a row: a reader may split the file at line ends.
+    // One line per row: a reader may split the file at line ends.
     assert_eq!(text.lines().count(), 1 + rows.len(), "{what}");
     let different: BTreeSet<&str> = names.iter().collect();
     assert_eq!(different.len(), names.len(), "{what}: {names:?}");
@@ -277,7 +278,7 @@ fn check_csv(text: &str, what: &str) {
         let types: BTreeSet<Type> = rows.iter().filter_map(|row| type_of(&row[column])).collect();
         assert!(types.len() < 2, "{what}: column `{name}` is {types:?}");
         let real = ["_db", "_abs", "_rad", "_mean", "_max", "_flip", "ssim", "_golden"];
-        // A quantised value stands beside its word; parameters have any names.
+        // A quantised value is beside its word; parameters have any names.
         let quantised = name
             .strip_suffix("_q")
             .is_some_and(|port| names.iter().any(|other| other == format!("{port}_raw")));
@@ -300,7 +301,7 @@ fn every_csv_has_a_type_for_each_column() {
     let scene = written(folder.path(), "a, \"b\".toml", SMALL);
     let scene = scene.to_str().unwrap();
     for unit in UNITS.iter() {
-        // Exact ones have whole errors and infinite ratios of signal to noise.
+        // Exact units have integer errors and infinite signal-to-noise ratios.
         done(&["sim", &unit.name, "--hard", "--cases", &path("c.csv"), "--basis", "total"]);
         check_csv(&text("c.csv"), &format!("hard cases of {}", unit.name));
         let args = ["sweep", &unit.name, "--axis", "latency_cycles=auto", "--samples", "20"];
@@ -311,7 +312,7 @@ fn every_csv_has_a_type_for_each_column() {
         };
         done(&[&args[..], &["--out", &path("s"), "--fresh"]].concat());
         check_csv(&text("s/sweep.csv"), &format!("sweep of {}", unit.name));
-        // Each error that isn't absolute says over what it is.
+        // Each error that isn't absolute names its reference.
         for (quantity, what) in unit.defaults().build().unwrap().scales() {
             assert!(
                 text("s/report.md").contains(&format!("`{quantity}` over {what}")),
@@ -330,7 +331,7 @@ fn every_csv_has_a_type_for_each_column() {
     let ladder = ["render", scene, "--ladder=8", "--pipelines", "emboss-gx"];
     done(&[&ladder[..], &["--out", &path("e")]].concat());
     check_csv(&text("e/ladder.csv"), "ladder of an emboss");
-    // Its list of scenes is split at commas.
+    // The list of scenes is split at commas.
     let other = written(folder.path(), "a \"b\".toml", SMALL);
     let (dot, scenes) =
         (written(folder.path(), "dot", SMALL), format!("{0},{0},", other.display()));
@@ -345,7 +346,8 @@ fn every_csv_has_a_type_for_each_column() {
     check_csv(&done(&[&eval[..], &["--out", "-"]].concat()), "eval");
 }
 
-/// Raw HTML, links and pictures of a Markdown text; every row of a table has the cells of its heading.
+/// Raw HTML, links and pictures of a Markdown text; every row of a table has as many cells as its
+/// heading.
 #[allow(clippy::wildcard_enum_match_arm, reason = "the enumeration is another crate's")]
 fn marks(text: &str) -> (Vec<String>, Vec<String>) {
     let (mut html, mut links) = (Vec::new(), Vec::new());
@@ -356,13 +358,13 @@ fn marks(text: &str) -> (Vec<String>, Vec<String>) {
                 links.push(dest_url.to_string());
             }
             Event::Text(text) => {
-                // A row that isn't seen as one of a table.
+                // A row that isn't recognised as part of a table.
                 assert!(!text.contains("| ") || text.contains("|c"), "{text}");
             }
             _ => {}
         }
     }
-    // The renderer fills up and cuts rows: here they are counted.
+    // The renderer pads and cuts rows, so their cells are counted here.
     let mut cells = Vec::new();
     for line in text.lines().chain([""]) {
         if line.starts_with('|') {
@@ -378,7 +380,7 @@ fn marks(text: &str) -> (Vec<String>, Vec<String>) {
     (html, links)
 }
 
-/// Names that would mark something, in every Markdown file; their plots and tables still stand.
+/// Names that could act as markup, in every Markdown file; plots and tables still work.
 #[test]
 fn markdown_shows_names_as_they_are() {
     let folder = tempfile::tempdir().unwrap();
@@ -430,7 +432,7 @@ fn markdown_shows_names_as_they_are() {
     }
 }
 
-/// Text from anywhere comes out as what it is: one line where it is a message, and nothing hidden.
+/// Text from outside is printed as it is: on one line in messages, with nothing hidden.
 #[test]
 fn nothing_from_outside_acts_on_a_terminal() {
     let folder = tempfile::tempdir().unwrap();
@@ -513,7 +515,7 @@ fn chunks(png: &[u8]) -> Vec<(String, Vec<u8>)> {
     all
 }
 
-/// Each picture says that it is sRGB, before its pixels, and 8-bit RGB.
+/// Each picture declares sRGB before its pixels, and is 8-bit RGB.
 #[test]
 fn pictures_say_what_their_codes_are() {
     let folder = tempfile::tempdir().unwrap();
@@ -540,7 +542,7 @@ fn pictures_say_what_their_codes_are() {
     assert!(count >= 10, "{count}");
 }
 
-/// Fields of the schema have words that say what they are.
+/// Every field of the schema has a description.
 #[test]
 fn every_field_of_the_schema_is_described() {
     fn walk(of: &Map<String, Value>, place: &str, missing: &mut Vec<String>) {

@@ -1,7 +1,8 @@
-//! Pages for readers are rendered: what they tell of measurements comes from figures.
+//! Pages are rendered from templates; their measurements come from figures.
 //!
-//! A template `.readme/PAGE.md.jinja` gives `PAGE.md`. It reads the documents that commands of
-//! `.readme/measure` gave as `f.NAME`; what templates read of them is what `.readme/figures.json` keeps.
+//! A template `.readme/PAGE.md.jinja` gives `PAGE.md`. It reads the documents that the commands of
+//! `.readme/measure` wrote, as `f.NAME`. `.readme/figures.json` keeps the parts that templates
+//! read.
 
 use minijinja::value::{Enumerator, Kwargs, Object, ObjectRepr, Value};
 use minijinja::{AutoEscape, Environment, Error, ErrorKind, UndefinedBehavior, context};
@@ -31,7 +32,7 @@ fn keep(mut figures: Map<String, Json>) {
     fs::write(FILE, serde_json::to_string_pretty(&figures).unwrap() + "\n").unwrap();
 }
 
-/// Puts the documents of a folder in place of those of their names.
+/// Replaces the documents that have the same name as one in the folder.
 fn take(figures: &mut Map<String, Json>, folder: &Path) {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
@@ -40,7 +41,7 @@ fn take(figures: &mut Map<String, Json>, folder: &Path) {
     }
 }
 
-/// Figures that a test measures: equal to those that are kept.
+/// Figures that a test measures must equal the kept ones.
 pub(crate) fn is_told(name: &str, measured: &Json) {
     let _lock = LOCK.lock().unwrap_or_else(PoisonError::into_inner);
     let mut figures = kept();
@@ -52,7 +53,7 @@ pub(crate) fn is_told(name: &str, measured: &Json) {
     }
 }
 
-/// A part of the figures, as templates see it; it notes which numbers and texts they read.
+/// A part of the figures, as templates see it; it records which numbers and texts they read.
 #[derive(Clone, Debug)]
 struct Part {
     all: Arc<Json>,
@@ -63,10 +64,10 @@ struct Part {
 
 impl Part {
     fn json(&self) -> &Json {
-        self.all.pointer(&self.at).expect("made for a part that is there")
+        self.all.pointer(&self.at).expect("made only for an existing part")
     }
 
-    /// What was read of `part`, at its place, with the command and the version that gave it.
+    /// The parts of `part` that were read, with the command and the version that produced it.
     fn was_read(&self, at: &str, part: &Json) -> Option<Json> {
         let inner = |key: &str, part: &Json| self.was_read(&format!("{at}/{key}"), part);
         match part {
@@ -116,7 +117,7 @@ impl Object for Part {
     }
 }
 
-/// The first of a list with the given members.
+/// The first element of a list with the given members.
 fn pick(list: &Value, given: Kwargs) -> Result<Value, Error> {
     let keys: Vec<&str> = given.args().collect();
     'next: for element in list.try_iter()? {
@@ -130,7 +131,7 @@ fn pick(list: &Value, given: Kwargs) -> Result<Value, Error> {
     Err(Error::new(ErrorKind::UndefinedError, format!("nothing in the list has {given:?}")))
 }
 
-/// Significant digits, and all before the point.
+/// Rounds to significant digits; all digits before the point are kept.
 fn sig(x: f64, digits: usize) -> String {
     let rounded = format!("{:.*e}", digits - 1, x);
     let exponent: i32 = rounded.split_once('e').unwrap().1.parse().unwrap();
@@ -148,7 +149,7 @@ fn span(list: &Value, digits: usize, factor: f64) -> Result<String, Error> {
     Ok(if least == most { most } else { format!("{least} to {most}") })
 }
 
-/// A whole number, from 10 000 on in groups of three digits.
+/// An integer, from 10 000 on in groups of three digits.
 fn whole(x: f64) -> String {
     let digits = format!("{x:.0}");
     let groups = digits.as_bytes().rchunks(3).rev().map(|group| str::from_utf8(group).unwrap());
@@ -160,7 +161,7 @@ fn templates(folder: &Path) -> Vec<PathBuf> {
     paths.flat_map(|path| if path.is_dir() { templates(&path) } else { vec![path] }).collect()
 }
 
-/// Every page with its path, and what of the figures they tell.
+/// Every page with its path, and the part of the figures that pages use.
 fn render(figures: Map<String, Json>) -> (Vec<(PathBuf, String)>, Map<String, Json>) {
     let root =
         Part { all: Arc::new(Json::Object(figures)), at: String::new(), read: Arc::default() };
@@ -189,7 +190,7 @@ fn render(figures: Map<String, Json>) -> (Vec<(PathBuf, String)>, Map<String, Js
         pages.push((page, text));
     }
     let Some(Json::Object(told)) = root.was_read("", &root.all) else {
-        panic!("no figure is told")
+        panic!("no page uses a figure")
     };
     (pages, told)
 }
@@ -199,7 +200,7 @@ fn assert_same(path: &Path, is: &str, should: &str, why: &str) {
     assert!(is == should, "{}: {why}: {differs:#?}", path.display());
 }
 
-/// FIXPATH_BLESS=1 rewrites pages and figures, FIXPATH_FIGURES names a folder of newer documents.
+/// FIXPATH_BLESS=1 rewrites pages and figures; FIXPATH_FIGURES names a folder of newer documents.
 #[test]
 fn pages_tell_the_figures() {
     let _lock = LOCK.lock().unwrap_or_else(PoisonError::into_inner);
@@ -212,7 +213,10 @@ fn pages_tell_the_figures() {
         keep(told);
         pages.iter().for_each(|(path, text)| fs::write(path, text).unwrap());
     } else {
-        assert!(kept() == told, "{FILE} holds what no page tells: FIXPATH_BLESS=1 rewrites it");
+        assert!(
+            kept() == told,
+            "{FILE} holds figures that no page uses: FIXPATH_BLESS=1 rewrites it"
+        );
         for (path, text) in &pages {
             let page = fs::read_to_string(path).unwrap();
             let why = "differs from its template in .readme: change that, FIXPATH_BLESS=1 rewrites the page";
@@ -221,8 +225,8 @@ fn pages_tell_the_figures() {
     }
 }
 
-/// Today's program gives what pages tell: those of its figures that take few seconds, or with
-/// `testbenches/run --long` all but times.
+/// The current program gives the figures of the pages: those that take a few seconds, or, with
+/// `testbenches/run --long`, all except times.
 #[test]
 fn figures_are_true_today() {
     let part = if std::env::var_os("FIXPATH_LONG").is_some() { "errors" } else { "quick" };

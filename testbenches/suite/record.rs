@@ -1,8 +1,8 @@
-//! Results of slow tools, kept by the digest of all that the tools were given.
+//! Results of slow tools, kept by the digest of all their inputs.
 //!
-//! A tool gives the same result for the same input. `testbenches/records.json` holds, by name,
-//! the digest of an input and its result; a run is repeated when its input changed, and always
-//! by `testbenches/run --long`, which compares. FIXPATH_BLESS=1 rewrites the file.
+//! A tool gives the same result for the same input. `testbenches/records.json` holds, by name, the
+//! digest of an input and its result. A run is repeated if its input has changed.
+//! `testbenches/run --long` always repeats it, and compares. FIXPATH_BLESS=1 rewrites the file.
 
 use fixpath::outside::Tool;
 use serde_json::{Map, Value, json};
@@ -21,28 +21,27 @@ fn records() -> Map<String, Value> {
     serde_json::from_str(&text).expect("records.json is an object")
 }
 
-/// A text without lines that are comments in Verilog, VHDL or Rust: no result depends on them.
+/// A text without the lines that are comments in Verilog, VHDL or Rust: no result depends on them.
 fn code_of(text: &str) -> String {
     let is_code =
         |line: &&str| !["//", "--"].iter().any(|mark| line.trim_start().starts_with(mark));
     text.split_inclusive('\n').filter(is_code).collect()
 }
 
-/// Digest of texts without their comments, and of the version of the tool that takes them.
+/// Digest of texts without their comments, and of the tool's version.
 fn digest(tool: &Tool, input: &[&str]) -> String {
     let version = tool.version().unwrap_or_else(|| panic!("{} is {}", tool.name, tool.missing()));
     let mut hash = Sha256::new();
     let input = input.iter().map(|text| code_of(text));
     for text in [tool.name.to_owned(), version].into_iter().chain(input) {
-        // The length keeps neighbours apart.
+        // The length separates neighbouring texts.
         hash.update(text.len().to_le_bytes());
         hash.update(text.as_bytes());
     }
     hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// What `make` gives with a tool for an input; taken from the record where that is of the same
-/// input.
+/// The result of `make` with a tool for an input, taken from the record if that has the same input.
 pub(crate) fn recorded(
     name: &str,
     tool: &Tool,

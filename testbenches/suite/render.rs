@@ -1,7 +1,8 @@
-//! Hard scenes, rendered: the golden re-derived, the exact pipelines held to their units' bounds.
+//! Hard scenes, rendered: the golden is derived again, and the exact pipelines are held to their
+//! units' bounds.
 //!
-//! A pixel may be off by what the units state for its material under each light, times the texture,
-//! and by what the words of the inputs do before; nothing here is measured and then written down.
+//! A pixel may be off by the units' stated bounds for its material under each light, times the
+//! texture, and by the quantisation of the inputs before that. No limit is taken from measurements.
 
 use crate::common::{pipelines, traced};
 use fixpath::measure::BoundCheck;
@@ -17,10 +18,10 @@ use std::path::Path;
 
 const PIPELINES: [&str; 4] = ["exact-polar", "exact-cartesian", "corrected", "printed"];
 
-/// Pipelines that are held to what their units state.
+/// Pipelines that are held to the bounds of their units.
 const BOUNDED: [&str; 4] = ["exact-polar", "exact-cartesian", "ernst", "kim"];
 
-/// Settings that every hard scene is rendered with.
+/// Settings with which every hard scene is rendered.
 const SETTINGS: [&[&str]; 3] = [
     &[],
     &["scheme=linear", "light_scheme=linear"],
@@ -36,7 +37,7 @@ fn largest(picture: &Picture, golden: &Picture) -> f64 {
     Difference::between(picture, golden, PIXELS_PER_DEGREE).unwrap().max.difference
 }
 
-/// N'·L and N'·H of a fragment under a light, everything in the world.
+/// N'·L and N'·H of a fragment under a light, all in the world.
 fn dots(scene: &Scene, f: &Fragments, i: usize, light: usize) -> [f64; 2] {
     let normal = Fragments::vector(&f.normal, i);
     let bump = scene.bumps.vector(f.bump[i]);
@@ -46,18 +47,18 @@ fn dots(scene: &Scene, f: &Fragments, i: usize, light: usize) -> [f64; 2] {
     [perturbed.dot(l), perturbed.dot(halfway(l, Fragments::vector(&f.eye, i), normal))]
 }
 
-/// What a highlight keeps of its light.
+/// The fraction of its light that a highlight keeps.
 fn highlight(dot: f64, exponent: u32) -> f64 {
     if dot > 0.0 { dot.min(1.0).powf(f64::from(exponent)) } else { 0.0 }
 }
 
-/// What a pixel's light may be off by in an exact pipeline.
+/// Limits of the error of a pixel's light in an exact pipeline.
 struct Limits {
-    /// N'·L and N'·H, by the words of the inputs.
+    /// N'·L and N'·H, from quantising the inputs.
     inputs: f64,
-    /// N'·L and N'·H besides.
+    /// N'·L and N'·H, from the datapath.
     dot: f64,
-    /// Diffuse light, of the same input words.
+    /// Diffuse light, for the same input words.
     diffuse: f64,
     /// The specular table alone.
     specular: f64,
@@ -71,12 +72,13 @@ impl Limits {
         let (dot, exponent) = (bound("dot"), bits("exponent"));
         let slope = if exponent == 0 { 1.0 } else { 1.0 - (1.0 - dot.min(1.0)).powi(exponent) };
         let half_of = |name: &str| 2f64.powi(-bits(name) - 1);
-        // A component is off by half a word, and angles too: a direction by √2 of that, and the
-        // frame by three of them.
+        // A component is off by half an LSB, and so is an angle. A direction is then off by √2
+        // times that, and the frame by three times that.
         let components = || 3f64.sqrt() * half_of("frac_bits");
         let half = || TAU * half_of("angle_bits");
         let inputs = match design.values.unit().name.as_str() {
-            // The frame's three rows turn the light, of which the unit takes the direction.
+            // The three rows of the frame transform the light, and the unit uses only its
+            // direction.
             "ernst" => {
                 let light = components();
                 let frame = 3f64.sqrt() * components();
@@ -110,8 +112,8 @@ fn limits(scene: &Scene, pipeline: &Pipeline) -> Vec<Vec<Limits>> {
     scene.materials.iter().map(of).collect()
 }
 
-/// Holds a rendered scene to the formulas: its golden to those of the conventions, its exact
-/// bounded pipelines to the limits. Gives the largest difference and the largest limit of these.
+/// Holds a rendered scene to the formulas: its golden to the conventions, its exact bounded
+/// pipelines to the limits. Returns their largest difference and largest limit.
 fn check(name: &str, scene: &Scene, pipelines: &[Pipeline], rendered: &Rendered) -> (f64, f64) {
     let f = traced(scene);
     assert_eq!(rendered.covered, f.len() as u64, "{name}");
@@ -303,9 +305,9 @@ fn hard_scenes() -> Vec<(&'static str, String)> {
                 + "[[object]]\nshape = \"sphere\"\nscale = 0.6\nmaterial = { exponent = 3, specular = 1 }\n[[object]]\nshape = \"cube\"\ntranslate = [0, 1.1, 0]\nscale = 0.6\nmaterial = { diffuse = 0, ambient = 0 }\n[[object]]\nshape = \"plane\"\ntranslate = [0, 0, -0.6]\nscale = 3\nmaterial = { specular = 0 }\n",
         ),
         ("a lamp inside", [ASIDE, ROUGH, SPHERE, &lamp(0.2, 0.1, 0.3)].concat()),
-        // The middle of the image is the spot of the lamp.
+        // The middle of the image is at the lamp's own position.
         ("a lamp on the surface", [DOWN, ROUGH, PLANE, &lamp(0.0, 0.0, 0.0)].concat()),
-        // Normals (-0, 0, ±1), and frames of either hand.
+        // Normals (-0, 0, ±1), and frames of either handedness.
         ("a plane mirrored in x", mirrored("plane", "[-1, 1, 1]", DOWN)),
         ("a plane mirrored in z", mirrored("plane", "[1, 1, -1]", UP)),
         ("a plane turned by its scale", mirrored("plane", "[-1, -1, 1]", DOWN)),
@@ -332,13 +334,13 @@ fn small(name: &str) -> &'static str {
     }
 }
 
-/// What the largest limit of a scene may be of the largest difference seen there, where tables are
-/// fine: a bound adds up the worst of some ten steps, and the steepest part of a highlight is seldom
+/// Largest allowed ratio of a scene's largest limit to its largest difference, with fine tables. A
+/// bound adds up the worst cases of some ten steps, and the steepest part of a highlight is seldom
 /// where a pixel is off.
 const IDLE: f64 = 50.0;
 
-/// Limits that are both many times what is seen and more than two codes of 8 bits say nothing. A
-/// highlight of exponent 0 jumps, and a limit there is all of it.
+/// A limit is idle if it is many times the difference seen and more than two 8-bit codes. A
+/// highlight of exponent 0 jumps, and its limit is the whole highlight.
 fn assert_not_idle(name: &str, off: f64, limit: f64) {
     let most = (IDLE * off).max(2.0 / 255.0);
     assert!(limit <= most || name == "exponent 0", "{name}: {limit} is idle for {off}");
@@ -383,7 +385,7 @@ fn hard_scenes_by_rivals_that_state_bounds() {
     }
 }
 
-/// The mean difference of channels of covered pixels from the golden.
+/// The mean difference of the channels of covered pixels from the golden.
 fn mean_off(golden: &Picture, pixels: &[u32], of: impl Fn(usize, usize) -> f64) -> f64 {
     let off = |pixel: &u32| {
         let at = *pixel as usize;
@@ -393,8 +395,8 @@ fn mean_off(golden: &Picture, pixels: &[u32], of: impl Fn(usize, usize) -> f64) 
     pixels.iter().map(off).sum::<f64>() / (3 * pixels.len().max(1)) as f64
 }
 
-/// Every other pipeline states nothing: its pictures are whole, and a dark or a mirrored picture
-/// would not do.
+/// Every other pipeline states no bound. Its pictures must still be complete, and neither dark nor
+/// mirrored.
 #[test]
 fn hard_scenes_by_every_other_pipeline() {
     let files = files();
@@ -414,8 +416,8 @@ fn hard_scenes_by_every_other_pipeline() {
             let mirrored = at - at % width + (width - 1 - at % width);
             f64::from(golden.pixels()[mirrored][channel])
         });
-        // A picture without light is off by all of `dark`; one that is mirrored, like the golden,
-        // by two thirds of `mirrored` at least, unless the golden is symmetric.
+        // A picture without light is off by all of `dark`. A picture near the mirrored golden is
+        // off by at least two thirds of `mirrored`, unless the golden is symmetric.
         let limit = match name {
             // All is in one cell of the maps, and both lights are on its slope.
             "grazing light, no bumps" => 0.2,
@@ -434,7 +436,7 @@ fn hard_scenes_by_every_other_pipeline() {
     assert!(4 * symmetric < hard_scenes().len(), "{symmetric} scenes are symmetric");
 }
 
-/// Small pictures of the scenes that come with the program, held to whole codes of 8 bits.
+/// Small pictures of the built-in scenes, held to whole 8-bit codes.
 #[test]
 fn the_three_scenes_within_a_code_of_diffuse_and_two_of_highlights() {
     for name in ["plane", "cube", "sphere"] {
@@ -448,7 +450,7 @@ fn the_three_scenes_within_a_code_of_diffuse_and_two_of_highlights() {
                 .map(|shot| 255.0 * largest(&shot.picture, &rendered.golden))
                 .collect();
             assert!(off[0] <= codes && off[1] <= codes, "{name} {settings:?}: {off:?}");
-            // The paper's own equations are shown as bad as they are.
+            // The paper's own equations are shown to be as bad as they are.
             assert!(off[2] > 10.0 && off[3] > off[2], "{name}: {off:?}");
         };
         let linear = ["table_addr_bits=10", "scheme=linear", "light_scheme=linear"];
@@ -466,7 +468,8 @@ fn the_three_scenes_within_a_code_of_diffuse_and_two_of_highlights() {
     }
 }
 
-/// Covered pixels of the golden and of the exact pipelines are all this, up to a few last places.
+/// All covered pixels of the golden and of the exact pipelines have this value, up to a few last
+/// places.
 fn all_are(scene: &Scene, colour: [f64; 3], off: f64) {
     let rendered = rendered(scene, &PIPELINES[..2], &["scheme=linear", "light_scheme=linear"]);
     let f = traced(scene);
@@ -486,7 +489,7 @@ fn all_are(scene: &Scene, colour: [f64; 3], off: f64) {
     }
 }
 
-/// Light whose sums are done in the head.
+/// Light whose value is easily computed by hand.
 #[test]
 fn colours_known_beforehand() {
     let folder = Path::new("");
@@ -498,14 +501,14 @@ fn colours_known_beforehand() {
         parse(folder, &text)
     };
     let facing = "[[light]]\ndirection = [0, 0, 1]\n";
-    // L = V = N: 0.625 of the texture, and the whole highlight, whatever its exponent; the dot
-    // product is short of 1 by a place or two.
+    // L = V = N: 0.625 of the texture, and the whole highlight for any exponent. The dot product is
+    // below 1 by one or two last places.
     for exponent in [0, 1, 32, 255] {
         let off = 1e-4 + 0.25 * f64::from(exponent) * 2f64.powi(-15);
         let more = format!("exponent = {exponent}\n");
         all_are(&scene(facing, &more), [0.875, 0.5625, 0.25], off);
     }
-    // Half as bright; at 60 degrees, with H at 30; both at once, and past 1.
+    // Half as bright; at 60 degrees, with H at 30; both at once, exceeding 1.
     all_are(
         &scene(&[facing, "intensity = 0.5\n"].concat(), "exponent = 8\n"),
         [0.5, 0.3125, 0.125],
@@ -516,7 +519,8 @@ fn colours_known_beforehand() {
     all_are(&scene(low, "exponent = 4\n"), [0.375 + h, 0.1875 + h, h], 3e-4);
     let both = [facing, low].concat();
     all_are(&scene(&both, "exponent = 4\n"), [1.0, 0.4375 + 0.25 + h, 0.25 + h], 3e-4);
-    // From behind and from right behind there is ambient light alone; from the side a highlight too.
+    // Light from behind, oblique or straight, leaves only ambient light; light from the side gives
+    // a highlight too.
     let aside = 0.25 * 0.5f64.powi(8);
     for (direction, h) in [("[0.3, 0.1, -1]", 0.0), ("[0, 0, -1]", 0.0), ("[-1, 0, 0]", aside)] {
         let light = format!("[[light]]\ndirection = {direction}\n");
@@ -524,7 +528,7 @@ fn colours_known_beforehand() {
     }
     let text = "[[light]]\ndirection = [0, 0, -1]\n[material]\nambient = 0.25\nspecular = 1\n[[object]]\nshape = \"sphere\"\n";
     all_are(&parse(folder, &[image, DOWN, text].concat()), [0.25; 3], 1e-4);
-    // A lamp inside a sphere doesn't light its outside, nor does black shine.
+    // A lamp inside a sphere doesn't light its outside, and a black highlight adds nothing.
     let text = "[[light]]\nkind = \"point\"\nposition = [0.1, 0.2, 0.3]\n[material]\nambient = 0.25\nspecular = 0\n[[object]]\nshape = \"sphere\"\n";
     all_are(&parse(folder, &[image, ASIDE, text].concat()), [0.25; 3], 1e-4);
     let black =
@@ -532,7 +536,7 @@ fn colours_known_beforehand() {
     all_are(&parse(folder, &[image, ASIDE, black].concat()), [0.0; 3], 0.0);
 }
 
-/// A height map of one height is none, and a map of one texel is a colour.
+/// A height map with a single height has no bumps, and a map of one texel is a colour.
 #[test]
 fn level_heights_are_no_heights() {
     let files = files();
@@ -551,7 +555,8 @@ fn level_heights_are_no_heights() {
     assert_eq!(picture(&made), picture("[texture]\nfile = \"one.png\"\n"));
 }
 
-/// A mirrored texture of a map is the texture of that map turned round: the same bumps, the right way out.
+/// The mirrored texture of a map equals the texture of the mirrored map: the same bumps, the right
+/// way out.
 #[test]
 fn bumps_of_a_mirrored_texture_stand_out() {
     let files = files();
@@ -573,7 +578,7 @@ fn bumps_of_a_mirrored_texture_stand_out() {
         let apart = largest(&a.picture, &b.picture);
         assert!(apart < 0.005, "{}: {apart}", a.pipeline.name);
     }
-    // Which is no triviality: the map itself gives another picture.
+    // This isn't trivial: the unmirrored map gives another picture.
     let other = pictures(&scene("mirrored", "rough"));
     assert!(largest(&other.golden, &plain.golden) > 0.2);
 }

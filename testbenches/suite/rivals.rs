@@ -1,6 +1,6 @@
 //! The rivals of Table 1 against vectors and matrices, and Table 1 rebuilt.
 //!
-//! Golden values are derived here from fragments: nothing is taken from the units but their ports.
+//! Golden values are derived here from fragments: only the units' ports are used.
 
 use crate::common::{Vector, design, dot};
 use fixpath::compare::{ARCHITECTURES, BY_PARAMETERS, COUNTS, compare, saved_percent};
@@ -64,7 +64,7 @@ fn light(dot_l: f64, dot_h: f64) -> [f64; 3] {
     [(diffuse + specular).min(1.0), diffuse, specular]
 }
 
-/// What the golden columns should be, at the defaults.
+/// The expected golden columns at the defaults.
 fn should(ports: &Ports<'_>, name: &str) -> Vec<f64> {
     match name {
         "peercy" | "ernst" => {
@@ -82,7 +82,7 @@ fn should(ports: &Ports<'_>, name: &str) -> Vec<f64> {
             let world = combined(ports.polar("p"), [t, b, n]);
             let [l, h] = ["l", "h"].map(|v| ports.polar(v));
             let (dot_l, dot_h) = (dot(world, l), dot(world, h));
-            // In N's own frame: the texture's, turned back.
+            // In the frame of N's polar form: the texture frame, turned back.
             let (sin, cos) = (ports.get("psi") * TAU).sin_cos();
             let own = |v: Vector| {
                 let (x, y, z) = (dot(t, v), dot(b, v), dot(n, v));
@@ -135,7 +135,7 @@ fn goldens_are_those_of_vectors_and_matrices() {
     }
 }
 
-/// The netlists on reals are their goldens: no rival has an algorithm error of its own here.
+/// The netlists on reals equal their goldens: no rival has an algorithm error here.
 #[test]
 fn reconstructions_are_exact_on_reals_and_bounds_hold() {
     let sets: &[(&str, &[&str])] = &[
@@ -177,7 +177,7 @@ fn reconstructions_are_exact_on_reals_and_bounds_hold() {
     }
 }
 
-/// A finer map is a better one, by what its cells shrink.
+/// A finer map is more exact, in proportion to its cells.
 #[test]
 fn larger_maps_of_kugler_err_less() {
     let error = |set: &[&str]| {
@@ -201,7 +201,7 @@ fn every_difference_from_the_paper_has_its_reason() {
         assert_eq!(row.differences.len(), architecture.differences.len(), "{}", row.name);
         assert!(architecture.differences.iter().all(|note| COUNTS.contains(&note.count)));
     }
-    // The figures that the paper's text spells out.
+    // The figures that the paper's text states.
     let row = |name: &str| comparison.rows.iter().find(|row| row.name == name).unwrap();
     assert_eq!(row("peercy").set_up.counts(), [27, 18, 0, 0, 9, 3]);
     assert_eq!(row("ernst").set_up.counts(), [27, 18, 0, 0, 9, 3]);
@@ -215,7 +215,7 @@ fn every_difference_from_the_paper_has_its_reason() {
     assert!(shares.iter().all(|share| *share == 78.0), "{shares:?}");
 }
 
-/// The counts, again from the emitted text of the netlist.
+/// The counts, recounted from the netlist's text form.
 #[test]
 fn counts_are_those_of_the_text_form() {
     let inputs = Inputs { sampler: Sampler::Lit, samples: 100, seed: 1 };
@@ -226,7 +226,7 @@ fn counts_are_those_of_the_text_form() {
         let count = |op: &str| {
             text.lines().filter(|line| line.contains(&format!("= {op} %"))).count() as u64
         };
-        // No scheme multiplies at the defaults; digit recurrences add.
+        // No table scheme uses multipliers at the defaults; digit recurrences use adders.
         assert_eq!(count("mul"), row.whole.multipliers, "{}", row.name);
         if row.whole.dividers == 0 {
             assert_eq!(
@@ -242,9 +242,9 @@ fn counts_are_those_of_the_text_form() {
 }
 
 /// Multipliers, adders, look-ups, maps, dividers and square roots of a stage, node by node; without
-/// a stage, of both. At the defaults each read of a table scheme is a look-up.
+/// a stage, of both stages. At the defaults each read of a table scheme is a look-up.
 fn recounted(netlist: &Netlist, stage: Option<bool>) -> [u64; 6] {
-    // From the outermost scope in.
+    // From the outermost scope inwards.
     let chain = |scope: ScopeId| {
         let mut chain = vec![&netlist.scopes()[scope.index()]];
         while let Some(parent) = chain[0].parent {
@@ -266,7 +266,7 @@ fn recounted(netlist: &Netlist, stage: Option<bool>) -> [u64; 6] {
             continue;
         }
         let chain = chain(node.scope);
-        // A dot product's operators are the datapath's own.
+        // A dot product's operators belong to the datapath.
         let apart = |part: Option<Part>| part.is_some_and(|part| part != Part::Dot);
         let Some(depth) = chain.iter().position(|scope| apart(scope.part)) else {
             multipliers += u64::from(node.op == Op::Mul);
@@ -276,7 +276,7 @@ fn recounted(netlist: &Netlist, stage: Option<bool>) -> [u64; 6] {
             }
             continue;
         };
-        // The unit itself is the first of the chain and no name of the path.
+        // The unit itself is the first of the chain, but not part of the path.
         let name = path[..depth].join(".");
         match chain[depth].part.unwrap() {
             Part::Scheme => lookups += u64::from(matches!(node.op, Op::Read { .. })),
@@ -289,7 +289,7 @@ fn recounted(netlist: &Netlist, stage: Option<bool>) -> [u64; 6] {
     [multipliers, adders, lookups, maps.len() as u64, len(&dividers), len(&roots)]
 }
 
-/// The split into stages, and with dividers and roots as one operator each.
+/// The split into stages, with dividers and roots as one operator each.
 #[test]
 fn stages_recounted_node_by_node() {
     let inputs = Inputs { sampler: Sampler::Lit, samples: 100, seed: 1 };
@@ -366,7 +366,7 @@ mod commands {
     }
 }
 
-/// The bounds of the Cartesian set-up are for vectors of about a unit's length, and say so.
+/// The bounds of the Cartesian set-up hold for vectors of about unit length, and say so.
 #[test]
 fn bounds_of_the_set_up_name_the_vectors_that_they_hold_for() {
     let design = design("peercy", &[]);
@@ -387,5 +387,5 @@ fn bounds_of_the_set_up_name_the_vectors_that_they_hold_for() {
     };
     let worst = |lengths: std::ops::Range<i64>| lengths.map(off).fold(0.0, f64::max);
     assert!(worst(one / 2..one / 2 + 300) <= check.stated[0].bound);
-    assert!(worst(3..300) > check.stated[0].bound, "else it would hold for all");
+    assert!(worst(3..300) > check.stated[0].bound, "otherwise the bound would hold for all");
 }

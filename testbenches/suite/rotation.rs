@@ -1,7 +1,6 @@
 //! The rotation unit against rotation matrices, and its variants against the paper's equations.
 //!
-//! Everything here is written from the mathematics: nothing is taken from the unit but its
-//! ports.
+//! Everything here is written from the mathematics: only the unit's ports are used.
 
 use fixpath::measure::{Basis, BoundCheck, Inputs, Report, measure};
 use fixpath::netlist::{Netlist, Quantity};
@@ -63,7 +62,7 @@ fn unit_golden(design: &Design, turns: [f64; 4]) -> Vector {
     [outputs[0][0], outputs[1][0], outputs[2][0]]
 }
 
-/// Random input words for a design, then every hard case.
+/// Random input words for a design, followed by every hard case.
 fn words(design: &Design, seed: u64, count: usize) -> Vec<Vec<i64>> {
     let mut random = Random::new(seed);
     let netlist = &design.netlist;
@@ -92,7 +91,7 @@ fn run(netlist: &Netlist, samples: &[Vec<i64>]) -> Vec<Vec<i64>> {
 }
 
 fn angle_between(u: Vector, v: Vector) -> f64 {
-    // Kahan's form: good at both ends.
+    // Kahan's formula: accurate for small and for large angles.
     let length = |v: Vector| (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
     let (lu, lv) = (length(u), length(v));
     let difference: Vec<f64> = (0..3).map(|i| u[i] * lv - v[i] * lu).collect();
@@ -106,7 +105,7 @@ fn conventions_of_the_matrices() {
     let close = |a: Vector, b: Vector| (0..3).all(|i| (a[i] - b[i]).abs() < 1e-15);
     assert!(close(vector(0.0, 0.25), [1.0, 0.0, 0.0]), "theta is from +z");
     assert!(close(vector(0.25, 0.25), [0.0, 1.0, 0.0]), "phi is from +x to +y");
-    // Seen from its own normal, every direction is +z.
+    // In the frame of its own normal, every direction is +z.
     for (phi, theta) in [(0.1, 0.2), (0.9, 0.45), (0.5, 0.0)] {
         assert!(close(matrix_golden([phi, theta, phi, theta]), [0.0, 0.0, 1.0]));
     }
@@ -145,8 +144,8 @@ fn exact_linear_is_within_two_ulp_of_the_matrices() {
     assert_eq!(names, ["x", "y", "z"]);
 }
 
-/// Eqs (5)-(9), (16)-(21), (26), (27) as printed, with a full-circle arctangent: angles in rad,
-/// the halved angles of eq (6) without reducing the difference of the azimuths.
+/// Eqs (5)-(9), (16)-(21), (26), (27) as printed, with a full-circle arctangent. Angles are in rad;
+/// the halved angles of eq (6) don't reduce the difference of the azimuths.
 fn printed_model(turns: [f64; 4]) -> Option<Vector> {
     let [phi_a, theta_a, phi_n, theta_n] = turns.map(|turns| turns * TAU);
     let delta = phi_a - phi_n;
@@ -166,8 +165,8 @@ fn printed_model(turns: [f64; 4]) -> Option<Vector> {
     (!singular).then(|| vector(phi / TAU, theta / TAU))
 }
 
-/// The same with the identities mended: full angles, the arcsine's other branch behind, and
-/// magnitudes in the last line.
+/// The same with corrected identities: full angles, the arcsine's other branch where cos theta_a <
+/// 0, and magnitudes in the last line.
 fn corrected_model(turns: [f64; 4]) -> Option<Vector> {
     let [phi_a, theta_a, phi_n, theta_n] = turns.map(|turns| turns * TAU);
     let delta = phi_a - phi_n;
@@ -201,7 +200,8 @@ fn the_seeds_variants_on_reals_are_the_seeds_equations() {
         let samples = words(&design, 3, 30_000);
         for words in &samples {
             let turns = turns_of(netlist, words);
-            // The printed equations need no reduction of angles; ours are of whole words.
+            // The printed equations reduce no angles. Input words are reduced, so only those up to
+            // half a turn are compared.
             if turns[1] > 0.5 || turns[3] > 0.5 {
                 continue;
             }
@@ -246,7 +246,7 @@ fn lit(design: &Design, samples: u64) -> Report {
     measure(&[design], &inputs, &|_| ()).unwrap().remove(0)
 }
 
-/// What math.md states of the methods themselves, in degrees over lit vectors.
+/// The stated errors of the methods themselves, in degrees over lit vectors.
 #[test]
 fn algorithm_errors_are_as_stated() {
     let figures = |assignments: &[&str]| {
@@ -291,7 +291,7 @@ fn stated_bounds_hold() {
     for output in ["cartesian", "polar-cordic", "polar-table"] {
         for scheme in ["direct", "linear", "bipartite"] {
             for widths in widths {
-                // A table with an argument of 24 bits takes seconds to go through: once is enough.
+                // A table with a 24-bit argument takes seconds to evaluate, so it is tested once.
                 if widths.contains(&"angle_bits=24") && scheme != "linear" {
                     continue;
                 }
@@ -310,7 +310,7 @@ fn stated_bounds_hold() {
     }
 }
 
-/// A bound that nothing could break would say nothing: it must be near what is seen.
+/// A bound that nothing can exceed is useless: it must be near the errors seen.
 #[test]
 fn stated_bounds_are_not_idle() {
     for (assignments, factor) in [
@@ -339,7 +339,7 @@ fn the_seeds_variants_state_no_bound() {
     }
 }
 
-/// A design whose golden is another's must break its bound: the check can fail.
+/// A design with another design's golden must break its bound: the check can fail.
 #[test]
 fn a_wrong_golden_breaks_the_bound() {
     let mirrored = |turns: [f64; 4]| {
@@ -355,7 +355,7 @@ fn a_wrong_golden_breaks_the_bound() {
     }
 }
 
-/// Witnesses are real: the words they name give the error they claim.
+/// Witnesses are real: their words give the claimed error.
 #[test]
 fn witnesses_give_their_errors() {
     let design = design(&["angle_bits=10", "table_addr_bits=8", "frac_bits=10"]);
@@ -377,7 +377,7 @@ fn witnesses_give_their_errors() {
     }
 }
 
-/// The same figures, to the last bit, on any number of threads.
+/// The figures are the same, to the last bit, on any number of threads.
 #[test]
 fn figures_do_not_depend_on_threads() {
     let designs = [design(&[]), design(&["variant=corrected"]), design(&["angle_bits=12"])];
@@ -403,12 +403,12 @@ fn figures_do_not_depend_on_threads() {
     }
 }
 
-/// Designs measured together give what each gives alone.
+/// Designs measured together have the figures that each has alone.
 #[test]
 fn company_changes_nothing() {
     let designs =
         [design(&["scheme=linear"]), design(&["angle_bits=12"]), design(&["frac_bits=8"])];
-    // The hard lists of these widths are of one length, and not the same words.
+    // The hard lists of these widths have the same length and different words.
     for sampler in [Sampler::Sphere, Sampler::Hard] {
         let inputs = Inputs { sampler, samples: 20_000, seed: 3 };
         let together = measure(&designs.iter().collect::<Vec<_>>(), &inputs, &|_| ()).unwrap();
@@ -514,7 +514,7 @@ fn corners_of_the_legal_ranges_build_or_say_why_not() {
     assert!(built > 350 && refused > 0, "{built} built, {refused} refused");
 }
 
-/// A vector of zeros on both axes has no azimuth: it is 0 by every conversion, as the golden's.
+/// A vector with x = y = 0 has no azimuth: every conversion gives 0, as the golden does.
 #[test]
 fn on_a_pole_the_azimuth_is_0() {
     for output in ["output=polar-cordic", "output=polar-table"] {

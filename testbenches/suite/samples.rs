@@ -1,4 +1,4 @@
-//! Tables of values: one rule for every command that reads them.
+//! Tables of values: the same rules for every command that reads them.
 
 use crate::common::{fixpath, told};
 use assert_cmd::cargo::cargo_bin;
@@ -6,7 +6,7 @@ use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::process::Stdio;
 
-/// Runs with this standard input; gives exit code, standard output and standard error.
+/// Runs with this standard input; returns exit code, standard output and standard error.
 fn run(args: &[&str], input: impl Into<Vec<u8>>) -> (i32, String, String) {
     told(fixpath().args(args).write_stdin(input).output().unwrap())
 }
@@ -14,14 +14,14 @@ fn run(args: &[&str], input: impl Into<Vec<u8>>) -> (i32, String, String) {
 const DEGREES: [&str; 8] = ["eval", "rotation", "--angle", "degrees", "--in", "-", "--out", "-"];
 const DOT: [&str; 6] = ["eval", "dot", "--in", "-", "--out", "-"];
 
-/// The result of a table that is all right.
+/// The result of a valid table.
 fn eval(args: &[&str], input: &str) -> String {
     let (code, text, stderr) = run(args, input);
     assert_eq!((code, stderr.as_str()), (0, ""), "{input}");
     text
 }
 
-/// The message about a table that isn't, which `eval` and `wave` agree on.
+/// The message about an invalid table, on which `eval` and `wave` agree.
 fn refused(args: &[&str], input: impl Into<Vec<u8>>) -> String {
     let input = input.into();
     let (code, stdout, stderr) = run(args, input.clone());
@@ -63,7 +63,7 @@ fn words_quantised_values_and_reals_are_the_same_samples() {
     for names in [&words[..], &quantised, &mixed] {
         assert_eq!(eval(&DEGREES, &columns(&should, names)), should, "{names:?}");
     }
-    // Its own output, and that as a spreadsheet or a notebook writes it.
+    // Its own output, also in the forms that spreadsheets and notebooks write.
     assert_eq!(eval(&DEGREES, &should), should);
     assert_eq!(eval(&DEGREES, &should.replace(',', ";")), should);
     assert_eq!(eval(&DEGREES, &should.replace(',', "\t")), should);
@@ -74,7 +74,7 @@ fn words_quantised_values_and_reals_are_the_same_samples() {
     let quoted = should.replace('\n', "\"\n\"").replace(',', "\" ; \"");
     let quoted = format!("\"{}", quoted.strip_suffix('"').unwrap()).replace("\" ; \"", "\";\"");
     assert_eq!(eval(&DEGREES, &quoted), should);
-    // The real inputs beside the words that they became.
+    // The real inputs beside the words they were quantised to.
     let both: String = VECTORS
         .lines()
         .zip(columns(&should, &words).lines())
@@ -122,11 +122,11 @@ fn unknown_columns_are_refused_with_the_nearest_unless_ignored() {
     let ignoring = [&["eval", "rotation", "--ignore-columns"], &DEGREES[2..]].concat();
     let plain = "phi_a,theta_a,phi_n,theta_n\n1,2,3,4\n";
     assert_eq!(eval(&ignoring, noted), eval(&DEGREES, plain));
-    // Nor is text in another encoding read where it is passed over.
+    // Text in another encoding isn't read in an ignored column.
     let (code, text, _) =
         run(&ignoring, b"note,phi_a,theta_a,phi_n,theta_n\n\xe4,1,2,3,4\n".to_vec());
     assert_eq!((code, text), (0, eval(&DEGREES, plain)));
-    // A column without a name, as of an index.
+    // A column without a name, such as an index.
     assert!(refused(&DEGREES, format!(",{plain}")).contains("column ``: column 1 has no meaning"));
     let told = refused(&ignoring, "phi_a,theta_a,phi_m,theta_n\n1,2,3,4\n");
     assert!(told.contains("line 1, column `phi_n`: no such column"), "{told}");
@@ -150,7 +150,7 @@ fn clipped_values_are_named_in_their_row_and_counted() {
     let names = columns(&text, &["clipped"]);
     let names: Vec<&str> = names.lines().skip(1).collect();
     let own = |row: usize| names[row].trim_matches('"');
-    // What fits is in the words: a value that is its word's to half a place was not clipped.
+    // Values that fit are in the words: a value within half an LSB of its word wasn't clipped.
     let words = columns(&text, &["v_x_raw", "v_x_q"]);
     let most: f64 = words.lines().nth(2).unwrap().split_once(',').unwrap().1.parse().unwrap();
     assert_eq!(own(1).contains("v_x"), 1e300 > most);
@@ -162,23 +162,23 @@ fn clipped_values_are_named_in_their_row_and_counted() {
         "note: standard input: {total} values were clipped to the range of their port, the first in line {first}: "
     );
     assert!(stderr.starts_with(&told) && stderr.contains("v_z 1 times ("), "{stderr}");
-    // Its words do fit: the output is a table without clipping, and the same otherwise.
+    // Its own words fit: the output is a table without clipping, and otherwise the same.
     let (code, again, stderr) = run(&DOT, text.clone());
     assert_eq!((code, stderr.as_str()), (0, ""));
     let all = ["v_x_raw", "v_z_q", "w_z_raw"];
     assert_eq!(columns(&again, &all), columns(&text, &all));
-    // A wave tells it, too.
+    // `wave` reports it, too.
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("o.vcd");
     let wave = ["wave", "dot", "--in", "-", "--out", out.to_str().unwrap()];
     let (code, _, waved) = run(&wave, table);
     assert_eq!(code, 0);
     assert!(waved.starts_with(&told), "{waved}");
-    // Angles have no range.
+    // Angles can't be clipped.
     eval(&DEGREES, "phi_a,theta_a,phi_n,theta_n\n1e9,-7200,3,4\n");
 }
 
-/// Inputs that come as floats of 20 bits are clipped as others are, even past the range of those.
+/// Inputs as 20-bit floats are clipped like others, even beyond the range of those floats.
 #[test]
 fn short_floats_are_clipped_too() {
     let unit = fixpath::units::Unit::find("emboss").unwrap();
@@ -204,7 +204,8 @@ fn short_floats_are_clipped_too() {
     panic!("no port takes a short float");
 }
 
-/// The ends of a port's range: what rounds to a word fits, what rounds past the last doesn't.
+/// The ends of a port's range: a value that rounds to a word fits, a value that rounds beyond the
+/// last word doesn't.
 #[test]
 fn a_value_is_clipped_where_its_rounding_is_past_the_range() {
     let design = fixpath::units::Unit::find("dot").unwrap().defaults().build().unwrap();
@@ -214,7 +215,7 @@ fn a_value_is_clipped_where_its_rounding_is_past_the_range() {
     for (value, clipped) in [
         (most, false),
         (most + 0.499 * ulp, false),
-        (most + 0.5 * ulp, true), // to even, which is past the odd last word
+        (most + 0.5 * ulp, true), // to even, which is beyond the odd last word
         (most + ulp, true),
         (least, false),
         (least - 0.5 * ulp, false),
@@ -246,7 +247,7 @@ fn a_row_without_an_end_is_refused_and_not_held() {
         );
         assert_eq!(told, should);
     }
-    // Many columns are no harm.
+    // Many columns are handled.
     let many = format!("{}phi_a,theta_a,phi_n,theta_n\n", "x,".repeat(200_000));
     let row = format!("{}1,2,3,4\n", ",".repeat(200_000));
     let ignoring = [&["eval", "rotation", "--ignore-columns"], &DEGREES[2..]].concat();
@@ -254,7 +255,7 @@ fn a_row_without_an_end_is_refused_and_not_held() {
     assert_eq!(eval(&ignoring, &(many + &row)), should);
 }
 
-/// A program that asks row by row gets each answer before it gives the next.
+/// A program that asks row by row gets each answer before it sends the next row.
 #[test]
 fn each_row_is_answered_before_the_next_is_waited_for() {
     let mut child = std::process::Command::new(cargo_bin("fixpath"))
@@ -276,7 +277,7 @@ fn each_row_is_answered_before_the_next_is_waited_for() {
     to.write_all(format!("{header}\n").as_bytes()).unwrap();
     assert_eq!(Some(answer().as_str()), should.next());
     for row in rows.split_inclusive('\n') {
-        // A row may come in parts.
+        // A row may arrive in parts.
         let (a, b) = row.split_at(5);
         to.write_all(a.as_bytes()).unwrap();
         std::thread::sleep(std::time::Duration::from_millis(20));
@@ -288,7 +289,7 @@ fn each_row_is_answered_before_the_next_is_waited_for() {
     assert!(child.wait().unwrap().success());
 }
 
-/// Many rows in one go are what the same rows one by one are.
+/// Many rows at once give the same as the rows one by one.
 #[test]
 fn a_long_table_is_the_same_in_blocks() {
     let rows: String =
@@ -328,7 +329,7 @@ fn a_reader_that_stops_early_is_no_error() {
     }
 }
 
-/// What `eval` writes is the same sample in a wave, which reads the standard input, too.
+/// Output of `eval` gives the same samples in `wave`, which reads standard input too.
 #[test]
 fn a_wave_reads_what_eval_writes() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,4 +1,5 @@
-//! Scenes against conventions derived once more, and every way in which their files can be wrong.
+//! Scenes against independently derived conventions, and all the ways in which their files can be
+//! wrong.
 
 use crate::common::traced;
 use expect_test::expect;
@@ -41,7 +42,7 @@ fn builtin_scenes_are_whole() {
             }
             assert!(n.dot(t).abs() < 1e-12 && n.dot(v) > 0.0, "{name} {i}");
             assert_eq!(f.face[i] == CURVED, ["sphere", "light-orbit", "mirrored"].contains(name));
-            // To the last bit, so that a datapath may keep them per face.
+            // Equal to the last bit, so that a datapath may keep them per face.
             let of_face = faces.entry(f.face[i]).or_insert((n, t));
             assert!(f.face[i] == CURVED || (n, t) == *of_face);
             assert!(f.bump[i] < scene.bumps.len());
@@ -76,7 +77,8 @@ fn rows_are_independent_and_memory_is_reused() {
     shared(&scene);
 }
 
-/// A point of a shape from (u, v), before it is placed, and back; faces as numbered in the docs.
+/// A point of a shape from (u, v) before placement, and the inverse; faces are numbered as in the
+/// docs.
 fn surface(shape: &str, face: u32, uv: DVec2) -> DVec3 {
     let (a, b) = (2.0 * uv.x - 1.0, 2.0 * uv.y - 1.0);
     match (shape, face) {
@@ -111,7 +113,7 @@ fn uv_of(shape: &str, face: u32, p: DVec3) -> DVec2 {
     }
 }
 
-/// Rays, frames and texels of placed shapes from the text of the module's documentation.
+/// Rays, frames and texels of placed shapes, derived from the text of the module's documentation.
 #[test]
 fn conventions_from_finite_differences() {
     let cameras = [
@@ -152,7 +154,7 @@ fn conventions_from_finite_differences() {
                     let along =
                         |d: DVec2| (place(uv + d * step) - place(uv - d * step)) / (2.0 * step);
                     let (dpdu, dpdv) = (along(DVec2::X), along(DVec2::Y));
-                    // Outwards: as the shape's own normal, which a mirrored scale turns inside out.
+                    // Outward, like the shape's own normal; a mirrored scale turns it inside out.
                     let mirrored = linear.determinant() < 0.0;
                     let h = if mirrored { -1.0 } else { 1.0 };
                     let n = h * dpdu.cross(dpdv).normalize();
@@ -169,7 +171,7 @@ fn conventions_from_finite_differences() {
                     assert!(texel(64.0, 32.0).is_none_or(|texel| texel == f.texel[i]));
                     assert!(texel(16.0, 8.0).is_none_or(|texel| texel == f.bump[i]));
 
-                    // The ray of the pixel goes through the point, and the eye is at its other end.
+                    // The pixel's ray passes through the point, and starts at the eye.
                     let (px, py) = (f.pixel[i] % 33, f.pixel[i] / 33);
                     let a = (2.0 * (f64::from(px) + 0.5) / 33.0 - 1.0) * 33.0 / 24.0;
                     let b = 1.0 - 2.0 * (f64::from(py) + 0.5) / 24.0;
@@ -278,7 +280,7 @@ fn cube_obj() -> String {
     }
     for i in 0..12 {
         let (a, b, c) = (3 * i + 1, 3 * i + 2, 3 * i + 3);
-        // Counted from the start, and from the end.
+        // Indices counted from the start, and from the end.
         if i % 2 == 0 {
             writeln!(text, "f {a}/{a}/{a} {b}/{b}/{b} {c}/{c}/{c}").unwrap();
         } else {
@@ -300,7 +302,7 @@ fn cube_gltf(uri: &str) -> (String, Vec<u8>) {
     corners.iter().for_each(|(_, n, _)| put(&n.to_array()));
     corners.iter().for_each(|(.., uv)| put(&[uv.x, 1.0 - uv.y]));
     (0..36u16).for_each(|i| bytes.extend_from_slice(&i.to_le_bytes()));
-    // Scaled by its node to the same size, from a buffer of half of it.
+    // Scaled to the same size by its node, from a buffer of half the size.
     let document = format!(
         r#"{{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [0]}}],
 "nodes": [{{"children": [1], "translation": [0, 0, 0]}}, {{"mesh": 0, "rotation": [0, 0, 0, 1]}}],
@@ -362,7 +364,8 @@ fn one_cube_in_every_format_is_the_cube() {
         Scene::parse(&text, &folder.path().join("scene.toml")).unwrap()
     };
     let expected = traced(&scene("shape = \"cube\""));
-    // Without normals, and with normals of no length: its edges are sharp enough for those of its faces.
+    // Without normals, and with normals of length 0: the cube's edges are sharp enough to get those
+    // of its faces.
     let bare = cube_gltf("").0.replace("\"NORMAL\": 1, ", "");
     write("bare.glb", &glb(&bare, &binary));
     let mut zeros = binary.clone();
@@ -385,7 +388,7 @@ fn one_cube_in_every_format_is_the_cube() {
             }
         }
         let differ = (0..f.len()).filter(|i| f.texel[*i] != expected.texel[*i]).count();
-        assert!(differ <= 2, "{name}: only on the border of a texel may rounding choose");
+        assert!(differ <= 2, "{name}: rounding may choose only on the border of a texel");
     }
 }
 
@@ -439,8 +442,9 @@ pub(crate) fn gltf_of(
     )
 }
 
-/// A wavy sheet as a list, as strips stitched into one, and as strips of vertices without indices; and a hexagon as a
-/// list and as a fan: the same pictures, and vertices that triangles share are there once.
+/// A wavy sheet as a list, as strips stitched into one, and as strips of vertices without indices;
+/// and a hexagon as a list and as a fan. The pictures are equal, and vertices shared by triangles
+/// exist once.
 #[test]
 fn lists_strips_and_fans_are_one_shape() {
     let folder = tempfile::tempdir().unwrap();
@@ -500,7 +504,7 @@ fn lists_strips_and_fans_are_one_shape() {
             [*vertices, *primitives, *indices, *stitches],
             "{number}"
         );
-        // Without indices a stitch has vertices of its own, which no triangle has.
+        // Without indices a stitch has vertices of its own, which belong to no triangle.
         let idle = if *indices == 0 { stitches / 2 } else { 0 };
         assert_eq!(sharing.vertex_operations, vertices - idle, "{number}");
         assert_eq!(sharing.replicated_operations, 3 * primitives);
@@ -530,7 +534,7 @@ fn mirrored_and_smooth_meshes() {
         let text = "[image]\nwidth = 20\nheight = 20\n[camera]\neye = [0, 0, 5]\nup = [0, 1, 0]\n[height]\nsource = \"wood\"\n[[object]]\nshape = \"mesh\"\nfile = \"a.obj\"";
         Scene::parse(text, &folder.path().join("scene.toml")).unwrap()
     };
-    // A square by one polygon: its texture as on the plane, then with u to the left.
+    // A square as one polygon: with the texture of the plane, then with u to the left.
     fs::write(&file, format!("{SQUARE}f 1/1/1 2/2/1 3/3/1 4/4/1")).unwrap();
     let f = traced(&scene());
     assert!(!f.is_empty() && f.handedness.iter().all(|h| *h == 1.0));
@@ -541,12 +545,12 @@ fn mirrored_and_smooth_meshes() {
     let f = traced(&mirrored);
     assert!(f.handedness.iter().all(|h| *h == -1.0));
     assert_eq!((tangent(&f, 0), f.bitangent(0)), (DVec3::NEG_X, DVec3::Y));
-    // The corners the other way round, but normals towards us: the normals say where its front is.
+    // With reversed corners but normals towards the viewer, the normals determine the front.
     fs::write(&file, format!("{SQUARE}f 4/4/1 3/3/1 2/2/1 1/1/1")).unwrap();
     let turned = traced(&scene());
     assert_eq!(turned.pixel, f.pixel);
     assert!(turned.handedness.iter().all(|h| *h == 1.0));
-    // Normals that differ: interpolated, made unit again, and no flat face.
+    // Differing normals are interpolated and normalised, and there is no flat face.
     fs::write(&file, format!("{SQUARE}vn 1 0 1\nvn -2 0 2\nf 1/1/3 2/2/2 3/3/2 4/4/3")).unwrap();
     let smooth = scene();
     let f = traced(&smooth);
@@ -563,7 +567,7 @@ fn mirrored_and_smooth_meshes() {
 fn there_is_no_crack_between_triangles() {
     let folder = tempfile::tempdir().unwrap();
     let mut text = String::new();
-    // A wavy sheet of 2 x 30 x 30 triangles beyond all borders of the image.
+    // A wavy sheet of 2 x 30 x 30 triangles that extends beyond all borders of the image.
     for i in 0..=30 {
         for j in 0..=30 {
             let (x, y) = (f64::from(i) / 3.0 - 5.0, f64::from(j) / 3.0 - 5.0);
@@ -588,7 +592,7 @@ fn there_is_no_crack_between_triangles() {
         }
     }
     fs::write(folder.path().join("sheet.obj"), text).unwrap();
-    // The middle of the image and of many pixels lie right on edges.
+    // The middle of the image and of many pixels lie exactly on edges.
     for camera in ["eye = [0, 0, 6]\nprojection = \"orthographic\"\nheight = 4", "eye = [0, 0, 6]"]
     {
         let text = format!(
@@ -628,7 +632,7 @@ fn maps_from_files() {
     assert!(scene.facts().flat_bumps && scene.texture.size() == (8, 8));
 }
 
-/// A JPEG file whose EXIF data say how it is to be turned.
+/// A JPEG file whose EXIF data give its orientation.
 fn turned(jpeg: &[u8], orientation: u8) -> Vec<u8> {
     let mut exif = b"Exif\0\0II*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0".to_vec();
     exif.extend_from_slice(&[orientation, 0, 0, 0, 0, 0, 0, 0]);
@@ -656,7 +660,8 @@ fn pictures_are_turned_as_their_exif_data_ask() {
         assert_eq!(scene.bumps.size(), (width, height));
         for y in 0..height {
             for x in 0..width {
-                // Where the first row and the first column of what is stored are seen (Exif 2.3, 4.6.4).
+                // The places of the first stored row and column in the shown picture (Exif 2.3,
+                // 4.6.4).
                 let (from_x, from_y) = match orientation {
                     1 => (x, y),
                     2 => (w - 1 - x, y),
@@ -675,7 +680,7 @@ fn pictures_are_turned_as_their_exif_data_ask() {
     }
 }
 
-/// A bit of each byte of a PNG file turned over, and each end cut off: another picture never comes of it.
+/// With one bit flipped in each byte of a PNG file, or its end cut off, no other picture results.
 #[test]
 fn damaged_pictures_are_refused() {
     let folder = tempfile::tempdir().unwrap();
@@ -728,7 +733,8 @@ fn heights_are_grey() {
     let picture = |of: &dyn Fn(u32, u32) -> [u8; 3]| {
         image::RgbImage::from_fn(16, 16, |x, y| image::Rgb(of(x, y)))
     };
-    // Grey, then with differences as conversions and JPEG leave them, then with as much as is legal.
+    // Grey, then with small differences as from conversions and JPEG, then with the largest legal
+    // ones.
     for name in ["g.png", "g.jpg"] {
         assert!(read(picture(&|x, y| [grey(x, y); 3]), name).is_ok());
         let noisy = |x: u32, y: u32| {
@@ -758,7 +764,7 @@ fn heights_are_grey() {
     assert!(why.starts_with("colours.jpg: has colours (texel ("), "{why}");
 }
 
-/// Messages of scenes that are wrong, one line each.
+/// Messages of wrong scenes, one line each.
 #[test]
 fn wrong_scenes_are_refused() {
     let mut seen = String::new();
@@ -808,7 +814,7 @@ fn wrong_scenes_are_refused() {
         "[height]\nscale = inf",
         "[height]\nwidth = 8193",
         "[height]\nwidth = 8000\nheight = 8000",
-        // Arrays, by the order of the keys.
+        // Arrays, in the order of the keys.
         "ambient = [0.5, \"more\", [1, 2]]",
         "image = [8, 8, [0, 0, 0], 99]",
         "material = [0.1, 0.7, 0.2, 32]",
@@ -920,7 +926,7 @@ fn wrong_scenes_are_refused() {
     assert!(Scene::open(Path::new("/nowhere/scene.toml")).is_err());
 }
 
-/// A PNG header of a grey image this large, with nothing behind it.
+/// The PNG header of a grey image this large, with nothing after it.
 fn png_header(width: u32, height: u32) -> Vec<u8> {
     let mut chunk = b"IHDR".to_vec();
     chunk.extend_from_slice(&width.to_be_bytes());
@@ -937,7 +943,7 @@ fn png_header(width: u32, height: u32) -> Vec<u8> {
     png
 }
 
-/// Messages of files that are wrong, one line each.
+/// Messages of wrong files, one line each.
 #[test]
 fn wrong_files_are_refused() {
     let folder = tempfile::tempdir().unwrap();
@@ -995,7 +1001,7 @@ fn wrong_files_are_refused() {
         refused(bumpy, name, format!("{SQUARE}{faces}").as_bytes());
     }
     refused(bumpy, "late.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1/1 2/1/1 3/1/1\nvn 0 0 1");
-    // Without a list to name from, an index is still one.
+    // An index that refers to no list must still be a valid index.
     refused(bumpy, "no_index.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1/x 2/1/y 3/1/z");
     refused(bumpy, "no_zero.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/0 2/0 3/0");
     let wide = |bytes: fn(u16) -> [u8; 2]| -> Vec<u8> {
@@ -1126,7 +1132,7 @@ fn wrong_files_are_refused() {
     "#]].assert_eq(&seen);
 }
 
-/// A square in x and z, facing -y, as OBJ files have it.
+/// A square in x and z that faces -y, as in typical OBJ files.
 const UPRIGHT: [&str; 4] = [
     "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\n",
     "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n",
@@ -1134,7 +1140,7 @@ const UPRIGHT: [&str; 4] = [
     "f 1/1/1 2/2/1 3/3/1 4/4/1\n",
 ];
 
-/// What is seen of an OBJ file with bumps on it, and the notes without the file's path.
+/// The picture of an OBJ file with bumps on it, and the notes without the file's path.
 fn seen_of(bytes: &[u8]) -> (Fragments, Vec<String>) {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("m.obj"), bytes).unwrap();
@@ -1144,7 +1150,8 @@ fn seen_of(bytes: &[u8]) -> (Fragments, Vec<String>) {
     (traced(&scene), notes.collect())
 }
 
-/// Files as people have them: the picture is that of the plain one, and what was passed over is said.
+/// Files as found in practice: the picture is that of the plain file, and ignored content is
+/// reported.
 #[test]
 fn one_square_as_many_obj_files() {
     let [v, vt, vn, f] = UPRIGHT;
@@ -1220,12 +1227,12 @@ fn one_square_as_many_obj_files() {
     }
 }
 
-/// The same picture from whichever corner a concave polygon begins, and the notch stays open.
+/// The picture is the same for every first corner of a concave polygon, and the notch stays open.
 #[test]
 fn concave_polygons_are_cut_inside() {
     let notched = "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv 0 0 -0.5\nv -1 0 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0.5 0.25\nvt 0 1\nvn 0 -1 0\n";
     let mut corners = ["1/1/1", "2/2/1", "3/3/1", "4/4/1", "5/5/1"];
-    // What is seen of the whole square, without what is in the notch.
+    // The view of the whole square, without the notch.
     let (square, _) = seen_of(UPRIGHT.concat().as_bytes());
     let below = |i: &usize| square.position[2][*i] < 1.5 * square.position[0][*i].abs() - 0.5;
     let expected: Vec<u32> = (0..square.len()).filter(below).map(|i| square.pixel[i]).collect();
@@ -1239,7 +1246,7 @@ fn concave_polygons_are_cut_inside() {
     }
 }
 
-/// Texture coordinates aren't asked for where nothing lies on the surface.
+/// Texture coordinates aren't required if nothing uses them.
 #[test]
 fn texture_coordinates_only_where_something_needs_them() {
     let scene = |mesh: &str| {
@@ -1257,7 +1264,8 @@ fn texture_coordinates_only_where_something_needs_them() {
     }
 }
 
-/// What isn't as a file has it is told where the program runs, and beside the pictures.
+/// Missing or ignored content of a file is reported while the program runs, and in the report
+/// beside the pictures.
 #[test]
 fn notes_go_to_standard_error_and_into_the_report() {
     let folder = tempfile::tempdir().unwrap();
@@ -1275,7 +1283,7 @@ fn notes_go_to_standard_error_and_into_the_report() {
     assert!(report.ends_with(&told[told.find("note").unwrap()..]), "{report}");
 }
 
-/// Normals that a mesh lacks, by an eye that looks at it from above.
+/// Normals computed for a mesh without them, seen from above.
 fn made_normals(mesh: &str, crease: &str, extra: &str) -> (Scene, Fragments) {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("m.obj"), mesh).unwrap();
@@ -1287,14 +1295,14 @@ fn made_normals(mesh: &str, crease: &str, extra: &str) -> (Scene, Fragments) {
     (scene, f)
 }
 
-/// A roof of two slopes of 45°, whose ridge is the y axis; the left one is cut into two triangles, the right one into
-/// three of different sizes.
+/// A roof of two slopes of 45° with the ridge on the y axis. The left slope is cut into two
+/// triangles, the right one into three of different sizes.
 const ROOF: &str = "v -1 -1 -1\nv 0 -1 0\nv 0 1 0\nv -1 1 -1\nv 1 -1 -1\nv 1 1 -1\nv 0.25 -1 -0.25\nf 1 2 3\nf 1 3 4\nf 2 7 3\nf 7 5 3\nf 5 6 3\n";
 
 #[test]
 fn normals_are_made_by_angle_up_to_creases() {
     let slope = |x: f64| DVec3::new(x.signum(), 0.0, 1.0).normalize();
-    // The ridge turns by 90°: sharper than 89, no sharper than 90.
+    // The ridge turns by 90°, which is above a crease of 89° but not above 90°.
     let (scene, sharp) = made_normals(ROOF, "crease_degrees = 89", "");
     assert!(!sharp.is_empty() && !sharp.face.contains(&CURVED), "planes stay flat");
     for i in 0..sharp.len() {
@@ -1305,25 +1313,27 @@ fn normals_are_made_by_angle_up_to_creases() {
     notes.replace_range(..notes.find("m.obj").unwrap(), "");
     expect!["m.obj: 15 of 15 corners have no normal: means of the triangles around it are taken, up to edges of `crease_degrees` = 89 (by `tangent-faceted` alone those of the triangles)"].assert_eq(&notes);
 
-    // On the ridge, angles of 90° at one end and 90° at the other on each side, whatever the cuts: straight up.
+    // On the ridge each side contributes 90° at both ends, however it is cut: the normal is
+    // straight up.
     let (_, round) = made_normals(ROOF, "crease_degrees = 90", "");
     for i in 0..round.len() {
         let [x, y, _] = [0, 1, 2].map(|axis| round.position[axis][i]);
         let n = normal(&round, i);
         assert!(n.y.abs() < 1e-15, "{x} {y}: {n}");
         if x < 0.0 {
-            // Between the ridge (up) and the eaves (the slope's own).
+            // Between the ridge (up) and the eaves (the slope's own normal).
             let expected = (DVec3::Z * (1.0 + x) - slope(x) * x).normalize();
             assert!((n - expected).length() < 1e-12, "{x} {y}: {n}");
         }
     }
 }
 
-/// Where some corners of a triangle have normals, its side is theirs, also for what is made at the others.
+/// If some corners of a triangle have normals, its side is theirs, also for computed normals at the
+/// other corners.
 #[test]
 fn made_normals_are_on_the_side_of_those_given() {
     let square = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvn 0 0 0.1\n";
-    // The first turns the other way round; each lacks normals elsewhere.
+    // The first has reversed corners; the cases lack normals at different corners.
     for (faces, lacks) in [
         ("f 4 3//1 2//1\nf 4//1 2//1 1//1\n", 1),
         ("f 4//1 3 2\nf 1 2 4//1\n", 4),
@@ -1345,7 +1355,7 @@ fn facets_leave_vertices_shared() {
     let faceted = scene.faceted().unwrap();
     assert_eq!(faceted.assemble().unwrap().vertices.len(), 7);
     assert!(!traced(&faceted).face.contains(&CURVED));
-    // The same seen from the other side of a mirror, where corners turn the other way round.
+    // The same seen from the other side of a mirror, where corners have the reverse order.
     let mirrored = "crease_degrees = 30\nscale = [-1, 1, 1]";
     let (scene, right) = made_normals(ROOF, mirrored, "");
     let left = traced(&scene.faceted().unwrap());
@@ -1358,7 +1368,7 @@ fn facets_leave_vertices_shared() {
 #[test]
 fn a_scene_has_limits_as_a_whole() {
     let folder = tempfile::tempdir().unwrap();
-    // 1001 triangles, and 1 001 000 of them in 1000 objects.
+    // 1001 triangles, which in 1000 objects are 1 001 000.
     let triangles = "f 1/1/1 2/2/1 3/3/1\n".repeat(1001);
     fs::write(folder.path().join("m.obj"), format!("{SQUARE}{triangles}")).unwrap();
     let refused = |text: &str| {
@@ -1380,7 +1390,8 @@ fn a_scene_has_limits_as_a_whole() {
     assert!(why.ends_with(expected), "{why}");
 }
 
-/// One face 50 000 times gives the picture of one; faces that rays would all try are refused before.
+/// One face, repeated 50 000 times, gives the picture of one; faces that would all be tested by
+/// every ray are refused before.
 #[test]
 fn faces_upon_each_other() {
     let folder = tempfile::tempdir().unwrap();
@@ -1397,7 +1408,7 @@ fn faces_upon_each_other() {
         traced(&scene(&format!("{SQUARE}{}", face.repeat(50_000)), 40, "[0, 0, 4]").unwrap());
     assert_eq!((many.pixel, many.face), (one.pixel, one.face));
 
-    // Each a little above the one before, and seen from behind, where no ray is stopped.
+    // Each slightly above the previous one, and seen from behind, where no ray is stopped.
     let mut pile = SQUARE.to_owned();
     for i in 1..=2000 {
         let z = f64::from(i) * 1e-6;

@@ -1,7 +1,7 @@
-//! The illumination and the bump unit against matrices and the reflection formula.
+//! The illumination and bump units against matrices and the reflection formula.
 //!
-//! Everything here is written from the mathematics, with matrices of glam: nothing is taken from
-//! the units but their ports.
+//! Everything here is written from the mathematics, with glam's matrices: only the units' ports are
+//! used.
 
 use crate::common::design;
 use fixpath::measure::{Basis, BoundCheck, Inputs, Report, hard_verdicts, measure};
@@ -17,7 +17,7 @@ fn report(design: &Design, sampler: Sampler, samples: u64) -> Report {
     measure(&[design], &inputs, &|_| ()).unwrap().remove(0)
 }
 
-/// Value of an input port of words.
+/// Value of a port from input words.
 fn port(netlist: &Netlist, words: &[i64], name: &str) -> f64 {
     let at = (0..words.len()).find(|at| netlist.input_name(*at) == name);
     let at = at.unwrap_or_else(|| panic!("no port {name}"));
@@ -29,7 +29,7 @@ fn direction(phi: f64, theta: f64) -> DVec3 {
     DMat3::from_rotation_z(phi * TAU) * DMat3::from_rotation_y(theta * TAU) * DVec3::Z
 }
 
-/// A vector of an input, whichever form it comes in.
+/// A vector of an input, in either form.
 fn vector(netlist: &Netlist, words: &[i64], name: &str) -> DVec3 {
     let of = |part: String| port(netlist, words, &part);
     let has = |name: &str| (0..words.len()).any(|at| netlist.input_name(at) == name);
@@ -40,7 +40,7 @@ fn vector(netlist: &Netlist, words: &[i64], name: &str) -> DVec3 {
     }
 }
 
-/// Intensity, diffuse and specular light of two dot products.
+/// Intensity, diffuse and specular light for two dot products.
 fn light(values: &Values, dot_l: f64, dot_h: f64) -> [f64; 3] {
     let diffuse = values.real("ambient") + values.real("diffuse") * dot_l.clamp(0.0, 1.0);
     let mut power = 1.0;
@@ -52,7 +52,7 @@ fn light(values: &Values, dot_l: f64, dot_h: f64) -> [f64; 3] {
     [(diffuse + specular).min(1.0), diffuse, specular]
 }
 
-/// The dot products N'·L, N'·H of a bump unit's input: everything in the world.
+/// The dot products N'·L, N'·H of a bump unit's input, all in the world.
 fn bump_dots(netlist: &Netlist, words: &[i64]) -> [f64; 2] {
     let turn = |name: &str| port(netlist, words, name) * TAU;
     let to_world = DMat3::from_rotation_z(turn("phi_n"))
@@ -67,7 +67,7 @@ fn illumination_dots(netlist: &Netlist, words: &[i64]) -> [f64; 2] {
     [vector(netlist, words, "lt").dot(p), vector(netlist, words, "ht").dot(p)]
 }
 
-/// Random words; those of components have about unit length.
+/// Random words; components have about unit length.
 fn random_words(netlist: &Netlist, random: &mut Random) -> Vec<i64> {
     netlist
         .inputs()
@@ -122,7 +122,7 @@ fn goldens_are_the_matrices() {
     }
 }
 
-/// What the method itself does: nothing wrong but in the equations as printed.
+/// Errors of the methods themselves: only the equations as printed are wrong.
 #[test]
 fn only_the_printed_equations_are_wrong() {
     for variant in ["corrected", "kim", "cartesian"] {
@@ -133,7 +133,7 @@ fn only_the_printed_equations_are_wrong() {
             assert!(max < 1e-13, "{variant} {quantity}: {max:e}");
         }
     }
-    // As printed it is cos cos - sin sin cos: off by twice the last term, up to 2.
+    // The printed form is cos cos - sin sin cos: off by twice the last term, up to 2.
     let printed = report(&design("illumination", &["variant=printed"]), Sampler::Sphere, 50_000);
     let dot = printed.figures("dot_l", Basis::Algorithm);
     assert!(dot.max > 1.5 && dot.mean > 0.3, "{dot:?}");
@@ -151,15 +151,15 @@ fn counts_are_those_of_the_seed() {
     // Section 4.2: 2 multipliers, 13 adders, 6 cosine tables and 2 light tables.
     assert_eq!(counts("illumination", &["variant=corrected"]), (2, 13, 8));
     assert_eq!(counts("illumination", &["variant=printed"]), (2, 13, 8));
-    // Table 1 has 12 LUTs and 5 adders for Kim: sin and cos of theta' serve both products here, and
-    // the differences of azimuths are two adders.
+    // Table 1 has 12 LUTs and 5 adders for Kim. Here sin and cos of theta' serve both products, and
+    // the differences of azimuths take two adders.
     assert_eq!(counts("illumination", &["variant=kim"]), (6, 5, 10));
     assert_eq!(counts("illumination", &["variant=cartesian"]), (6, 5, 2));
     assert_eq!(counts("illumination", &["highlight=off"]), (1, 6, 4));
-    // Two rotations of 3 multipliers and 8 adders, the turn psi, and the illumination.
+    // Two rotations of 3 multipliers and 8 adders, the rotation by psi, and the illumination.
     assert_eq!(counts("bump", &["pipeline=corrected"]).0, 8);
     assert_eq!(counts("bump", &["pipeline=corrected"]).1, 2 * 8 + 1 + 13);
-    // Six of the dot products, four of the turn psi.
+    // Six for the dot products, four for the rotation by psi.
     assert_eq!(counts("bump", &["pipeline=exact-cartesian"]).0, 10);
 }
 
@@ -206,7 +206,7 @@ fn stated_bounds_hold() {
     }
 }
 
-/// Bounds that nothing could break would say nothing.
+/// A bound that nothing can break would be useless.
 #[test]
 fn bounds_are_near_what_is_seen_and_break_for_a_wrong_golden() {
     for (unit, set, quantity, factor) in [
@@ -234,7 +234,7 @@ fn bounds_are_near_what_is_seen_and_break_for_a_wrong_golden() {
     }
 }
 
-/// The light saturates: a dot product over 1 and a sum over 1 don't wrap to darkness.
+/// The light saturates: a dot product above 1 or a sum above 1 doesn't wrap to darkness.
 #[test]
 fn light_saturates() {
     let design = design(
@@ -258,13 +258,13 @@ fn light_saturates() {
             assert!((65534..=65535).contains(&light), "{} {word}: {light}", output.name);
         }
     }
-    // From behind there is ambient light alone, which is 1 here.
+    // From behind there is only ambient light, which is 1 here.
     let (words, _) = netlist.eval(&[0, 0, -(1 << 16), 0, 0, -(1 << 16), 0, 0, 1 << 16]).unwrap();
     let ports: Vec<i64> = netlist.outputs().iter().map(|o| words[o.node.index()]).collect();
     assert_eq!(ports, [(1 << 16) - 1, (1 << 16) - 1, 0]);
 }
 
-/// A rounded dot product passes 1: the guard bit is needed (8-bit angles, 10 fraction bits).
+/// A rounded dot product exceeds 1, so the guard bit is needed (8-bit angles, 10 fraction bits).
 #[test]
 fn dot_products_pass_one() {
     let set = ["angle_bits=8", "table_addr_bits=8", "frac_bits=10", "guard_bits=0"];
@@ -281,7 +281,7 @@ fn dot_products_pass_one() {
     assert!((1024..1030).contains(&most), "{most}");
 }
 
-/// Sums of sines instead of products: a sweep over light exponents shares no golden.
+/// Designs with other exponents share no golden.
 #[test]
 fn designs_with_other_light_have_their_own_golden() {
     let designs = [design("bump", &["exponent=1"]), design("bump", &["exponent=200"])];
@@ -293,8 +293,8 @@ fn designs_with_other_light_have_their_own_golden() {
     }
 }
 
-/// In the middle of a highlight the dot product is 1, and light is what the formula says, in tables of
-/// any size and scheme.
+/// In the middle of a highlight the dot product is 1. There the light must follow the formula, for
+/// tables of any size and scheme.
 #[test]
 fn light_in_the_middle_of_a_highlight_is_the_formula_s() {
     let one = 1i64 << 16;
@@ -305,7 +305,7 @@ fn light_in_the_middle_of_a_highlight_is_the_formula_s() {
         // Angles of 0: all vectors along z.
         ("bump", &["scheme=linear"], vec![0; 9]),
         ("kim", &["scheme=linear"], vec![0; 9]),
-        // L = H = N = x, T = y, B = z: L' is along z, as N'.
+        // L = H = N = x, T = y, B = z: L' is along z, as is N'.
         ("ernst", &[], [x, x, x, y, z, z].concat()),
     ];
     for (unit, set, words) in units {
@@ -320,7 +320,7 @@ fn light_in_the_middle_of_a_highlight_is_the_formula_s() {
                 // 0.9 and 0.1 + 0.6 times 2^16.
                 assert_eq!(light("specular"), 58982, "{unit} {more:?}");
                 if unit != "ernst" {
-                    // There it is a product of rounded factors.
+                    // `ernst` computes a product of rounded factors.
                     assert_eq!(light("diffuse"), 45875, "{unit} {more:?}");
                 }
             }

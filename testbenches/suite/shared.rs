@@ -1,4 +1,4 @@
-//! Time-shared schedules: every schedule gives the reference's words, in the cycle it says.
+//! Time-shared schedules: every schedule gives the reference's words, in the stated cycle.
 
 use crate::engines::{Random, random_netlist_within};
 use crate::wave::ReadBack;
@@ -40,14 +40,14 @@ fn dot(b: &mut Builder, name: &str, m: Vector, v: Vector) -> NodeId {
     })
 }
 
-/// Words for input ports: the ends of the format now and then.
+/// Words for input ports, sometimes the ends of the format.
 pub(crate) fn stimulus(netlist: &Netlist, random: &mut Random) -> Vec<i64> {
     let word = |id: &NodeId| random.word(netlist.node(*id).format);
     netlist.inputs().iter().map(word).collect()
 }
 
-/// Feeds a sample each interval, with a gap here and there and other words outside phase 0, and
-/// compares each valid result with the reference, and the cycle it comes in.
+/// Feeds a sample each interval, with occasional gaps and with other words outside phase 0.
+/// Compares each valid result, and its cycle, with the reference.
 pub(crate) fn check(netlist: &Arc<Netlist>, schedule: &Schedule, seed: u64) -> Result<(), String> {
     let mut random = Random::new(seed);
     let (latency, interval) = (schedule.latency(), schedule.interval());
@@ -116,7 +116,7 @@ fn found_schedules_give_the_reference() {
     }
 }
 
-/// Random netlists, with dot products among their operations.
+/// Random netlists that include dot products.
 pub(crate) fn with_dots(seed: u64) -> Netlist {
     let mut random = Random::new(seed);
     let mut b = Builder::new("dots");
@@ -213,7 +213,7 @@ pub(crate) fn printed() -> Vec<(usize, [String; 3])> {
     lines.map(row).collect()
 }
 
-/// `Out X`, `X = Y` and each name of a load, one by one.
+/// `Out X`, `X = Y` and each name of a load, as separate events.
 fn events(cell: &str) -> Vec<String> {
     let parts = cell.split("; ").filter(|part| !part.is_empty());
     let events = parts.flat_map(|part| match part.split_once(' ') {
@@ -245,11 +245,11 @@ fn the_printed_table_event_by_event() {
             assert_eq!(got, should, "cycle {cycle}, {title}");
             compared += should.len();
         }
-        // Nothing of these units comes after the last printed cycle.
+        // These units have nothing after the last printed cycle.
         assert!(table.rows[19..].iter().all(|row| row[column].is_empty()), "{title}");
     }
     assert_eq!(compared, 24);
-    // What the figure shows after it: inverse root, one multiplier, one adder.
+    // Operations that the figure shows after that: inverse root, one multiplier, one adder.
     for (result, unit) in [("1/‖L‖", 3), ("Δs", 4), ("Δt", 4), ("S1", 5), ("T1", 5)] {
         assert_eq!(table.names[unit].iter().filter(|name| name.result == result).count(), 1);
     }
@@ -267,7 +267,7 @@ fn the_printed_table_event_by_event() {
     assert_eq!(netlist.counts().datapath.multipliers, 29);
 }
 
-/// The waves name in each cycle what the table names, and hold the words that they say.
+/// In each cycle the waves name the table's entries, and hold the named words.
 #[test]
 fn waves_show_the_table() {
     let design = emboss(&["schedule=printed", "period_ps=6000"]);
@@ -326,12 +326,12 @@ fn waves_show_the_table() {
         }
     }
     assert_eq!(seen, 23 * rows.len());
-    // Nothing of a name is lost in ASCII.
+    // The ASCII form of a name loses nothing.
     for (name, changes) in read.signals.iter().filter(|(name, _)| name.starts_with("emboss.units."))
     {
         assert!(changes.values().all(|text| !text.contains('?')), "{name}");
     }
-    // Words that are shown are the reference's of their sample.
+    // The shown words are the reference's for their sample.
     let mut compared = 0;
     for (name, node, stage) in wave.signals() {
         let format = netlist.node(node).format;
@@ -362,7 +362,8 @@ fn waves_show_the_table() {
     assert!(compared > 200, "{compared}");
 }
 
-/// A constant that is the same in every operation of a unit is no port of it, but it is in what is told.
+/// A constant that is the same in every operation of a unit isn't one of its ports, but the report
+/// shows it.
 #[test]
 fn formulas_have_their_constants() {
     let set = ["schedule=shared", "share_add=40"];
@@ -394,7 +395,7 @@ fn an_interval_too_short_names_kind_operations_and_remedy() {
         "parameter `interval` = `4`: legal is 5 or more: 9 operations (t_x, t_y, t_z, b_x, b_y, b_z, t_dot_l, l_dot_l, b_dot_l) \
          share 2 units of kind dot (dot1, dot2); or share_dot=3"
     );
-    // A longer one is taken; one more unit buys what it says.
+    // A longer interval is accepted; one more unit gives what the message promises.
     let schedule = shared(vec![share(Kind::Dot, 2), share(Kind::Adder, 1)], Some(11)).unwrap();
     assert_eq!((schedule.interval(), schedule.shortest_interval()), (11, 5));
     let loads: Vec<(u32, u32)> =
@@ -409,7 +410,7 @@ fn an_interval_too_short_names_kind_operations_and_remedy() {
     );
 }
 
-/// A shared unit whose words are too wide names the parameters that cure it, as a flat datapath does.
+/// A shared unit with too wide words names the parameters that cure it, as a flat datapath does.
 #[test]
 fn a_shared_unit_that_is_too_wide_names_parameters_whose_change_cures_it() {
     let wide = ["position_bits=30", "norm_bits=24", "component_bits=24", "dot_frac_bits=24"];
@@ -507,7 +508,7 @@ fn parameters_that_do_not_count_are_refused() {
     );
 }
 
-/// Units at their committed settings, shared as far as they can be.
+/// Units at their committed settings, shared as far as possible.
 #[test]
 fn every_unit_shared() {
     for unit in fixpath::units::UNITS.iter() {
@@ -529,7 +530,8 @@ fn every_unit_shared() {
     }
 }
 
-/// A `narrow` that may not overflow tells which node of which operation did, on valid data only.
+/// With overflow mode `error`, a `narrow` reports which node of which operation overflowed, for
+/// valid data only.
 #[test]
 fn a_forbidden_overflow_in_a_shared_unit_names_the_node() {
     let mut b = Builder::new("forbidden");

@@ -1,4 +1,4 @@
-//! Netlists cut down to what occurs at their inputs, against the general ones.
+//! Netlists specialised for the values that occur at their inputs, against the general ones.
 
 use super::engines::{self, Random, random_netlist_of, random_netlist_within};
 use crate::common::design;
@@ -17,7 +17,7 @@ fn all_outputs(netlist: &Netlist) -> Vec<&str> {
     netlist.outputs().iter().map(|output| output.name.as_str()).collect()
 }
 
-/// Nothing, a word, an interval or a few.
+/// Nothing, one word, an interval or a few intervals.
 fn random_words(random: &mut Random, format: Format) -> Words {
     let interval = |random: &mut Random| {
         let (a, b) = (random.word(format), random.word(format));
@@ -38,7 +38,7 @@ fn random_words(random: &mut Random, format: Format) -> Words {
     }
 }
 
-/// Every word of a small set; of a large one the ends and some between.
+/// Every word of a small set; for a large one the ends and some in between.
 fn members(words: &Words, random: &mut Random, limit: i64) -> Vec<i64> {
     let mut members = Vec::new();
     for (lo, hi) in words.intervals() {
@@ -46,7 +46,7 @@ fn members(words: &Words, random: &mut Random, limit: i64) -> Vec<i64> {
             members.extend(*lo..=*hi);
         } else {
             members.extend([*lo, *lo + 1, *hi - 1, *hi]);
-            // A span of 63 bits plus one is no i64.
+            // A span of 63 bits plus one exceeds i64.
             members.extend(
                 (0..limit).map(|_| random.within(*lo, (*hi).min(lo.saturating_add(i64::MAX - 1)))),
             );
@@ -55,7 +55,7 @@ fn members(words: &Words, random: &mut Random, limit: i64) -> Vec<i64> {
     members
 }
 
-/// The inputs to try: all of them where they are few.
+/// The inputs to try: all of them if they are few.
 fn inputs_of(words: &[Words], random: &mut Random, most: usize) -> Vec<Vec<i64>> {
     let members: Vec<Vec<i64>> = words.iter().map(|words| members(words, random, 40)).collect();
     let count = members.iter().map(Vec::len).fold(1usize, usize::saturating_mul);
@@ -78,7 +78,7 @@ fn outputs(netlist: &Netlist, inputs: &[i64]) -> BTreeMap<String, i64> {
     netlist.outputs().iter().map(|o| (o.name.clone(), words[o.node.index()])).collect()
 }
 
-/// Output words of the whole datapath, and of its face's part followed by the rest.
+/// Output words of the whole datapath, and of its face part followed by the rest.
 fn both_ways(of: &Specialised, inputs: &[i64]) -> [BTreeMap<String, i64>; 2] {
     let whole = outputs(&of.whole.netlist, &of.whole.select(inputs, &[]));
     let face: Vec<i64> = of.face.as_ref().map_or_else(Vec::new, |face| {
@@ -88,7 +88,7 @@ fn both_ways(of: &Specialised, inputs: &[i64]) -> [BTreeMap<String, i64>; 2] {
     [whole, outputs(&of.pixel.netlist, &of.pixel.select(inputs, &face))]
 }
 
-/// The general netlist, its ranges and its specialised forms on the same inputs.
+/// Compares the general netlist, its ranges and its specialised forms on the same inputs.
 fn check(
     netlist: &Netlist,
     known: &[Known],
@@ -159,18 +159,18 @@ fn random_netlists_keep_their_outputs() {
         cut += u32::from(special.report.whole.counts.rom_bits < special.report.before.rom_bits);
         folded += u32::from(special.report.folded_nodes > 0);
         serde_json::to_string(&special.report).unwrap();
-        // The fast engines take what is left, on words that the scene doesn't have too.
+        // The fast engines run the remaining netlist, also on words that the scene doesn't have.
         for part in [Some(&special.pixel), special.face.as_ref()].into_iter().flatten() {
             if seed % 10 == 0 && !part.inputs.is_empty() {
                 engines::check(&part.netlist, seed, 300).unwrap();
             }
         }
     }
-    // If the generator stopped making them, the test would say less than it claims.
+    // If the generator stopped producing these, the test would check less than it claims.
     assert!(split > 300 && cut > 200 && folded > 300, "{split} {cut} {folded}");
 }
 
-/// Operators that cost something.
+/// Operators that have a cost.
 fn sizes(counts: &Counts) -> Vec<u64> {
     let of = |o: &Operators| {
         [o.multipliers, o.adders, o.negations, o.comparators, o.multiplexers, o.shifters]
@@ -178,7 +178,7 @@ fn sizes(counts: &Counts) -> Vec<u64> {
     let operators = [counts.datapath, counts.schemes, counts.parts].into_iter().map(|o| of(&o));
     let sums = operators.fold([0; 6], |sum, of| std::array::from_fn(|i| sum[i] + of[i]));
     let tables = [counts.reads, counts.ports, counts.rom_bits_dual_port];
-    // A negation may stand for a subtraction or a magnitude.
+    // A negation may replace a subtraction or a magnitude.
     [sums[0], sums[1] + sums[2], sums[3], sums[4], sums[5]].into_iter().chain(tables).collect()
 }
 
@@ -207,7 +207,7 @@ fn nothing_grows_and_nothing_is_cut_where_nothing_is_known() {
                 (before.reads, before.ports, before.datapath.multipliers),
                 "{form} {scheme}"
             );
-            // Ports that read one column of two need no copy of the other.
+            // Ports that read one of two columns need no copy of the other.
             let (before, after) = (before.rom_bits_dual_port, after.rom_bits_dual_port);
             let cosines_alone = form == "output=cartesian";
             assert!(
@@ -240,7 +240,7 @@ fn constant_inputs_give_a_constant_netlist() {
 
 type Build = fn(&mut Builder, &[NodeId]) -> Option<NodeId>;
 
-/// Every operation of operands of two formats, where it takes them.
+/// Every operation on operands of two formats, where it accepts them.
 fn operations() -> Vec<(&'static str, Build)> {
     fn integer(format: Format) -> bool {
         !format.is_signed() && format.frac_bits() == 0
@@ -291,7 +291,7 @@ fn operations() -> Vec<(&'static str, Build)> {
     ]
 }
 
-/// Results are reached exactly where single intervals make that cheap.
+/// Operations whose result ranges are exact, where single intervals make that cheap.
 const EXACT_ENDS: &[&str] = &[
     "add",
     "sub",
@@ -373,7 +373,7 @@ fn check_operation(netlist: &Netlist, name: &str) -> u64 {
             (min..=max).flat_map(|lo| (lo..=max).map(move |hi| (lo, hi))).collect()
         })
         .collect();
-    // The result for each choice of words, once.
+    // The result of each choice of words is computed once.
     let mut results: BTreeMap<Vec<i64>, i64> = BTreeMap::new();
     let wholes: Vec<Words> = intervals.iter().map(|of| Words::of(of.iter().copied())).collect();
     let mut random = Random::new(0);
@@ -385,7 +385,7 @@ fn check_operation(netlist: &Netlist, name: &str) -> u64 {
     let pick = |at: usize, port: usize| intervals.get(port).map(|of| of[at]);
     let lens: Vec<usize> = (0..3).map(|port| intervals.get(port).map_or(1, Vec::len)).collect();
     for i in 0..lens[0] {
-        // Not all pairs of large ones.
+        // Large operands: not all pairs.
         let step = 1 + lens[0] * lens[1] / 3000;
         for j in (i % step..lens[1]).step_by(step) {
             for k in 0..lens[2] {
@@ -485,12 +485,12 @@ fn a_face_has_its_light_turned_once() {
         assert_eq!(face.netlist.inputs().len(), 4);
         assert!(special.pixel.inputs.iter().all(|source| matches!(source, Source::Face(_))));
         assert_eq!(special.report.pixel.counts.rom_bits, 0, "{form:?}");
-        // Only the result crosses, under a name that is no output's.
+        // Only the result crosses to the pixel part, under a name that no output has.
         let outputs = special.pixel.netlist.outputs().len();
         assert_eq!(special.pixel.netlist.inputs().len(), outputs);
         assert_eq!(special.report.hoisted.len(), outputs);
     }
-    // One direction per pixel: sums of the face's angles are taken once.
+    // One direction per pixel: sums of the face's angles are computed once.
     let special = special_rotation(
         &["variant=corrected"],
         &[None; 4],
@@ -502,7 +502,7 @@ fn a_face_has_its_light_turned_once() {
 
 #[test]
 fn angle_ranges_cut_the_table() {
-    // Sums of four such angles stay within an eighth turn round the seam, where words wrap.
+    // Sums of four such angles stay within an eighth of a turn around the seam, where words wrap.
     let seam = Some((-1.0 / 66.0, 1.0 / 66.0));
     let special = special_rotation(&["output=cartesian"], &[seam; 4], [Rate::Pixel; 4]);
     let cut = &special.report.whole.tables[0];

@@ -1,4 +1,5 @@
-//! Pipelines cut down to what a scene needs: equal on every pixel, and without what it doesn't need.
+//! Pipelines specialised for a scene: equal on every pixel, and without hardware that the scene
+//! doesn't need.
 
 use fixpath::render::{Pipeline, SpecialisedStage, specialise_to};
 use fixpath::scene::Scene;
@@ -50,7 +51,8 @@ fn every_kind_of_scene_keeps_every_word() {
     }
 }
 
-/// One plane, light and eye far away: L, H and N are constants, and so is all that rotates them.
+/// One plane, light and eye far away: L, H and N are constants, and so are the operations that
+/// rotate them.
 #[test]
 fn constant_vectors_leave_the_dot_products() {
     let text = format!("{ORTHOGRAPHIC}{DIRECTIONAL}[[object]]\nshape = \"plane\"\n");
@@ -60,7 +62,7 @@ fn constant_vectors_leave_the_dot_products() {
         assert_eq!(constant, 7, "{:?}", stage.inputs);
         let counts = &stage.report.pixel.counts;
         let (multipliers, adders) = if pipeline == "exact-cartesian" {
-            (10, 6) // two dot products, and the turn psi, whose constants stay factors
+            (10, 6) // two dot products, and the rotation by psi, whose constants remain factors
         } else {
             (2, 12)
         };
@@ -90,7 +92,7 @@ fn without_specular_light_there_is_no_halfway_path() {
     }
 }
 
-/// Each face of a cube has one N and psi, and with a light and an eye far away one L and H.
+/// Each face of a cube has one N and psi, and for a distant light and eye one L and H.
 #[test]
 fn flat_faces_are_rotated_once_each() {
     let camera = "[camera]\nprojection = \"orthographic\"\neye = [3.0, -3.5, 3.0]\nheight = 4.0\n";
@@ -119,7 +121,7 @@ fn rivals_keep_every_word() {
     }
 }
 
-/// Lights that could share a design are known one by one: each is as constant as it is alone.
+/// Lights that could share a design are analysed one by one: each is as constant as it is alone.
 #[test]
 fn two_equal_lights_cost_what_each_does_alone() {
     let other = "[[light]]\ndirection = [-0.5, 0.2, 0.9]\n";

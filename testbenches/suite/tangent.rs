@@ -1,4 +1,4 @@
-//! The tangent-space set-up against what the patent's words mean, worked out here in whole numbers.
+//! The tangent-space set-up against the meaning of the patent's text, computed here in integers.
 
 use crate::common::{Vector, cross, dot};
 use fixpath::measure::{Basis, BoundCheck, Inputs, hard_verdicts, measure, sample_words};
@@ -10,7 +10,7 @@ fn design(assignments: &[&str]) -> Design {
     values.build().unwrap_or_else(|why| panic!("{assignments:?}: {why}"))
 }
 
-/// A vector of whole numbers over its length.
+/// A vector of integers divided by its length.
 fn unit(v: [i128; 3]) -> Vector {
     let v = v.map(|x| x as f64);
     let length = dot(v, v).sqrt();
@@ -43,7 +43,8 @@ impl Ports<'_> {
     }
 }
 
-/// A triangle in whole numbers: dP/du and dP/dv times det, det, the area, and the edges from its first corner.
+/// A triangle in integers: dP/du and dP/dv times det, det, the area, and the edges from its first
+/// corner.
 struct Exact {
     by_u: [i128; 3],
     by_v: [i128; 3],
@@ -65,18 +66,18 @@ impl Exact {
         let by_u = [0, 1, 2].map(|i| d2[1] * e1[i] - d1[1] * e2[i]);
         let by_v = [0, 1, 2].map(|i| d1[0] * e2[i] - d2[0] * e1[i]);
         let det = d1[0] * d2[1] - d2[0] * d1[1];
-        // What dP/du and dP/dv are: edges are their sums.
+        // The definition of dP/du and dP/dv: the edges are their linear combinations.
         for i in 0..3 {
             assert_eq!(d1[0] * by_u[i] + d1[1] * by_v[i], det * e1[i]);
             assert_eq!(d2[0] * by_u[i] + d2[1] * by_v[i], det * e2[i]);
         }
         let area = cross_exact(e1, e2);
-        // Why the hardware takes the area for their cross product.
+        // Therefore the hardware may use the area as their cross product.
         assert_eq!(cross_exact(by_u, by_v), area.map(|x| det * x));
         Self { by_u, by_v, det, area, edges: [e1, e2] }
     }
 
-    /// The documented frame where there is no other: not mirrored, whatever the rule.
+    /// The documented frame for degenerate cases: not mirrored, whatever the rule.
     fn fallback(&self, ports: &Ports<'_>, faceted: bool, printed_basis: bool) -> [Vector; 3] {
         let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         if faceted {
@@ -91,7 +92,7 @@ impl Exact {
         let b = cross(n, axis);
         let length = dot(b, b).sqrt();
         if printed_basis || length == 0.0 {
-            // No N, no B; and T at right angles to both is none.
+            // With N = 0, B is 0, and so is a T at right angles to both.
             return [if printed_basis { axis } else { [0.0; 3] }, b, n];
         }
         let b = b.map(|x| x / length);
@@ -103,7 +104,7 @@ impl Exact {
     }
 }
 
-/// Words of the outputs in order as values.
+/// Values of the output words in order.
 fn run(design: &Design, words: &[i64]) -> Vec<f64> {
     let netlist = &design.netlist;
     let all = netlist.eval(words).unwrap().0;
@@ -147,7 +148,7 @@ const VARIANTS: &[&[&str]] = &[
     &["frame=faceted", "mirror=off", "basis=printed"],
 ];
 
-/// The patent's rules from whole numbers, the documented frames where they give none, and the flags.
+/// The patent's rules in integers, the documented frames where they give none, and the flags.
 #[test]
 fn goldens_are_those_of_the_seed() {
     for set in VARIANTS {
@@ -171,7 +172,7 @@ fn goldens_are_those_of_the_seed() {
             assert_eq!(golden[flags_at..], should, "{set:?} {words:?}");
             frames[usize::from(mirrored && !flags[1])] += 1;
             fallbacks += usize::from(flags[1]);
-            // dP/du, dP/dv: exact over a det with a sign.
+            // dP/du, dP/dv: exact, divided by the sign of det.
             let sign = if mirrored { -1 } else { 1 };
             let (du, dv) = (exact.by_u.map(|x| sign * x), exact.by_v.map(|x| sign * x));
             let t = if mirrored && has("mirror=printed") { du.map(|x| -x) } else { du };
@@ -180,7 +181,8 @@ fn goldens_are_those_of_the_seed() {
             let [t, b, n] = if flags[1] {
                 exact.fallback(&ports, faceted, printed_basis)
             } else if faceted {
-                // T x dP/dv has the sign of T's and of det's; (e1 x e2)/det is the product of dP/du and dP/dv.
+                // T x dP/dv has the signs of T and of det; (e1 x e2)/det is the product of dP/du
+                // and dP/dv.
                 let product = if t == du { sign } else { -sign };
                 let n = unit(exact.area.map(|x| turn * product * x));
                 let b = if printed_basis {
@@ -201,7 +203,7 @@ fn goldens_are_those_of_the_seed() {
                     [cross(n_cross_t, n), n_cross_t.map(|x| turn * x), n]
                 }
             };
-            // B of a sliver's facet is only on the side of dP/dv by less than an f64 tells.
+            // For a sliver, B of a facet may be on the side of dP/dv by less than an f64 resolves.
             for (row, (is, should)) in rows(&golden).into_iter().zip([t, b, n]).enumerate() {
                 for (is, should) in is.into_iter().zip(should) {
                     assert!(
@@ -222,7 +224,8 @@ fn goldens_are_those_of_the_seed() {
     }
 }
 
-/// Which of T, B, N are on the side of dP/du, dP/dv, and e1 x e2, without and with a mirrored texture.
+/// Which of T, B, N are on the side of dP/du, dP/dv, and e1 x e2, without and with a mirrored
+/// texture.
 #[test]
 fn what_each_rule_of_mirroring_gets_wrong() {
     for (set, right) in VARIANTS.iter().zip([
@@ -271,7 +274,7 @@ fn what_each_rule_of_mirroring_gets_wrong() {
     }
 }
 
-/// Values of ports by their names; those that aren't told are 0.
+/// Values of ports by name; ports not listed are 0.
 fn words_of(design: &Design, values: &[(&str, f64)]) -> Vec<i64> {
     let netlist = &design.netlist;
     let word = |(port, id): (usize, &fixpath::netlist::NodeId)| {
@@ -281,7 +284,7 @@ fn words_of(design: &Design, values: &[(&str, f64)]) -> Vec<i64> {
     netlist.inputs().iter().enumerate().map(word).collect()
 }
 
-/// A bumpy floor, lit in texture space as if its bumps were modelled, where the texture is mirrored or not.
+/// A bumpy floor, lit in texture space like modelled bumps, with and without a mirrored texture.
 #[test]
 fn bumps_are_the_right_way_out_on_mirrored_textures() {
     let (a, b) = (0.3, -0.2); // height a u + b v
@@ -312,7 +315,7 @@ fn bumps_are_the_right_way_out_on_mirrored_textures() {
                 let outputs = run(&design, &words);
                 let ts_light = [outputs[12], outputs[13], outputs[14]];
                 let lit = dot(ts_light, [-a, -b, 1.0]);
-                // z = h(u, v) of u = su x, v = sv y, but for the scale of both.
+                // z = h(u, v) with u = su x, v = sv y, up to the scale of both.
                 let should = dot(light, [-a * su, -b * sv, 1.0]);
                 let off = (lit - should).abs();
                 assert!(
@@ -324,7 +327,7 @@ fn bumps_are_the_right_way_out_on_mirrored_textures() {
     }
 }
 
-/// With u turned about, T turns about and nothing else, to the last bit.
+/// With u negated, T is negated and nothing else, to the last bit.
 #[test]
 fn mirrored_pairs_are_mirrored_bit_for_bit() {
     for (set, turned) in [
@@ -354,7 +357,7 @@ fn mirrored_pairs_are_mirrored_bit_for_bit() {
             assert!(one[17] == 1.0 || one[15] != other[15], "{set:?} {words:?}");
             for (row, turned) in turned.into_iter().enumerate() {
                 let sign = if turned && !degenerate { -1.0 } else { 1.0 };
-                // dP/dv of a facet is rounded from the opposite words, and ties go up.
+                // dP/dv of a facet is rounded from the negated words, and ties round up.
                 let rounds = row == 1 && set == ["frame=faceted", "basis=printed"];
                 let off = if rounds { 2f64.powi(-15) } else { 0.0 };
                 for i in 3 * row..3 * row + 3 {
@@ -440,7 +443,7 @@ fn bounds_hold_at_every_width_and_switch() {
         "uv_int_bits=22",
         "uv_frac_bits=1",
     ]);
-    // Vectors in texture space with hardly a fraction: the longest still have a word.
+    // Vectors in texture space with few fraction bits: the longest are still representable.
     for widths in [["0", "0"], ["0", "1"], ["1", "0"], ["1", "1"]] {
         let [whole, fraction] = widths;
         let widths = [format!("vector_int_bits={whole}"), format!("out_frac_bits={fraction}")];
@@ -472,7 +475,7 @@ fn bounds_hold_at_every_width_and_switch() {
     }
 }
 
-/// Every triangle of two-bit words, and every texture of such, each with some of the other.
+/// Every triangle of two-bit words and every texture of two-bit words, each with some of the other.
 #[test]
 fn every_small_triangle_has_its_flags_and_a_frame() {
     for frame in ["frame=smooth", "frame=faceted"] {
@@ -499,7 +502,7 @@ fn every_small_triangle_has_its_flags_and_a_frame() {
             }
         };
         for bits in 0..1u64 << 18 {
-            // Not every position with every texture: one of 4096 goes with each.
+            // Not all combinations: each position gets one of 4096 textures, and vice versa.
             let mut row = usual.clone();
             fill(&mut row, &positions, bits);
             fill(&mut row, &textures, bits.wrapping_mul(0x9e37_79b9) >> 7 & 0xfff);
@@ -530,7 +533,7 @@ fn every_small_triangle_has_its_flags_and_a_frame() {
     }
 }
 
-/// Frames are orthonormal with unit normals, whatever is degenerate.
+/// Frames are orthonormal with unit normals, even in degenerate cases.
 #[test]
 fn orthonormal_maps_are_orthonormal() {
     for frame in ["frame=smooth", "frame=faceted"] {
@@ -575,7 +578,7 @@ fn widths_that_do_not_go_together_are_refused() {
             let text = build(whole).unwrap_err().to_string();
             let range = format!("legal is {} to {} with", legal.0, legal.1);
             assert!(text.contains(&format!("{name}_int_bits")) && text.contains(&range), "{text}");
-            // The ends are legal, and what is next to them isn't.
+            // The ends are legal, and the values next to them aren't.
             assert!(build(legal.0).is_ok() && build(legal.1).is_ok(), "{text}");
             assert!(build(legal.0 - 1).is_err() && build(legal.1 + 1).is_err(), "{text}");
         }
@@ -589,7 +592,7 @@ fn widths_that_do_not_go_together_are_refused() {
     design(&[&widest[..], &["guard_bits=7"]].concat());
     let text = refused(&["position_frac_bits=19", "uv_frac_bits=20", "component_bits=12"]);
     assert!(text.contains("component_bits") && text.contains("2 to 11"), "{text}");
-    // As wide as can be is built.
+    // The widest legal combination is built.
     for set in [
         &["position_frac_bits=19", "uv_frac_bits=20", "component_bits=11"][..],
         &["position_frac_bits=19", "uv_frac_bits=20", "component_bits=11", "basis=printed"],
@@ -608,7 +611,8 @@ fn widths_that_do_not_go_together_are_refused() {
     }
 }
 
-/// At the ends of all widths: whatever doesn't go together is refused by a parameter, not by a node.
+/// At the ends of all widths: combinations that don't go together are refused by a parameter, not
+/// by a node.
 #[test]
 fn no_width_is_refused_by_a_node() {
     const ENDS: [(&str, [&str; 2]); 10] = [
@@ -649,7 +653,7 @@ fn no_width_is_refused_by_a_node() {
     assert!(counts.iter().all(|count| *count > 100), "{counts:?}");
 }
 
-/// Multipliers are shared at the defaults, whatever the switches.
+/// Multipliers are shared at the defaults, for all switches.
 #[test]
 fn every_variant_shares_its_multipliers() {
     for frame in ["frame=smooth", "frame=faceted"] {
@@ -661,7 +665,8 @@ fn every_variant_shares_its_multipliers() {
     }
 }
 
-/// On reals the netlists are the goldens, where exact products fit an `f64`: there is no algorithm error.
+/// On reals the netlists equal the goldens, where exact products fit an `f64`: there is no
+/// algorithm error.
 #[test]
 fn netlists_on_reals_are_the_goldens() {
     for set in VARIANTS {
@@ -676,7 +681,8 @@ fn netlists_on_reals_are_the_goldens() {
     }
 }
 
-/// What a triangle gives is taken once for its vertices: with smooth normals the exact edges, of a facet the map.
+/// A triangle's values are computed once for its vertices: the exact edges with smooth normals, the
+/// map of a facet.
 #[test]
 fn triangles_share_what_does_not_depend_on_the_vertex() {
     for (set, primitive, vertex) in

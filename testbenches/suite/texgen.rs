@@ -1,4 +1,4 @@
-//! The two texture-coordinate interfaces: every rule is broken once, and its message pinned.
+//! The two texture-coordinate interfaces: each rule is broken once, and its message is pinned.
 
 use crate::common::{fixpath, told};
 use fixpath::texgen::gx::{Function, IDENTITY, MATRIX_ROWS, Source, TexCoords, TexGen};
@@ -11,7 +11,7 @@ fn run(toml: &str) -> Outcome {
     Calls::parse(toml, "calls.toml".as_ref()).unwrap_or_else(|why| panic!("{why}\n{toml}")).run()
 }
 
-/// `GXSetTexCoordGen`, arguments in the order of the patent.
+/// `GXSetTexCoordGen`, with arguments in the order of the patent.
 fn set(arguments: &[&str; 4]) -> String {
     let [dst, func, src, mat] = arguments;
     format!(
@@ -26,7 +26,8 @@ fn gx(calls: &[[&str; 4]]) -> Outcome {
 const BASE: [&str; 4] = ["TEXCOORD0", "MTX2x4", "TEX0", "TEXMTX3"];
 const BUMP: [&str; 4] = ["TEXCOORD1", "BUMP0", "TEXCOORD0", "IDENTITY"];
 
-/// Expects every call but the last to hold, and the last to say `message` and to change nothing.
+/// Expects every call except the last to succeed, and the last to report `message` and to change
+/// nothing.
 fn gx_refuses(calls: &[[&str; 4]], message: &str) {
     let outcome = gx(calls);
     let (last, before) = outcome.events.split_last().unwrap();
@@ -38,7 +39,7 @@ fn gx_refuses(calls: &[[&str; 4]], message: &str) {
     assert_eq!(outcome.emboss, without.emboss, "{calls:?}");
 }
 
-/// The example that the patent prints, and its words.
+/// The example that the patent prints, and its register words.
 #[test]
 fn the_seeds_example_configures_the_emboss_unit() {
     let outcome = gx(&[
@@ -72,7 +73,7 @@ fn each_light_is_a_function_and_several_follow_one_base() {
     assert_eq!(outcome.problems(), 0, "{outcome:?}");
     let lights: Vec<(u32, u32)> = outcome.emboss.iter().map(|e| (e.destination, e.light)).collect();
     assert_eq!(lights, (1..8).map(|i| (i, i)).collect::<Vec<_>>());
-    // One after the other: the source is then a displaced coordinate itself.
+    // A chain of displacements: the source is itself a displaced coordinate.
     let chain = gx(&[BASE, BUMP, ["TEXCOORD2", "BUMP7", "TEXCOORD1", "IDENTITY"]]);
     assert_eq!(chain.problems(), 0);
     assert_eq!((chain.emboss[1].source, chain.emboss[1].light), (1, 7));
@@ -134,7 +135,7 @@ fn every_rule_of_a_single_coordinate_has_its_message() {
             ["TEXCOORD0", "SRTG", "TEX0", "IDENTITY"],
             "SRTG from TEX0: coordinates from lighting channels come from COLOR0 or COLOR1",
         ),
-        // Numbers of tokens have no leading zeros and no signs, and are told as they were given.
+        // Numbers in tokens have no leading zeros and no signs; messages show them as given.
         (
             ["TEXCOORD01", "MTX2x4", "TEX0", "TEXMTX0"],
             "dst_coord `TEXCOORD01`, did you mean `TEXCOORD0`: legal is TEXCOORD0 to TEXCOORD7",
@@ -214,11 +215,12 @@ fn every_rule_between_coordinates_has_its_message() {
         &format!("TEXCOORD1 (MTX3x4) after TEXCOORD0 (SRTG): {order}"),
     );
     gx_refuses(&[color, BUMP], &format!("TEXCOORD1 (BUMP0) after TEXCOORD0 (SRTG): {order}"));
-    // What stands may not be changed so that another rule breaks.
+    // An existing setting may not be changed if that breaks another rule.
     gx_refuses(&[BASE, BUMP, color], &format!("TEXCOORD1 (BUMP0) after TEXCOORD0 (SRTG): {order}"));
 }
 
-/// The patents' two "should" can't both be kept by two bases that have a bump each: either way is legal, and is told.
+/// With two bases that have one bump each, the patents' two "should" rules can't both be kept.
+/// Either order is legal, and is noted.
 #[test]
 fn two_bases_each_have_their_bump_in_either_order() {
     let advice = |calls: &[[&str; 4]]| -> Vec<String> {
@@ -257,9 +259,9 @@ fn two_bases_each_have_their_bump_in_either_order() {
         advice(&bases),
         [apart(2, 0, 1, "MTX2x4 from TEX1"), apart(3, 1, 2, "BUMP0 from TEXCOORD0")]
     );
-    // What the patents say, no one has to be told; also several lights over one base.
+    // Orders that the patents recommend need no note; nor do several lights over one base.
     assert!(advice(&[BASE, BUMP, bump("TEXCOORD2", "BUMP1", "TEXCOORD0")]).is_empty());
-    // In whatever order the calls come: a gap only counts in the end.
+    // The order of the calls doesn't matter: a gap counts only at the end.
     let [first, second, third, fourth] = bases;
     assert_eq!(advice(&[first, third, second, fourth]), advice(&bases));
     assert_eq!(gx(&[first, third]).problems(), 1);
@@ -279,7 +281,7 @@ fn a_gap_is_told_once_all_calls_are_made() {
     let message = "TEXCOORD1 is not set, and TEXCOORD3 is: number coordinates from 0 without a gap";
     assert_eq!(outcome.unfinished.as_ref().unwrap().to_string(), message);
     assert_eq!(outcome.problems(), 1);
-    // Its registers would say two coordinates, and hold words of the first and the fourth.
+    // Its registers would announce two coordinates, but hold words of the first and the fourth.
     assert!(outcome.registers.is_empty(), "{:?}", outcome.registers);
     let toml = format!("{}{}", set(&BASE), set(&above));
     let (code, stdout, _) = command(&toml, &[]);
@@ -290,7 +292,7 @@ fn a_gap_is_told_once_all_calls_are_made() {
         (&told["unfinished"], &told["registers"]),
         (&message.into(), &serde_json::json!([]))
     );
-    // Filled from above to below, nothing is left to tell.
+    // If all are filled, from the last to the first, there is nothing to report.
     let fill = |to| [to, "MTX2x4", "TEX1", "TEXMTX1"];
     assert_eq!(gx(&[above, fill("TEXCOORD2"), fill("TEXCOORD1"), BASE]).problems(), 0);
 }
@@ -320,8 +322,8 @@ fn all_generated() -> Vec<TexGen> {
 #[test]
 fn register_words_hold_every_legal_coordinate() {
     let all = all_generated();
-    // 2 matrices from 12 attributes at 3 rows, as no matrix starts at the last; 2 colours at 4; 8 lights
-    // over 7 coordinates with IDENTITY.
+    // 12 attributes with 2 matrix types at 3 rows, since no matrix starts at the last row; 2
+    // colours at 4 rows; 8 lights over 7 coordinates with IDENTITY.
     assert_eq!(all.len(), 2 * 12 * 3 + 2 * 4 + 8 * 7);
     for generated in all {
         assert_eq!(TexGen::unpack(generated.pack(), generated.matrix()), Ok(generated));
@@ -417,7 +419,7 @@ proptest! {
         }
     }
 
-    /// Whatever is set, in whatever order: all rules hold over what stands.
+    /// For any calls in any order, all rules hold for the result.
     #[test]
     fn no_order_of_calls_leaves_a_broken_rule(
         calls in proptest::collection::vec((0..8_u8, 0..4_usize, 0..8_u8, 0..7_u8), 0..40)
@@ -463,7 +465,7 @@ fn nv_limits(limits: &str, calls: &str) -> Outcome {
     run(&format!("[limits]\n{limits}\n{}", calls.collect::<String>()))
 }
 
-/// All that is needed for a defined result in unit 1.
+/// All conditions of a defined result in unit 1.
 const DEFINED: &str = "
     ActiveTexture texture=TEXTURE1
     TexGen coord=S pname=TEXTURE_GEN_MODE param=EMBOSS_MAP_NV
@@ -498,7 +500,7 @@ fn a_texture_unit_with_all_conditions_met_configures_the_emboss_unit() {
     assert_eq!(outcome.emboss[0].to_string(), told);
     let third = DEFINED.replace("TEXTURE1", "TEXTURE3");
     assert_eq!(nv(&third).emboss[0].source, 2);
-    // Tokens by their numbers, as the extension lists them.
+    // Tokens by their numbers, as listed in the extension.
     let numbers = DEFINED.replace("EMBOSS_MAP_NV", "0x855F");
     assert_eq!(nv(&numbers).emboss, nv(DEFINED).emboss);
     // Floats too: the patent has TexGen{ifd}.
@@ -777,13 +779,13 @@ fn every_error_of_the_extension_has_its_message() {
         let code = message.starts_with("INVALID_ENUM").then_some("INVALID_ENUM");
         assert_eq!(refused.gl_error, code);
         assert_eq!(outcome.problems(), 1);
-        // Nothing has changed: what was defined before still is, to the same values.
+        // Nothing has changed: previously defined results are still defined, with the same values.
         let after = nv(&format!("{DEFINED}{before}{call}\n{odd}"));
         assert_eq!(after.emboss, nv(DEFINED).emboss, "{call}");
     }
 }
 
-/// Rules bind what the extension adds; the rest of OpenGL is kept as it was given, or passed on.
+/// The rules apply to what the extension adds. The rest of OpenGL is kept as given, or passed on.
 #[test]
 fn what_opengl_has_itself_is_kept_or_passed_on() {
     let plane = |call: &str, pname: &str, value: &str| {
@@ -794,7 +796,7 @@ fn what_opengl_has_itself_is_kept_or_passed_on() {
         assert_eq!(outcome.problems(), 0, "{toml}: {outcome:?}");
         outcome.events.into_iter().map(|event| event.outcome.unwrap()).collect()
     };
-    // Planes, by every entry point, on an even unit too.
+    // Planes, with every entry point, on an even unit too.
     for call in ["TexGen", "glTexGeniv", "TexGenfv", "glTexGendv"] {
         for pname in ["OBJECT_PLANE", "GL_EYE_PLANE"] {
             let toml = plane(call, pname, "params = [1, 0.5, 0, -2]");
@@ -802,7 +804,7 @@ fn what_opengl_has_itself_is_kept_or_passed_on() {
             assert_eq!(effects(&toml), [format!("unit 0: {name} of S = [1, 0.5, 0, -2]")]);
         }
     }
-    // `TexGen` alone says neither of one value nor of a pointer to four; glTexGenf does.
+    // `TexGen` alone implies neither one value nor a pointer to four; glTexGenf does.
     assert_eq!(
         effects(&plane("TexGen", "OBJECT_PLANE", "param = 1.0")),
         ["unit 0: OBJECT_PLANE of S = 1"]
@@ -833,7 +835,7 @@ fn what_opengl_has_itself_is_kept_or_passed_on() {
             assert_eq!(*told, format!("unit 0: EYE_PLANE of {coord} = {plane}"));
         }
     }
-    // What the extension adds, by the vector entry points.
+    // The extension's parameters, with the vector entry points.
     for (call, param) in [
         ("glTexGenfv", "params = [0.25]"),
         ("glTexGenfv", "param = 0.25"),
@@ -853,7 +855,7 @@ fn what_opengl_has_itself_is_kept_or_passed_on() {
             0
         );
     }
-    // Everything that can be enabled, where each unit has its own and where not.
+    // All capabilities, per unit and global.
     for (cap, unit) in [
         ("TEXTURE_2D", "unit 1: "),
         ("GL_TEXTURE_CUBE_MAP_ARB", "unit 1: "),
@@ -900,7 +902,7 @@ fn what_opengl_has_itself_is_kept_or_passed_on() {
         assert_eq!(effects(&format!("[[nv]]\ncall = \"{call}\"\n")), ["passed on"], "{call}");
     }
     assert!(Calls::parse("[[nv]]\ncall = \"UnMapBuffer\"\n", "c.toml".as_ref()).is_err());
-    // Other commands, with their arguments as they stand.
+    // Other commands, with their arguments unchanged.
     let toml = "[[nv]]\ncall = \"glLightfv\"\nlight = \"LIGHT0\"\npname = \"POSITION\"\nparams = [0, 0.5, 1, 0]\n\
                 [[nv]]\ncall = \"MultiTexCoord3fARB\"\ntarget = \"TEXTURE1\"\ns = 1\nt = 0\nr = 0\n\
                 [[nv]]\ncall = \"glMap2f\"\ntarget = \"MAP2_TEXTURE_COORD_3\"\n\
@@ -917,15 +919,15 @@ fn what_opengl_has_itself_is_kept_or_passed_on() {
         "glFlush()",
     ];
     assert_eq!(calls, told);
-    // What might change what is judged says so.
+    // Commands that could change the judged state say so.
     let attrib = effects("[[nv]]\ncall = \"glPopAttrib\"\n");
     assert_eq!(attrib, ["passed on; what it does to the state that is judged here isn't followed"]);
-    // Nothing of it changes what is judged.
+    // None of these change the judged state.
     let between = "Enable cap=TEXTURE_2D\nTexGen coord=S pname=EYE_PLANE param=1\nglFlush\n";
     assert_eq!(nv(&format!("{DEFINED}{between}")).emboss, nv(DEFINED).emboss);
 }
 
-/// A configuration is one that the unit takes, word by word.
+/// The unit accepts every reported configuration, for all words.
 #[test]
 fn the_unit_takes_every_configuration_that_is_told() {
     let with = |ks: &str, kt: &str| {
@@ -975,7 +977,8 @@ fn the_unit_takes_every_configuration_that_is_told() {
     );
 }
 
-/// A long file takes time in proportion to its length, and a longer one than is legal none.
+/// Reading a long file takes time proportional to its length; a file over the limit is refused at
+/// once.
 #[test]
 fn long_files_are_read_in_proportion_or_refused() {
     let seconds = |calls: usize| {
@@ -987,14 +990,14 @@ fn long_files_are_read_in_proportion_or_refused() {
         start.elapsed().as_secs_f64()
     };
     let (short, long) = (seconds(4_000), seconds(40_000));
-    // Ten times as many, not a hundred times; with room for a busy machine.
+    // Ten times as many calls, not a hundred times the time; with a margin for a busy machine.
     assert!(long < 40.0 * short.max(0.1), "{short} s, {long} s");
     let (code, _, stderr) = command(&format!("{}#{}", set(&BASE), "x".repeat(16 << 20)), &[]);
     assert_eq!(code, 2);
     assert_eq!(stderr, "error: calls.toml: is larger than the maximum of 16777216 bytes\n");
 }
 
-/// Neither a call, nor what it did, nor a configuration is hundreds of digits long.
+/// Neither a call, nor its effect, nor a configuration is hundreds of digits long.
 #[test]
 fn extreme_constants_are_told_in_scientific_form() {
     for (param, told) in [
@@ -1078,12 +1081,12 @@ fn every_condition_of_an_undefined_result_is_told() {
         let of: String = undefined.coords.iter().map(|coord| format!("{coord:?}")).collect();
         assert_eq!((undefined.unit, of.as_str()), (1, coords));
     }
-    // The state of one unit is not that of another, and a unit without the mode has no conditions.
+    // Each unit has its own state, and a unit without the mode has no conditions.
     let other = nv(&format!("{DEFINED}ActiveTexture texture=TEXTURE3\nEnable cap=TEXTURE_GEN_S"));
     assert_eq!((other.emboss.len(), other.problems()), (1, 0));
 }
 
-/// Runs `fixpath texgen` over a text: exit code, standard output, standard error.
+/// Runs `fixpath texgen` on a text: exit code, standard output, standard error.
 fn command(toml: &str, arguments: &[&str]) -> (i32, String, String) {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("calls.toml"), toml).unwrap();
@@ -1265,7 +1268,7 @@ fn a_broken_rule_or_an_undefined_result_is_exit_code_2_with_all_else_told() {
     assert_eq!((code, told["problems"].as_u64()), (2, Some(1)));
     assert_eq!(told["undefined"][0]["conditions"].as_array().unwrap().len(), 9);
     assert!(told["emboss"].as_array().unwrap().is_empty());
-    // Names come from the file: no terminal obeys them.
+    // Names from the file are escaped: no terminal obeys them.
     let escape = set(&["TEXCOORD0", "\\u001b[2J", "TEX0", "IDENTITY"]);
     assert!(!command(&escape, &[]).1.contains('\u{1b}'));
 }

@@ -1,4 +1,4 @@
-//! The sampler and the combiner: every word at small widths, against whole numbers.
+//! The sampler and the combiner: every word at small widths, against integer arithmetic.
 
 use fixpath::measure::{BoundCheck, Inputs, hard_verdicts, measure};
 use fixpath::sim::batch::Program;
@@ -13,7 +13,7 @@ fn set(pairs: &[(&str, &dyn std::fmt::Display)]) -> Vec<String> {
     pairs.iter().map(|(key, value)| format!("{key}={value}")).collect()
 }
 
-/// Output words by port of some input words.
+/// Output words of each port for some input words.
 fn run(design: &Design, inputs: &[Vec<i64>]) -> BTreeMap<String, Vec<i64>> {
     let outputs = design.netlist.outputs();
     let nodes: Vec<_> = outputs.iter().map(|output| output.node).collect();
@@ -24,7 +24,7 @@ fn run(design: &Design, inputs: &[Vec<i64>]) -> BTreeMap<String, Vec<i64>> {
     outputs.iter().map(|output| output.name.clone()).zip(words).collect()
 }
 
-/// Every word of both coordinates, negative ones and the last among them.
+/// Every word of both coordinates, including negative ones and the last.
 #[test]
 fn the_sampler_is_right_for_every_word() {
     for (int_bits, frac_bits, log2, fraction_bits) in
@@ -33,7 +33,7 @@ fn the_sampler_is_right_for_every_word() {
         for (filter, address) in
             [("nearest", "wrap"), ("nearest", "clamp"), ("bilinear", "wrap"), ("bilinear", "clamp")]
         {
-            // The other axis the other way round, and larger.
+            // The other axis in reverse order, with a larger map.
             let other = if address == "wrap" { "clamp" } else { "wrap" };
             let design = design(
                 "sampler",
@@ -62,7 +62,7 @@ fn the_sampler_is_right_for_every_word() {
                     _ => index.clamp(0, side - 1),
                 };
                 for (at, word) in words.iter().enumerate() {
-                    // s · side = word · 2^(log2 - frac_bits), in halves of texels times 2^frac_bits.
+                    // s · side = word · 2^(log2 - frac_bits), in half texels times 2^frac_bits.
                     let halves = 2 * word * side;
                     let half_texels = 1i64 << (frac_bits + 1);
                     let context = format!("{filter} {address} {word} of {frac_bits} bits");
@@ -82,7 +82,8 @@ fn the_sampler_is_right_for_every_word() {
     }
 }
 
-/// On a centre a sample is its texel; between two, half of each; on the map's end, what the mode says.
+/// On a centre a sample is its texel; halfway between two, half of each; at the map's end, as the
+/// address mode says.
 #[test]
 fn texel_centres_are_at_halves() {
     for (address, outside) in [("wrap", 7), ("clamp", 0)] {
@@ -99,7 +100,7 @@ fn texel_centres_are_at_halves() {
     }
 }
 
-/// Every word of texels, fractions and channels, against whole numbers.
+/// Every word of texels, fractions and channels, against integer arithmetic.
 #[test]
 fn the_combiner_is_right_for_every_word() {
     let (toward, away) = ("undisplaced-displaced", "displaced-undisplaced");
@@ -142,7 +143,7 @@ fn the_combiner_is_right_for_every_word() {
             let port = (0..formats.len()).find(|at| netlist.input_name(*at) == name);
             columns[port.unwrap_or_else(|| panic!("no port {name}"))][row]
         };
-        // Heights in 2^-2f codes: weights are products of whole parts.
+        // Heights in units of 2^-2f codes: weights are products of integers.
         let one = 1i64 << fraction_bits;
         let height = |name: &str, row: usize| {
             if filter == "nearest" {
@@ -163,7 +164,7 @@ fn the_combiner_is_right_for_every_word() {
                 (0..lights).map(|n| height("h", row) - height(&format!("d{n}"), row)).sum();
             let relief = if difference == away { -relief } else { relief };
             for channel in ["r", "g", "b"] {
-                // In codes / (4 · 2^2f), so that a gain of a quarter is whole.
+                // In units of codes / (4 · 2^2f), so that a gain of a quarter is an integer.
                 let unit = 4 * one * one;
                 let sum = at(channel, row) * unit
                     + if gain_log2 < 0 {
@@ -178,12 +179,12 @@ fn the_combiner_is_right_for_every_word() {
                 assert_eq!(is[row], rounded.clamp(0, most), "{filter} {gain_log2} row {row}");
             }
         }
-        // Both sides of the clamp, but for a gain that makes differences too small.
+        // Both sides of the clamp, unless the gain makes differences too small.
         assert!(gain_log2 < 0 || low > 0 && high > 0, "{filter} {gain_log2}: {low} {high}");
     }
 }
 
-/// The lights' samples are told apart, and so are column and row.
+/// The samples of the lights are distinguished, and so are column and row.
 #[test]
 fn ports_mean_what_they_say() {
     let design = design("combine", &set(&[("lights", &8)]));
@@ -203,12 +204,13 @@ fn ports_mean_what_they_say() {
         let out = run(&design, &word(&[(&texel, 100), (&other, 64), ("r", 200)]));
         assert_eq!(out["out_r"][0], 200, "10 is the next column of the first row");
     }
-    // Every light takes its own from the one undisplaced sample.
+    // Each light's sample is subtracted from the one undisplaced sample.
     let out = run(&design, &word(&[("h_01", 12), ("h_b", 128), ("b", 20)]));
     assert_eq!(out["out_b"][0], 20 + 8 * 6);
 }
 
-/// Stated bounds hold over random words and the whole hard-case list, at the ends of every parameter.
+/// Stated bounds hold over random words and the whole hard-case list, at the ends of every
+/// parameter.
 #[test]
 fn bounds_hold() {
     let mut settings: Vec<(&str, Vec<String>)> = Vec::new();
@@ -270,7 +272,7 @@ fn bounds_hold() {
     }
 }
 
-/// The bound of the defaults is no wild guess: the worst inputs come near.
+/// The bound at the defaults is tight: the worst inputs come near it.
 #[test]
 fn the_combiner_comes_near_its_bound() {
     let design = design("combine", &[]);

@@ -1,5 +1,6 @@
-//! Tangent-space set-up of whole scenes: bumps the right way out on mirrored halves, errors told apart, vertices
-//! shared, frames fed to other pipelines, and the standard tangent generator as an outside judge.
+//! Tangent-space set-up of whole scenes: bumps are the right way out on mirrored halves, errors are
+//! separated, vertices are shared, frames feed other pipelines, and the standard tangent generator
+//! serves as an independent reference.
 
 use crate::common::fixpath;
 use crate::readme::is_told;
@@ -40,7 +41,7 @@ fn small(name: &str, side: u32) -> Scene {
     scene
 }
 
-/// Where a pixel of the scene `mirrored` looks: orthographic from above, 2.1 high.
+/// The point of the scene `mirrored` that a pixel sees: orthographic from above, 2.1 high.
 fn place(scene: &Scene, pixel: usize) -> Option<(f64, f64)> {
     let (width, height) = (scene.image.width as usize, scene.image.height as usize);
     let x = ((pixel % width) as f64 + 0.5) / width as f64 * 2.0 - 1.0;
@@ -49,8 +50,8 @@ fn place(scene: &Scene, pixel: usize) -> Option<(f64, f64)> {
     (x.abs() < 0.99 && y.abs() < 0.99).then_some((x, y))
 }
 
-/// Light on the dome of `mirrored` at (x, y), in green: from its formula and the height map, with the surface's own
-/// derivatives along u and v; `relief` 0 leaves the bumps out.
+/// Green light on the dome of `mirrored` at (x, y), from its formula and the height map, with the
+/// surface's own derivatives along u and v; `relief` 0 leaves the bumps out.
 fn on_dome(scene: &Scene, x: f64, y: f64, relief: f64) -> f64 {
     let (zx, zy) = (-1.2 * x * (1.0 - y * y), -1.2 * y * (1.0 - x * x));
     let normal = DVec3::new(-zx, -zy, 1.0).normalize();
@@ -80,7 +81,8 @@ fn on_dome(scene: &Scene, x: f64, y: f64, relief: f64) -> f64 {
     (diffuse.min(1.0) * f64::from(texel) + specular).min(1.0)
 }
 
-/// How the relief of a picture goes with that of the heights, on the left half and on the right one.
+/// Correlation of a picture's relief with that of the heights, on the left half and on the right
+/// one.
 fn reliefs(scene: &Scene, picture: &Picture) -> [f64; 2] {
     let mut sums = [[0.0; 3]; 2];
     for (pixel, colour) in picture.pixels().iter().enumerate() {
@@ -95,7 +97,7 @@ fn reliefs(scene: &Scene, picture: &Picture) -> [f64; 2] {
     sums.map(|[both, is, should]| both / (is * should).sqrt())
 }
 
-/// The part of pixels that a picture's image in the mirror x = 0 differs in from another picture.
+/// The fraction of pixels in which a picture, mirrored at x = 0, differs from another picture.
 fn mirrored_apart(a: &Picture, b: &Picture) -> f64 {
     let width = a.width_px();
     let differ = |row: usize, column: usize| {
@@ -108,12 +110,13 @@ fn mirrored_apart(a: &Picture, b: &Picture) -> f64 {
     count.filter(|(row, column)| differ(*row, *column)).count() as f64 / a.pixels().len() as f64
 }
 
-/// Both halves of the dome have the same texture, mirrored on the left: by handedness its bumps stand out on both, and
-/// the picture under a mirrored light is the mirrored picture. By the patent's rule, and without any, the left half is
-/// wrong.
+/// Both halves of the dome have the same texture, mirrored on the left. With `mirror=handed` its
+/// bumps stand out on both halves, and the picture under a mirrored light is the mirrored picture.
+/// With the patent's rule, and without any, the left half is wrong.
 #[test]
 fn bumps_stand_out_on_both_halves() {
-    // A side at which no pixel is on the border of a texel: on one, a picture and its image in a mirror see either side.
+    // At this size no pixel is on the border of a texel, where a picture and its mirror image see
+    // different texels.
     let scene = small("mirrored", 194);
     let mut turned = scene.clone();
     let Place::Direction(light) = scene.lights[0].place else { panic!("a far light") };
@@ -128,7 +131,7 @@ fn bumps_stand_out_on_both_halves() {
             let [left, other] = reliefs(&scene, &a.picture);
             let apart = mirrored_apart(&a.picture, &b.picture);
             println!("{what}: {left:.4} {other:.4}, {apart:.5}");
-            // Facets shade by themselves, which is no relief.
+            // Facets add shading of their own, which isn't relief.
             let least = if a.pipeline.name == "tangent-smooth" { 0.99 } else { 0.9 };
             assert!(other > least, "{what}: {other}");
             assert_eq!(left > least, right, "{what}: {left}");
@@ -139,7 +142,8 @@ fn bumps_stand_out_on_both_halves() {
     }
 }
 
-/// Arithmetic is apart from the algorithm: words change only the first, triangles only the second.
+/// Arithmetic and algorithm errors are separate: word lengths change only the first, tessellation
+/// only the second.
 #[test]
 fn arithmetic_and_algorithm_are_told_apart() {
     let fine = [
@@ -166,7 +170,7 @@ fn arithmetic_and_algorithm_are_told_apart() {
         for ((coarse, usual), fine) in coarse.shots.iter().zip(&usual.shots).zip(&fine.shots) {
             let what = format!("{name} {}", coarse.pipeline.name);
             let flows = [coarse, usual, fine].map(|shot| &shot.setup.as_ref().unwrap().flow);
-            // Scales are powers of two, but other middles round otherwise.
+            // Scales are powers of two, but different centres round differently.
             for flow in flows {
                 assert!(differ(flow, flows[1]).mean < 1e-6, "{what}");
             }
@@ -177,7 +181,7 @@ fn arithmetic_and_algorithm_are_told_apart() {
             assert!(usual < 0.05, "{what}: {usual}");
         }
     }
-    // Of flat faces in far light, seen from far away, there is nothing to interpolate.
+    // With flat faces, distant light and a distant eye there is nothing to interpolate.
     let mut scene = small("cube", 96);
     scene.camera.projection = fixpath::scene::Projection::Orthographic { height: 4.0 };
     scene.lights =
@@ -185,10 +189,10 @@ fn arithmetic_and_algorithm_are_told_apart() {
     let rendered = set_up(&scene, &BOTH, &[]);
     for shot in &rendered.shots {
         let algorithm = differ(&shot.setup.as_ref().unwrap().flow, &rendered.golden);
-        // A place on a texel's border may be on its other side.
+        // A place on a texel's border may fall on its other side.
         assert!(algorithm.mean < 1e-5, "{}: {}", shot.pipeline.name, algorithm.mean);
     }
-    // A lamp beside a plane: with twice as many squares to a side, a quarter of the difference.
+    // A lamp beside a plane: with twice as many squares to a side, the difference is a quarter.
     let mut scene = small("plane", 96);
     scene.lights =
         vec![Light { place: Place::Position(DVec3::new(0.3, -0.4, 0.9)), intensity: 1.0 }];
@@ -205,8 +209,8 @@ fn arithmetic_and_algorithm_are_told_apart() {
     }
 }
 
-/// Meshes of the golden and of the flow have one arithmetic of texture coordinates: where every other pixel is on a
-/// border of texels, both see the same one.
+/// The meshes of the golden and of the flow compute texture coordinates with the same arithmetic:
+/// where every other pixel is on a border of texels, both see the same texel.
 #[test]
 fn texels_on_borders_are_those_of_the_golden() {
     let rendered = set_up(&small("mirrored", 192), &BOTH[..1], &[]);
@@ -216,8 +220,8 @@ fn texels_on_borders_are_those_of_the_golden() {
     assert!(algorithm < 1.0, "{algorithm}");
 }
 
-/// An object has words of its own scale: a small dome in front of a plane 20000 times as large is as near to its
-/// flow as alone, and so are frames.
+/// An object has words of its own scale: a small dome in front of a plane 20000 times as large is
+/// as near to its flow as it is alone, and so are its frames.
 #[test]
 fn a_small_object_beside_a_large_one_keeps_its_digits() {
     let text = |large: &str| {
@@ -242,7 +246,7 @@ fn a_small_object_beside_a_large_one_keeps_its_digits() {
         (arithmetic, frames, setup.position_step)
     });
     assert!(beside.0 < 1.0 && beside.1 < 2.0 * alone.1, "{alone:?} {beside:?}");
-    // Told is the coarsest.
+    // The report shows the coarsest step.
     assert!(beside.2 > 1e3 * alone.2, "{alone:?} {beside:?}");
 }
 
@@ -257,7 +261,7 @@ fn sheet() -> Sheet {
             let (x, y) = (f64::from(i) / 5.0 - 1.0, f64::from(j) / 4.0 - 1.0);
             let point = DVec3::new(x, y, 0.2 * (2.0 * x).sin() * y.cos());
             let (zx, zy) = (0.4 * (2.0 * x).cos() * y.cos(), -0.2 * (2.0 * x).sin() * y.sin());
-            // A texture that is turned and askew.
+            // A rotated and skewed texture.
             let uv = DVec2::new(0.3 * x + 0.2 * y, 0.1 * x - 0.4 * y) + 0.5;
             vertices.push((point, DVec3::new(-zx, -zy, 1.0).normalize(), uv));
         }
@@ -279,7 +283,7 @@ fn sheet() -> Sheet {
 
 const SHEET_SCENE: &str = "[image]\nwidth = 96\nheight = 96\n[camera]\neye = [1, -1.5, 3.5]\nfov_degrees = 36\n[[light]]\nkind = \"point\"\nposition = [-1, 1, 2]\n[texture]\nsource = \"wood\"\nwidth = 64\nheight = 64\n[height]\nsource = \"wood\"\nwidth = 64\nheight = 64\nscale = 3\n[[object]]\nshape = \"mesh\"\nfile = \"sheet.gltf\"\n";
 
-/// Strips and fans give the picture of the list, at the vertex operations that sharing leaves.
+/// Strips and fans give the picture of the list, with the vertex operations that sharing leaves.
 #[test]
 fn strips_and_fans_are_set_up_as_lists() {
     let folder = tempfile::tempdir().unwrap();
@@ -289,12 +293,13 @@ fn strips_and_fans_are_set_up_as_lists() {
         Scene::parse(SHEET_SCENE, &folder.path().join("scene.toml")).unwrap()
     };
     let by_list = set_up(&scene(&gltf_of(&vertices, &[(4, Some(&list))])), &BOTH, &[]);
-    // A fan about the first vertex of the last row's first square, as one more draw: it is the strip's square again.
+    // A fan about the first vertex of the last row's first square, as one more draw: it repeats a
+    // square of the strip.
     let fan = [0u16, 1, 12, 11];
     let strip_scene = scene(&gltf_of(&vertices, &[(5, Some(&strip)), (6, Some(&fan))]));
     let by_strip = set_up(&strip_scene, &BOTH, &[]);
     for (a, b) in by_list.shots.iter().zip(&by_strip.shots) {
-        // Other corners come first, so words round otherwise.
+        // Other corners come first, so words round differently.
         let apart = differ(&a.picture, &b.picture);
         assert!(apart.max.difference < 0.01, "{}: {}", a.pipeline.name, apart.max.difference);
         let algorithm = differ(&b.setup.as_ref().unwrap().flow, &by_strip.golden);
@@ -305,7 +310,7 @@ fn strips_and_fans_are_set_up_as_lists() {
         assert_eq!(sharing.indices, (strip.len() + fan.len()) as u64);
         assert_eq!((sharing.stitches, sharing.bytes), (28, 99 * 32 + 4 * sharing.indices));
     }
-    // Told, as text and as JSON.
+    // Reported as text and as JSON.
     fs::write(folder.path().join("scene.toml"), SHEET_SCENE).unwrap();
     let run = |more: &[&str]| {
         let mut command = fixpath();
@@ -342,9 +347,7 @@ fn strips_and_fans_are_set_up_as_lists() {
     }
 }
 
-/// The polar and the Cartesian pipeline on frames of the set-up: as near to the golden as on frames in floating
-/// point, mirrored or not; and the patent's rule for mirrored textures is seen through them.
-/// An octahedron without normals, and with texture coordinates if they are asked for.
+/// An octahedron without normals, with texture coordinates on request.
 fn octahedron(uvs: bool) -> (tempfile::TempDir, Result<Scene, fixpath::error::Error>) {
     let folder = tempfile::tempdir().unwrap();
     let mut text = "v 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\n".to_owned();
@@ -363,8 +366,8 @@ fn octahedron(uvs: bool) -> (tempfile::TempDir, Result<Scene, fixpath::error::Er
     (folder, scene)
 }
 
-/// Without normals `tangent-faceted` alone shows facets of shared vertices; where another pipeline needs normals at
-/// vertices, all are held against the smooth surface.
+/// Without normals, `tangent-faceted` alone shows facets of shared vertices. If another pipeline
+/// needs vertex normals, all are compared with the smooth surface.
 #[test]
 fn a_mesh_without_normals_is_faceted_where_nothing_needs_them() {
     let (_folder, scene) = octahedron(true);
@@ -376,7 +379,7 @@ fn a_mesh_without_normals_is_faceted_where_nothing_needs_them() {
         4 * 2 + 2,
         "each point with each of its texture coordinates"
     );
-    // Three faces are seen, each lit evenly: but for the highlight, as many colours.
+    // Three faces are visible, each lit evenly: except for the highlight, there are three colours.
     let mut codes = alone.golden.to_srgb8().codes().to_vec();
     codes.sort_unstable();
     codes.dedup();
@@ -386,7 +389,7 @@ fn a_mesh_without_normals_is_faceted_where_nothing_needs_them() {
     codes.sort_unstable();
     codes.dedup();
     assert!(faceted < codes.len(), "{faceted} {}", codes.len());
-    // The flow of facets is the same, whatever it is held against.
+    // The flow of facets is the same for either reference.
     assert_eq!(alone.shots[0].picture.pixels(), both.shots[1].picture.pixels());
     let algorithm = |shot: &fixpath::render::Shot, golden| {
         differ(&shot.setup.as_ref().unwrap().flow, golden).max.difference
@@ -417,6 +420,8 @@ fn a_set_up_without_texture_coordinates_is_refused() {
     assert!(differ(&shaded.shots[0].picture, &shaded.golden).mean < 0.01);
 }
 
+/// The polar and the Cartesian pipeline on frames of the set-up are as near to the golden as on
+/// floating-point frames, mirrored or not. The patent's rule for mirrored textures shows through.
 #[test]
 fn other_pipelines_take_frames_of_the_set_up() {
     let folder = tempfile::tempdir().unwrap();
@@ -452,7 +457,7 @@ fn other_pipelines_take_frames_of_the_set_up() {
     }
 }
 
-/// A mesh as the standard generator reads it.
+/// A mesh in the form that the standard generator reads.
 struct Given<'a> {
     vertices: &'a [SharedVertex],
     triangles: &'a [[u32; 3]],
@@ -498,7 +503,7 @@ fn standard(vertices: &[SharedVertex], triangles: &[[u32; 3]]) -> Vec<[Option<Ta
     given.tangents
 }
 
-/// What the unit makes of a corner: T, whether N × T is B, and whether it has no frame.
+/// The unit's result for a corner: T, whether N × T is B, and whether it has no frame.
 #[derive(Clone, Copy)]
 struct Corner {
     tangent: DVec3,
@@ -506,7 +511,7 @@ struct Corner {
     degenerate: bool,
 }
 
-/// The unit's words at rows of input words.
+/// The unit's words for rows of input words.
 fn bit_true(design: &Design, rows: &[Vec<i64>]) -> Vec<Corner> {
     let netlist = &design.netlist;
     let nodes: Vec<_> = netlist.outputs().iter().map(|output| output.node).collect();
@@ -552,12 +557,13 @@ fn triangle(design: &Design, row: &[i64]) -> [SharedVertex; 3] {
     })
 }
 
-/// On a triangle alone nothing is averaged, so the standard generator's tangent is the patent's, at right angles to N
-/// as `basis=orthonormal` has it, up to words and to its own `f32`. With a unit roundoff u = 2^-24, words are exact
-/// in `f32`, and so are edges. `dv2 e1 - dv1 e2` has two rounded products and their rounded difference, so an error of
-/// 2.1 u (|dv2| |e1| + |dv1| |e2|); `T - N (N·T)` and three normalisations take 24 u of |T|; both count more, the
-/// shorter the part of T across N is. That its N, of words, isn't of length 1 leaves of T a part
-/// (1 - |N|²) (N·T) along N. The unit's T is off by its stated bound.
+/// On a single triangle nothing is averaged. So the standard generator's tangent is the patent's,
+/// at right angles to N as with `basis=orthonormal`, up to the words and its own `f32`. The unit
+/// roundoff is u = 2^-24. Words are exact in `f32`, and so are edges. `dv2 e1 - dv1 e2` has two
+/// rounded products and a rounded difference: an error of 2.1 u (|dv2| |e1| + |dv1| |e2|).
+/// `T - N (N·T)` and three normalisations take 24 u of |T|. Both count more, the shorter the part
+/// of T across N is. As its N, from words, doesn't have length 1, a part (1 - |N|²) (N·T) of T
+/// along N remains. The unit's T is off by its stated bound.
 #[test]
 fn lone_triangles_have_the_standard_tangent() {
     let design = Unit::find("tangent").unwrap().values::<&str>(&[]).unwrap().build().unwrap();
@@ -603,11 +609,12 @@ fn lone_triangles_have_the_standard_tangent() {
     }
 }
 
-/// On meshes handedness is that of the standard generator on every triangle. Its tangents are averaged per corner, over
-/// triangles that share vertex and handedness, each put at right angles to N and weighted by the corner's
-/// angle; the patent has one for each triangle. So its tangent is no farther from ours than ours of any of those
-/// triangles are from each other (a cone of less than half a turn holds every mean of vectors in it), and on a plane,
-/// where all are one, both agree. (On the sphere triangles at a pole meet in a fan, each with a tangent of its own.)
+/// On meshes, handedness equals that of the standard generator on every triangle. Its tangents are
+/// averaged per corner over triangles that share vertex and handedness, each made orthogonal to N
+/// and weighted by the corner's angle. The patent has one tangent per triangle. So its tangent is
+/// no farther from ours than ours are from each other among those triangles: a cone of less than
+/// half a turn contains every mean of vectors in it. On a plane there is only one tangent, and both
+/// agree. On the sphere, triangles at a pole meet in a fan, each with its own tangent.
 #[test]
 fn meshes_have_the_standard_handedness() {
     let set = ["position_int_bits=2", "position_frac_bits=18", "uv_int_bits=3", "uv_frac_bits=17"];
@@ -658,7 +665,7 @@ fn meshes_have_the_standard_handedness() {
             vertices[triangles[at / 3][at % 3] as usize] = triangle(&design, row)[at % 3];
         }
         let spaces = standard(&vertices, triangles);
-        // Corners by what the generator welds.
+        // Corners grouped as the generator welds them.
         let key = |at: usize| {
             let v = &vertices[triangles[at / 3][at % 3] as usize];
             let bits = |x: f64| (x as f32).to_bits();
@@ -683,7 +690,8 @@ fn meshes_have_the_standard_handedness() {
             let cone = others
                 .map(|other| corner.tangent.angle_between(corners[*other].tangent))
                 .fold(0.0, f64::max);
-            // Both ends of the cone are words; f32 is finer, but for N of words, which isn't of length 1.
+            // Both ends of the cone are words. f32 is finer, except for N from words, whose length
+            // isn't 1.
             let tolerance = 3.0 * stated + 2f64.powi(-13);
             assert!(angle <= cone + tolerance, "{name} {at}: {angle} > {cone} + {tolerance}");
             if ["plane", "cube"].contains(&name) {

@@ -1,4 +1,5 @@
-//! Parameters of all units together: what is refused, and whether its remedy is one.
+//! Parameters of all units together: which values are refused, and whether the suggested remedy
+//! works.
 
 use fixpath::format::{Format, Overflow, Round};
 use fixpath::function::Function;
@@ -15,7 +16,7 @@ use rand_core::{RngCore, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use std::sync::Mutex;
 
-/// A legal value of a parameter; tables stay small, so that builds take no time.
+/// A legal value of a parameter; tables stay small, so that builds are fast.
 fn legal(param: &Param, random: &mut Pcg64Mcg) -> String {
     let mut below = |n: u64| random.next_u64() % n;
     match &param.kind {
@@ -33,7 +34,7 @@ fn legal(param: &Param, random: &mut Pcg64Mcg) -> String {
     }
 }
 
-/// Names between back ticks after the verb.
+/// Names between backticks after the verb.
 fn named(message: &str, verb: &str) -> Vec<String> {
     let Some((_, rest)) = message.split_once(&format!(": {verb} `")) else { return Vec::new() };
     rest.trim_end_matches('`').split("` or `").map(str::to_owned).collect()
@@ -45,7 +46,7 @@ fn cure(unit: &Unit, mut values: Values) {
     while let Err(error) = values.build() {
         let message = error.to_string();
         if !message.contains(" needs ") {
-            // Values that don't go together name a parameter and the legal ones.
+            // Values that don't go together name a parameter and its legal values.
             assert!(message.starts_with("parameter `"), "{}: {message}", unit.name);
             return;
         }
@@ -122,7 +123,7 @@ fn every_parameter_has_a_role_that_fits_its_kind_and_its_name() {
                 Role::Timing | Role::Sharing => !matches!(param.kind, Kind::Real { .. }),
             };
             assert!(fits, "{context}: {:?}", param.kind);
-            // Names are for people, who go by these ends.
+            // Names follow these suffixes, which people rely on.
             let by_name = match param.name.as_str() {
                 name if name.ends_with("_addr_bits") => Some(Role::TableSize),
                 name if name.ends_with("_bits") => Some(Role::Width),
@@ -134,7 +135,8 @@ fn every_parameter_has_a_role_that_fits_its_kind_and_its_name() {
             assert!(by_name.is_some() || !spelled.contains(&param.role), "{context}");
             assert!(by_name.is_none_or(|role| role == param.role), "{context}");
         }
-        // One parameter at most says which datapath it is, and each part of a formula is one.
+        // At most one parameter selects the datapath, and each part of the reflection formula has
+        // one parameter.
         let variants = |param: &&Param| matches!(param.role, Role::Variant | Role::Pipeline);
         assert!(unit.params.iter().filter(variants).count() <= 1, "{}", unit.name);
         let count = |role| unit.all_params().filter(|param| param.role == role).count();
@@ -166,13 +168,13 @@ fn the_units_that_shade_take_fragments_and_give_light() {
     }
 }
 
-/// A unit whose parameters aren't named as those of others are.
+/// A unit whose parameters have unusual names.
 fn odd() -> Unit {
     Unit::new("odd", "")
         .param(Param::bits("breadth", 2..=12).default(12))
         .param(Param::int("only_told_bits", 0..=99).role(Role::Label).default(99))
         .design(|values| {
-            assert_eq!(values.int("only_told_bits"), Some(99), "told alone, it is no width");
+            assert_eq!(values.int("only_told_bits"), Some(99), "a label isn't a width");
             let mut b = Builder::new("odd");
             let format = Format::unsigned(values.bits("breadth"), 0)?;
             let input = b.input("a", format, Quantity::Number);
@@ -193,7 +195,8 @@ fn a_proof_shrinks_widths_whatever_they_are_called() {
     assert_eq!(proofs.len(), 2);
 }
 
-/// Values of a parameter to sweep, as it reads them: names, ends of ranges and something between. Tables stay small.
+/// Values of a parameter to sweep, as text: names, ends of ranges and values in between. Tables
+/// stay small.
 fn some_values(param: &Param) -> Vec<String> {
     match &param.kind {
         Kind::Choice(names) => names.iter().map(ToString::to_string).collect(),
@@ -210,7 +213,8 @@ fn some_values(param: &Param) -> Vec<String> {
     }
 }
 
-/// Points of a sweep over a parameter: how many, and those whose figures aren't those that they have alone.
+/// Points of a sweep over a parameter: their number, and those whose figures differ from the ones
+/// that they have alone.
 fn apart(unit: &Unit, setting: &[String], param: &Param) -> (usize, Vec<String>) {
     let inputs = Inputs { sampler: Sampler::Lit, samples: 300, seed: 5 };
     let design = |value: String| {
@@ -224,7 +228,7 @@ fn apart(unit: &Unit, setting: &[String], param: &Param) -> (usize, Vec<String>)
     let Ok(together) = together else { return (0, Vec::new()) };
     let pairs = designs.iter().zip(&together).filter(|(design, together)| {
         let alone = measure(&[*design], &inputs, &|_| ()).unwrap().remove(0);
-        // As text, in which a NaN is like another.
+        // Compared as text, in which NaNs are equal.
         format!("{:?}", together.figures) != format!("{:?}", alone.figures)
     });
     let told =
@@ -232,7 +236,7 @@ fn apart(unit: &Unit, setting: &[String], param: &Param) -> (usize, Vec<String>)
     (designs.len(), told.collect())
 }
 
-/// Where points share inputs and golden values, each has the figures that it has alone.
+/// Points that share inputs and golden values have the figures that they have alone.
 #[test]
 fn a_sweep_over_any_parameter_gives_each_point_what_it_has_alone() {
     let mut compared = 0;
@@ -245,7 +249,7 @@ fn a_sweep_over_any_parameter_gives_each_point_what_it_has_alone() {
         });
         for setting in settings {
             for param in &unit.params {
-                // What tells variants apart is swept by itself.
+                // The parameter that selects the variant is swept by itself.
                 let setting = if is_variant(&param) { &[] } else { &setting[..] };
                 let (points, apart) = apart(unit, setting, param);
                 assert!(apart.is_empty(), "{} {setting:?}: {apart:?}", unit.name);
@@ -256,7 +260,8 @@ fn a_sweep_over_any_parameter_gives_each_point_what_it_has_alone() {
     assert!(compared > 1000, "{compared}");
 }
 
-/// The comparison above sees where a golden knows a parameter that it wasn't seen to read.
+/// The comparison above detects a golden that depends on a parameter without reading it through
+/// `Values`.
 #[test]
 fn a_read_that_is_not_noted_shows() {
     static K: Mutex<f64> = Mutex::new(0.0);
@@ -275,7 +280,7 @@ fn a_read_that_is_not_noted_shows() {
     assert_eq!((points, apart), (3, vec!["k=1".to_owned(), "k=4".to_owned()]));
 }
 
-/// A golden that captures something of the design may depend on any parameter.
+/// A golden that captures a part of the design may depend on any parameter.
 #[test]
 fn a_golden_that_captures_shares_nothing() {
     let unit = Unit::new("scaled", "").param(Param::real("k", 0.0..=4.0)).design(|p| {
@@ -292,7 +297,7 @@ fn a_golden_that_captures_shares_nothing() {
     assert_eq!([max(0), max(1)], [0.0, 8.0]);
 }
 
-/// The message that a unit is refused with.
+/// The message with which a unit is refused.
 fn refused(unit: &Unit) -> String {
     unit.defaults().build().unwrap_err().to_string()
 }
@@ -477,8 +482,8 @@ fn what_is_read_and_not_there_is_an_error() {
     );
 }
 
-/// Formats by name, of any sort: a design or an error, no panic; the engines agree on what is built; and a name that
-/// isn't there is refused with the nearest.
+/// Formats by name, of any kind: a design or an error, no panic. The engines agree on every built
+/// design, and an unknown name is refused with the nearest one.
 #[test]
 fn formats_of_nodes_are_taken_or_refused() {
     let formats = [
@@ -541,7 +546,7 @@ fn schemes_of_tables_are_taken_or_refused() {
         }
     }
     assert!(built > 30, "{built}");
-    // Every table by its name is what the parameter says of all.
+    // Setting every table by name equals setting the parameter for all.
     for scheme in ["linear", "bipartite"] {
         let kim = Unit::find("kim").unwrap();
         let all = ["sincos", "recip", "atan"].map(|table| format!("scheme.{table}={scheme}"));
@@ -587,7 +592,7 @@ fn schemes_of_tables_are_taken_or_refused() {
     );
 }
 
-/// A recipe that starts with a builder of its own can't know what was set by name, and says so.
+/// A recipe that starts with its own builder can't know formats set by name, and reports that.
 #[test]
 fn a_builder_of_its_own_takes_nothing_by_name() {
     let own = |p: &Values, mut b: Builder| {
@@ -627,7 +632,7 @@ fn design_error(unit: &str, set: &str) -> String {
     values.and_then(|values| values.build().map(|_| ())).unwrap_err().to_string()
 }
 
-/// With a format by name the golden stays, errors follow, and every text says so.
+/// With a format set by name the golden stays, errors grow, and every report mentions the format.
 #[test]
 fn a_coarser_node_is_worse_and_is_told() {
     let design =
@@ -643,7 +648,8 @@ fn a_coarser_node_is_worse_and_is_told() {
     assert!(matches!(&coarse.bounds, Bounds::Unstated(_)));
 }
 
-/// A netlist's file in place of a unit: its words are the unit's, its total error is its arithmetic error.
+/// A netlist file in place of a unit: its words are the unit's, and its total error is its
+/// arithmetic error.
 #[test]
 fn a_netlist_stands_for_a_unit() {
     let netlist = Unit::find("rotation")
@@ -664,7 +670,7 @@ fn a_netlist_stands_for_a_unit() {
         assert_eq!(total.max, report.figures(port, Basis::Arithmetic).max, "{port}");
         assert_eq!(report.figures(port, Basis::Algorithm).max, 0.0, "{port}");
     }
-    // Angles are compared modulo a turn: next to 0 is next to 1.
+    // Angles are compared modulo a turn: a value next to 0 is also next to 1.
     assert!(report.figures("phi", Basis::Total).max < 0.5);
     assert!(report.figures("theta", Basis::Total).max < 1e-3);
 }

@@ -1,4 +1,4 @@
-//! Units in outside simulators, at what is committed and at random parameters.
+//! Units in external simulators, at the committed settings and at random parameters.
 
 use crate::committed::COMMITTED;
 use crate::common;
@@ -13,15 +13,16 @@ use serde_json::json;
 use std::collections::BTreeSet;
 use std::time::Duration;
 
-/// What a design is put through.
+/// How thoroughly a design is checked.
 #[derive(Clone, Copy)]
 enum Effort {
-    /// Every tool: 10^6 random vectors in Verilator, 10^3 in Icarus and GHDL; recorded, 10^4 in those
-    /// and the proof by Yosys.
+    /// Every tool: 10^6 random vectors in Verilator, 10^3 in Icarus and GHDL. Recorded: 10^4 in the
+    /// latter two, and the proof by Yosys.
     Long,
-    /// As that, with 10^5 in Verilator.
+    /// As [`Effort::Long`], with 10^5 vectors in Verilator.
     Normal,
-    /// 10^5 in Verilator, 10^3 in Icarus and GHDL: what is built differs, how it is driven doesn't.
+    /// 10^5 in Verilator, 10^3 in Icarus and GHDL: for hardware that differs in structure, but not
+    /// in its interface.
     Brief,
 }
 
@@ -43,20 +44,20 @@ const PROVED: &[&str] = &[
     "emboss_printed",
 ];
 
-/// Random vectors for slow simulators in every run of the suite; more of them are recorded.
+/// Random vectors for slow simulators in every run of the suite; recorded runs have more.
 const BRIEF: u64 = 1_000;
 
-/// Some tools' runs of a design.
+/// A design's runs in some tools.
 struct Check {
     simulators: Vec<Simulator>,
     random: u64,
-    /// Longest proof; 0 for none.
+    /// Time limit of the proof; 0 for none.
     proof_seconds: u64,
     /// The name of its record, if it is slow.
     record: Option<String>,
 }
 
-/// What tools do with a design, which has the whole hard-case list each time.
+/// The tool runs for a design; each includes the whole hard-case list.
 fn checks(effort: Effort, context: &str) -> Vec<Check> {
     use Simulator::{Ghdl, Icarus, Verilator, Yosys};
     let check = |simulators: &[Simulator], random| Check {
@@ -72,8 +73,8 @@ fn checks(effort: Effort, context: &str) -> Vec<Check> {
             let record = Some(format!("{} {context}", simulator.name()));
             checks.push(Check { record, ..check(&[simulator], 10_000) });
         }
-        // A proof that doesn't end shows nothing: it isn't waited for where none is known to.
-        // Its record has another name, which stands for no proof.
+        // A proof that doesn't end shows nothing, so only settings with a known proof get a long
+        // limit. The others have a record with another name, which stands for no proof.
         let (proof_seconds, kind) =
             if PROVED.contains(&context) { (300, "proof") } else { (5, "search") };
         let record = Some(format!("{kind} {context}"));
@@ -84,7 +85,7 @@ fn checks(effort: Effort, context: &str) -> Vec<Check> {
     checks
 }
 
-/// All that the slow run of a check depends on.
+/// All inputs on which the slow run of a check depends.
 fn input_of(design: &Design, request: &Request) -> Vec<String> {
     let is_proof = request.simulators == [Simulator::Yosys];
     if is_proof {
@@ -122,7 +123,7 @@ fn agrees(design: &Design, tables: Option<Tables>, check: &Check, context: &str)
     let shown = match check.proof_seconds {
         0 => "agrees",
         _ if is_due => "proved",
-        // Whether such a proof ends hangs on the machine.
+        // Whether such a proof ends depends on the machine.
         _ => "no counterexample in time",
     };
     let run = || {
@@ -145,7 +146,7 @@ fn agrees(design: &Design, tables: Option<Tables>, check: &Check, context: &str)
     assert_eq!(result, shown, "{context}");
 }
 
-/// Runs all checks of all designs, each by itself, so that every core is busy to the end.
+/// Runs all checks of all designs as separate jobs, so that every core stays busy until the end.
 fn all_agree(designs: Vec<(String, Design, Option<Tables>, Effort)>) {
     let jobs: Vec<_> = designs
         .iter()
@@ -170,7 +171,8 @@ fn committed_settings_agree_in_every_tool() {
     all_agree(COMMITTED.iter().map(design).collect());
 }
 
-/// A value for each parameter, legal alone: the ends of ranges, and any; one may be given.
+/// A value for each parameter, legal by itself: ends of ranges, or any value. One assignment may be
+/// given.
 fn random_assignments(
     unit: &'static Unit,
     given: Option<&str>,
@@ -185,13 +187,13 @@ fn random_assignments(
             }
             Kind::Int { auto: Some(_), .. } if random.below(2) == 0 => "auto".to_owned(),
             &Kind::Int { min, max, .. } => {
-                // Large tables take long in slow simulators and show nothing new; a period of
-                // a microsecond is as good as none.
+                // Large tables take long in slow simulators and show nothing new; a period of a
+                // microsecond equals no limit.
                 let max = match param.name.as_str() {
                     name if name.ends_with("addr_bits") => max.min(11),
                     "period_ps" => 10_000,
                     "stages" => 20,
-                    // Most of the time some are shared.
+                    // Usually some are shared.
                     name if name.starts_with("share_") => max.min(4),
                     "interval" => max.min(40),
                     _ => max,
@@ -207,7 +209,7 @@ fn random_assignments(
         let is_it = |set: &&mut String| set.split_once('=').is_some_and(|(of, _)| of == name);
         set.iter_mut().filter(is_it).for_each(|set| *set = given.unwrap().to_owned());
     }
-    // What is only for a schedule that isn't drawn would be refused.
+    // Parameters of a schedule that isn't drawn would be refused.
     let shared = set.iter().any(|set| set == "schedule=shared");
     if !shared {
         set.retain(|set| !set.starts_with("share_") && !set.starts_with("interval="));
@@ -218,7 +220,7 @@ fn random_assignments(
     set
 }
 
-/// Legal sets of parameters that are drawn with a seed, each with its design.
+/// Legal sets of parameters drawn with a seed, each with its design.
 fn random_designs(
     unit: &'static Unit,
     given: Option<&str>,
@@ -245,8 +247,8 @@ fn random_designs(
 
 const SEED: u64 = 7;
 
-/// Settings of all units that have every choice of every parameter among them: a dozen of the first
-/// unit, and of each other one those that add a choice.
+/// Settings of all units that together contain every choice of every parameter: a dozen of the
+/// first unit, and for each other unit those that add a choice.
 fn random_settings() -> Vec<(Vec<String>, Design)> {
     let mut seen = BTreeSet::new();
     let mut settings = Vec::new();
@@ -262,7 +264,7 @@ fn random_settings() -> Vec<(Vec<String>, Design)> {
                 own += 1;
             }
         }
-        // What few settings allow is drawn by itself.
+        // Choices that few settings allow are drawn separately.
         for choice in choices {
             if !seen.contains(&choice) {
                 let mut drawn = random_designs(unit, Some(&choice), 1, SEED);
@@ -285,7 +287,7 @@ fn choices_of(unit: &'static Unit) -> BTreeSet<String> {
         }
     };
     let mut choices: BTreeSet<String> = unit.all_params().flat_map(of).collect();
-    // Of a schedule that is printed the unit's defaults have one, or none has.
+    // A printed schedule exists for the unit's defaults or not at all.
     let printed = "schedule=printed";
     let has = unit.values(&[printed]).and_then(|values| values.build()?.rtl());
     if has.is_err() {
@@ -306,7 +308,7 @@ fn random_settings_have_every_choice() {
     }
 }
 
-/// Tables stand in every place that they can.
+/// Tables are placed in every possible way.
 #[test]
 #[ignore = "needs verilator, iverilog, ghdl and yosys: testbenches/run installs them"]
 fn random_settings_agree_in_every_tool() {
@@ -319,7 +321,7 @@ fn random_settings_agree_in_every_tool() {
     all_agree(designs.collect());
 }
 
-/// The command line of `hdl` and `verify`, with tools that are missing or lie.
+/// The command line of `hdl` and `verify`, with tools that are missing or give false reports.
 mod commands {
     use crate::common::{self, refused, told};
     use assert_cmd::Command;
@@ -348,14 +350,14 @@ mod commands {
             let name = path.file_name().unwrap().to_str().unwrap().to_owned();
             (name, fs::read_to_string(path).unwrap())
         };
-        // Beside them is a hidden folder, which says what was made.
+        // A hidden folder beside them records what was made.
         let is_file = |entry: &std::io::Result<fs::DirEntry>| {
             entry.as_ref().unwrap().file_type().unwrap().is_file()
         };
         fs::read_dir(folder).unwrap().filter(is_file).map(file).collect()
     }
 
-    /// A program of our own in a folder that stands for all that is installed.
+    /// A program of our own in a folder that replaces all installed programs.
     fn program(folder: &Path, name: &str, script: &str) {
         use std::os::unix::fs::PermissionsExt;
         let path = folder.join(name);
@@ -374,7 +376,7 @@ mod commands {
             assert_eq!((code, stderr.as_str()), (0, ""));
             let files = contents(&out);
             for name in files.keys() {
-                assert!(told.contains(&format!("  {name}")), "{name} is not told: {told}");
+                assert!(told.contains(&format!("  {name}")), "{name} is not reported: {told}");
             }
             files
         });
@@ -398,7 +400,7 @@ mod commands {
             let listed = files["rotation_files.txt"].lines().any(|line| line == name);
             assert!(listed || name == "rotation_files.txt", "{name} is not in the list");
         }
-        // The head says what made it.
+        // The head names the program and the settings that made it.
         for says in [
             "variant=corrected",
             "latency 11 cycles",
@@ -442,7 +444,7 @@ mod commands {
         let file = folder.path().join("rotation.v");
         assert_eq!(fs::read_to_string(&file).unwrap(), "mine");
         assert_eq!(contents(folder.path()).len(), 1);
-        // A file where the folder should be.
+        // A file in place of the folder.
         refused(&["hdl", "rotation", "--out", file.to_str().unwrap()], "can't make the folder");
     }
 
@@ -469,7 +471,8 @@ mod commands {
         );
     }
 
-    /// What a simulator says is believed, and shown decoded; the others are named as missing.
+    /// The simulator's verdict is believed, and its mismatch is shown decoded. Other tools are
+    /// reported as missing.
     #[test]
     fn a_mismatch_is_shown_with_its_input_decoded_and_ends_with_1() {
         let tools = tempfile::tempdir().unwrap();
@@ -496,7 +499,7 @@ mod commands {
         ] {
             assert!(told.contains(says), "no `{says}` in {told}");
         }
-        // The same for programs to read.
+        // The same in machine-readable form.
         let mut command = fixpath(&["verify", "rotation", "--with", "icarus", "--json"]);
         let (code, told, _) = ended(command.env("PATH", tools.path()));
         let json: serde_json::Value = serde_json::from_str(&told).unwrap();
@@ -507,10 +510,10 @@ mod commands {
         assert_eq!(row["verdict"]["disagrees"]["inputs"].as_array().unwrap().len(), 4);
     }
 
-    /// A verdict that isn't one, a warning, an end without one, and a run past the limit.
+    /// A wrong verdict, a warning, an end without a verdict, and a run beyond the time limit.
     #[test]
     fn a_simulator_that_fails_is_no_agreement() {
-        // Exit code 1 where the tool says something of the hardware, 2 where it doesn't.
+        // Exit code 1 if the tool reports something about the hardware, otherwise 2.
         for (ends, iverilog, vvp, says) in [
             (1, "exit 0", "exit 0", "FAILED: vvp gave no verdict"),
             (1, "exit 0", "echo PASS 0 vectors", "FAILED: vvp read 0 of"),
@@ -522,7 +525,7 @@ mod commands {
             (2, "exit 0", "echo No space left on device; exit 1", "COULD NOT RUN: vvp ended with"),
             (2, "exit 0", "kill -15 $$", "COULD NOT RUN: vvp was killed by signal 15"),
             (2, "exit 0", "kill -9 $$", "OUT OF MEMORY: vvp ran out of memory"),
-            // A program that it starts.
+            // Failure of a program that the tool starts.
             (2, "sh -c 'kill -9 $$'; exit 137", "", "OUT OF MEMORY: iverilog ran out of memory"),
             (2, "exit 0", "exit 143", "COULD NOT RUN: vvp was killed by signal 15"),
             (
@@ -541,7 +544,7 @@ mod commands {
             let tools = tempfile::tempdir().unwrap();
             let version = "if [ \"$1\" = -V ]; then echo 1.0; exit; fi";
             program(tools.path(), "iverilog", &format!("{version}; {iverilog}"));
-            // Its version is asked for too, and that has a limit of a minute.
+            // Its version is queried too, with a limit of a minute.
             program(tools.path(), "vvp", &format!("{version}; {vvp}"));
             let args = ["verify", "rotation", "--with", "icarus", "--time-limit", "2"];
             let (code, told, stderr) = ended(fixpath(&args).env("PATH", tools.path()));
@@ -565,12 +568,12 @@ mod commands {
             code == 2 && told.contains("OUT OF MEMORY: vvp ran out of memory at 1.0 GiB"),
             "{told}"
         );
-        // It has what it takes, and gives no count of vectors.
+        // It gets enough memory, and reports no count of vectors.
         let (code, told) = eats("4");
         assert!(code == 1 && told.contains("FAILED: vvp gave no verdict: PASS"), "{told}");
     }
 
-    /// Shells and makefiles of tools never see a path of the user's.
+    /// The shells and makefiles of tools never see a path of the user.
     #[test]
     #[ignore = "needs iverilog and verilator: testbenches/run installs them"]
     fn no_folder_is_a_command() {
@@ -589,16 +592,16 @@ mod commands {
         }
     }
 
-    /// A folder of programs of our own before the shell's.
+    /// Puts a folder of our own programs before the shell's.
     fn before_the_system(folder: &Path) -> String {
         format!("{}:/usr/bin:/bin", folder.display())
     }
 
-    /// A design that is built in no time.
+    /// A design that builds very fast.
     const SMALL: [&str; 6] =
         ["verify", "rotation", "-p", "angle_bits=6", "-p", "table_addr_bits=4"];
 
-    /// Fake Icarus: a compiler that does nothing, and a simulator that has a script.
+    /// A fake Icarus: a compiler that does nothing, and a simulator that runs a script.
     fn fake_icarus(vvp: &str) -> tempfile::TempDir {
         let tools = tempfile::tempdir().unwrap();
         let version = "if [ \"$1\" = -V ]; then echo 1.0; exit; fi";
@@ -607,7 +610,7 @@ mod commands {
         tools
     }
 
-    /// Runs `verify --with icarus --vectors 0` with fake programs, and says how long it took.
+    /// Runs `verify --with icarus --vectors 0` with fake programs, and returns the time it took.
     fn with_fake_icarus(vvp: &str, more: &[&str]) -> (i32, String, f64) {
         let tools = fake_icarus(vvp);
         let mut command = fixpath(&SMALL);
@@ -617,7 +620,7 @@ mod commands {
         (code, told + &stderr, start.elapsed().as_secs_f64())
     }
 
-    /// A script that gives the verdict that all vectors of the file passed.
+    /// A script that reports that all vectors of the file passed.
     const PASSES: &str = "echo PASS $(grep -c . rotation_vectors.txt) vectors";
 
     #[test]
@@ -643,7 +646,8 @@ mod commands {
         assert!(told.contains("FAILED: vvp warns: careful"), "{told}");
     }
 
-    /// A proof that doesn't end is told as such, and is a failed check for who asked for it.
+    /// A proof that doesn't end is reported as such, and is a failed check if a proof was
+    /// requested.
     #[test]
     fn what_is_not_proved_is_no_agreement() {
         let tools = tempfile::tempdir().unwrap();
@@ -681,7 +685,7 @@ mod commands {
         assert!(stderr.contains(says), "{stderr}");
     }
 
-    /// A tool that breaks has its row, and so have the others.
+    /// A tool that breaks has its own row, and the rows of the others remain.
     #[test]
     fn a_broken_tool_hides_no_mismatch() {
         let says = "mismatch: vector 0 y expected 10000 got 0ffff";
@@ -689,7 +693,7 @@ mod commands {
             fake_icarus(&format!("echo '{says}'; echo FAIL 1 mismatches in 5 vectors; exit 1"));
         let version = "if [ \"$1\" = --version ]; then echo GHDL 4.1; exit; fi";
         program(tools.path(), "ghdl", &format!("{version}; echo no library >&2; exit 127"));
-        // There, but nothing that runs.
+        // Present but not executable.
         fs::write(tools.path().join("yosys"), "").unwrap();
         let (code, told, stderr) = ended(fixpath(&SMALL).env("PATH", tools.path()));
         assert_eq!((code, stderr.as_str()), (1, ""), "{told}");
@@ -721,11 +725,11 @@ mod commands {
         assert!(kept.join("obj_rotation/Vrotation").is_file(), "the program is not kept");
     }
 
-    /// A process that is there and hasn't ended.
+    /// True for an existing process that hasn't ended.
     #[cfg(target_os = "linux")]
     fn is_running(id: &str) -> bool {
         let stat = fs::read_to_string(format!("/proc/{id}/stat")).unwrap_or_default();
-        // Ended but not yet waited for by whoever it fell to: Z.
+        // Z: ended, but not yet waited for by its parent.
         stat.rsplit_once(") ").is_some_and(|(_, rest)| !rest.starts_with('Z'))
     }
 
@@ -735,7 +739,7 @@ mod commands {
         let told = tempfile::tempdir().unwrap();
         let scratch = tempfile::tempdir().unwrap();
         let ids = told.path().join("ids");
-        // Complete at once: a file with both ids takes the name that is waited for.
+        // Written atomically: the file gets its final name when it contains both ids.
         let vvp = format!(
             ": > $TMPDIR/left.s\nsleep 300 &\necho $$ $! > {0}.new; mv {0}.new {0}; wait",
             ids.display()

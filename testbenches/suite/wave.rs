@@ -141,7 +141,7 @@ fn every_word_and_twin_is_the_reference_of_its_sample() {
                     let (_, text) = changes.range(..=time).next_back().unwrap();
                     let shown: f64 = text.parse().unwrap();
                     assert!(shown == error || shown.is_nan() && error.is_nan(), "{full}: {shown}");
-                    // In ulp to 1/256, whatever the ulp.
+                    // In ulp, to 1/256 of an ulp.
                     let ulp = read.at(&format!("{full}_arith_error_ulp"), time);
                     let ulp: f64 = ulp.parse().unwrap();
                     let should = error / format.ulp();
@@ -171,7 +171,7 @@ fn the_golden_stands_beside_output_ports() {
     assert!((z - 0.5f64.sqrt()).abs() < 1e-15);
 }
 
-/// The angle of every direction of every unit is the one that `sim` ranks by.
+/// The angle of every direction of every unit is the one by which `sim` ranks.
 #[test]
 fn angle_errors_are_those_that_sim_measures() {
     let shared = ["schedule=shared", "share_mul=2", "share_add=3"];
@@ -203,7 +203,7 @@ fn angle_errors_are_those_that_sim_measures() {
     assert!(directions >= 8, "{directions}");
 }
 
-/// In its own cycle: a direction at the pole that should be at the equator is 90° off, and it alone.
+/// In its own cycle: only a direction at the pole that should be at the equator is 90° off.
 #[test]
 fn an_angle_error_is_in_the_cycle_of_its_result() {
     let design = design(&["variant=printed"]);
@@ -229,7 +229,7 @@ fn an_angle_error_is_in_the_cycle_of_its_result() {
         assert_eq!(design.groups[0].shape, Shape::Polar);
         let (phi, theta) = (is[0] * TAU, is[1] * TAU);
         let is = [phi.cos() * theta.sin(), phi.sin() * theta.sin(), theta.cos()];
-        // Kahan: good for small and for large angles.
+        // Kahan's formula: accurate for small and for large angles.
         let (mut less, mut more) = (0.0f64, 0.0f64);
         for (is, golden) in is.iter().zip(&golden) {
             less += (is - golden[0]).powi(2);
@@ -270,14 +270,14 @@ fn errors_are_found_by_their_name() {
         assert!(some.iter().all(|name| found.contains(*name)), "{found:?}");
         let all = names("*");
         assert_eq!(found, all.iter().filter(|name| is_error(name)).cloned().collect());
-        // The save file shows them, each by a line.
+        // The save file shows them, each in its own line.
         let save = std::fs::read_to_string(folder.path().join("unit.gtkw")).unwrap();
         assert!(some.iter().all(|name| save.contains(&format!("\nrotation.{name}\n"))), "{save}");
     }
 }
 
-/// GTKWave takes the name of the waves from the first quote of their line to the last; a name that is no line is left
-/// out, and the rest stays as it is.
+/// GTKWave takes the name of the waves from between the first and the last quote of their line. A
+/// name that doesn't fit into a line is left out, and the rest stays.
 #[test]
 fn save_files_name_the_waves_in_one_line() {
     let design = Unit::find("rotation").unwrap().defaults().build().unwrap();
@@ -297,7 +297,7 @@ fn save_files_name_the_waves_in_one_line() {
     }
 }
 
-/// The save file opens on the first samples, so wide that the results of the first can be seen.
+/// The save file opens on the first samples, zoomed so that the results of the first are visible.
 #[test]
 fn gtkwave_opens_on_inputs_and_outputs_of_the_first_samples() {
     let shared = ["schedule=shared", "share_mul=1", "share_add=2"];
@@ -326,7 +326,7 @@ fn gtkwave_opens_on_inputs_and_outputs_of_the_first_samples() {
             .collect();
         let period = times[2] - times[0];
         assert_eq!(line("[timestart] ").parse::<u64>().unwrap(), first * period);
-        // GTKWave: so many units of time in 200 pixels.
+        // GTKWave: this many time units in 200 pixels.
         let zoom: f64 = line("*").split(' ').next().unwrap().parse().unwrap();
         let pixels_per_cycle = 200.0 * period as f64 / 2f64.powf(-zoom);
         let schedule = wave.rtl().schedule();
@@ -339,7 +339,8 @@ fn gtkwave_opens_on_inputs_and_outputs_of_the_first_samples() {
     }
 }
 
-/// Twins are evaluated for blocks of samples: long waves have several, and windows start in one.
+/// Twins are evaluated in blocks of samples: long waves have several blocks, and windows start
+/// inside one.
 #[test]
 fn twins_are_those_of_their_sample_in_long_waves() {
     let shared = ["schedule=shared", "share_mul=2", "share_add=3"];
@@ -469,7 +470,8 @@ fn gtkwave_decodes_words_as_the_save_file_tells_it() {
     let (reference, _) = netlist.eval(&rows[0]).unwrap();
     let x = netlist.outputs()[0].node;
     let value = netlist.node(x).format.value(reference[x.index()]);
-    // A signed word by its fixed-point shift, a real twin, and an unsigned angle in turns and degrees.
+    // A signed word by its fixed-point shift, a real twin, and an unsigned angle in turns and
+    // degrees.
     assert_eq!(number("x[1:-16]"), value);
     assert_eq!(number("x_value"), value);
     assert_eq!(number("phi_a[15:0]"), 65_000.0 / 65_536.0);

@@ -1,4 +1,4 @@
-//! Nodes with operators, and formats of nodes by their names.
+//! Nodes with operators, and formats of nodes by name.
 
 use crate::engines::{Random, check};
 use fixpath::error::Result;
@@ -20,7 +20,7 @@ fn doubles() -> Table {
     Table { name: "doubles".to_owned(), addr_bits: 4, columns: vec![column], memory: None }
 }
 
-/// Each operator is the builder's operation: the same netlist either way.
+/// Each operator is the builder's operation: both give the same netlist.
 #[test]
 fn operators_are_the_builders_operations() {
     let w = Wires::new("both");
@@ -94,7 +94,8 @@ fn operators_are_the_builders_operations() {
     check(&by_wires, 1, 300).unwrap();
 }
 
-/// A real number beside a wire is the constant of exactly its value, in the smallest format that has it.
+/// A real number beside a wire is a constant of exactly that value, in the smallest format that
+/// holds it.
 #[test]
 fn constants_are_exact() {
     let cases = [
@@ -137,7 +138,7 @@ fn constants_are_exact() {
     }
 }
 
-/// Expressions of random wires against the same in whole numbers.
+/// Expressions of random wires against the same expressions in integers.
 #[test]
 fn expressions_are_exact() {
     for seed in 0..300 {
@@ -208,7 +209,8 @@ fn wrong_use_of_wires_is_an_error_with_its_line() {
     let (text, _) = why(&|_, x| drop(x.clone().named("Sum")));
     assert!(text.starts_with("node `Sum`: a name is a letter a to z"), "{text}");
 
-    // Wires of two netlists: an error of the one that met the other's, in any order and place.
+    // Wires of two netlists: an error of the netlist that received the other's wire, in any order
+    // and place.
     for swapped in [false, true] {
         let (one, other) = (Wires::new("one"), Wires::new("other"));
         let (x, y) = (one.input("x", format("s4f0")), other.input("x", format("s4f0")));
@@ -222,7 +224,7 @@ fn wrong_use_of_wires_is_an_error_with_its_line() {
         assert!(text.contains("another builder"), "{text}");
     }
 
-    // Wires outlive their netlist: they are of no use, and no harm.
+    // Wires may outlive their netlist: they are then useless but harmless.
     let w = Wires::new("over");
     let (again, x) = (w.clone(), w.input("x", format("s4f0")));
     w.output("y", &x);
@@ -232,7 +234,7 @@ fn wrong_use_of_wires_is_an_error_with_its_line() {
     let _ = (sum.format(), sum.named("z"), w.constant(3.0));
     assert!(w.build().is_err() && again.build().is_err());
 
-    // And they rest while the builder itself is used.
+    // Wires can't be used while the builder itself is in use.
     let w = Wires::new("rests");
     let x = w.input("x", format("s4f0"));
     let y = w.builder(|b| b.neg(x.id()));
@@ -242,7 +244,7 @@ fn wrong_use_of_wires_is_an_error_with_its_line() {
     assert!(text.contains("another builder"), "{text}");
 }
 
-/// Narrows of all sorts: named and not, in scopes, twice the same, of no effect, with no use.
+/// Narrows of all kinds: named and unnamed, in scopes, repeated, without effect, and unused.
 fn recipe(overrides: &Overrides) -> Result<Netlist> {
     let w = Wires::with("recipe", overrides);
     let (floor, wrap, even) = (Round::Floor, Overflow::Wrap, Round::HalfEven);
@@ -253,14 +255,14 @@ fn recipe(overrides: &Overrides) -> Result<Netlist> {
         let dead = (&x + &y).narrow(format("s3f1"), floor, wrap);
         drop(dead);
         let one = (&named * &named).narrow(format("s12f4"), floor, wrap);
-        // Nothing to do, and the same again: no nodes of their own.
+        // Without effect, and repeated: no nodes of their own.
         let same = one.narrow(format("s12f4"), floor, wrap);
         let again = (&named * &named).narrow(format("s12f4"), floor, wrap);
         let last = (&same - &y).narrow(format("s9f3"), floor, wrap);
         again + last
     });
     w.scope("inner", || w.output("inner", &inner.narrow(format("s9f2"), floor, wrap)));
-    // Next to a name that would be its own.
+    // Beside a name that equals its automatic name.
     let other = (&x - &y).narrow(format("s6f2"), floor, wrap);
     let taken = (&y + &y).narrow(format("s6f1"), floor, wrap).named("narrow_3");
     w.output("sum", &(other + taken));
@@ -297,11 +299,12 @@ fn nodes_have_stable_names() {
         }
     }
     assert_eq!(plain.stable_name(plain.inputs()[0]), None);
-    // Names are beside the netlist: its text has none.
+    // Names are kept beside the netlist: its text has none.
     assert!(!plain.to_text().contains("inner.narrow_2"));
 }
 
-/// One format is overridden: that node has it, all others keep theirs, and formats behind it follow.
+/// One format is overridden: that node has it, all others keep theirs, and dependent formats
+/// follow.
 #[test]
 fn a_format_by_name_changes_that_node() {
     let plain = recipe(&Overrides::default()).unwrap();
@@ -314,7 +317,7 @@ fn a_format_by_name_changes_that_node() {
             let (mut before, mut after) = (formats(&plain), formats(&changed));
             assert_eq!(after.remove(name), Some(to.to_string()), "{name}");
             before.remove(name);
-            // What was nothing to do may be something now.
+            // A narrow that had no effect may have one now.
             after.remove("inner.narrow_3");
             assert_eq!(before, after, "{name} {to}");
             let overridden: Vec<&str> = changed
@@ -329,7 +332,7 @@ fn a_format_by_name_changes_that_node() {
             assert_eq!(ports(&plain), ports(&changed));
         }
     }
-    // All at once, each in its own format, is the recipe itself.
+    // All set at once, each to its own format, give the recipe itself.
     let own: Vec<(&str, Format)> =
         plain.choices().iter().map(|choice| (&choice.name[..], choice.format)).collect();
     let same = with_formats(&own, recipe).unwrap();
@@ -368,7 +371,7 @@ fn formats_of_nodes_that_are_not_there_are_refused() {
     with_formats(&[("z", to), ("y", to)], moody).unwrap();
     let gone = with_formats(&[("z", to), ("y", format("s3f0"))], moody).unwrap_err().to_string();
     assert_eq!(gone, "with these formats, `moody` has no node `z`: leave its format out");
-    // What a format makes too wide downstream is an error as any other.
+    // A word that becomes too wide downstream is an ordinary error.
     let wide = with_formats(&[("named", format("s40f20"))], recipe).unwrap_err().to_string();
     assert!(
         wide.starts_with("node `mul of named (s40f20), named (s40f20)` needs 80 bits"),

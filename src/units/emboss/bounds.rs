@@ -31,24 +31,23 @@ pub(super) fn bounds(values: &Values, switches: Switches) -> Bounds {
     Bounds::Stated(bounds)
 }
 
-/// The least vector, and the least factor, that a relative error is told of; below, it is told of
-/// this.
+/// Lower limit of the vector's length, and of the factor, as the reference of a relative error.
 pub(super) const LEAST: f64 = 0.25;
 
-/// How far a displacement can be off.
+/// Error of a displacement.
 ///
 /// With v the exact vector, u the direction of L and k the factor, the displacement is k v·u. In
-/// words: v' is off by `vector` and `vector_share |v|`; the block-normalised w', ½ long or longer,
-/// points along u' with |u' - u| <= `direction`; its reciprocal length is off by the share `length`
-/// and at most 2; the dot product is off by `dot`. So
+/// words, v' is off by `vector` + `vector_share |v|`. The block-normalised w', at least ½ long,
+/// points along u' with |u' - u| <= `direction`. Its reciprocal length is at most 2 and has the
+/// relative error `length`. The dot product is off by `dot`. So
 /// `d' - d = (1 + length)((v' - v)·u' + v·(u' - u)) + length v·u + 2 (1 + length) dot`.
 struct Errors {
-    /// The most that v can be long.
+    /// Maximum length of v.
     longest: f64,
-    /// Error of the displacement before its factor: a share of |v|, and what is left for v = 0.
+    /// Error of the displacement before its factor: the part proportional to |v|, and the rest.
     share: f64,
     rest: f64,
-    /// The factor, if there is one: its largest value, its error, and the rounding before it.
+    /// The factor, if any: its largest value, its error, and the rounding before it.
     factor: Option<[f64; 3]>,
     /// The last rounding.
     last: f64,
@@ -60,7 +59,7 @@ impl Errors {
         let binormal = (axis == 's') == switches.s_is_binormal;
         let rounding = rounding_ulp(values);
         let ulp = |name: &str| 2f64.powi(-cast::signed_count(values.bits(name)));
-        // A share of |v|, the rest, the longest v.
+        // Error proportional to |v|, the rest, and the longest v.
         let unit = |v: &Values| (unit_error(v, worst), 0.0, 1.0);
         let (vector_share, vector, longest) = match (switches.frame, switches.normalise) {
             (Frame::Matrix | Frame::Given, true) => unit(values),
@@ -110,7 +109,7 @@ impl Errors {
         }
     }
 
-    /// The larger one of both axes.
+    /// The larger error of the two axes.
     fn both(values: &Values, worst: &dyn Fn(&str) -> f64, of: fn(&Self) -> f64) -> f64 {
         let [s, t] = ['s', 't'].map(|axis| of(&Self::new(values, worst, axis)));
         s.max(t)
@@ -126,7 +125,7 @@ impl Errors {
         }
     }
 
-    /// Over |v| and the factor, each no less than [`LEAST`].
+    /// Relative to |v| and the factor, each at least [`LEAST`].
     fn relative(&self) -> f64 {
         let unit = self.share + self.rest / LEAST;
         match self.factor {

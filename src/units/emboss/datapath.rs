@@ -131,7 +131,7 @@ pub(super) fn design(values: &Values) -> Result<Design> {
     }
     let mut groups = Group::ports(&netlist, &names)?;
     for group in &mut groups[..2] {
-        let what = "the vector's length times its factor, each 1/4 where it is less";
+        let what = "the vector's length times its factor, each at least 1/4";
         let scales = vec![Scale::new("relative", what)];
         group.shape = Shape::Scaled { scales, texels: Some(values.bits("texture_size")) };
     }
@@ -147,7 +147,7 @@ pub(super) fn design(values: &Values) -> Result<Design> {
         .binding(switches.is_printed().then(|| figure_8(switches))))
 }
 
-/// T and B in eye space, with a flag for each that is normalised: of a vector 0.
+/// T and B in eye space, with a zero-vector flag for each that is normalised.
 fn basis(
     b: &mut Builder,
     root: &mut Root<'_>,
@@ -171,7 +171,7 @@ fn basis(
             v
         };
         let vector = if switches.normalise {
-            // -2 to 2: 1 has a code.
+            // -2 to 2: 1 is representable.
             let format = Format::signed((frac_bits + 2).unsigned_abs(), frac_bits)?;
             let (unit, zero) = unit_vector(b, root, name, exact, format)?;
             flags.push(zero);
@@ -189,17 +189,17 @@ fn basis(
     Ok((vectors[0], vectors[1], flags))
 }
 
-/// What a displacement is made of.
+/// The operands of a displacement.
 struct Factors {
     axis: char,
     dot: NodeId,
     reciprocal: NodeId,
-    /// Whole bits of the vector's components.
+    /// Integer bits of the vector's components.
     vector_int: i32,
     minus: bool,
 }
 
-/// A displacement: the dot product over |L|, times what else there is.
+/// A displacement: the dot product times 1/|L|, times the factor if there is one.
 fn displacement(
     b: &mut Builder,
     values: &Values,
@@ -212,7 +212,7 @@ fn displacement(
     let frac_bits = cast::signed_count(values.bits("texture_frac_bits"));
     let mut exact = b.mul(dot, reciprocal);
     b.name(exact, &format!("d{axis}_product"));
-    // No more than the vector is long, which is below twice its largest component's limit.
+    // At most the vector's length, which is below twice the limit of its largest component.
     let mut int_bits = vector_int + 1;
     if switches.has_factor() {
         let wide = Format::signed(

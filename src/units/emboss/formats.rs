@@ -7,14 +7,15 @@ use crate::design::Values;
 use crate::number::format::{Format, Overflow, Round, quantize};
 use crate::units::parts::plan::number;
 
-/// Most whole bits of Ks and Kt.
+/// Maximum integer bits of Ks and Kt.
 pub(super) const MAX_CONSTANT_INT_BITS: u32 = 17;
 
-/// Ks and Kt are this at most, so that each of them has a format that holds it.
+/// Maximum magnitude of Ks and Kt, so that each fits some format.
 pub(super) const MAX_CONSTANT: f64 = 65_536.0;
 
-/// Fraction bits of Ks and Kt with few whole bits, and the most that both kinds are together: then products with q
-/// and with a displacement fit words.
+/// Fraction bits of Ks and Kt if they have few integer bits, and the maximum of integer and
+/// fraction bits together. With these limits, the products with q and with a displacement fit into
+/// words.
 const CONSTANT_FRAC_BITS: u32 = 20;
 
 const CONSTANT_BITS: u32 = 26;
@@ -27,10 +28,11 @@ pub(super) fn texture(values: &Values) -> Result<Format> {
     number(values.bits("texture_int_bits"), values.bits("texture_frac_bits"))
 }
 
-/// Format of Ks or Kt, by its name: each has whole bits, and so fraction bits, of its own where that is `auto`.
+/// Format of Ks or Kt, by name. With `constant_int_bits=auto` each gets its own integer bits, and
+/// so its own fraction bits.
 ///
 /// # Errors
-/// If it doesn't hold the constant; the message names the one that does.
+/// If it doesn't hold the constant; the message names one that does.
 pub(super) fn constant(values: &Values, switches: Switches, name: &str) -> Result<Format> {
     let format = |int_bits: u32| {
         let few = CONSTANT_FRAC_BITS.min(CONSTANT_BITS.saturating_sub(int_bits));

@@ -8,7 +8,7 @@ use crate::number::trig::Real;
 use crate::units::basis::{golden_frame, golden_unit};
 use crate::units::dot::ended_at;
 
-/// The golden model. Scales are |v| and |k|, each no less than ¼, in product.
+/// The golden model. Its scales are the products of |v| and |k|, each taken as at least ¼.
 pub(super) fn golden<F: Real>(values: &Values) -> Golden<F> {
     let switches = Switches::new(values);
     let mut first = Vec::new();

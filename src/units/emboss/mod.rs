@@ -1,27 +1,30 @@
-//! The emboss unit: displaced texture coordinates of a vertex, as two published designs have them.
+//! The emboss unit: displaced texture coordinates of a vertex, as in two published designs.
 //!
-//! - `setting=gx`, US 6,980,218 and 7,307,640: T and B of the model by a 3×3
-//!   matrix, L from the vertex to the light, `(S1, T1) = (S0, T0) + (T·L, B·L)/|L|`. This sign of L departs from the
-//!   patents: their table prints L = V - L_p, from the light to the vertex (`l_sign=vertex-light`), which displaces
-//!   away from the light, so that the displaced height less the undisplaced one is bright toward the light. Here the
-//!   default displaces toward it, and the difference is the other way round. The matrix may
-//!   scale, which sets the strength, so T and B are not normalised. The normal isn't used. Here s goes
-//!   with T and t with B; in that console's own API the vector of s is the *second* of a vertex's
-//!   N, B, T, so that one is what port `tangent` takes.
+//! - `setting=gx`, US 6,980,218 and 7,307,640: a 3×3 matrix transforms T and B of the model, L
+//!   points from the vertex to the light, and `(S1, T1) = (S0, T0) + (T·L, B·L)/|L|`. This sign of
+//!   L departs from the patents. Their table prints L = V - L_p, from the light to the vertex
+//!   (`l_sign=vertex-light`). That displaces away from the light, so the displaced height less the
+//!   undisplaced one is bright toward the light. The default here displaces toward the light, and
+//!   the difference has the opposite sign. The matrix may scale, which sets the strength, so T and
+//!   B are not normalised. The normal isn't used. Here T displaces s and B displaces t. In that
+//!   console's own API the vector of s is the *second* of a vertex's N, B, T, and it belongs at
+//!   port `tangent`.
 //! - `setting=nv`, `GL_NV_texgen_emboss`: T and BN of [`super::basis`],
-//!   `Es = PCTs + Ks (L·BN)/|L| PCTq, Et = PCTt - Kt (L·T)/|L| PCTq`; r and q pass. L points to the light, and CT
-//!   along growing t; then BN = N × CT points against growing s, and both displacements lead away from the light.
+//!   `Es = PCTs + Ks (L·BN)/|L| PCTq, Et = PCTt - Kt (L·T)/|L| PCTq`; r and q pass through. L
+//!   points to the light, and CT along growing t. BN = N × CT then points against growing s, and
+//!   both displacements lead away from the light.
 //!
-//! Parameters `light`, `source` and `destination` say which light and which coordinates the ports stand for, as
-//! `fixpath texgen` tells a configuration; no word depends on them.
+//! The parameters `light`, `source` and `destination` name the light and the coordinates that the
+//! ports stand for, for the report of `fixpath texgen`. No word depends on them.
 //!
-//! Every difference between them is a switch that a setting sets and a user may set otherwise.
+//! Each difference between the two designs is a switch: the setting gives its default, and a user
+//! may override it.
 //!
-//! L is a difference of positions, exact, and then block-normalised: its largest component is shifted
-//! up to the top of its word, the others with it, and the shift is never undone, as the result
-//! doesn't depend on it. So the direction of a light 2^-6 away keeps as many bits as one 2^10 away.
-//! Where L is 0, nothing is displaced; a vector of length 0 that is normalised displaces nothing. Either sets
-//! `degenerate`.
+//! L is an exact difference of positions, which is then block-normalised: all components are
+//! shifted up by the same number of places, until the largest fills its word. The shift is never
+//! undone, since the result doesn't depend on it. So the direction of a light 2^-6 away keeps as
+//! many bits as that of one 2^10 away. If L is 0, nothing is displaced. A vector of length 0 that
+//! is to be normalised displaces nothing either. Either case sets `degenerate`.
 
 mod bounds;
 mod datapath;
@@ -51,36 +54,36 @@ pub fn unit() -> Unit {
         .params([
             Param::choice("setting", ["gx", "nv"])
                 .role(Role::Pipeline)
-                .help("what every switch that is auto stands at"),
+                .help("design that sets every switch left at auto"),
             Param::choice("frame", ["auto", "matrix", "normal", "given"])
-                .help("T and B by the matrix (gx), from N and CT (nv), or as they are"),
+                .help("T and B transformed by the matrix (gx), computed from N and CT (nv), or taken as given"),
             Param::choice("normalise_basis", ["auto", "off", "on"])
-                .help("T and B (of N x CT: B) over their lengths (gx: off; nv: on)"),
+                .help("normalise T and B (with frame=normal: B only) (gx: off; nv: on)"),
             Param::choice("s_vector", ["auto", "tangent", "binormal"])
                 .help("the vector that displaces s (gx: tangent; nv: binormal); the other one displaces t"),
             Param::choice("l_sign", ["light-vertex", "vertex-light"])
-                .help("L = light - vertex, or as the patents print it (from the light to the vertex), from which the default departs; turns what looks raised"),
+                .help("L = light - vertex, or as the patents print it (from the light to the vertex), from which the default departs; swaps raised and sunken"),
             Param::choice("t_sign", ["auto", "plus", "minus"])
                 .help("sign of the displacement of t (gx: plus; nv: minus)"),
             Param::choice("scale_q", ["auto", "off", "on"])
-                .help("displacements times q (gx: off; nv: on)"),
+                .help("multiply displacements by q (gx: off; nv: on)"),
             Param::choice("constants", ["auto", "off", "parameters", "ports"])
-                .help("displacements times Ks and Kt (gx: off; nv: parameters)"),
+                .help("multiply displacements by Ks and Kt (gx: off; nv: parameters)"),
             Param::real("ks", -MAX_CONSTANT..=MAX_CONSTANT)
                 .default(1)
-                .help("Ks, any number that its format holds (constants=parameters)"),
+                .help("Ks, any number within its format (constants=parameters)"),
             Param::real("kt", -MAX_CONSTANT..=MAX_CONSTANT)
                 .default(1)
-                .help("Kt, any number that its format holds (constants=parameters)"),
+                .help("Kt, any number within its format (constants=parameters)"),
             Param::flag("input20")
-                .help("light and matrix come as floats of 20 bits: 12 significant bits, toward zero"),
+                .help("light and matrix arrive as 20-bit floats: 12 significant bits, rounded toward zero"),
             component_bits(),
             Param::bits("matrix_bits", 2..=24)
                 .default(16)
                 .help("bits of the matrix, signed (frame=matrix)"),
             Param::bits("matrix_int_bits", 0..=6)
                 .default(2)
-                .help("it is from -2^matrix_int_bits to 2^matrix_int_bits (frame=matrix)"),
+                .help("matrix elements are from -2^matrix_int_bits to 2^matrix_int_bits (frame=matrix)"),
             Param::bits("position_bits", 2..=30).default(28).help("bits of positions, signed"),
             Param::bits("position_frac_bits", 0..=28)
                 .default(15)
@@ -92,10 +95,10 @@ pub fn unit() -> Unit {
             root_addr_bits(),
             root_frac_bits(),
             Param::bits("constant_int_bits", 0..=MAX_CONSTANT_INT_BITS)
-                .auto("as many as ks and kt ask for, each of them, 1 at least")
+                .auto("as many as ks and kt each need, at least 1")
                 .help("Ks and Kt are from -2^constant_int_bits to 2^constant_int_bits"),
             Param::bits("constant_frac_bits", 2..=24)
-                .auto("20, and fewer with more than 6 whole bits, 26 of both")
+                .auto("20; with more than 6 integer bits, 26 less those")
                 .help("fraction bits of Ks and Kt, and of their products with q"),
             Param::bits("texture_int_bits", 0..=8)
                 .default(6)
@@ -103,28 +106,28 @@ pub fn unit() -> Unit {
             Param::bits("texture_frac_bits", 2..=24)
                 .default(18)
                 .help("fraction bits of texture coordinates and displacements"),
-            ending_overflow().help("overflow of s1 and t1; with the first two the golden ends where they do"),
+            ending_overflow().help("overflow of s1 and t1; saturate and symmetric clamp the golden to the same range"),
             Param::rounding("rounding"),
             Param::int("texture_size", 1..=65_536)
                 .role(Role::MapSize)
                 .default(256)
-                .help("texels along the texture: only for errors in texels"),
+                .help("texels along the texture; only used for errors in texels"),
             Param::int("light", 0..=31)
                 .role(Role::Label)
-                .help("the light that port `light` is the place of: only told"),
+                .help("number of the light whose position is at port `light`; only reported"),
             Param::int("source", 0..=31)
                 .role(Role::Label)
-                .help("the coordinate (gx) or texture unit (nv) that s0 and t0 are of: only told"),
+                .help("coordinate (gx) or texture unit (nv) of s0 and t0; only reported"),
             Param::int("destination", 0..=31)
                 .role(Role::Label)
                 .default(1)
-                .help("the coordinate (gx) or texture unit (nv) that s1 and t1 are of: only told"),
+                .help("coordinate (gx) or texture unit (nv) of s1 and t1; only reported"),
         ])
         .inputs("light_x … light_z, vertex_x … vertex_z: light and vertex in eye space; s0, t0: texture coordinates; \
              with frame=matrix m0_x … m2_z: rows of the model-view matrix, tangent_x … binormal_z: T and B of the model; \
-             with frame=normal normal_x … ct_z: N and CT in eye space; with frame=given tangent_x … binormal_z there; \
+             with frame=normal normal_x … ct_z: N and CT in eye space; with frame=given tangent_x … binormal_z in eye space; \
              with scale_q=on q0, r0; with constants=ports ks, kt")
-        .outputs("ds, dt: displacements; s1, t1: displaced coordinates; degenerate: 1 where L (or a vector that is normalised) \
-              is 0, which displaces nothing; with scale_q=on q1, r1, passed")
+        .outputs("ds, dt: displacements; s1, t1: displaced coordinates; degenerate: 1 if L (or a vector that is normalised) \
+              is 0, which displaces nothing; with scale_q=on q1, r1, passed through")
         .design(design)
 }

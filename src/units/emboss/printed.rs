@@ -3,8 +3,8 @@
 use super::switches::Switches;
 use crate::schedule::{Binding, BoundOperation, BoundUnit, Kind as Shared};
 
-/// The schedule that US 6,980,218 prints for the hardware of its figure 8: cycles 1 to 19 are the
-/// patent's, what follows them comes as early as it can.
+/// The schedule that US 6,980,218 prints for the hardware of its figure 8. Cycles 1 to 19 are the
+/// patent's; later operations run as early as they can.
 pub(super) fn figure_8(switches: Switches) -> Binding {
     let unit =
         |name: &str, title: &str, kind, latency, registered: &[bool], load: &str| BoundUnit {

@@ -1,4 +1,4 @@
-//! The switches of the unit, with what its setting says.
+//! The switches of the unit, resolved by its setting.
 
 use crate::design::Values;
 
@@ -18,7 +18,7 @@ pub(super) enum Constants {
     Ports,
 }
 
-/// The switches, with what the setting says for those that are `auto`.
+/// The switches; those that are `auto` have the value of the setting.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Switches {
     pub(super) frame: Frame,
@@ -57,7 +57,7 @@ impl Switches {
         }
     }
 
-    /// True if the datapath is that of US 6,980,218, whose schedule is printed.
+    /// True if the datapath is that of US 6,980,218, which prints a schedule for it.
     pub(super) fn is_printed(self) -> bool {
         let as_printed = self.frame == Frame::Matrix && !self.normalise && !self.s_is_binormal;
         as_printed && !self.minus_t && !self.has_factor()
@@ -68,7 +68,7 @@ impl Switches {
         self.q || self.constants != Constants::Off
     }
 
-    /// Names of the input ports in order, those of a vector by their common part.
+    /// Names of the input ports in order; a vector's ports are given by their common prefix.
     pub(super) fn ports(self) -> Vec<&'static str> {
         let mut names = match self.frame {
             Frame::Matrix => vec!["m0", "m1", "m2", "tangent", "binormal"],

@@ -1,4 +1,4 @@
-//! Dividers: by digit recurrence, and by a table of reciprocals.
+//! Dividers: by digit recurrence, and by a reciprocal table.
 
 use crate::base::cast;
 use crate::base::error::{Error, Result};
@@ -7,20 +7,20 @@ use crate::number::format::{Format, Overflow, Round};
 use crate::number::real::Expr;
 use crate::table::{self, Spec};
 
-/// How a quotient is found.
+/// How a quotient is computed.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Method<'a> {
     /// Digit by digit: a subtractor and a multiplexer each. Correctly rounded in every mode.
     Restoring,
     /// Digit by digit: an adder/subtractor each. Correctly rounded in every mode.
     NonRestoring,
-    /// The normalised dividend times a reciprocal of the normalised divisor from a table, whose
-    /// argument is [`argument`] and whose origin is ½. Off by the quotient times the table's worst
-    /// error, before the one rounding.
+    /// The normalised dividend times the reciprocal of the normalised divisor, from a table with
+    /// argument [`argument`] and origin ½. Off by the quotient times the table's worst error,
+    /// before the one rounding.
     Table(Spec<'a>),
 }
 
-/// `a / d` in format `output`. What is past it saturates, x/0 among it; 0/0 is 0.
+/// `a / d` in format `output`. Results out of range saturate, including x/0; 0/0 is 0.
 pub(crate) fn divide(
     b: &mut Builder,
     name: &str,
@@ -59,7 +59,7 @@ pub(crate) fn divide(
     })
 }
 
-/// `a / d`; 0/0 is 0, and any other division by 0 gives the largest `f64` of the sign, as words saturate.
+/// `a / d`. 0/0 is 0; any other division by 0 gives ±`f64::MAX`, just as words saturate.
 fn ended_quotient(a: &Expr, d: &Expr) -> Expr {
     let quotient = (a / d).max(-f64::MAX).min(f64::MAX);
     a.equal(0.0).select(0.0, quotient)
@@ -69,13 +69,13 @@ fn ended_quotient(a: &Expr, d: &Expr) -> Expr {
 /// top bit.
 ///
 /// # Errors
-/// If the divisor has one bit only.
+/// If the divisor has only one bit.
 pub(crate) fn argument(divisor: Format) -> Result<Format> {
     let bits = magnitude_bits(divisor);
     Format::unsigned(bits - 1, cast::signed_count(bits))
 }
 
-/// Bits of |x|: as many as x has, since the least word has a magnitude.
+/// Bits of |x|: as many as x, since the magnitude of the least word must fit.
 fn magnitude_bits(format: Format) -> u32 {
     format.bits()
 }
@@ -89,7 +89,7 @@ fn negate(b: &mut Builder, sign: NodeId, a: NodeId) -> NodeId {
     b.mux(sign, minus, a)
 }
 
-/// The least number past a format on its positive side, which saturates on both sides.
+/// The least number above the range of a format; it saturates on both sides.
 pub(crate) fn limit(b: &mut Builder, output: Format) -> NodeId {
     let power = b.checked(Format::unsigned(1, -output.int_bits()));
     b.constant(1, power)
@@ -105,27 +105,27 @@ pub(crate) fn bit_of(b: &mut Builder, a: NodeId, appended: u32, i: u32) -> NodeI
     }
 }
 
-/// The word of some bits, the first one on top.
+/// The word made of these bits, the first on top.
 pub(crate) fn word_of(b: &mut Builder, bits: &[NodeId]) -> NodeId {
     let Some((first, rest)) = bits.split_first() else {
         b.fail(Error::usage(
-            "formats that were given by name leave a result without bits: give finer ones"
-                .to_owned(),
+            "formats given by name leave a result without bits: give finer ones".to_owned(),
         ));
         return b.constant(0, Format::FLAG);
     };
     rest.iter().fold(*first, |word, bit| b.concat(word, *bit))
 }
 
-/// Flag: the word is not 0; the lowest bit of an exact result, for its rounding.
+/// Flag: the word isn't 0. It is the lowest bit of an exact result, for rounding.
 pub(crate) fn sticky(b: &mut Builder, rest: NodeId) -> NodeId {
     let (zero, one) = (b.constant(0, Format::FLAG), b.constant(1, Format::FLAG));
     let none = b.equal(rest, zero);
     b.xor(none, one)
 }
 
-/// A word that is not 0, shifted up by `step` places at a time until one of its top `step` bits is
-/// set, and by how many steps. No wider than the word: a multiplexer for each bit of the count.
+/// Shifts a nonzero word up by `step` places at a time until one of its top `step` bits is set.
+/// Returns it and the number of steps. The result is as wide as the word: a multiplexer per bit of
+/// the count.
 pub(crate) fn normalise(b: &mut Builder, word: NodeId, step: u32) -> (NodeId, NodeId) {
     let bits = b.format(word).bits();
     let zero = b.constant(0, Format::FLAG);
@@ -147,8 +147,8 @@ pub(crate) fn normalise(b: &mut Builder, word: NodeId, step: u32) -> (NodeId, No
     (word, word_of(b, &steps))
 }
 
-/// The quotient to half an ulp of `output`, a bit that tells whether anything is left, and a flag
-/// for a quotient of twice the largest word and more.
+/// The quotient to half an ulp of `output`, a sticky bit for the remainder, and a flag for a
+/// quotient of at least twice the largest word.
 fn digits(
     b: &mut Builder,
     dividend: NodeId,
@@ -157,7 +157,7 @@ fn digits(
     non_restoring: bool,
 ) -> (NodeId, Option<NodeId>) {
     let (of_a, of_d) = (b.format(dividend), b.format(divisor));
-    // The quotient counts half ulps of the output: a * 2^places / d on words.
+    // The quotient is in half ulps of the output: a * 2^places / d on words.
     let places = output.frac_bits() + 1 + of_d.frac_bits() - of_a.frac_bits();
     let appended = u32::try_from(places).unwrap_or(0);
     let mut word = b.slice(divisor, 0, of_d.bits());
@@ -169,10 +169,10 @@ fn digits(
     let divisor = word;
     let bits = b.format(divisor).bits();
     let total = of_a.bits() + appended;
-    // One bit for half an ulp, one above the output's.
+    // One bit for half an ulp, and one above the output's.
     let steps = (output.bits() - u32::from(output.is_signed()) + 2).min(total);
 
-    // 0 <= rest < divisor, or the quotient has a bit above those of the steps.
+    // 0 <= rest < divisor; otherwise the quotient has a bit above those of the steps.
     let head: Vec<NodeId> =
         (steps..total).rev().map(|i| bit_of(b, dividend, appended, i)).collect();
     let one = b.constant(1, Format::FLAG);
@@ -189,7 +189,7 @@ fn digits(
     };
     let mut quotient = Vec::new();
     if non_restoring {
-        // -divisor <= rest < divisor: a sign and `bits` bits.
+        // -divisor <= rest < divisor: `bits` bits and a sign.
         let (signed, wide) = (Format::signed(bits + 1, 0), Format::signed(bits + 2, 0));
         let (signed, wide) = (b.checked(signed), b.checked(wide));
         rest = b.modulo(rest, signed);
@@ -223,8 +223,9 @@ fn digits(
     (b.shift(quotient, -(output.frac_bits() + 2)), past)
 }
 
-/// Dividend and divisor shifted by the same places, so that the divisor has its top bit set; the
-/// dividend times the table's reciprocal. The dividend saturates where the quotient does.
+/// Shifts dividend and divisor by the same places, so that the divisor has its top bit set, and
+/// multiplies the dividend by the table's reciprocal. The dividend saturates where the quotient
+/// does.
 fn normalised(
     b: &mut Builder,
     dividend: NodeId,
@@ -240,7 +241,7 @@ fn normalised(
     let recip = table::emit(b, spec, argument)[0]; // 1 < recip <= 2
     let shifted = b.shift_left(dividend, places, bits);
     let shifted = b.shift(shifted, of_d.frac_bits() - cast::signed_count(bits));
-    // As recip is above 1, a dividend of 2^int_bits is past the output already.
+    // As recip is above 1, a dividend of 2^int_bits is already out of the output's range.
     let frac = of_a.frac_bits() + cast::signed_count(bits) - of_d.frac_bits();
     let kept = (output.int_bits() + 1 + frac).max(1).unsigned_abs();
     let kept = if kept < of_a.bits() + bits {
@@ -259,7 +260,7 @@ mod tests {
     use crate::number::function::Function;
     use crate::table::Scheme;
 
-    /// `n / d` rounded to a whole number, written apart from `narrow`.
+    /// `n / d` rounded to an integer, independent of `narrow`.
     pub(crate) fn rounded(n: i128, d: i128, round: Round) -> i128 {
         let (n, d) = (n * d.signum(), d.abs());
         let (floor, rest) = (n.div_euclid(d), n.rem_euclid(d));
@@ -293,7 +294,7 @@ mod tests {
         netlist.eval(&inputs).unwrap().0[netlist.outputs()[0].node.index()]
     }
 
-    /// Dividend and divisor on a common scale of whole numbers, times 2^frac_bits of the output.
+    /// Dividend and divisor as integers on a common scale, times 2^frac_bits of the output.
     fn ratio([a, d]: [i64; 2], of: [Format; 2], output: Format) -> (i128, i128) {
         let places = output.frac_bits() + of[1].frac_bits() - of[0].frac_bits();
         let up = |x: i64, places: i32| i128::from(x) << places.max(0);

@@ -1,6 +1,7 @@
-//! A shading point as real numbers, and what each input port of a shading unit gets of it.
+//! A shading point as real numbers, and the value of each input port of a shading unit at that
+//! point.
 //!
-//! Ports are known by name, so a front end can feed any unit that has some of these:
+//! Ports are identified by name, so a front end can feed any unit with some of these ports:
 //!
 //! - `phi_V`, `theta_V` and `V_x`, `V_y`, `V_z` for a vector V in polar or Cartesian form: `l`
 //!   the light, `h` the halfway vector, `n` the normal, `t` the tangent, `b` the binormal N × T,
@@ -9,7 +10,7 @@
 //! - `psi`: the angle about N from the frame of N's own polar form (T along growing theta, B along
 //!   growing phi) to the texture frame.
 //!
-//! Angles are in turns; at a pole phi is 0, and psi suits that.
+//! Angles are in turns. At a pole phi is 0, and psi is measured accordingly.
 
 use crate::base::simd::{Body, vectorised};
 use crate::design::{Draw, HardCase, InputPorts, Sampler, Uniform, Values};
@@ -18,7 +19,7 @@ use crate::number::format::{Overflow, Round, quantize};
 use crate::number::trig;
 use glam::DVec3;
 
-/// A shading point: unit vectors.
+/// A shading point, with unit vectors.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Fragment {
     /// The surface normal in the world.
@@ -38,12 +39,12 @@ pub struct Fragment {
 #[must_use]
 pub fn polar(v: DVec3) -> (f64, f64) {
     let across = v.x * v.x + v.y * v.y;
-    // On a pole phi is 0, also where atan2 would tell zeros of either sign apart.
+    // On a pole phi is 0, even where atan2 would distinguish zeros by their sign.
     let phi = if across == 0.0 { 0.0 } else { trig::atan2_turns(v.y, v.x) };
     (if phi < 0.0 { phi + 1.0 } else { phi }, trig::atan2_turns(across.sqrt(), v.z))
 }
 
-/// Vectors of a fragment.
+/// The vectors of a fragment.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 enum Vector {
     Light,
@@ -56,7 +57,7 @@ enum Vector {
     Perturbed,
 }
 
-/// What an input port of a shading unit takes of a fragment.
+/// The value of a fragment that an input port of a shading unit receives.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Port(Kind);
 
@@ -69,7 +70,7 @@ enum Kind {
 }
 
 impl Port {
-    /// The port of a name; `None` if it means nothing here.
+    /// The port with this name; `None` if the name is unknown here.
     #[must_use]
     pub fn of(name: &str) -> Option<Self> {
         let vector = |name: &str| match name {
@@ -97,7 +98,7 @@ impl Port {
 }
 
 impl Port {
-    /// Its values for many fragments; `to` is overwritten.
+    /// The port's values for many fragments; `to` is overwritten.
     pub fn column(self, fragments: &[Fragment], to: &mut Vec<f64>) {
         to.clear();
         let (Kind::Phi(vector) | Kind::Theta(vector)) = self.0 else {
@@ -116,7 +117,7 @@ impl Port {
     }
 }
 
-/// Fragments whose polar forms are computed at once.
+/// Number of fragments whose polar forms are computed at once.
 const BLOCK: usize = 256;
 
 /// Azimuths or polar angles of vectors.
@@ -180,8 +181,9 @@ impl Fragment {
         if turns < 0.0 { turns + 1.0 } else { turns }
     }
 
-    /// A random one: N, T and the vector to the eye uniform, the eye before the surface; the light
-    /// before it too where `lit`; slopes of the perturbed normal uniform in ±1.
+    /// A random fragment. N, T and the vector to the eye are uniform, with the eye in front of the
+    /// surface. With `lit` the light is in front of it too. Slopes of the perturbed normal are
+    /// uniform in ±1.
     fn random(lit: bool, uniform: &mut Uniform) -> Self {
         let mut sphere = || {
             let (z, turns) = (1.0 - 2.0 * uniform.draw(), uniform.draw());
@@ -193,7 +195,7 @@ impl Fragment {
         let (normal, other, light, eye) = (sphere(), sphere(), sphere(), sphere());
         let light = if lit { before(light, normal) } else { light };
         let eye = before(eye, normal);
-        // Parallel or opposite vectors are as likely as two equal floats.
+        // Parallel or opposite vectors are as improbable as two equal floats.
         let tangent = normal.cross(other).normalize_or(normal.any_orthonormal_vector());
         let slopes = [2.0 * uniform.draw() - 1.0, 2.0 * uniform.draw() - 1.0];
         Self {
@@ -209,7 +211,7 @@ impl Fragment {
 /// Fills the input ports of a shading unit with random shading points.
 ///
 /// # Panics
-/// If a port's name means nothing here: that is wrong code.
+/// If a port's name is unknown here, which is a bug.
 pub(crate) fn draw(_: &Values, ports: &InputPorts<'_>) -> Draw {
     let port = |name| Port::of(name).expect("bug: ports of shading units are those of fragments");
     let ports: Vec<Port> = ports.names().map(port).collect();
@@ -222,10 +224,10 @@ pub(crate) fn draw(_: &Values, ports: &InputPorts<'_>) -> Draw {
     })
 }
 
-/// The named hard cases of a unit with the ports of fragments.
+/// The named hard cases of a unit whose ports are those of fragments.
 ///
 /// # Panics
-/// If a port's name means nothing here: that is wrong code.
+/// If a port's name is unknown here, which is a bug.
 pub(crate) fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
     let words = |fragment: &Fragment| -> Vec<i64> {
         let word = |(port, id): (usize, &NodeId)| {
@@ -274,7 +276,7 @@ pub(crate) fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
                 grazing.extend(off(tangent, normal).map(|v| lit(v, v)));
                 grazing.extend(off(binormal, normal).map(|v| lit(v, v)));
                 edge.extend(off(across, bump).map(|v| lit(v, v)));
-                // As interpolation between vertices leaves them.
+                // Vectors as shortened by interpolation between vertices.
                 let full = lit(bump + across, bump);
                 short.push(Fragment { light: full.light * 0.75, half: full.half * 0.6, ..full });
                 short.push(Fragment { perturbed: perturbed * 0.6, ..full });
@@ -282,13 +284,13 @@ pub(crate) fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
         }
     }
     vec![
-        cases("poles: N or L along z, and just beside", at_poles),
+        cases("poles: N or L along z, and one word off", at_poles),
         cases("phi wrap: L and H on both sides of the seam", seam),
-        cases("A parallel to N' or N: dot product at 1, and just beside", facing),
-        cases("A opposite to N' or N: dot product at -1, and just beside", opposite),
+        cases("A parallel to N' or N: dot product at 1, and just off", facing),
+        cases("A opposite to N' or N: dot product at -1, and just off", opposite),
         cases("grazing light: N·A at 0, just below and just above", grazing),
         cases("dot product N'·A at 0, just below and just above", edge),
-        cases("vectors shorter than 1, as interpolation leaves them", short),
+        cases("vectors shorter than 1, as after interpolation", short),
     ]
 }
 
@@ -302,7 +304,7 @@ mod tests {
         (0..count).map(|_| Fragment::random(true, &mut uniform)).collect()
     }
 
-    /// Rotating by -phi_n about z, -theta_n about y and -psi about z takes T, B, N to x, y, z.
+    /// Rotating by -phi_n about z, -theta_n about y and -psi about z maps T, B, N to x, y, z.
     #[test]
     fn psi_completes_the_polar_rotation_to_the_texture_frame() {
         let mut all = random(200);

@@ -1,4 +1,4 @@
-//! What the units share.
+//! Parts shared by the units.
 
 pub(super) mod divide;
 pub mod fragment;

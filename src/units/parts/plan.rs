@@ -1,5 +1,5 @@
-//! What the units of a bump-mapping pipeline share: parameters, and the netlist's plan made of
-//! them.
+//! Shared by the units of a bump-mapping pipeline: parameters, and the plan of the netlist derived
+//! from them.
 
 use crate::base::cast;
 use crate::base::error::Result;
@@ -19,12 +19,12 @@ pub(crate) fn table_addr_bits() -> Param {
     Param::bits("table_addr_bits", 2..=20)
         .role(Role::TableSize)
         .default(10)
-        .help("address bits of every table that has none of its own")
+        .help("address bits of every table without its own parameter")
 }
 
 pub(crate) fn quarter_wave() -> Param {
     Param::flag("quarter_wave")
-        .help("store a quarter turn of sin, cos and their reciprocals and fold")
+        .help("store only a quarter turn of sin, cos and their reciprocals, and fold the angle")
 }
 
 pub(crate) fn frac_bits() -> Param {
@@ -32,12 +32,12 @@ pub(crate) fn frac_bits() -> Param {
 }
 
 pub(crate) fn guard_bits() -> Param {
-    Param::bits("guard_bits", 0..=8).default(2).help("extra fraction bits inside")
+    Param::bits("guard_bits", 0..=8).default(2).help("extra fraction bits of intermediate results")
 }
 
 pub(crate) fn overflow() -> Param {
     Param::overflow("overflow")
-        .help("overflow of the components x, y, z (cartesian); everything inside saturates")
+        .help("overflow of the components x, y, z (cartesian); intermediate results saturate")
 }
 
 pub(crate) fn sincos_addr_bits() -> Param {
@@ -82,7 +82,7 @@ pub(crate) fn recip_int_bits() -> Param {
 }
 
 pub(crate) fn atan_int_bits() -> Param {
-    Param::bits("atan_int_bits", 1..=14).auto("what balances its cells against its end, for its size and scheme").help("the index of the atan table, tan phi', saturates at 2^atan_int_bits (printed, corrected)")
+    Param::bits("atan_int_bits", 1..=14).auto("balances the errors of its cells and of its ends, for its size and scheme").help("the index of the atan table, tan phi', saturates at 2^atan_int_bits (printed, corrected)")
 }
 
 pub(crate) fn quadrants() -> Param {
@@ -97,13 +97,13 @@ pub(crate) fn cordic_iterations() -> Param {
         .help("steps of each CORDIC (polar-cordic)")
 }
 
-/// Parameters in the form that the netlist is written in.
+/// The parameters in the form that building the netlist needs.
 pub(crate) struct Plan<'a> {
     pub(crate) values: &'a Values,
     pub(crate) angle_bits: u32,
-    /// Fraction bits of components inside.
+    /// Fraction bits of intermediate components.
     pub(crate) work_bits: u32,
-    /// Fraction bits of angles inside.
+    /// Fraction bits of intermediate angles.
     pub(crate) work_angle_bits: u32,
     pub(crate) frac_bits: u32,
     pub(crate) scheme: Scheme,
@@ -112,14 +112,14 @@ pub(crate) struct Plan<'a> {
     pub(crate) tabulated: Vec<Tabulated>,
 }
 
-/// Signed numbers below 2^int_bits with `frac_bits` fraction bits.
+/// Format of signed numbers below 2^int_bits with `frac_bits` fraction bits.
 pub(crate) fn number(int_bits: u32, frac_bits: u32) -> Result<Format> {
     Format::signed(int_bits + frac_bits + 1, cast::signed_count(frac_bits))
 }
 
 impl<'a> Plan<'a> {
-    /// The plan of parameters that have all of this file's but the tables' sizes; a unit without
-    /// angles has none of theirs.
+    /// The plan of parameters that include all of this file except the tables' sizes. A unit
+    /// without angles may lack those of angles too.
     pub(crate) fn new(values: &'a Values) -> Self {
         let angles = values.has("angle_bits");
         let angle_bits = if angles { values.bits("angle_bits") } else { 0 };
@@ -187,17 +187,18 @@ impl<'a> Plan<'a> {
 
     /// sin and cos of an angle.
     pub(crate) fn sincos(&mut self, b: &mut Builder, angle: NodeId) -> Result<(NodeId, NodeId)> {
-        let output = number(1, self.work_bits)?; // -2 to 2: 1.0 has a code
+        let output = number(1, self.work_bits)?; // -2 to 2: 1.0 is representable
         let functions = &[Function::sin(), Function::cos()];
         let pair = self.table(b, "sincos", "sincos_addr_bits", functions, angle, output);
         Ok((pair[0], pair[1]))
     }
 
-    /// An angle inside, rounded to the port's bits, modulo a turn.
+    /// An intermediate angle, rounded to the port's bits, modulo a turn.
     pub(crate) fn angle_word(&self, b: &mut Builder, name: &str, angle: NodeId) -> Result<NodeId> {
         let format = b.format(angle);
         let int_bits = u32::try_from(format.int_bits().max(0)).expect("bug: not negative");
-        // One more whole bit, so that rounding up past the top is no overflow but the next turn.
+        // One more integer bit, so that rounding up past the top wraps to the next turn and doesn't
+        // overflow.
         let wide = Format::new(
             format.is_signed(),
             int_bits + 1 + u32::from(format.is_signed()) + self.angle_bits,

@@ -1,4 +1,4 @@
-//! Parts shared by units: from Cartesian to polar, by CORDIC and by tables.
+//! Shared parts: conversion from Cartesian to polar form, by CORDIC and by tables.
 
 use crate::base::cast;
 use crate::base::error::Error;
@@ -7,7 +7,7 @@ use crate::number::format::{Format, Overflow, Round, bit_len};
 use crate::table::{self, Spec};
 use std::f64::consts::TAU;
 
-/// Angle of a vector and its length, as nodes; what they mean on reals is the caller's to say.
+/// Angle and length of a vector, as nodes; the caller states their meaning on real numbers.
 pub(crate) struct Polar {
     /// Angle in turns, unsigned, modulo one.
     pub(crate) angle: NodeId,
@@ -15,18 +15,18 @@ pub(crate) struct Polar {
     pub(crate) length: NodeId,
 }
 
-/// What CORDIC vectoring multiplies the length by.
+/// The factor by which CORDIC vectoring multiplies the length.
 pub(crate) fn gain(iterations: u32) -> f64 {
     (0..cast::signed_count(iterations)).map(|i| (1.0 + 4f64.powi(-i)).sqrt()).product()
 }
 
-/// Fraction bits that CORDIC works with, so that the dropped bits of all its steps stay
-/// below `2^-frac_bits` together.
+/// Fraction bits of CORDIC's words, so that the bits dropped by all steps together stay below
+/// `2^-frac_bits`.
 pub(crate) fn cordic_frac_bits(frac_bits: u32, iterations: u32) -> u32 {
     frac_bits + bit_len(u64::from(iterations)) + 1
 }
 
-/// The angle word `half a turn on`: its top bit inverted.
+/// The angle half a turn on: the word's top bit is inverted.
 pub(crate) fn opposite(b: &mut Builder, angle: NodeId) -> NodeId {
     let format = b.format(angle);
     let top = b.constant(1 << (format.bits() - 1), format);
@@ -37,8 +37,8 @@ pub(crate) fn opposite(b: &mut Builder, angle: NodeId) -> NodeId {
 
 /// Angle and length of (x, y) by CORDIC in vectoring mode: adders and wires only.
 ///
-/// |x|, |y| < 2 with |(x, y)| * gain < 4; steps drop bits toward minus infinity. Works
-/// with `work_bits` fraction bits, and `angle_bits` of them in the angle. (0, 0) gives angle 0.
+/// |x|, |y| < 2 with |(x, y)| * gain < 4; steps drop bits toward minus infinity. Uses `work_bits`
+/// fraction bits for x and y, and `angle_bits` for the angle. (0, 0) gives angle 0.
 pub(crate) fn cordic(
     b: &mut Builder,
     y: NodeId,
@@ -61,13 +61,15 @@ pub(crate) fn cordic(
     cx = fit(b, cx);
     cy = fit(b, cy);
 
-    let turns = b.checked(Format::signed_turns(angle_bits)); // -½ <= angle < ½; the sum of all steps is below 0.28
+    // -½ <= angle < ½; the sum of all steps is below 0.28.
+    let turns = b.checked(Format::signed_turns(angle_bits));
     let one = b.constant(1, Format::FLAG);
     let step_of = |i: i32| {
         let turns = libm::atan(2f64.powi(-i)) / TAU;
         cast::i64_of((turns * 2f64.powi(cast::signed_count(angle_bits))).round())
     };
-    // No step turns the zero vector, so each adds its angle: that one starts as far back.
+    // No step can turn the zero vector, but each adds its angle. So the zero vector starts at minus
+    // the sum of all steps.
     let all_steps: i64 = (0..cast::signed_count(iterations)).map(step_of).sum();
     let (back, start) = (b.constant(-all_steps, turns), b.constant(0, turns));
     let mut angle = b.mux(nowhere, back, start);
@@ -116,7 +118,7 @@ pub(crate) fn scale(b: &mut Builder, x: NodeId, factor: f64, frac_bits: u32) -> 
 
 /// Table specifications of [`table`].
 pub(crate) struct PolarTables<'a> {
-    /// 1/x of a mantissa from ½ up; its argument is the mantissa without its top bit.
+    /// 1/x of a mantissa from ½ up; the argument is the mantissa without its top bit.
     pub(crate) recip: Spec<'a>,
     /// atan and secant of a ratio from 0 to 1.
     pub(crate) atan: Spec<'a>,
@@ -126,11 +128,11 @@ pub(crate) struct PolarTables<'a> {
 
 /// Format of the reciprocal table's argument for components of format `component`.
 pub(crate) fn mantissa_argument(component: Format) -> crate::base::error::Result<Format> {
-    // |component| has as many bits as the component; without its top bit, one less.
+    // |component| has as many bits as the component; without its top bit, one fewer.
     Format::unsigned(component.bits() - 1, cast::signed_count(component.bits()))
 }
 
-/// Components that have the format of another; any other is a mistake in formats that were given by name.
+/// Components, which must have this format; any other is an error in formats given by name.
 pub(crate) fn in_one_format<const N: usize>(
     b: &mut Builder,
     format: Format,
@@ -140,16 +142,16 @@ pub(crate) fn in_one_format<const N: usize>(
         let other = b.format(component);
         if other != format {
             b.fail(Error::usage(format!(
-                "components have one format, and these have {format} and {other}: give all of them one"
+                "components have formats {format} and {other}: give all of them one format"
             )));
         }
         b.narrow(component, format, Round::Floor, Overflow::Wrap)
     })
 }
 
-/// Angle and length of (x, y), both of one signed format: octant fold, normalised
-/// reciprocal table, one product for the ratio, a table of atan and secant, one product
-/// for the length. (0, 0) gives angle 0.
+/// Angle and length of (x, y), both of one signed format: octant fold, normalised reciprocal table,
+/// one product for the ratio, a table of atan and secant, one product for the length. (0, 0) gives
+/// angle 0.
 pub(crate) fn table(b: &mut Builder, y: NodeId, x: NodeId, tables: &PolarTables<'_>) -> Polar {
     let component = b.format(x);
     let [y] = in_one_format(b, component, [y]);
@@ -157,7 +159,7 @@ pub(crate) fn table(b: &mut Builder, y: NodeId, x: NodeId, tables: &PolarTables<
     let (ax, ay) = (b.abs(x), b.abs(y));
     let steep = b.less(ax, ay);
     let (major, minor) = (b.mux(steep, ay, ax), b.mux(steep, ax, ay));
-    // Shift both so that the major one has its top bit set; nothing is lost off the top.
+    // Shift both so that the larger has its top bit set; no bit is lost at the top.
     let places = b.leading_zeros(major);
     let mantissa = |b: &mut Builder, node| {
         let shifted = b.shift_left(node, places, bits);
@@ -176,7 +178,7 @@ pub(crate) fn table(b: &mut Builder, y: NodeId, x: NodeId, tables: &PolarTables<
         panic!("bug: two functions were asked for")
     };
 
-    // Unfold: ¼ - angle in the steep octants, ½ - angle behind, -angle below.
+    // Unfold: ¼ - angle in the steep octants, ½ - angle for x < 0, -angle for y < 0.
     let out = tables.atan.output;
     let fold = |b: &mut Builder, flag, angle, from: Option<f64>| {
         let folded = match from {

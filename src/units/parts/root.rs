@@ -1,5 +1,5 @@
 //! Square roots and reciprocal square roots: by digit recurrence, by tables, and by a table with a
-//! step of Newton's iteration.
+//! Newton step.
 
 use super::divide::{bit_of, limit, normalise, sticky, word_of};
 use crate::base::cast;
@@ -8,7 +8,7 @@ use crate::netlist::{Builder, NodeId, Part};
 use crate::number::format::{Format, Overflow, Round, bit_len};
 use crate::table::{self, Spec};
 
-/// How a square root is found.
+/// How a square root is computed.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Method<'a> {
     /// Digit by digit: a subtractor and a multiplexer each. Correctly rounded in every mode.
@@ -17,22 +17,23 @@ pub(crate) enum Method<'a> {
     Table(Table<'a>),
 }
 
-/// A table of a function of the operand shifted by an even number of places to ¼ and above.
+/// A table of a function of the operand, which is shifted by an even number of places to at least
+/// ¼.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Table<'a> {
-    /// Its specification; the argument is [`argument`], the origin ¼.
+    /// Its specification; the argument is [`argument`], the origin is ¼.
     pub(crate) spec: Spec<'a>,
-    /// Bits that are kept of the shifted operand, at least 4; what lies below is dropped.
+    /// Bits kept of the shifted operand, at least 4; lower bits are dropped.
     pub(crate) kept_bits: u32,
 }
 
-/// Square root of an unsigned word in format `output`; what is past it saturates.
+/// Square root of an unsigned word in format `output`; results out of range saturate.
 ///
-/// By a table it is off by twice the root times the table's worst error and `2^-kept_bits`, before
-/// the one rounding.
+/// With a table, the result is off by twice the root times the sum of the table's worst error and
+/// `2^-kept_bits`, before the one rounding.
 ///
 /// # Panics
-/// If the word is signed: that is wrong code.
+/// If the word is signed, which is a bug.
 pub(crate) fn root(
     b: &mut Builder,
     name: &str,
@@ -47,7 +48,7 @@ pub(crate) fn root(
             Method::Table(table) => {
                 let Normalised { table, half_places, half_bits, frac_bits, .. } =
                     normalised(b, a, table);
-                // sqrt(m * 2^(bits - places)): a shift by half of that.
+                // sqrt(m * 2^(bits - places)): shift by half of that.
                 let most = b.checked(Format::integer(bit_len(u64::from(half_bits))));
                 let most = b.constant(i64::from(half_bits), most);
                 let left = b.sub(most, half_places);
@@ -64,13 +65,13 @@ pub(crate) fn root(
     })
 }
 
-/// 1 / square root of an unsigned word in format `output`, by a table of it for the normalised
-/// operand. What is past the output saturates, 1/sqrt(0) among it. Off by the result times the
-/// table's worst error and `4 * 2^-kept_bits`, before the one rounding; with a step of Newton's
-/// iteration in so many fraction bits, [`newton_error`] stands for the table's.
+/// 1 / square root of an unsigned word in format `output`, from a table for the normalised operand.
+/// Results out of range saturate, including 1/sqrt(0). Off by the result times the sum of the
+/// table's worst error and `4 * 2^-kept_bits`, before the one rounding. With a Newton step of this
+/// many fraction bits, [`newton_error`] replaces the table's error.
 ///
 /// # Panics
-/// If the word is signed: that is wrong code.
+/// If the word is signed, which is a bug.
 pub(crate) fn reciprocal_root(
     b: &mut Builder,
     name: &str,
@@ -93,12 +94,12 @@ pub(crate) fn reciprocal_root(
         let of_zero = b.equal(a, zero);
         let exact = b.mux(of_zero, limit, shifted);
         let root = b.narrow(exact, output, round, Overflow::Saturate);
-        // The largest f64 at 0, as words saturate.
+        // The largest f64 at 0, just as words saturate.
         b.means(root, [a], |[a]| (1.0 / a.max(0.0).sqrt()).min(f64::MAX))
     })
 }
 
-/// A step of Newton's iteration: `y (3 - m y²) / 2` for y near 1/sqrt(m) and ¼ <= m < 1.
+/// A Newton step: `y (3 - m y²) / 2` for y near 1/sqrt(m) and ¼ <= m < 1.
 fn step(b: &mut Builder, m: NodeId, y: NodeId, frac_bits: u32, round: Round) -> NodeId {
     let format = Format::unsigned(2 + frac_bits, cast::signed_count(frac_bits));
     let format = b.checked(format); // 0 <= x < 4
@@ -114,27 +115,27 @@ fn step(b: &mut Builder, m: NodeId, y: NodeId, frac_bits: u32, round: Round) -> 
     b.narrow(next, format, round, Overflow::Saturate)
 }
 
-/// Largest relative error of a step of Newton's iteration from a table of that worst error, with
-/// that many fraction bits and that share of their ulp for the error of a rounding.
+/// Largest relative error of a Newton step. It starts from a table with this worst error, and has
+/// this many fraction bits and roundings of this fraction of an ulp.
 ///
-/// `y = Y (1 + e)` with Y = 1/sqrt(m) from 1 to 2 gives `Y (1 - 1.5 e² - 0.5 e³)`. The product m y is
-/// off by one rounding, so its own with y by y of them; with that of the difference and half of y
-/// again, y (y + 1) / 2 roundings, and the last one.
+/// `y = Y (1 + e)` with Y = 1/sqrt(m) from 1 to 2 gives `Y (1 - 1.5 e² - 0.5 e³)`. The product m y
+/// is off by one rounding, so its product with y is off by y roundings. The difference adds one,
+/// and half of y multiplies them: y (y + 1) / 2 roundings, plus the last one.
 pub(crate) fn newton_error(worst: f64, frac_bits: u32, rounding: f64) -> f64 {
     let ulp = rounding * 2f64.powi(-cast::signed_count(frac_bits));
     let y = 2.0 + worst;
     (1.5 + 0.5 * worst) * worst * worst + (0.5 * y * (y + 1.0) + 1.0) * ulp
 }
 
-/// Format of the tables' argument: the shifted operand, less ¼.
+/// Format of the tables' argument: the shifted operand less ¼.
 ///
 /// # Errors
-/// If that is past 63 bits.
+/// If it needs more than 63 bits.
 pub(crate) fn argument(operand: Format, kept_bits: u32) -> Result<Format> {
     Format::turns(even_bits(operand).0.min(kept_bits))
 }
 
-/// An even number of bits, at least 4, and of fraction bits for an operand.
+/// An even number of bits, at least 4, and an even number of fraction bits, for an operand.
 fn even_bits(operand: Format) -> (u32, i32) {
     let odd = u32::from(operand.frac_bits() % 2 != 0);
     let bits = (operand.bits() + odd).max(4);
@@ -145,21 +146,21 @@ fn even_bits(operand: Format) -> (u32, i32) {
 struct Normalised {
     /// The table's word for m.
     table: NodeId,
-    /// m in the bits that are kept.
+    /// m in the bits kept.
     m: NodeId,
     half_places: NodeId,
     half_bits: u32,
     frac_bits: i32,
 }
 
-/// A word that roots are taken of; a signed one is a mistake in formats that were given by name.
+/// The operand of a root; a signed one is an error in formats given by name.
 fn unsigned(b: &mut Builder, a: NodeId) -> NodeId {
     let format = b.format(a);
     if !format.is_signed() {
         return a;
     }
     b.fail(Error::usage(format!(
-        "roots are of unsigned words, and this one has format {format}: give it an unsigned one"
+        "the operand of a root has the signed format {format}: give it an unsigned one"
     )));
     b.abs(a)
 }
@@ -180,7 +181,7 @@ fn normalised(b: &mut Builder, a: NodeId, table: &Table<'_>) -> Normalised {
         word = b.concat(zeros, word);
     }
     let (mantissa, half_places) = normalise(b, word, 2);
-    // Less ¼: one less in the top two bits, 01 to 11.
+    // Less ¼: one less in the top two bits, which are 01 to 11.
     let top = b.slice(mantissa, bits - 2, 2);
     let one = b.constant(1, Format::FLAG);
     let top = b.sub(top, one);
@@ -195,11 +196,12 @@ fn normalised(b: &mut Builder, a: NodeId, table: &Table<'_>) -> Normalised {
     Normalised { table, m, half_places, half_bits: bits / 2, frac_bits }
 }
 
-/// The root to half an ulp of `output` or better, and a bit that tells whether anything is left.
+/// The root to half an ulp of `output` or finer, and a sticky bit for the remainder.
 fn digits(b: &mut Builder, a: NodeId, output: Format) -> NodeId {
     let a = unsigned(b, a);
     let format = b.format(a);
-    // The root counts 2^-frac, its square 2^-2frac: no bit of the operand lies below that.
+    // The root is in units of 2^-frac, its square in 2^-2frac: no bit of the operand lies below
+    // that.
     let frac = (output.frac_bits() + 1).max((format.frac_bits() + 1).div_euclid(2));
     let appended = (2 * frac - format.frac_bits()).unsigned_abs();
     let steps = (format.bits() + appended).div_ceil(2);
@@ -258,7 +260,7 @@ mod tests {
         netlist.eval(&[word]).unwrap().0[netlist.outputs()[0].node.index()]
     }
 
-    /// Half the root of `n`, rounded to a whole number, by whole numbers only.
+    /// Half the root of `n`, rounded to an integer, in integer arithmetic only.
     fn rounded(n: i128, round: Round) -> i128 {
         let halves = n.isqrt();
         let (floor, exact) = (halves / 2, halves * halves == n);
@@ -286,7 +288,7 @@ mod tests {
                     netlist(a, |b, a| root(b, "root", a, output, *round, &Method::Digits));
                 assert_eq!(netlist.counts().square_roots, 1);
                 for word in a.min_raw()..=a.max_raw() {
-                    // 4 * operand * 2^(2 frac_bits): its root counts half ulps.
+                    // 4 * operand * 2^(2 frac_bits): its root is in half ulps.
                     let places = 2 * output.frac_bits() + 2 - a.frac_bits();
                     let exact = if places >= 0 {
                         rounded(i128::from(word) << places, *round)
@@ -300,7 +302,7 @@ mod tests {
         }
     }
 
-    /// Where the operand has bits below those of the result's square: a search.
+    /// A search, for operands with bits below those of the result's square.
     fn rounded_below(word: i64, places: i32, round: Round) -> i128 {
         // Largest h with h² <= word * 2^places, and whether it is equal.
         let scale = 1i128 << -places;
@@ -381,7 +383,7 @@ mod tests {
         }
     }
 
-    /// For every word, every rounding, with tables of any size.
+    /// For every word and every rounding, with tables of several sizes.
     #[test]
     fn newton_steps_are_within_the_stated_error_for_every_word() {
         for (addr_bits, frac_bits) in [(2, 12), (3, 10), (5, 14), (6, 20), (4, 3)] {
@@ -412,7 +414,7 @@ mod tests {
                             continue;
                         }
                         let exact = 1.0 / a.value(word).sqrt();
-                        // The step's own error is relative to what the bits that are kept say.
+                        // The step's own error is relative to the kept bits.
                         let bound = ((1.0 + error) * (1.0 + dropped) - 1.0) * exact;
                         let bound = bound + rounding * output.ulp();
                         let off = (is - exact.min(max)).abs();

@@ -1,8 +1,8 @@
 //! The tangent-space set-up that `peercy` and `ernst` share: two 3×3 transforms and three
 //! normalisations, with real dividers and square roots.
 //!
-//! L and H go from the world into the frame of tangent T, binormal B and normal N; then they and
-//! N' are made unit vectors. A vector of length 0 stays 0.
+//! L and H are transformed from the world into the frame of tangent T, binormal B and normal N.
+//! Then L', H' and N' are normalised. A vector of length 0 stays 0.
 
 use super::divide::{self, divide};
 use super::plan::{self, Plan, number, rounding_ulp};
@@ -35,18 +35,18 @@ fn root_addr_bits() -> Param {
     Param::bits("root_addr_bits", 2..=20)
         .role(Role::TableSize)
         .auto("table_addr_bits")
-        .help("address bits of the table of roots or reciprocal roots")
+        .help("address bits of the root or reciprocal-root table")
 }
 
 /// Integer bits of a transformed component: three products of words below 2 in magnitude.
 const INT_BITS: u32 = 4;
 
-/// Vectors of input ports, in order.
+/// Vectors of the input ports, in order.
 fn vectors(highlight: bool) -> &'static [&'static str] {
     if highlight { &["l", "h", "n", "t", "b", "p"] } else { &["l", "n", "t", "b", "p"] }
 }
 
-/// Scopes in `setup`: of L', of H', of N'.
+/// Scopes in `setup` of L', H' and N'.
 fn scopes(highlight: bool) -> &'static [&'static str] {
     if highlight { &["light", "half", "bump"] } else { &["light", "bump"] }
 }
@@ -56,7 +56,7 @@ pub(crate) fn labels(scope: &str) -> [String; 3] {
     ["x", "y", "z"].map(|axis| format!("setup.{scope}.unit_{axis}.{axis}"))
 }
 
-/// Makes the input ports, and unit vectors L', H' (with a highlight) and N' from them.
+/// Adds the input ports, and computes the unit vectors L', H' (with a highlight) and N'.
 pub(crate) fn set_up(
     b: &mut Builder,
     plan: &mut Plan<'_>,
@@ -92,7 +92,7 @@ pub(crate) fn set_up(
     })
 }
 
-/// The vector over its length, in the words of ports.
+/// The vector divided by its length, in words of the ports' format.
 fn normalised(b: &mut Builder, plan: &mut Plan<'_>, v: [NodeId; 3]) -> Result<[NodeId; 3]> {
     let values = plan.values;
     let (round, work_bits) = (plan.round, plan.work_bits);
@@ -116,7 +116,7 @@ fn normalised(b: &mut Builder, plan: &mut Plan<'_>, v: [NodeId; 3]) -> Result<[N
     if values.choice("normalise") == "reciprocal-root" {
         let table = roots(b, "recip_root", Function::recip_sqrt())?;
         let table = root::Table { spec: table.spec(), kept_bits };
-        // Up to 4: vectors of ¼ and longer.
+        // Up to 4, for vectors of length ¼ or more.
         let factor = Format::unsigned(work_bits + 2, work_frac)?;
         let factor = reciprocal_root(b, "reciprocal_length", square, factor, round, &table, None);
         b.name(factor, "reciprocal_length");
@@ -162,7 +162,7 @@ fn kept_bits(work_bits: u32) -> u32 {
     (work_bits + 2).max(4)
 }
 
-/// What the bounds hold for.
+/// The inputs for which the bounds hold.
 pub(crate) const INPUTS: &str = "L and H in the texture frame, and N', from 1/2 to 2 long";
 
 /// The bound on each component of the unit vectors.
@@ -170,21 +170,22 @@ pub(crate) fn bound(quantities: &[&str]) -> Bound {
     Bound::new("component", quantities, component_bound)
 }
 
-/// Each component of L', H' and N', for [`INPUTS`].
+/// Error of each component of L', H' and N', for [`INPUTS`].
 pub(crate) fn component_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
     let ulp = |bits: u32| 2f64.powi(-cast::signed_count(bits));
     let work_bits = values.bits("frac_bits") + values.bits("guard_bits");
     let (work_ulp, rounding) = (ulp(work_bits), rounding_ulp(values));
     let last = rounding * ulp(values.bits("frac_bits"));
-    // The transformed vector is off by `vector`; projected onto the sphere, by that over the length.
+    // The transformed vector is off by `vector`; projected onto the sphere, it is off by that over
+    // its length.
     let vector = 3f64.sqrt() * rounding * work_ulp;
     let length = 0.5 - vector;
     if length <= 0.25 {
-        return 4.0; // words so short say nothing: components are from -2 to 2
+        return 4.0; // too short words give no bound: components are from -2 to 2
     }
     let dropped = ulp(kept_bits(work_bits));
     let scaled = if values.choice("normalise") == "reciprocal-root" {
-        // The factor is off by the table's share of it, and one rounding, of up to 2.
+        // The factor is off by the table's relative error and by one rounding; it is at most 2.
         worst("recip_root") + 4.0 * dropped + (2.0 + vector) * rounding * work_ulp
     } else {
         let table = match values.choice("root") {
@@ -205,7 +206,7 @@ pub(crate) fn component_bound(values: &Values, worst: &dyn Fn(&str) -> f64) -> f
     (vector / length + scaled + last).min(4.0)
 }
 
-/// The golden unit vectors: L', H' (with a highlight) and N' in the texture frame.
+/// The golden unit vectors L', H' (with a highlight) and N' in the texture frame.
 pub(crate) fn golden<F: Real>(inputs: &[&[F]]) -> Vec<[Vec<F>; 3]> {
     let vectors: Vec<&[&[F]]> = inputs.chunks(3).collect();
     let (lights, frame) = vectors.split_at(vectors.len() - 4);

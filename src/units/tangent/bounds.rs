@@ -1,4 +1,4 @@
-//! Bounds on the rows of the map and on what they map.
+//! Bounds on the rows of the map and on the mapped vectors.
 
 use super::switches::{Switches, mapped};
 use crate::base::cast;
@@ -13,7 +13,7 @@ fn quantities(name: &str) -> [String; 4] {
     ["x", "y", "z", "dot"].map(|part| format!("{name}_{part}"))
 }
 
-/// Bounds on the rows and on what they map.
+/// Bounds on the rows and on the mapped vectors.
 pub(super) fn bounds(switches: Switches) -> Bounds {
     let mut bounds = vec![
         Bound::new("tangent", quantities("t"), |v, w| row_errors(v, w)[0]),
@@ -35,14 +35,16 @@ pub(super) fn bounds(switches: Switches) -> Bounds {
 
 /// Length of the error of each row, for any words.
 ///
-/// A unit vector of exact words is off by `unit` ([`unit_error`]), and so is every row that is one. Of
-/// others:
+/// A unit vector of exact words is off by `unit` ([`unit_error`]), and so is every row that is a
+/// unit vector. The other rows:
 ///
-/// - orthonormal T of a vertex, `B x N`: `|N| unit` and a rounding;
-/// - printed B of a vertex, `c/|T|` with c = N x T in words of T over a power of two, |T| ½ or more: c' is
-///   rounded; the reciprocal length, up to 2, is off by the share `length` for narrowed words, whose length
-///   is off by no more than their direction, as `direction_error` bounds their difference over the shorter;
-/// - orthonormal B of a facet, `N x T`: `unit` for each factor, their product, and a rounding.
+/// - orthonormal T of a vertex, `B x N`: `|N| unit` and one rounding;
+/// - printed B of a vertex, `c/|T|` with c = N x T. The words of T are over a power of two, with
+///   |T| at least ½. c' is rounded. The reciprocal length is at most 2 and has the relative error
+///   `length` for narrowed words. Their length is off by no more than their direction, since
+///   `direction_error` bounds the difference over the shorter length;
+/// - orthonormal B of a facet, `N x T`: `unit` for each factor, the product of both, and one
+///   rounding.
 fn row_errors(values: &Values, worst: &dyn Fn(&str) -> f64) -> [f64; 3] {
     let switches = Switches::new(values);
     let (unit, rounding) = (unit_error(values, worst), vector_rounding(values));
@@ -59,8 +61,8 @@ fn row_errors(values: &Values, worst: &dyn Fn(&str) -> f64) -> [f64; 3] {
     }
 }
 
-/// Length of the error of a vector in texture space: the rows' times the longest vector, and a
-/// rounding.
+/// Length of the error of a vector in texture space: that of the rows times the longest vector, and
+/// one rounding.
 fn mapped_error(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
     let rows = row_errors(values, worst).iter().map(|error| error * error).sum::<f64>().sqrt();
     let longest = 3f64.sqrt() * libm::exp2(values.bits("vector_int_bits").into());

@@ -1,4 +1,4 @@
-//! The datapath: edges, the map of a vertex or of a facet, and what goes through it.
+//! The datapath: edges, the map of a vertex or of a facet, and the vectors it maps.
 
 use super::bounds::bounds;
 use super::golden::golden;
@@ -16,11 +16,11 @@ use crate::units::normalise::{Block, block, narrowed, unit_vector};
 use crate::units::parts::plan::number;
 use crate::units::rsqrt::Root;
 
-/// The most whole bits of a coordinate.
+/// Maximum integer bits of a coordinate.
 pub(super) const MOST_INT_BITS: u32 = 22;
 
-/// A signed format of positions or texture coordinates: no more bits than make the golden's
-/// differences and products of two exact in an `f64`.
+/// A signed format of positions or texture coordinates. It has few enough bits that differences,
+/// and products of two differences, are exact in the golden's `f64`.
 fn coordinate(values: &Values, int_bits: &str, frac_bits: &str) -> Result<Format> {
     let (whole, fraction) = (values.bits(int_bits), values.bits(frac_bits));
     if !(1..=23).contains(&(whole + fraction)) {
@@ -33,10 +33,10 @@ fn coordinate(values: &Values, int_bits: &str, frac_bits: &str) -> Result<Format
     number(whole, fraction)
 }
 
-/// The most bits that a position, a texture coordinate and a component have together: N x T is exact.
+/// Maximum bits of a position, a texture coordinate and a component together: N x T is exact.
 const EXACT_BITS: u32 = 58;
 
-/// The most bits that a component and its guard bits have together where N x T of a facet is exact.
+/// Maximum bits of a component and its guard bits together, where N x T of a facet is exact.
 const FACET_BITS: u32 = 31;
 
 pub(super) fn design(values: &Values) -> Result<Design> {
@@ -46,8 +46,8 @@ pub(super) fn design(values: &Values) -> Result<Design> {
     let coordinates = position.bits() + uv.bits();
     if !switches.faceted && coordinates + values.bits("component_bits") > EXACT_BITS {
         let legal = format!(
-            "2 to {} with positions of {} and texture coordinates of {} bits: N x T is exact, and \
-             {EXACT_BITS} bits of the three together make 63",
+            "2 to {} with positions of {} and texture coordinates of {} bits: N x T is exact, so \
+             the three may have at most {EXACT_BITS} bits together",
             EXACT_BITS - coordinates,
             position.bits(),
             uv.bits()
@@ -59,7 +59,7 @@ pub(super) fn design(values: &Values) -> Result<Design> {
     if switches.faceted && switches.orthonormal && component_bits + guard_bits > FACET_BITS {
         let legal = format!(
             "0 to {} with component_bits={component_bits}, frame=faceted and basis=orthonormal: N x T is \
-             exact, and {FACET_BITS} bits of the two together make 63",
+             exact, so the two may have at most {FACET_BITS} bits together",
             FACET_BITS - component_bits
         );
         return Err(values.refuse("guard_bits", &legal));
@@ -148,7 +148,7 @@ pub(super) fn design(values: &Values) -> Result<Design> {
         .tabulated(tabulated))
 }
 
-/// What a triangle gives, exact.
+/// Exact values of a triangle.
 struct Edges {
     e1: [NodeId; 3],
     e2: [NodeId; 3],
@@ -205,15 +205,15 @@ fn is_zero(b: &mut Builder, v: [NodeId; 3]) -> NodeId {
     b.and(both, z)
 }
 
-/// The map of a vertex or a facet.
+/// The map of a vertex or of a facet.
 struct Map {
     rows: [[NodeId; 3]; 3],
     degenerate: NodeId,
-    /// Of a vertex.
+    /// Only for a vertex.
     parallel: Option<NodeId>,
 }
 
-/// The rows with their signs where the texture is mirrored.
+/// The rows, with their signs changed where the texture is mirrored.
 fn map(
     b: &mut Builder,
     switches: Switches,
@@ -232,14 +232,15 @@ fn map(
             }
             let opposite = b.neg(word);
             let either = b.mux(flag, opposite, word);
-            // Components are up to 2√2: the most negative word, which has no opposite, is -2 or -4, and never right.
+            // Components are up to 2√2. The most negative word has no opposite, but it is -2 or -4,
+            // which no correct component is.
             let format = b.format(word);
             b.narrow(either, format, Round::Floor, Overflow::Saturate)
         })
     })
 }
 
-/// `flag ? v : w`, v moved to the fraction bits of w: only the direction counts.
+/// `flag ? v : w`, with v moved to the fraction bits of w: only its direction matters.
 fn choose(b: &mut Builder, flag: NodeId, v: [NodeId; 3], w: [NodeId; 3]) -> [NodeId; 3] {
     [0, 1, 2].map(|i| {
         let left = b.format(v[i]).frac_bits() - b.format(w[i]).frac_bits();
@@ -248,23 +249,23 @@ fn choose(b: &mut Builder, flag: NodeId, v: [NodeId; 3], w: [NodeId; 3]) -> [Nod
     })
 }
 
-/// An axis as a vector of the least words of a format.
+/// The unit vector of an axis, in LSBs of a format.
 fn axis(b: &mut Builder, axis: usize, format: Format) -> [NodeId; 3] {
     [0, 1, 2].map(|i| b.constant(i64::from(i == axis), format))
 }
 
-/// Signed format of a vector's components that holds 1.
+/// Signed format of a unit vector's components, which holds 1.
 fn unit_format(values: &Values) -> Result<Format> {
     let frac_bits = vector_frac_bits(values);
     Format::signed((frac_bits + 2).unsigned_abs(), frac_bits)
 }
 
-/// The triangle's tangent as the patent has it.
+/// The triangle's tangent as the patent computes it.
 struct Tangent {
-    /// Exact: -1 to 1, its largest component ½ or more, times `2^raised`.
+    /// Exact: -1 to 1 with the largest component at least ½, times `2^raised`.
     words: [NodeId; 3],
     raised: i32,
-    /// The reciprocal length of what the words are over that.
+    /// The reciprocal length of the words over `2^raised`.
     factor: NodeId,
     unit: [NodeId; 3],
 }
@@ -280,13 +281,14 @@ fn printed_tangent(b: &mut Builder, root: &mut Root<'_>, edges: &Edges) -> Resul
         let exact = b.mul(word, factor);
         b.narrow(exact, format, round, Overflow::Saturate)
     });
-    // As many whole bits as the edges have, so that multipliers that both share aren't wider than either.
+    // As many integer bits as the edges have, so that a multiplier shared by both is no wider than
+    // either needs.
     let raised = b.format(edges.e1[0]).int_bits();
     let words = exact.map(|x| b.shift(x, raised));
     Ok(Tangent { words, raised, factor, unit })
 }
 
-/// T, B and N of a vertex; of the triangle's own tangent, or of the exact one.
+/// T, B and N of a vertex, from the printed tangent of the triangle or from the exact one.
 fn vertex_map(
     b: &mut Builder,
     root: &mut Root<'_>,
@@ -295,7 +297,7 @@ fn vertex_map(
     tangent: Option<Tangent>,
     n: [NodeId; 3],
 ) -> Result<Map> {
-    // The axis that is used without a tangent, and N x it.
+    // The axis used if there is no tangent, and N x that axis.
     let magnitudes = n.map(|x| b.abs(x));
     let along_x = b.less(magnitudes[1], magnitudes[0]);
     b.name(along_x, "along_x");
@@ -315,10 +317,10 @@ fn vertex_map(
         (parallel, b.name(degenerate, "degenerate"))
     };
     let format = unit_format(root.values)?;
-    // No component is longer than two of N's, 2√2: words end at 3 or above.
+    // A component is at most two components of N long, 2√2, and the words reach 3 or more.
     let long = number(2, frac_bits.unsigned_abs())?;
     let (t, binormal, parallel, degenerate) = if let Some(tangent) = tangent {
-        // N x T by the reciprocal length of T, from the exact words of T.
+        // N x T times the reciprocal length of T, from the exact words of T.
         let exact = cross(b, "n_cross_t", n, tangent.words);
         let (parallel, degenerate) = flags(b, exact);
         let one = b.constant(1, Format::FLAG);
@@ -334,7 +336,7 @@ fn vertex_map(
             let moved = rounded(b, moved, frac_bits, round);
             let exact = b.mul(moved, tangent.factor);
             let unit = b.narrow(exact, long, round, Overflow::Saturate);
-            // N x the axis is a component of N: it has a code.
+            // N x the axis has components of N, so it is representable.
             let either = b.mux(degenerate, n_cross_axis[i], unit);
             b.narrow(either, long, round, Overflow::Saturate)
         });
@@ -388,10 +390,10 @@ fn facet_map(
     Ok(Map { rows, degenerate, parallel: None })
 }
 
-/// Format of what is mapped. The longest v has √3·2^vector_int_bits, a row is 1 long, or as long as
-/// the longest N, 2√3: results are up to √3, or 6, of 2^vector_int_bits. The largest word is an ulp below
-/// a power of two, 8 of these for 6; for √3 it is 2, where an ulp is no more than the 0.26 between. Then
-/// saturation only takes away what an error has put past the golden.
+/// Format of mapped vectors. The longest v has the length √3·2^vector_int_bits. A row has length 1,
+/// or at most 2√3 as N. So results are up to √3, or 6, times 2^vector_int_bits. The largest word is
+/// an ulp below a power of two: 8 times 2^vector_int_bits for 6. For √3 it is 2, if an ulp is at
+/// most the difference of 0.26. Saturation then only removes errors beyond the golden.
 fn mapped_format(values: &Values, switches: Switches) -> Result<Format> {
     let (whole, fraction) = (values.bits("vector_int_bits"), values.bits("out_frac_bits"));
     let more = match (switches.faceted, whole + fraction) {

@@ -5,7 +5,8 @@ use crate::design::{Golden, Values};
 use crate::number::trig::Real;
 use crate::units::basis::golden_unit;
 
-/// `a b - c d` with one rounding or two, whatever cancels; 0 only where it is 0.
+/// `a b - c d` with one or two roundings, whatever cancels; the result is 0 only if the exact value
+/// is.
 fn difference<F: Real>([a, b]: [F; 2], [c, d]: [F; 2]) -> F {
     let product = c * d;
     let lost = (-c).mul_add(d, product);
@@ -17,8 +18,8 @@ fn golden_cross<F: Real>(u: [F; 3], v: [F; 3]) -> [F; 3] {
     [(1, 2), (2, 0), (0, 1)].map(|(i, j)| difference([u[i], v[j]], [u[j], v[i]]))
 }
 
-/// The golden model. In an `f64` differences of coordinates, and of two products of such, are exact for
-/// words of up to 24 bits; N x T is good to two roundings.
+/// The golden model. In an `f64`, differences of coordinates, and of two products of such
+/// differences, are exact for words of up to 24 bits. N x T has at most two roundings.
 pub(super) fn golden<F: Real>(values: &Values) -> Golden<F> {
     let switches = Switches::new(values);
     Golden::new(move |inputs: &[&[F]], outputs: &mut [Vec<F>]| {
@@ -52,8 +53,8 @@ pub(super) fn golden<F: Real>(values: &Values) -> Golden<F> {
                 }
                 let sign = sign(degenerate);
                 let (outward, dp_du) = (golden_unit(area), times(sign, golden_unit(by_u)));
-                // dP/dv, or what of it is at right angles to dP/du: outward x dP/du is on its side where
-                // dP/du, dP/dv and outward are right-handed.
+                // dP/dv, or its part at right angles to dP/du. outward x dP/du is on the side of
+                // dP/dv where dP/du, dP/dv and outward are right-handed.
                 let dp_dv = if switches.orthonormal {
                     times(sign, golden_cross(outward, dp_du))
                 } else {

@@ -3,7 +3,7 @@
 use crate::base::cast;
 use crate::design::Values;
 
-/// What mirrored textures turn.
+/// The vector that changes its sign with mirrored textures.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Mirror {
     Handed,
@@ -34,14 +34,14 @@ impl Switches {
         }
     }
 
-    /// Which rows of the map change their sign where the texture is mirrored, if they come of the
-    /// tangent `dv2 e1 - dv1 e2`, which has that of det in it already, of `N x` that or of
-    /// `du1 e2 - du2 e1`, and of `e1 x e2`.
+    /// Which rows of the map change their sign where the texture is mirrored. T comes from
+    /// `dv2 e1 - dv1 e2`, which already has the sign of det. B comes from `N x` that or from
+    /// `du1 e2 - du2 e1`, and N from `e1 x e2`.
     pub(super) fn turned(self) -> [bool; 3] {
         let t = self.mirror != Mirror::Printed;
         match (self.faceted, self.orthonormal) {
             (false, _) => [t, self.mirror == Mirror::Off, false],
-            // N x T is dP/dv already, in the sign of the exact e1 x e2.
+            // N x T is dP/dv already, with the sign of the exact e1 x e2.
             (true, true) => [t, false, self.mirror == Mirror::Off],
             (true, false) => [t, true, self.mirror == Mirror::Off],
         }
@@ -50,10 +50,10 @@ impl Switches {
 
 pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// The most lights.
+/// Maximum number of lights.
 pub(super) const MOST_LIGHTS: u8 = 8;
 
-/// Names of the vectors that are mapped: the view vector, then each light.
+/// Names of the mapped vectors: the view vector, then each light.
 pub(super) fn mapped(lights: usize) -> impl Iterator<Item = String> {
     std::iter::once("view".to_owned()).chain((0..lights).map(|light| format!("light{light}")))
 }

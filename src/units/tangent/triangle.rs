@@ -1,4 +1,4 @@
-//! Triangles, random and hard.
+//! Random and hard triangles.
 
 use crate::design::{Draw, HardCase, InputPorts, Sampler, Uniform, Values};
 use crate::netlist::{Netlist, NodeId};
@@ -6,7 +6,7 @@ use crate::number::format::{Overflow, Round, quantize};
 use crate::number::trig::sin_cos_turns;
 use glam::{DVec2, DVec3};
 
-/// A triangle and what goes with its vertex, as real numbers.
+/// A triangle and the vectors at its vertex, as real numbers.
 #[derive(Clone, Copy, Debug)]
 struct Triangle {
     p: [DVec3; 3],
@@ -17,7 +17,7 @@ struct Triangle {
 }
 
 impl Triangle {
-    /// All numbers, each at the place that [`Triangle::place`] tells.
+    /// All numbers, each at its [`Triangle::place`].
     fn numbers(&self) -> [f64; 45] {
         let mut all = [0.0; 45];
         let vectors = self.p.iter().chain([&self.normal, &self.view]).chain(&self.lights);
@@ -30,7 +30,7 @@ impl Triangle {
         all
     }
 
-    /// Where the number of an input port is.
+    /// Index of an input port's number.
     fn place(port: &str) -> usize {
         let (name, axis) = port.rsplit_once('_').expect("bug: a component");
         let axis = ["x", "y", "z", "u", "v"].iter().position(|known| *known == axis);
@@ -49,11 +49,12 @@ impl Triangle {
         3 * vector + axis
     }
 
-    /// A random one: positions and texture coordinates each over eight octaves of scale, anywhere that
-    /// they fit; half of the textures are mirrored. With `lit` no angle is below 30°, in space and in the
-    /// texture, the normal is no more than 45° off the face's, and view and lights are on its side, ⅛ to 1 of
-    /// the longest along an axis; else corners and normal are anywhere, and so are view and lights, of any word.
-    /// `limits` are those of positions, texture coordinates and vectors.
+    /// A random triangle. Positions and texture coordinates each span eight octaves of scale,
+    /// anywhere in their range; half of the textures are mirrored. With `lit`, no angle is below
+    /// 30°, in space and in the texture. The normal is at most 45° off the face's, and view and
+    /// lights are on its side. Their lengths are ⅛ to 1 of the longest vector along an axis.
+    /// Without `lit`, corners and normal are anywhere, and view and lights are any words. `limits`
+    /// are those of positions, texture coordinates and vectors.
     fn random(limits: [f64; 3], lit: bool, uniform: &mut Uniform) -> Self {
         let mut sphere = || {
             let (z, turns) = (1.0 - 2.0 * uniform.draw(), uniform.draw());
@@ -64,7 +65,8 @@ impl Triangle {
         let (axis, normal, aside) = (sphere(), sphere(), sphere());
         let (corners, directions) = ([(); 3].map(|()| sphere()), [(); 9].map(|()| sphere()));
         let mut within = |low: f64, high: f64| low + (high - low) * uniform.draw();
-        // Corners on a circle, a third of a turn apart but for a twelfth: arcs are a sixth or more.
+        // Corners on a circle, a third of a turn apart, give or take a twelfth: arcs are at least a
+        // sixth.
         let mut circle = |sign: f64| {
             let first = within(0.0, 1.0);
             [0.0, 1.0, 2.0].map(|k| {
@@ -76,7 +78,7 @@ impl Triangle {
         let (flat, regular) = (circle(1.0), circle(1.0));
         let mirror = if uniform.draw() < 0.5 { -1.0 } else { 1.0 };
         let mut within = |low: f64, high: f64| low + (high - low) * uniform.draw();
-        // Half the range for the size, half for the place.
+        // Half the range is for the size, half for the place.
         let [size, uv_size] =
             [limits[0], limits[1]].map(|limit| 0.5 * limit * libm::exp2(within(-8.0, 0.0)));
         let mut place = |limit: f64| within(-0.5 * limit, 0.5 * limit);
@@ -93,7 +95,8 @@ impl Triangle {
             uv_center + corner * uv_size
         });
         let mut vectors = directions.map(|v| {
-            // Without `lit` up to the corners of the words' cube, √3 of the longest along an axis away.
+            // Without `lit`, up to the corners of the cube of all words: √3 of the longest vector
+            // along an axis.
             let v = if lit { v } else { [(); 3].map(|()| within(-1.0, 1.0)).into() };
             v * limits[2] * libm::exp2(within(-3.0, 0.0))
         });
@@ -151,7 +154,7 @@ pub(super) fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
         let p0 = DVec3::new(-0.25, 0.125, 0.0625) * span;
         [p0, p0 + e1, p0 + e2]
     };
-    let unit = 0.25 * span; // a usual edge
+    let unit = 0.25 * span; // a typical edge
     let (e1, e2) = (DVec3::new(0.96, 0.28, 0.0) * unit, DVec3::new(-0.28, 0.768, 0.576) * unit);
     let normal = e1.cross(e2).normalize();
     let usual = Triangle {
@@ -172,7 +175,7 @@ pub(super) fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
     let normals = |list: Vec<DVec3>| -> Vec<Triangle> {
         list.into_iter().map(|normal| Triangle { normal, ..usual }).collect()
     };
-    // dP/du along e1: exact in words where the edge is along an axis.
+    // dP/du is along e1, which is exact in words if the edge is along an axis.
     let along = |axis: usize| Triangle {
         p: corners(axes[axis] * unit, axes[(axis + 1) % 3] * unit),
         normal: axes[(axis + 2) % 3],
@@ -188,7 +191,7 @@ pub(super) fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
             textures(list)
         }),
         cases("determinant of the texture one LSB from 0, either side, and 0 there", {
-            // (k, 1) and (k + 1, 1): -1; with the edges exchanged 1.
+            // (k, 1) and (k + 1, 1): -1; 1 with the edges exchanged.
             let near = |k: f64| {
                 let edges = [two(k, 1.0), two(k + 1.0, 1.0)].map(|edge| uv0 + edge * uv_lsb);
                 [[uv0, edges[0], edges[1]], [uv0, edges[1], edges[0]], [uv0, edges[0], edges[0]]]
@@ -302,7 +305,7 @@ pub(super) fn hard_cases(netlist: &Netlist) -> Vec<HardCase> {
             (0..3)
                 .flat_map(|row| [(row, 0.0), (row, 0.47f64)])
                 .flat_map(|(row, aside)| {
-                    // The mirror between the corner and what it is in texture space.
+                    // Mirrors the corner to its image in texture space.
                     let mut mapped = DVec3::splat(aside);
                     mapped[row] = (3.0 - 2.0 * aside * aside).sqrt();
                     let across = (corner - mapped).normalize();
