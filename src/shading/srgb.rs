@@ -11,11 +11,11 @@ pub fn from_srgb(code: f64) -> f64 {
 mod tests {
     use super::from_srgb;
 
-    # The line and the curve meet up to the digits that the standard rounds.
+    #[test]
     fn values_of_the_standard() {
         assert_eq!((from_srgb(0.0), from_srgb(1.0)), (0.0, 1.0));
         assert!((from_srgb(0.5) - 0.214_041_14).abs() < 1e-8);
-        // The line and the curve meet but for the digits that the standard rounds.
+        // The line and the curve meet up to the digits that the standard rounds.
         assert!((from_srgb(0.04045) - from_srgb(0.040_450_001)).abs() < 1e-7);
     }
 }
