@@ -11,8 +11,8 @@ use crate::base::cast;
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 use std::ops::Range;
 
-/// Contrast sensitivity to luminance, red against green, and blue against yellow: sums of `a *
-/// sqrt(pi / b) * exp(-pi² d² / b)`, where `d` is the distance in degrees (Table 1).
+/// Contrast sensitivity to luminance, red against green, and blue against yellow: sums of
+/// `a * sqrt(pi / b) * exp(-pi² d² / b)`, where `d` is the distance in degrees (Table 1).
 const SENSITIVITY: [&[(f64, f64)]; 3] =
     [&[(1.0, 0.0047)], &[(1.0, 0.0053)], &[(34.1, 0.04), (13.5, 0.025)]];
 /// Width of the feature detectors, in degrees.

@@ -64,8 +64,9 @@ type Change = fn(&Srgb8) -> Srgb8;
 /// - SSIM by scikit-image 0.26.0: `structural_similarity(golden, picture, gaussian_weights=True,
 ///   sigma=1.5, use_sample_covariance=False, data_range=255)` on float luma, codes times 0.2126,
 ///   0.7152 and 0.0722;
-/// - FLIP by its authors' `flip-evaluator` 1.7: `evaluate(golden, picture, "LDR",
-///   parameters={"ppd": ppd})` on float32 codes over 255, at 67 and at 20 pixels per degree.
+/// - FLIP by its authors' `flip-evaluator` 1.7:
+///   `evaluate(golden, picture, "LDR", parameters={"ppd": ppd})` on float32 codes over 255, at 67
+///   and at 20 pixels per degree.
 ///
 /// SSIM is the same formula in f64 and differs only by rounding: 1e-9 is far above that and far
 /// below the effect of another window or other constants. The authors' FLIP computes in f32, with

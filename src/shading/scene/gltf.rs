@@ -370,7 +370,11 @@ impl File<'_> {
             None => DMat4::IDENTITY.to_cols_array().repeat(skin.joints.len()),
         };
         if binds.len() < 16 * skin.joints.len() {
-            return Err(format!("{} joints but {} inverse bind matrices", skin.joints.len(), binds.len() / 16));
+            return Err(format!(
+                "{} joints but {} inverse bind matrices",
+                skin.joints.len(),
+                binds.len() / 16
+            ));
         }
         let matrix = |(joint, bind): (&usize, &[f64])| {
             let to_world = to_worlds.get(joint);
@@ -412,7 +416,9 @@ impl File<'_> {
             Some(accessor) => {
                 let indices = self.data.wholes(accessor, 1)?;
                 if let Some(index) = indices.iter().find(|index| **index >= vertices) {
-                    return Err(format!("refers to vertex {index} (they count from 0) of {vertices}"));
+                    return Err(format!(
+                        "refers to vertex {index} (they count from 0) of {vertices}"
+                    ));
                 }
                 mesh.indices += cast::count_of(indices.len());
                 indices.into_iter().map(|index| first + cast::id_of(index)).collect()
@@ -573,13 +579,19 @@ fn blended(joints: &[DMat4], bones: &[Bones], vertex: usize) -> Result<DMat4, St
         for (joint, weight) in set.joints[four.clone()].iter().zip(&set.weights[four]) {
             let matrix = get(joints, "joint", *joint)?;
             if !(0.0..=f64::MAX).contains(weight) {
-                return Err(format!("has a joint with weight {weight}: legal are finite weights of 0 or more"));
+                return Err(format!(
+                    "has a joint with weight {weight}: legal are finite weights of 0 or more"
+                ));
             }
             sum += *weight * *matrix;
             total += weight;
         }
     }
-    if total > 0.0 { Ok(sum * total.recip()) } else { Err("has no joint with a weight above 0".to_owned()) }
+    if total > 0.0 {
+        Ok(sum * total.recip())
+    } else {
+        Err("has no joint with a weight above 0".to_owned())
+    }
 }
 
 impl Primitive {
@@ -617,7 +629,8 @@ impl Material {
 fn transform(node: &Node) -> Result<DMat4, String> {
     if let Some(matrix) = node.matrix {
         if node.translation.is_some() || node.rotation.is_some() || node.scale.is_some() {
-            let problem = "has both a `matrix` and `translation`, `rotation` or `scale`: remove one of them";
+            let problem =
+                "has both a `matrix` and `translation`, `rotation` or `scale`: remove one of them";
             return Err(problem.to_owned());
         }
         let matrix = DMat4::from_cols_array(&matrix);

@@ -59,7 +59,10 @@ pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Mesh> {
 fn decoded(bytes: &[u8]) -> Result<Cow<'_, str>, String> {
     check_encoding(bytes)?;
     if bytes.contains(&0) {
-        return Err("isn't text: it is binary, or UTF-16 without a byte order mark; save it as UTF-8".to_owned());
+        return Err(
+            "isn't text: it is binary, or UTF-16 without a byte order mark; save it as UTF-8"
+                .to_owned(),
+        );
     }
     // Names may have any encoding: nothing here depends on them.
     Ok(String::from_utf8_lossy(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)))
@@ -274,7 +277,9 @@ fn numbers<'a>(
     for word in words {
         let value = match word.trim_start_matches('-').strip_prefix("1.#") {
             Some(_) => f64::NAN,
-            None => word.parse().map_err(|_| format!("{what} has `{}`, which isn't a number", shown(word)))?,
+            None => word
+                .parse()
+                .map_err(|_| format!("{what} has `{}`, which isn't a number", shown(word)))?,
         };
         // A weight or a colour may follow.
         if let Some(to) = values.get_mut(count) {

@@ -255,8 +255,7 @@ pub(super) fn read(text: &str, path: &Path) -> Result<Scene> {
     if let Some(bare) = &without_uv {
         for (varies, map) in [(!texture.is_even(), "texture"), (!bumps.is_flat(), "height")] {
             if varies {
-                let needed =
-                    format!("which [{map}] needs: unwrap the mesh, or leave [{map}] out");
+                let needed = format!("which [{map}] needs: unwrap the mesh, or leave [{map}] out");
                 return Err(bare.error(&needed));
             }
         }
@@ -401,7 +400,8 @@ impl Reader<'_> {
     /// Rejects a key that has no effect here.
     fn refuse<T>(&self, key: &str, given: &Option<Spanned<T>>, why: &str) -> Result<()> {
         given.as_ref().map_or(Ok(()), |given| {
-            Err(self.fail(&given.span(), format!("`{key}` has no effect here: {why}; leave it out")))
+            Err(self
+                .fail(&given.span(), format!("`{key}` has no effect here: {why}; leave it out")))
         })
     }
 
@@ -523,7 +523,10 @@ impl Reader<'_> {
         let axis = self.vector("axis", &orbit.axis, [0.0, 0.0, 1.0])?;
         let axis = axis.try_normalize().ok_or_else(|| {
             let span = orbit.axis.as_ref().map_or(given.span(), Spanned::span);
-            self.fail(&span, "`axis` is zero: give the direction about which the light rotates".to_owned())
+            self.fail(
+                &span,
+                "`axis` is zero: give the direction about which the light rotates".to_owned(),
+            )
         })?;
         let light = self.integer("light", &orbit.light, 0, 0..=last)?;
         if matches!(lights[cast::index_of_u32(light)].place, Place::Direction(_)) {

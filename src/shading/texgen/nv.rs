@@ -153,7 +153,8 @@ impl Call {
         let Param::List(values) = param.get_ref() else { return None };
         let takes = Pname::parse(pname).ok()?.values();
         let many = values.len();
-        let told = || (param.span(), format!("`param` has {many} values, but {pname} takes {takes}"));
+        let told =
+            || (param.span(), format!("`param` has {many} values, but {pname} takes {takes}"));
         (takes != many).then(told)
     }
 }
@@ -314,7 +315,9 @@ pub enum Broken {
         takes: &'static str,
     },
     /// A plane set by a command that passes one value.
-    #[error("INVALID_ENUM: {token} needs four values, and this command passes one: use glTexGendv, fv or iv")]
+    #[error(
+        "INVALID_ENUM: {token} needs four values, and this command passes one: use glTexGendv, fv or iv"
+    )]
     PlaneOfOne {
         /// The parameter.
         token: &'static str,
@@ -371,9 +374,7 @@ impl Broken {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Condition {
     /// Not all four coordinates have the mode.
-    #[error(
-        "TEXTURE_GEN_MODE of {coord:?} is {mode}: all of S, T, R and Q must be EMBOSS_MAP_NV"
-    )]
+    #[error("TEXTURE_GEN_MODE of {coord:?} is {mode}: all of S, T, R and Q must be EMBOSS_MAP_NV")]
     Mode {
         /// A coordinate with another mode.
         coord: Coord,

@@ -16,11 +16,11 @@
 //!   and adds h(displaced) - h(undisplaced).
 //!
 //! These are two pictures of one relief, shifted by a displacement, so each has its own golden: the
-//! same computation in `f64` without rounding, with displacements `± strength (T·L)/|L|` and `±
-//! strength (B·L)/|L|` in texels, and interpolation between exact texels. A picture and its golden
-//! share the front end (surfaces, rays and their weights, light per vertex, the texture's colour)
-//! and the texels of the height map, which have 8 bits. Only the sign of `scale` in `[height]`
-//! matters: a negative one turns bumps into dents.
+//! same computation in `f64` without rounding, with displacements `± strength (T·L)/|L|` and
+//! `± strength (B·L)/|L|` in texels, and interpolation between exact texels. A picture and its
+//! golden share the front end (surfaces, rays and their weights, light per vertex, the texture's
+//! colour) and the texels of the height map, which have 8 bits. Only the sign of `scale` in
+//! `[height]` matters: a negative one turns bumps into dents.
 //!
 //! # Binary points
 //! The unit `emboss` counts texture coordinates in steps of 2^k texels, the same along both axes.

@@ -173,7 +173,8 @@ impl<'a> Buffers<'a> {
             };
             let (has, needs) = (data[place].len(), buffer.byte_length);
             if has < needs {
-                let problem = format!("buffer {i} has {has} of {needs} bytes: the file is truncated");
+                let problem =
+                    format!("buffer {i} has {has} of {needs} bytes: the file is truncated");
                 return Err(fail(problem));
             }
             places.push(place);
@@ -338,7 +339,10 @@ impl<'a> Data<'a> {
         };
         if let Some(Sparse { count, indices, values: by }) = &accessor.sparse {
             if *count > accessor.count {
-                return Err(format!("has {count} sparse elements, more than its {} elements", accessor.count));
+                return Err(format!(
+                    "has {count} sparse elements, more than its {} elements",
+                    accessor.count
+                ));
             }
             self.spend(count * (components + 1))?;
             let indices = Place {
@@ -352,7 +356,10 @@ impl<'a> Data<'a> {
             for (index, element) in indices.into_iter().zip(by.chunks_exact(components)) {
                 let start = components * cast::usize_of(index);
                 let to = values.get_mut(start..start + components).ok_or_else(|| {
-                    format!("refers to sparse element {index} (they count from 0) of {}", accessor.count)
+                    format!(
+                        "refers to sparse element {index} (they count from 0) of {}",
+                        accessor.count
+                    )
                 })?;
                 to.copy_from_slice(element);
             }
