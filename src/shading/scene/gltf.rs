@@ -262,7 +262,7 @@ impl Asset {
         }
         match &self.min_version {
             Some(least) if parsed(least).is_none_or(|least| least > [2, 0]) => Err(format!(
-                "needs a reader of glTF {least} (`asset.minVersion`), and this one supports \"2.0\": export it as that"
+                "needs a reader of glTF {least} (`asset.minVersion`), but this one supports \"2.0\": export it as that"
             )),
             Some(_) | None => Ok(()),
         }
@@ -684,7 +684,7 @@ mod tests {
         ] {
             let why = read(&uris, max_bytes).unwrap_err();
             let expected = format!(
-                "x.gltf: its buffers have more than {max_bytes} bytes together, the most that is read: simplify it"
+                "x.gltf: its buffers have more than {max_bytes} bytes together, the most that is supported: simplify it"
             );
             assert!(why.ends_with(&expected), "{why}");
         }

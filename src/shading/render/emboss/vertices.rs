@@ -59,7 +59,7 @@ pub(super) fn displaced(
                 let far = at.abs().max_element();
                 if far > reach {
                     return Err(Error::usage(format!(
-                        "a {what} is {far} from the camera along an axis but the emboss unit's positions end at {reach}: make the scene smaller, increase -p position_bits, or decrease -p position_frac_bits"
+                        "a {what} is {far} from the camera along an axis, but the emboss unit's positions end at {reach}: make the scene smaller, increase -p position_bits, or decrease -p position_frac_bits"
                     )));
                 }
             }
