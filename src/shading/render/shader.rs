@@ -70,8 +70,8 @@ pub struct Shader {
 }
 
 impl Shader {
-    /// The pipeline on a scene; `vectors` also judges the rotated light vectors.
     /// The pipeline on a scene; `vectors` also measures the rotated light vectors.
+    ///
     /// # Errors
     /// If the pipeline can't be built with its parameters, or lacks a port.
     pub fn new(scene: &Scene, pipeline: &Pipeline, vectors: bool) -> Result<Self> {

@@ -5,7 +5,7 @@
 //! codes of every scan (ITU-T T.81, annexes F and G). It keeps only which coefficients are nonzero,
 //! and requires each scan to have exactly as many blocks as the header says.
 
-/// Most scans of a file; encoders make about 10.
+/// The most scans of a file; encoders write about 10.
 const MAX_SCANS: usize = 100;
 
 /// A table of codes (annex C): the codes of each length are consecutive.

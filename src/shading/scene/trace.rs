@@ -513,8 +513,8 @@ impl Surfaces {
     }
 
     /// The nearest thing that a ray meets from its front; at equal distances, the first in the
-    /// scene. Returns the distance, its number among faces and then balls, and the position on a
-    /// face.
+    /// scene. Returns the ray parameter, its number among faces and then balls, and the position on
+    /// a face.
     pub(super) fn meet(&self, ray: &Ray) -> Option<(f64, u32, DVec2)> {
         self.meet_counted(ray, &mut 0)
     }
@@ -649,7 +649,7 @@ impl Face {
         (a.min(b).min(c).min(d), a.max(b).max(c).max(d))
     }
 
-    /// Distance along the ray where it meets the front, and (s, r) there (Möller and Trumbore).
+    /// The ray parameter where the ray meets the front, and (s, r) there (Möller and Trumbore).
     #[inline]
     fn meet(&self, ray: &Ray) -> Option<(f64, DVec2)> {
         let [e1, e2] = self.edges();
@@ -716,7 +716,7 @@ impl Ball {
         (self.offset - half, self.offset + half)
     }
 
-    /// Distance along the ray where it meets the ball from outside.
+    /// The ray parameter where the ray meets the ball from outside.
     #[inline]
     fn meet(&self, ray: &Ray) -> Option<f64> {
         let origin = self.inverse * (ray.origin - self.offset);
