@@ -778,13 +778,13 @@ fn a_render_that_is_wrong_writes_nothing() {
     wrong(
         "a.toml",
         &format!("{plane}[height]\nfile = \"huge.png\""),
-        "huge.png: a map of 100000 x 100000 texels: legal are sides of 1 to 8192",
+        "huge.png: the map has 100000 x 100000 texels: legal are sides of 1 to 8192",
     );
     wrong("a.toml", &mesh("no.obj"), "no.obj: can't read: ");
     wrong(
         "a.toml",
         &mesh("points.obj"),
-        "points.obj, line 9: corner `9` names point 9, and up to here there are 4",
+        "points.obj, line 9: corner `9` refers to point 9, but up to here there are 4",
     );
     wrong("a.toml", &mesh("nan.obj"), "nan.obj, line 10: point 5 has NaN");
     wrong(

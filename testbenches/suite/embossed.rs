@@ -393,10 +393,10 @@ fn wrong_keys_are_named_with_what_is_legal() {
         ("[emboss]\nstrenght = 1", "unknown field `strenght`"),
         ("[orbit]\nframes = 0", "bad.toml, line 2: `frames` = 0: legal are whole numbers 1 to 360"),
         ("[orbit]\nlight = 1", "bad.toml, line 2: `light` = 1: legal are whole numbers 0 to 0"),
-        ("[orbit]\naxis = [0, 0, 0]", "bad.toml, line 2: `axis` has no length"),
+        ("[orbit]\naxis = [0, 0, 0]", "bad.toml, line 2: `axis` is zero"),
         (
             "[[light]]\ndirection = [1, 0, 1]\n[orbit]\ncenter = [0, 0, 1]",
-            "bad.toml, line 4: `center` has no use here: the light is directional; leave it out",
+            "bad.toml, line 4: `center` has no effect here: the light is directional; leave it out",
         ),
         ("[orbit]\nturns = 1e9", "`turns` = 1e9: legal is -100 to 100"),
     ] {
@@ -421,14 +421,14 @@ fn scenes_that_can_not_be_embossed_say_why() {
         ),
         (
             format!("[height]\nsource = \"brick\"\n{plane}translate = [0, 0, -5000]"),
-            "from the camera along an axis and the emboss unit's positions end at 4095.99",
+            "from the camera along an axis, but the emboss unit's positions end at 4095.99",
         ),
         (
             format!(
                 "[emboss]\ntessellation = 256\n[height]\nsource = \"brick\"\n{}",
                 "[[object]]\nshape = \"cube\"\n".repeat(6)
             ),
-            "the scene has 4718592 triangles at `tessellation` = 256: legal are 4194304",
+            "the scene has 4718592 triangles at `tessellation` = 256: legal are at most 4194304",
         ),
     ] {
         let message = refused(&scene(&text)).to_string();
@@ -448,7 +448,7 @@ fn a_light_that_is_taken_where_it_starts_is_noted() {
     let here = folder.path();
     let text = "[image]\nwidth = 16\nheight = 12\n[height]\nsource = \"brick\"\n[orbit]\nframes = 3\n[material]\nspecular = 0.0\n[[object]]\nshape = \"sphere\"";
     fs::write(here.join("scene.toml"), text).unwrap();
-    let note = "[orbit]: light 0 moves, and is taken where it starts";
+    let note = "[orbit]: light 0 moves; its starting position is used";
     let run = |args: &[&str], notes: usize| -> String {
         let mut command = common::fixpath();
         let output = command.current_dir(here).args(args).output().unwrap();
@@ -459,7 +459,7 @@ fn a_light_that_is_taken_where_it_starts_is_noted() {
     };
     let read = |name: &str| fs::read_to_string(here.join(name)).unwrap();
     let of = |text: &str| -> serde_json::Value { serde_json::from_str(text).unwrap() };
-    let in_markdown = "light 0 moves, and is taken where it starts";
+    let in_markdown = "light 0 moves; its starting position is used";
     for (pipeline, scene) in [("emboss-gx", "/scene"), ("exact-cartesian", "/header/scene")] {
         run(&["render", "scene.toml", "--out", "l", "--pipelines", pipeline, "--ladder=8"], 1);
         let ladder = of(&read("l/ladder.json"));
@@ -508,7 +508,7 @@ fn the_command_line_writes_frames_and_refuses() {
     assert_eq!(shot["behind"][0]["unit"], "sampler");
     assert_eq!(shot["behind"][1]["parameters"]["filter"], "bilinear");
     for (args, says) in [
-        (&["--pipelines", "emboss-gx,kim"][..], "emboss pipelines have a golden of their own"),
+        (&["--pipelines", "emboss-gx,kim"][..], "emboss pipelines have their own golden"),
         (&["--pipelines", "emboss-gl"], "no pipeline `emboss-gl`, did you mean `emboss-gx`"),
         (&["--pipelines", "emboss-gx", "-p", "filter=nearest"], "parameter `filter` comes from"),
         (&["--pipelines", "emboss-gx", "-p", "setting=nv"], "parameter `setting` comes from"),
@@ -520,7 +520,7 @@ fn the_command_line_writes_frames_and_refuses() {
         (&["--pipelines", "kim", "--specialise"], "leave [orbit] out"),
         (
             &["--pipelines", "emboss-gx", "-p", "matrix_bits=2"],
-            "and its matrix counts 2.000e0: give the object smaller texture coordinates",
+            "but its matrix has steps of 2.000e0: give the object smaller texture coordinates",
         ),
     ] {
         let (code, told, errors) = run(args);
@@ -597,7 +597,7 @@ fn a_ladder_shows_what_each_parameter_costs() {
         fs::read_to_string(out.join("ladder.md")).unwrap().contains("| emboss-gx | defaults |")
     );
     for (args, says) in [
-        (&["--pipelines", "emboss-gx,kim", "--ladder"][..], "have a golden of their own"),
+        (&["--pipelines", "emboss-gx,kim", "--ladder"][..], "have their own golden"),
         (&["--pipelines", "emboss-nv", "--ladder", "--exponents", "8"], "no --exponents"),
         (
             &["--pipelines", "emboss-nv", "--ladder=3"],

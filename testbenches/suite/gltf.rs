@@ -397,7 +397,7 @@ fn extensions_that_are_not_read_are_told() {
     file.document["extensionsUsed"] = json!(used);
     let notes = scene(&file.gltf(), "gltf").unwrap().notes().to_vec();
     assert_eq!(notes.len(), 1, "{notes:?}");
-    assert!(notes[0].ends_with("m.gltf: the extension `KHR_node_visibility` isn't read"));
+    assert!(notes[0].ends_with("m.gltf: the extension `KHR_node_visibility` is ignored"));
 }
 
 #[test]
@@ -500,34 +500,34 @@ fn what_is_wrong_is_said() {
     expect_test::expect![[r#"
         none: m.gltf: has no `asset.version`, which every glTF file has: export it again as glTF 2.0
         empty: m.gltf: has no `asset.version`, which every glTF file has: export it again as glTF 2.0
-        old: m.gltf: its `asset.version` is "1.0": legal is "2.0"; export it as that
-        number: m.gltf: its `asset.version` is 2.0: legal is "2.0"; export it as that
-        new: m.gltf: needs a reader of glTF "2.1" (`asset.minVersion`), and this one is of "2.0": export it as that
-        word: m.gltf: needs a reader of glTF "two" (`asset.minVersion`), and this one is of "2.0": export it as that
+        old: m.gltf: its `asset.version` is "1.0": only "2.0" is supported; export it as that
+        number: m.gltf: its `asset.version` is 2.0: only "2.0" is supported; export it as that
+        new: m.gltf: needs a reader of glTF "2.1" (`asset.minVersion`), but this one supports "2.0": export it as that
+        word: m.gltf: needs a reader of glTF "two" (`asset.minVersion`), but this one supports "2.0": export it as that
         extension: m.gltf: needs the extension `KHR_draco_mesh_compression`: export without it
         extension: m.gltf: needs the extension `EXT_meshopt_compression`: export without it
         extension: m.gltf: needs the extension `EXT_mesh_gpu_instancing`: export without it
-        compressed: m.gltf: mesh 0, primitive 0: its data are compressed by `KHR_draco_mesh_compression`: export without it
-        lines: m.gltf: has no triangles, but 1 primitives of lines or points: export a surface
-        mode: m.gltf: mesh 0, primitive 0: its mode is 7: legal are 0 to 6, of which lists (4), strips (5) and fans (6) of triangles are read
-        weights: m.gltf: mesh 0, primitive 0: 2 morph targets and 1 weights
+        compressed: m.gltf: mesh 0, primitive 0: its data is compressed with `KHR_draco_mesh_compression`: export without it
+        lines: m.gltf: has no triangles, only 1 primitives of lines or points: export a surface
+        mode: m.gltf: mesh 0, primitive 0: its mode is 7: legal are 0 to 6, of which lists (4), strips (5) and fans (6) of triangles are supported
+        weights: m.gltf: mesh 0, primitive 0: 2 morph targets but 1 weights
         target: m.gltf: mesh 0, primitive 0: points and those of a morph target differ in number
-        sparse: m.gltf: mesh 0, primitive 0: accessor 4: sparse element 3 is named, and there are 3
-        joint: m.gltf: mesh 0, primitive 0: vertex 0 joint 1 is named, and there are 1
+        sparse: m.gltf: mesh 0, primitive 0: accessor 4: refers to sparse element 3 (they count from 0) of 3
+        joint: m.gltf: mesh 0, primitive 0: vertex 0 refers to joint 1 (they count from 0) of 1
         skin: m.gltf: skin 0: joint 1 isn't in the scene
-        set: m.gltf: triangle 0 (they count from 0) has no texture coordinates, by which [texture] lies on it: unwrap it, or leave [texture] out
-        matrix: m.gltf: no glTF 2.0: trailing characters at line 1 column 156
-        matrix: m.gltf: node 0: has a `matrix` and beside it `translation`, `rotation` or `scale`: a node has either
+        set: m.gltf: triangle 0 (they count from 0) has no texture coordinates, which [texture] needs: unwrap the mesh, or leave [texture] out
+        matrix: m.gltf: isn't glTF 2.0: trailing characters at line 1 column 156
+        matrix: m.gltf: node 0: has both a `matrix` and `translation`, `rotation` or `scale`: remove one of them
         matrix: m.gltf: node 0: the last row of its `matrix` is [0.5, 0, 0, 1]: legal is [0, 0, 0, 1], without perspective
-        joints: m.gltf: mesh 0, primitive 0: accessor 7: indices of component type 5120: legal are 5121, 5123 and 5125, whole numbers without sign
-        elements: m.gltf: mesh 0, primitive 0: accessor 4: indices of component type 5126: legal are 5121, 5123 and 5125, whole numbers without sign
-        corners: m.gltf: mesh 0, primitive 0: accessor 4: indices of component type 5122: legal are 5121, 5123 and 5125, whole numbers without sign
-        corners: m.gltf: mesh 0, primitive 0: accessor 3: holds indices, which are never normalized
-        stride: m.gltf: mesh 0, primitive 0: accessor 0: buffer view 0 has `byteStride` 8, and its elements have 12 bytes
-        cut: m.glb: its .glb container has 839 bytes of 840: the file is cut off, export or copy it again
-        chunk: m.glb: the chunk at byte 572 of its .glb container has 2066513208 bytes and reaches beyond the container's 840: the file is damaged
+        joints: m.gltf: mesh 0, primitive 0: accessor 7: indices have component type 5120: legal are 5121, 5123 and 5125, unsigned integers
+        elements: m.gltf: mesh 0, primitive 0: accessor 4: indices have component type 5126: legal are 5121, 5123 and 5125, unsigned integers
+        corners: m.gltf: mesh 0, primitive 0: accessor 4: indices have component type 5122: legal are 5121, 5123 and 5125, unsigned integers
+        corners: m.gltf: mesh 0, primitive 0: accessor 3: holds indices, which can't be normalized
+        stride: m.gltf: mesh 0, primitive 0: accessor 0: buffer view 0 has `byteStride` 8, less than the 12 bytes of its elements
+        cut: m.glb: its .glb container has 839 of 840 bytes: the file is truncated; export or copy it again
+        chunk: m.glb: the chunk at byte 572 of its .glb container has 2066513208 bytes and extends beyond the container's 840: the file is damaged
         encoding: m.gltf: the text is UTF-16: save it as UTF-8
-        raw: m.gltf: buffer 0: its data URI can't be decoded: it is `data:;base64,` and base64, or `data:,` and bytes as %00 to %ff
+        raw: m.gltf: buffer 0: its data URI can't be decoded: legal are `data:;base64,` with base64, and `data:,` with bytes as %00 to %ff
     "#]].assert_eq(&seen);
 }
 
@@ -562,11 +562,11 @@ fn a_mesh_without_normals_is_faceted() {
     for (got, want) in tilted.iter().zip([-0.25, 0.25, 1.0]) {
         assert!((got - want / 1.125f64.sqrt()).abs() < 1e-12, "{tilted:?}");
     }
-    let expected = "6 of 6 corners have no normal: those of the triangles are taken, as glTF asks for; `crease_degrees` = 60 in its [[object]] takes means up to such edges";
+    let expected = "6 of 6 corners have no normal: the triangles' own are used, as glTF requires; for means up to edges of 60 degrees, set `crease_degrees` = 60 in its [[object]]";
     assert_eq!(told, expected);
     let (round, told) = read("crease_degrees = 60");
     assert!(round.len() > 50, "smoothed normals differ from point to point");
-    assert!(told.contains("up to edges of `crease_degrees` = 60 (by"), "{told}");
+    assert!(told.contains("up to edges of `crease_degrees` = 60 (`tangent-faceted`"), "{told}");
 }
 
 /// Many primitives read one accessor of triangles without area: no triangle results, and the work
@@ -584,7 +584,7 @@ fn work_has_a_limit() {
     }
     assert_eq!(
         scene(&file.glb(), "glb").unwrap_err(),
-        "m.glb: mesh 0, primitive 22: accessor 4: its primitives read more than 33554432 numbers together, those of a shared accessor each time, and that is the most: simplify it"
+        "m.glb: mesh 0, primitive 22: accessor 4: its primitives read more than 33554432 numbers together (those of a shared accessor count each time), the most that is supported: simplify it"
     );
 }
 

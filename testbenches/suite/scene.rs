@@ -754,11 +754,11 @@ fn heights_are_grey() {
     let refused = |of: &dyn Fn(u32, u32) -> [u8; 3], name| read(picture(of), name).unwrap_err();
     assert_eq!(
         refused(&one, "one.png"),
-        "one.png: has colours (texel (5, 2) is [100, 117, 100] of 255), and [height] takes heights as grey values, whose channels differ by up to 16: give a height map, or save it as greyscale if bright means high"
+        "one.png: has colours (texel (5, 2) is [100, 117, 100] of 255), but [height] needs heights: grey values whose channels differ by at most 16. Give a height map, or save it as greyscale if bright means high"
     );
     assert_eq!(
         refused(&normals, "normals.png"),
-        "normals.png: is a tangent-space normal map (texel (0, 10) is [77, 140, 244] of 255), and [height] takes heights: give the height or displacement map from which it was baked"
+        "normals.png: is a tangent-space normal map (texel (0, 10) is [77, 140, 244] of 255), but [height] needs heights: give the height or displacement map from which it was baked"
     );
     let why = refused(&|x, y| [(16 * x) as u8, 40, (16 * y) as u8], "colours.jpg");
     assert!(why.starts_with("colours.jpg: has colours (texel ("), "{why}");
@@ -868,34 +868,34 @@ fn wrong_scenes_are_refused() {
         s.toml, line 2: `target` = inf: legal is -1000000 to 1000000
         s.toml, line 2: `eye` = 10000000: legal is -1000000 to 1000000
         s.toml, line 2: the camera's `eye` is its `target`: move one of them
-        s.toml, line 1: the camera's `up` = [0, 0, 1] is no direction or along the view: choose another, such as [1, 0, 0]
-        s.toml, line 2: the camera's `up` = [0, 0, 0] is no direction or along the view: choose another, such as [1, 0, 0]
+        s.toml, line 1: the camera's `up` = [0, 0, 1] is zero or along the view: choose another, such as [1, 0, 0]
+        s.toml, line 2: the camera's `up` = [0, 0, 0] is zero or along the view: choose another, such as [1, 0, 0]
         s.toml, line 2: `fov_degrees` = 180: legal is 0.01 to 170
-        s.toml, line 3: `fov_degrees` has no use here: it is for `projection = "perspective"`; leave it out
-        s.toml, line 2: `height` has no use here: it is for `projection = "orthographic"`; leave it out
+        s.toml, line 3: `fov_degrees` has no effect here: it is for `projection = "perspective"`; leave it out
+        s.toml, line 2: `height` has no effect here: it is for `projection = "orthographic"`; leave it out
         s.toml, line 2: unknown variant `fisheye`, expected `perspective` or `orthographic` in `projection = "fisheye"`
         s.toml, line 2: `intensity` = 1.5: legal is 0 to 1
         s.toml, line 2: unknown field `colour`, expected one of `kind`, `direction`, `position`, `intensity` in `colour = 1`
         s.toml, line 2: unknown variant `spot`, expected `directional` or `point` in `kind = "spot"`
-        s.toml, line 2: `direction` has no length: it points from the surface towards the light
-        s.toml, line 2: `position` has no use here: it is for `kind = "point"`; leave it out
-        s.toml, line 3: `direction` has no use here: it is for `kind = "directional"`; leave it out
+        s.toml, line 2: `direction` is zero: it must point from the surface towards the light
+        s.toml, line 2: `position` has no effect here: it is for `kind = "point"`; leave it out
+        s.toml, line 3: `direction` has no effect here: it is for `kind = "directional"`; leave it out
         s.toml, line 9: 9 lights: legal are 1 to 8
         s.toml, line 2: `intensity` = -0.1: legal is 0 to 1
         s.toml, line 2: `diffuse` = 1.01: legal is 0 to 1
         s.toml, line 2: `exponent` = 256: legal are whole numbers 0 to 255
         s.toml, line 2: `exponent` = -1: legal are whole numbers 0 to 255
         s.toml, line 2: unknown variant `marble`, expected one of `wood`, `brick`, `earth`, `lettering`, `constant` in `source = "marble"`
-        s.toml, line 1: `source` and `file` are both there: a map has one of them
-        s.toml, line 3: `color` has no use here: colours come from `source`; leave it out
-        s.toml, line 2: `scale` has no use here: it is for `[height]`; leave it out
+        s.toml, line 1: `source` and `file` are both given: remove one of them
+        s.toml, line 3: `color` has no effect here: colours come from `source`; leave it out
+        s.toml, line 2: `scale` has no effect here: it is for `[height]`; leave it out
         s.toml, line 2: `color` = -1: legal is 0 to 1
-        s.toml, line 3: `width` has no use here: the size is that of the file; leave it out
+        s.toml, line 3: `width` has no effect here: the size is that of the file; leave it out
         none.png: can't read: No such file or directory (os error 2)
-        s.toml, line 2: `color` has no use here: it is for `[texture]`; leave it out
+        s.toml, line 2: `color` has no effect here: it is for `[texture]`; leave it out
         s.toml, line 2: `scale` = inf: legal is -1000000 to 1000000
         s.toml, line 2: `width` = 8193: legal are whole numbers 1 to 8192
-        s.toml, line 1: a map of 8000 x 8000 texels: legal are sides of 1 to 8192 and at most 33554432 texels; scale it down
+        s.toml, line 1: the map has 8000 x 8000 texels: legal are sides of 1 to 8192 and at most 33554432 texels; scale it down
         s.toml, line 1: invalid type: sequence, expected a table in `ambient = [0.5, "more", [1, 2]]`
         s.toml, line 1: invalid type: sequence, expected a table in `image = [8, 8, [0, 0, 0], 99]`
         s.toml, line 1: invalid type: sequence, expected a table in `material = [0.1, 0.7, 0.2, 32]`
@@ -908,9 +908,9 @@ fn wrong_scenes_are_refused() {
         s.toml, line 1: missing field `shape` in `[[object]]`
         s.toml, line 2: unknown variant `torus`, expected one of `plane`, `cube`, `sphere`, `mesh` in `shape = "torus"`
         s.toml, line 1: a mesh needs `file`, an .obj, .gltf or .glb file, or `source = "shell"`
-        s.toml, line 3: `file` has no use here: it is for `shape = "mesh"`; leave it out
-        s.toml, line 3: `source` has no use here: it is for `shape = "mesh"`; leave it out
-        s.toml, line 4: `file` has no use here: the mesh is that of `source`; leave it out
+        s.toml, line 3: `file` has no effect here: it is for `shape = "mesh"`; leave it out
+        s.toml, line 3: `source` has no effect here: it is for `shape = "mesh"`; leave it out
+        s.toml, line 4: `file` has no effect here: the mesh comes from `source`; leave it out
         none.obj: can't read: No such file or directory (os error 2)
         s.toml, line 3: `scale` = 0: legal is 0.000001 to 1000000, or the negative of that, which mirrors
         s.toml, line 3: `scale` = NaN: legal is 0.000001 to 1000000, or the negative of that, which mirrors
@@ -1074,61 +1074,61 @@ fn wrong_files_are_refused() {
         empty.png: can't be decoded as PNG or JPEG: The image format could not be determined
         cut.png: can't be decoded as PNG or JPEG: unexpected end of file
         flipped.png: can't be decoded as PNG or JPEG: Format error decoding Png: Corrupt deflate stream. InvalidCodeLengthRepeat
-        huge.png: a map of 100000 x 100000 texels: legal are sides of 1 to 8192 and at most 33554432 texels; scale it down
-        wide.png: a map of 8193 x 1 texels: legal are sides of 1 to 8192 and at most 33554432 texels; scale it down
-        many.png: a map of 8000 x 8000 texels: legal are sides of 1 to 8192 and at most 33554432 texels; scale it down
+        huge.png: the map has 100000 x 100000 texels: legal are sides of 1 to 8192 and at most 33554432 texels; scale it down
+        wide.png: the map has 8193 x 1 texels: legal are sides of 1 to 8192 and at most 33554432 texels; scale it down
+        many.png: the map has 8000 x 8000 texels: legal are sides of 1 to 8192 and at most 33554432 texels; scale it down
         header.png: can't be decoded as PNG or JPEG: unexpected end of file
         cut.jpg: can't be decoded as PNG or JPEG: Format error decoding Jpeg: I/O errors Not enough bytes, expected 1 but found 0
-        no_uv.obj, line 10: triangle 0 (they count from 0) has no texture coordinates, by which [height] lies on it: unwrap it, or leave [height] out
-        points.obj, line 10: triangle 0 (they count from 0) has no texture coordinates, by which [height] lies on it: unwrap it, or leave [height] out
+        no_uv.obj, line 10: triangle 0 (they count from 0) has no texture coordinates, which [height] needs: unwrap the mesh, or leave [height] out
+        points.obj, line 10: triangle 0 (they count from 0) has no texture coordinates, which [height] needs: unwrap the mesh, or leave [height] out
         nan.obj, line 11: point 5 has NaN: legal is -1000000 to 1000000
         inf.obj, line 11: normal 2 has -inf: legal is -1000000 to 1000000
         uv.obj, line 11: texture coordinate 5 has 1e300: legal is -1000000 to 1000000
-        word.obj, line 10: the point has `zero`, no number
-        few.obj, line 10: the normal has 2 numbers, and at least 3 make one
-        no_vt.obj, line 10: the texture coordinate has 0 numbers, and at least 1 make one
-        nine.obj, line 10: corner `9/3/1` names point 9, and up to here there are 4 (they count from 1)
-        zero.obj, line 10: corner `0/3/1` names point 0, and up to here there are 4 (they count from 1)
-        back.obj, line 10: corner `3/-5/1` names texture coordinate -5, and up to here there are 4 (they count from 1)
-        letters.obj, line 10: corner `c/3/1` names point c, and up to here there are 4 (they count from 1)
+        word.obj, line 10: the point has `zero`, which isn't a number
+        few.obj, line 10: the normal has 2 numbers: it needs at least 3
+        no_vt.obj, line 10: the texture coordinate has 0 numbers: it needs at least 1
+        nine.obj, line 10: corner `9/3/1` refers to point 9, but up to here there are 4 (they count from 1)
+        zero.obj, line 10: corner `0/3/1` refers to point 0, but up to here there are 4 (they count from 1)
+        back.obj, line 10: corner `3/-5/1` refers to texture coordinate -5, but up to here there are 4 (they count from 1)
+        letters.obj, line 10: corner `c/3/1` refers to point c, but up to here there are 4 (they count from 1)
         many.obj, line 10: corner `1/1/1/1` has more than three indices (v/vt/vn)
         slash.obj, line 10: corner `/1/1` names no point
-        two.obj: has no triangles; triangles without area left out: 1, the first in line 12; faces of fewer than 3 corners left out: 1, the first in line 10; lines (`l`) passed over: 1, the first in line 13; points (`p`) passed over: 1, the first in line 14; statements of free-form curves and surfaces passed over: 1, the first in line 15; statements that aren't read passed over, such as `Call`: 2, the first in line 16
+        two.obj: has no triangles; triangles without area left out: 1, the first in line 12; faces of fewer than 3 corners left out: 1, the first in line 10; lines (`l`) ignored: 1, the first in line 13; points (`p`) ignored: 1, the first in line 14; statements of free-form curves and surfaces ignored: 1, the first in line 15; unknown statements ignored, such as `Call`: 2, the first in line 16
         crossing.obj, line 10: the polygon crosses itself, so it has no inside: cut it into polygons that don't
-        nul.obj: is binary, or UTF-16 without a mark, and no text: save it as UTF-8
+        nul.obj: isn't text: it is binary, or UTF-16 without a byte order mark; save it as UTF-8
         empty.obj: has no triangles
-        flat_uv.obj, line 11: triangle 1 (they count from 0) has no area in the texture, so bumps have no direction: unwrap it, or leave [height] out
-        mesh.stl: a mesh is an .obj, .gltf or .glb file, by its extension
-        late.obj, line 6: the first `vn` comes after line 5, whose corners name one: put it before
-        no_index.obj, line 5: corner `1/1/x` names normal x, and up to here there are 0 (they count from 1)
-        no_zero.obj, line 4: corner `1/0` names texture coordinate 0, and up to here there are 0 (they count from 1)
+        flat_uv.obj, line 11: triangle 1 (they count from 0) has no area in the texture, so bumps have no direction: unwrap the mesh, or leave [height] out
+        mesh.stl: isn't a mesh: legal extensions are .obj, .gltf and .glb
+        late.obj, line 6: the first `vn` comes after line 5, whose corners refer to one: move it before that line
+        no_index.obj, line 5: corner `1/1/x` refers to normal x, but up to here there are 0 (they count from 1)
+        no_zero.obj, line 4: corner `1/0` refers to texture coordinate 0, but up to here there are 0 (they count from 1)
         little.obj: the text is UTF-16: save it as UTF-8
         big.obj: the text is UTF-16: save it as UTF-8
-        painted.obj, line 11: triangle 1 (they count from 0) has no texture coordinates, by which [texture] lies on it: unwrap it, or leave [texture] out
-        accessor.glb: mesh 0, primitive 0: accessor 9 is named, and there are 4
+        painted.obj, line 11: triangle 1 (they count from 0) has no texture coordinates, which [texture] needs: unwrap the mesh, or leave [texture] out
+        accessor.glb: mesh 0, primitive 0: refers to accessor 9 (they count from 0) of 4
         kind.glb: mesh 0, primitive 0: accessor 2: is VEC2 where VEC3 is needed
-        count.glb: mesh 0, primitive 0: 35 corners don't make whole triangles
-        beyond.glb: mesh 0, primitive 0: accessor 1: reaches beyond its buffer
-        overflow.glb: mesh 0, primitive 0: accessor 1: reaches beyond its buffer
-        stride.glb: mesh 0, primitive 0: accessor 2: buffer view 1 has `byteStride` 4, and its elements have 8 bytes
-        memory.glb: no glTF 2.0: missing field `count` at line 7 column 82
-        lines.glb: has no triangles, but 1 primitives of lines or points: export a surface
-        strip.glb: mesh 0, primitive 0: a strip of 2 corners: 3 or more make one
+        count.glb: mesh 0, primitive 0: 35 corners, not a multiple of 3
+        beyond.glb: mesh 0, primitive 0: accessor 1: extends beyond its buffer
+        overflow.glb: mesh 0, primitive 0: accessor 1: extends beyond its buffer
+        stride.glb: mesh 0, primitive 0: accessor 2: buffer view 1 has `byteStride` 4, less than the 8 bytes of its elements
+        memory.glb: isn't glTF 2.0: missing field `count` at line 7 column 82
+        lines.glb: has no triangles, only 1 primitives of lines or points: export a surface
+        strip.glb: mesh 0, primitive 0: a strip of 2 corners: it needs 3 or more
         loop.glb: node 0 has two parents
         hidden.glb: has no triangles; triangles without area left out: 12
         huge.glb: mesh 0, primitive 0: vertex 0 has 1e9: legal is -1000000 to 1000000
         draco.glb: needs the extension `KHR_draco_mesh_compression`: export without it
-        json.glb: no glTF 2.0: expected value at line 1 column 40
-        scene.glb: scene 1 is named, and there are 1
-        buffer.glb: buffer 0 has 1224 bytes of 1228: the file is cut off
+        json.glb: isn't glTF 2.0: expected value at line 1 column 40
+        scene.glb: refers to scene 1 (they count from 0) of 1
+        buffer.glb: buffer 0 has 1224 of 1228 bytes: the file is truncated
         none.glb: has no triangles
         nan.glb: mesh 0, primitive 0: vertex 0 has NaN: legal is -1000000 to 1000000
-        index.glb: mesh 0, primitive 0: vertex 36 is named, and there are 36
-        cut.glb: its .glb container has 1936 bytes of 2036: the file is cut off, export or copy it again
-        head.glb: its .glb container has 9 bytes of 12: the file is cut off, export or copy it again
-        old.glb: is .glb of version 1: only 2 is read
+        index.glb: mesh 0, primitive 0: refers to vertex 36 (they count from 0) of 36
+        cut.glb: its .glb container has 1936 of 2036 bytes: the file is truncated; export or copy it again
+        head.glb: its .glb container has 9 of 12 bytes: the file is truncated; export or copy it again
+        old.glb: is a .glb file of version 1: only version 2 is supported
         away.bin: can't read: No such file or directory (os error 2)
-        base.gltf: buffer 0: its data URI can't be decoded: it is `data:;base64,` and base64, or `data:,` and bytes as %00 to %ff
+        base.gltf: buffer 0: its data URI can't be decoded: legal are `data:;base64,` with base64, and `data:,` with bytes as %00 to %ff
     "#]].assert_eq(&seen);
 }
 
@@ -1158,9 +1158,9 @@ fn one_square_as_many_obj_files() {
     let plain = [v, vt, vn, f].concat();
     let (expected, notes) = seen_of(plain.as_bytes());
     assert!(expected.len() > 400 && notes.is_empty());
-    let made = "means of the triangles around it are taken, up to edges of `crease_degrees` = 60 (by `tangent-faceted` alone those of the triangles)";
+    let made = "means of the triangles around each are used, up to edges of `crease_degrees` = 60 (`tangent-faceted` alone uses the triangles' own)";
     let normals = format!("6 of 6 corners have no normal: {made}");
-    let passed = "statements that aren't read passed over, such as `vw`: 2, the first in line 11";
+    let passed = "unknown statements ignored, such as `vw`: 2, the first in line 11";
     for (name, text, expected_notes) in [
         ("mark", format!("\u{feff}{plain}"), vec![]),
         ("two marks", format!("\u{feff}{v}\u{feff}{vt}{vn}{f}"), vec![]),
@@ -1192,7 +1192,7 @@ fn one_square_as_many_obj_files() {
             "normals not there",
             [v, vt, f].concat(),
             vec![
-                "corners that name a normal, and there are none: 4, the first in line 9",
+                "corners that refer to a normal, but the file has none: 4, the first in line 9",
                 &*normals,
             ],
         ),
@@ -1213,9 +1213,9 @@ fn one_square_as_many_obj_files() {
             "lines and points",
             format!("{plain}l 1 2 3\np 1\nl 1 2\ncurv 0 1 1 2\n"),
             vec![
-                "lines (`l`) passed over: 2, the first in line 11",
-                "points (`p`) passed over: 1, the first in line 12",
-                "statements of free-form curves and surfaces passed over: 1, the first in line 14",
+                "lines (`l`) ignored: 2, the first in line 11",
+                "points (`p`) ignored: 1, the first in line 12",
+                "statements of free-form curves and surfaces ignored: 1, the first in line 14",
             ],
         ),
         ("unknown", format!("{plain}vw 0 0 1\nF 1 2 3\n"), vec![passed]),
@@ -1277,7 +1277,7 @@ fn notes_go_to_standard_error_and_into_the_report() {
     let outcome = program.args(["--pipelines", "exact-cartesian"]).output().unwrap();
     assert!(outcome.status.success());
     let told = String::from_utf8(outcome.stderr).unwrap();
-    let passed = "note: m.obj: lines (`l`) passed over: 1, the first in line 13\n";
+    let passed = "note: m.obj: lines (`l`) ignored: 1, the first in line 13\n";
     assert!(told.contains(passed) && told.contains("note: m.obj: 15 of 15 corners"), "{told}");
     let report = fs::read_to_string(folder.path().join("o/figures.txt")).unwrap();
     assert!(report.ends_with(&told[told.find("note").unwrap()..]), "{report}");
@@ -1311,7 +1311,7 @@ fn normals_are_made_by_angle_up_to_creases() {
     }
     let mut notes = scene.notes()[0].clone();
     notes.replace_range(..notes.find("m.obj").unwrap(), "");
-    expect!["m.obj: 15 of 15 corners have no normal: means of the triangles around it are taken, up to edges of `crease_degrees` = 89 (by `tangent-faceted` alone those of the triangles)"].assert_eq(&notes);
+    expect!["m.obj: 15 of 15 corners have no normal: means of the triangles around each are used, up to edges of `crease_degrees` = 89 (`tangent-faceted` alone uses the triangles' own)"].assert_eq(&notes);
 
     // On the ridge each side contributes 90° at both ends, however it is cut: the normal is
     // straight up.
@@ -1386,7 +1386,7 @@ fn a_scene_has_limits_as_a_whole() {
     };
     assert_eq!(parse(&objects(64)).materials.len(), 200);
     let why = refused(&objects(65));
-    let expected = "s.toml, line 193: more than 64 different materials, the most that a scene may have: give some objects the same";
+    let expected = "s.toml, line 193: more than 64 different materials, the most that a scene may have: let some objects share one";
     assert!(why.ends_with(expected), "{why}");
 }
 
@@ -1416,6 +1416,6 @@ fn faces_upon_each_other() {
     }
     assert!(scene(&pile, 40, "[0, 0, -4]").is_ok() && scene(&pile, 4096, "[0, 0, 4]").is_ok());
     let why = scene(&pile, 4096, "[0, 0, -2]").unwrap_err().to_string();
-    let expected = "s.toml: faces lie so close upon each other that the rays of a picture would try more than 8589934592 of them, the most that a picture may take: remove those that are there many times, or make the picture smaller than 4096 x 4096";
+    let expected = "s.toml: faces lie so close together that the rays of a picture would test more than 8589934592 of them, the most that a picture may take: remove duplicates, or make the picture smaller than 4096 x 4096";
     assert!(why.ends_with(expected), "{why}");
 }

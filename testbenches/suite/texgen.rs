@@ -200,7 +200,7 @@ fn every_rule_between_coordinates_has_its_message() {
         gx_refuses(
             &[BASE, [to, "BUMP0", from, "IDENTITY"]],
             &format!(
-                "{to} from {from}: coordinates are generated in order of their numbers, so that emboss takes one with a lower number than its own"
+                "{to} from {from}: coordinates are generated in the order of their numbers, so emboss needs a source with a lower number"
             ),
         );
     }
@@ -252,7 +252,7 @@ fn two_bases_each_have_their_bump_in_either_order() {
     ];
     let apart = |to: u8, from: u8, between: u8, is: &str| {
         format!(
-            "TEXCOORD{to} from TEXCOORD{from}: base and displaced coordinate should be numbered n and n + 1, and TEXCOORD{between} between them is {is}"
+            "TEXCOORD{to} from TEXCOORD{from}: base and displaced coordinate should be numbered n and n + 1, but TEXCOORD{between} between them is {is}"
         )
     };
     assert_eq!(
@@ -278,7 +278,7 @@ fn a_gap_is_told_once_all_calls_are_made() {
     let above = ["TEXCOORD3", "SRTG", "COLOR1", "IDENTITY"];
     let outcome = gx(&[BASE, above]);
     assert!(outcome.events.iter().all(|event| event.outcome.is_ok()));
-    let message = "TEXCOORD1 is not set, and TEXCOORD3 is: number coordinates from 0 without a gap";
+    let message = "TEXCOORD1 is not set, but TEXCOORD3 is: number coordinates from 0 without a gap";
     assert_eq!(outcome.unfinished.as_ref().unwrap().to_string(), message);
     assert_eq!(outcome.problems(), 1);
     // Its registers would announce two coordinates, but hold words of the first and the fourth.
@@ -543,42 +543,42 @@ fn every_error_of_the_extension_has_its_message() {
         (
             even,
             "TexGen coord=S pname=TEXTURE_GEN_MODE param=EMBOSS_MAP_NV",
-            "INVALID_ENUM: EMBOSS_MAP_NV with texture unit 2 active: only odd units take it",
+            "INVALID_ENUM: EMBOSS_MAP_NV with texture unit 2 active: only odd units accept it",
         ),
         (
             even,
             "TexGen coord=Q pname=TEXTURE_GEN_MODE param=0x855F",
-            "INVALID_ENUM: EMBOSS_MAP_NV with texture unit 2 active: only odd units take it",
+            "INVALID_ENUM: EMBOSS_MAP_NV with texture unit 2 active: only odd units accept it",
         ),
         (
             even,
             "TexGen coord=S pname=EMBOSS_CONSTANT_NV param=0.5",
-            "INVALID_ENUM: EMBOSS_CONSTANT_NV with texture unit 2 active: only odd units take it",
+            "INVALID_ENUM: EMBOSS_CONSTANT_NV with texture unit 2 active: only odd units accept it",
         ),
         (
             even,
             "TexGen coord=T pname=EMBOSS_LIGHT_NV param=LIGHT1",
-            "INVALID_ENUM: EMBOSS_LIGHT_NV with texture unit 2 active: only odd units take it",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV with texture unit 2 active: only odd units accept it",
         ),
         (
             odd,
             "TexGen coord=R pname=EMBOSS_CONSTANT_NV param=0.5",
-            "INVALID_ENUM: EMBOSS_CONSTANT_NV of coordinate R: only S and T take it",
+            "INVALID_ENUM: EMBOSS_CONSTANT_NV of coordinate R: only S and T accept it",
         ),
         (
             odd,
             "TexGen coord=Q pname=EMBOSS_CONSTANT_NV param=0.5",
-            "INVALID_ENUM: EMBOSS_CONSTANT_NV of coordinate Q: only S and T take it",
+            "INVALID_ENUM: EMBOSS_CONSTANT_NV of coordinate Q: only S and T accept it",
         ),
         (
             odd,
             "TexGen coord=R pname=EMBOSS_LIGHT_NV param=LIGHT1",
-            "INVALID_ENUM: EMBOSS_LIGHT_NV of coordinate R: only S and T take it",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV of coordinate R: only S and T accept it",
         ),
         (
             odd,
             "TexGen coord=Q pname=EMBOSS_LIGHT_NV param=LIGHT1",
-            "INVALID_ENUM: EMBOSS_LIGHT_NV of coordinate Q: only S and T take it",
+            "INVALID_ENUM: EMBOSS_LIGHT_NV of coordinate Q: only S and T accept it",
         ),
         (
             odd,
@@ -628,7 +628,7 @@ fn every_error_of_the_extension_has_its_message() {
         (
             odd,
             "TexGen coord=R pname=TEXTURE_GEN_MODE param=SPHERE_MAP",
-            "INVALID_ENUM: SPHERE_MAP of coordinate R: only S and T take it",
+            "INVALID_ENUM: SPHERE_MAP of coordinate R: only S and T accept it",
         ),
         (
             odd,
@@ -648,7 +648,7 @@ fn every_error_of_the_extension_has_its_message() {
         (
             odd,
             "TexGen coord=Q pname=TEXTURE_GEN_MODE param=REFLECTION_MAP",
-            "INVALID_ENUM: REFLECTION_MAP of coordinate Q: only S, T and R take it",
+            "INVALID_ENUM: REFLECTION_MAP of coordinate Q: only S, T and R accept it",
         ),
         (
             odd,
@@ -664,7 +664,7 @@ fn every_error_of_the_extension_has_its_message() {
         (
             odd,
             "Disable cap=TEXTURE_GEN_U",
-            "INVALID_ENUM: cap `TEXTURE_GEN_U`, did you mean `TEXTURE_GEN_Q`: legal is what glEnable takes in OpenGL 1.x, such as LIGHTING, LIGHTi, TEXTURE_GEN_S",
+            "INVALID_ENUM: cap `TEXTURE_GEN_U`, did you mean `TEXTURE_GEN_Q`: legal is what glEnable accepts in OpenGL 1.x, such as LIGHTING, LIGHTi, TEXTURE_GEN_S",
         ),
         (
             odd,
@@ -764,12 +764,12 @@ fn every_error_of_the_extension_has_its_message() {
         (
             odd,
             "Enable cap=TEXTURE_GEN_GL_S",
-            "INVALID_ENUM: cap `TEXTURE_GEN_GL_S`, did you mean `TEXTURE_GEN_S`: legal is what glEnable takes in OpenGL 1.x, such as LIGHTING, LIGHTi, TEXTURE_GEN_S",
+            "INVALID_ENUM: cap `TEXTURE_GEN_GL_S`, did you mean `TEXTURE_GEN_S`: legal is what glEnable accepts in OpenGL 1.x, such as LIGHTING, LIGHTi, TEXTURE_GEN_S",
         ),
         (
             odd,
             "Enable cap=LIGHT00",
-            "INVALID_ENUM: cap `LIGHT00`, did you mean `LIGHT0`: legal is what glEnable takes in OpenGL 1.x, such as LIGHTING, LIGHTi, TEXTURE_GEN_S",
+            "INVALID_ENUM: cap `LIGHT00`, did you mean `LIGHT0`: legal is what glEnable accepts in OpenGL 1.x, such as LIGHTING, LIGHTi, TEXTURE_GEN_S",
         ),
     ];
     for (before, call, message) in cases {
@@ -815,8 +815,7 @@ fn what_opengl_has_itself_is_kept_or_passed_on() {
         (refused.gl_error, refused.message)
     };
     for call in ["TexGend", "glTexGenf", "TexGeni"] {
-        let message =
-            "INVALID_ENUM: OBJECT_PLANE by a command of one value: take glTexGendv, fv or iv";
+        let message = "INVALID_ENUM: OBJECT_PLANE needs four values, and this command passes one: use glTexGendv, fv or iv";
         assert_eq!(refused(call, "param = 1"), (Some("INVALID_ENUM"), message.to_owned()));
     }
     for (value, told) in [
@@ -894,8 +893,8 @@ fn what_opengl_has_itself_is_kept_or_passed_on() {
     assert_eq!(
         told,
         [
-            "passed on; what it does to the state that is judged here isn't followed",
-            "VERTEX_ARRAY: passed on; arrays of the client aren't followed"
+            "passed on; its effect on the state checked here isn't modelled",
+            "VERTEX_ARRAY: passed on; client arrays aren't modelled"
         ]
     );
     for call in ["glUnmapBuffer", "UnmapBufferARB", "GetLight", "glGetPixelMapusv", "GetTexEnv"] {
@@ -921,7 +920,7 @@ fn what_opengl_has_itself_is_kept_or_passed_on() {
     assert_eq!(calls, told);
     // Commands that could change the judged state say so.
     let attrib = effects("[[nv]]\ncall = \"glPopAttrib\"\n");
-    assert_eq!(attrib, ["passed on; what it does to the state that is judged here isn't followed"]);
+    assert_eq!(attrib, ["passed on; its effect on the state checked here isn't modelled"]);
     // None of these change the judged state.
     let between = "Enable cap=TEXTURE_2D\nTexGen coord=S pname=EYE_PLANE param=1\nglFlush\n";
     assert_eq!(nv(&format!("{DEFINED}{between}")).emboss, nv(DEFINED).emboss);
@@ -1029,44 +1028,43 @@ fn every_condition_of_an_undefined_result_is_told() {
     let cases = [
         (
             "TexGen coord=R pname=TEXTURE_GEN_MODE param=EYE_LINEAR",
-            &["TEXTURE_GEN_MODE of R is EYE_LINEAR: all of S, T, R and Q have to be EMBOSS_MAP_NV"]
-                [..],
+            &["TEXTURE_GEN_MODE of R is EYE_LINEAR: all of S, T, R and Q must be EMBOSS_MAP_NV"][..],
             "STQ",
         ),
         (
             "TexGen coord=S pname=TEXTURE_GEN_MODE param=SPHERE_MAP",
-            &["TEXTURE_GEN_MODE of S is SPHERE_MAP: all of S, T, R and Q have to be EMBOSS_MAP_NV"],
+            &["TEXTURE_GEN_MODE of S is SPHERE_MAP: all of S, T, R and Q must be EMBOSS_MAP_NV"],
             "TRQ",
         ),
         (
             "Disable cap=TEXTURE_GEN_Q",
-            &["TEXTURE_GEN_Q is disabled: it has to be enabled for all of S, T, R and Q"],
+            &["TEXTURE_GEN_Q is disabled: it must be enabled for all of S, T, R and Q"],
             "STRQ",
         ),
-        ("Disable cap=LIGHTING", &["LIGHTING is disabled: it has to be enabled"], "STRQ"),
+        ("Disable cap=LIGHTING", &["LIGHTING is disabled: it must be enabled"], "STRQ"),
         (
             "Disable cap=LIGHT0",
-            &["LIGHT0 is disabled: the light of emboss has to be enabled"],
+            &["LIGHT0 is disabled: the light of the emboss must be enabled"],
             "STRQ",
         ),
         (
             "Enable cap=LIGHT2\nTexGen coord=T pname=EMBOSS_LIGHT_NV param=LIGHT2",
-            &["EMBOSS_LIGHT_NV of S is LIGHT0 and of T is LIGHT2: they have to be the same"],
+            &["EMBOSS_LIGHT_NV of S is LIGHT0 and of T is LIGHT2: they must be the same"],
             "STRQ",
         ),
         (
             "TexGen coord=T pname=EMBOSS_LIGHT_NV param=LIGHT2",
             &[
-                "EMBOSS_LIGHT_NV of S is LIGHT0 and of T is LIGHT2: they have to be the same",
-                "LIGHT2 is disabled: the light of emboss has to be enabled",
+                "EMBOSS_LIGHT_NV of S is LIGHT0 and of T is LIGHT2: they must be the same",
+                "LIGHT2 is disabled: the light of the emboss must be enabled",
             ],
             "STRQ",
         ),
         (
             "Disable cap=TEXTURE_GEN_T\nDisable cap=LIGHTING",
             &[
-                "TEXTURE_GEN_T is disabled: it has to be enabled for all of S, T, R and Q",
-                "LIGHTING is disabled: it has to be enabled",
+                "TEXTURE_GEN_T is disabled: it must be enabled for all of S, T, R and Q",
+                "LIGHTING is disabled: it must be enabled",
             ],
             "STRQ",
         ),
@@ -1182,11 +1180,11 @@ fn malformed_files_are_refused_with_the_line() {
         ),
         (
             "[[nv]]\ncall = \"TexGen\"\ncoord = \"S\"\npname = \"EMBOSS_CONSTANT_NV\"\nparam = [1.0, 2.0]\n",
-            "calls.toml, line 5: EMBOSS_CONSTANT_NV takes 1, and `param` has 2",
+            "calls.toml, line 5: `param` has 2 values, but EMBOSS_CONSTANT_NV takes 1",
         ),
         (
             "[[nv]]\ncall = \"glTexGenfv\"\ncoord = \"S\"\npname = \"GL_EYE_PLANE\"\n\nparams = [1, 2, 3]\n",
-            "calls.toml, line 6: GL_EYE_PLANE takes 4, and `param` has 3",
+            "calls.toml, line 6: `param` has 3 values, but GL_EYE_PLANE takes 4",
         ),
         (
             "[[nv]]\ncall = \"glEnabel\"\n",

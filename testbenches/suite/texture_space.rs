@@ -405,12 +405,12 @@ fn a_set_up_without_texture_coordinates_is_refused() {
     for (names, frames, by) in [
         (&["tangent-faceted"][..], Frames::Float, "`tangent-faceted`"),
         (&["corrected", "tangent-smooth"], Frames::Float, "`tangent-smooth`"),
-        (&["corrected"], Frames::Setup, "the set-up of frames"),
+        (&["corrected"], Frames::Setup, "the setup of frames"),
     ] {
         let refused = render(&scene, &pipelines(names, frames, &[]), false, &|_| ());
         let why = refused.unwrap_err().to_string();
         let expected = format!(
-            "m.obj, line 10: triangle 0 (they count from 0) has no texture coordinates, from which {by} takes T: unwrap it, or take a pipeline without"
+            "m.obj, line 10: triangle 0 (they count from 0) has no texture coordinates, from which {by} computes T: unwrap the mesh, or use a pipeline without it"
         );
         assert!(why.ends_with(&expected), "{why}");
     }

@@ -1,4 +1,4 @@
-//! How far a picture is from a golden one, in figures.
+//! Figures for the difference of a picture to its golden picture.
 
 use super::flip::flip;
 use super::pixels::{Picture, Srgb8};
@@ -9,11 +9,11 @@ use crate::base::json;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-/// Pixels per degree of the visual field that FLIP's authors suggest: a 4K display 0.7 m wide,
-/// seen from 0.7 m.
+/// Pixels per degree of the visual field as FLIP's authors suggest: a 4K display 0.7 m wide, seen
+/// from 0.7 m.
 pub const PIXELS_PER_DEGREE: f64 = 67.0;
 
-/// How finely FLIP may be told to look. The filters grow with it.
+/// The resolutions that FLIP accepts. The filters grow with them.
 const LEGAL_PIXELS_PER_DEGREE: std::ops::RangeInclusive<f64> = 1.0..=1000.0;
 
 /// A channel of a picture.
@@ -42,8 +42,8 @@ impl Channel {
 
 const CHANNELS: [Channel; 3] = [Channel::Red, Channel::Green, Channel::Blue];
 
-/// A largest difference and where it is: the first place from the upper left, if there are
-/// several. A NaN is larger than any number.
+/// A largest difference and its position: the first from the upper left, if there are several. A
+/// NaN is larger than any number.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Extreme {
     /// Absolute difference in linear light.
@@ -64,7 +64,7 @@ pub struct Extreme {
 }
 
 impl Extreme {
-    /// The larger of two, the first if none is.
+    /// The larger of two; the first if they are equal.
     fn or_later(self, later: Self) -> Self {
         let larger = later.difference > self.difference
             || later.difference.is_nan() && !self.difference.is_nan();
@@ -82,13 +82,13 @@ pub struct ChannelDifference {
     pub mean: f64,
 }
 
-/// How far a picture is from a golden one.
+/// The difference of a picture to a golden one.
 ///
-/// Where a scene was rendered, figures of single pixels are over those that see an object: an empty background,
-/// which is the same in both, would make every mean as small as one likes. SSIM and FLIP look at neighbourhoods and
-/// are of the whole picture, as outside tools have them.
+/// For a rendered scene, per-pixel figures count only pixels that see an object: an empty
+/// background, which is the same in both pictures, would make every mean arbitrarily small. SSIM
+/// and FLIP look at neighbourhoods and count the whole picture, as other tools do.
 ///
-/// In JSON, numbers that it can't write are the texts `NaN`, `inf` and `-inf`.
+/// In JSON, numbers that it can't represent are the strings `NaN`, `inf` and `-inf`.
 ///
 /// ```
 /// use fixpath::picture::{Difference, PIXELS_PER_DEGREE, Picture};
@@ -102,9 +102,9 @@ pub struct ChannelDifference {
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Difference {
-    /// Pixels that the figures of pixels are over: those that see an object.
+    /// Number of pixels that the per-pixel figures count: those that see an object.
     pub covered_px: u64,
-    /// The other pixels.
+    /// Number of other pixels.
     pub background_px: u64,
     /// The largest absolute difference of any channel, in linear light.
     pub max: Extreme,
@@ -113,29 +113,29 @@ pub struct Difference {
     pub mean: f64,
     /// The differences of red, green and blue.
     pub channels: [ChannelDifference; 3],
-    /// Peak signal to noise ratio in dB: a peak of 1 in linear light over the mean squared
+    /// Peak signal-to-noise ratio in dB: a peak of 1 in linear light over the mean squared
     /// difference of all channels of covered pixels. Infinite if the pictures are equal.
     #[serde(serialize_with = "json::real")]
     pub psnr_db: f64,
-    /// Part of the covered pixels that differ in any of their 8-bit sRGB codes, 0..=1.
+    /// Fraction of the covered pixels that differ in any of their 8-bit sRGB codes, 0..=1.
     pub srgb8_differing: f64,
     /// The largest difference between 8-bit sRGB codes.
     pub srgb8_max_codes: u8,
-    /// Mean structural similarity of the luma (BT.709) of the 8-bit pictures, -1..=1, 1 if they
-    /// are equal: Wang et al. 2004, over 11 x 11 px windows that lie inside the picture. A
-    /// window is no longer than a side.
+    /// Mean structural similarity of the luma (BT.709) of the 8-bit pictures, -1..=1, 1 if they are
+    /// equal: Wang et al. 2004, over 11 x 11 px windows inside the picture. A window is at most as
+    /// long as the picture's side.
     #[serde(serialize_with = "json::real")]
     pub ssim: f64,
-    /// Mean LDR-FLIP of the 8-bit pictures, 0..=1, 0 if they are equal: Andersson et al. 2020.
-    /// Beyond its borders a picture goes on with its last pixels.
+    /// Mean LDR-FLIP of the 8-bit pictures, 0..=1, 0 if they are equal: Andersson et al. 2020. A
+    /// picture is extended beyond its borders with its border pixels.
     #[serde(serialize_with = "json::real")]
     pub flip: f64,
-    /// Pixels per degree of the visual field that FLIP was told.
+    /// Pixels per degree of the visual field given to FLIP.
     pub pixels_per_degree: f64,
 }
 
 impl Difference {
-    /// Compares all of a picture with a golden one. `pixels_per_degree` is FLIP's, 1..=1000; see
+    /// Compares a whole picture with a golden one. `pixels_per_degree` is FLIP's, 1..=1000; see
     /// [`PIXELS_PER_DEGREE`].
     ///
     /// # Errors
@@ -147,7 +147,7 @@ impl Difference {
     /// Compares a picture of a scene with a golden one: `covered` says which pixels see an object.
     ///
     /// # Errors
-    /// As [`between`](Self::between), or if no pixel is covered: then there is nothing to compare.
+    /// As [`between`](Self::between), or if no pixel is covered: there is nothing to compare then.
     pub fn over(
         covered: &[bool],
         picture: &Picture,
@@ -158,7 +158,7 @@ impl Difference {
         check_pixels_per_degree(pixels_per_degree)?;
         if covered.len() != picture.pixels().len() {
             let text = format!(
-                "{} pixels are told covered or not, and the picture has {}",
+                "`covered` has {} entries, but the picture has {} pixels",
                 covered.len(),
                 picture.pixels().len()
             );
@@ -170,7 +170,7 @@ impl Difference {
         let pixels = cast::f64_of_count(covered_px);
         let [r, g, b] = all.max;
         let square = all.square / (3.0 * pixels);
-        // Codes can't tell what is no number.
+        // 8-bit codes can't represent NaN.
         let or_nan = |figure: &dyn Fn() -> f64| if square.is_nan() { f64::NAN } else { figure() };
         Ok(Self {
             covered_px,
@@ -191,7 +191,7 @@ impl Difference {
     }
 }
 
-/// How much of a picture means are over, in words.
+/// States in words which pixels the means count.
 #[must_use]
 pub fn coverage(covered_px: u64, background_px: u64) -> String {
     let all = covered_px + background_px;
@@ -202,11 +202,11 @@ pub fn coverage(covered_px: u64, background_px: u64) -> String {
 
 /// The error for a picture without a covered pixel.
 pub(crate) fn nothing_in_view() -> Error {
-    let text = "nothing is in view: no pixel sees an object, so there is no error to tell; see to the [camera]'s eye and target, and that objects are seen from outside, where their normals point";
+    let text = "nothing is in view: no pixel sees an object, so there is no error to report; check the [camera]'s eye and target, and that objects are seen from outside, where their normals point";
     Error::usage(text.to_owned())
 }
 
-/// Fails if FLIP can't be told so, which takes no pictures to know.
+/// Fails if the value is outside FLIP's range; needs no pictures.
 pub(crate) fn check_pixels_per_degree(pixels_per_degree: f64) -> Result<()> {
     if LEGAL_PIXELS_PER_DEGREE.contains(&pixels_per_degree) {
         return Ok(());
@@ -216,7 +216,7 @@ pub(crate) fn check_pixels_per_degree(pixels_per_degree: f64) -> Result<()> {
     Err(Error::parameter_value("pixels_per_degree", &given, legal))
 }
 
-/// What is known of the covered pixels of some rows.
+/// Sums over the covered pixels of some rows.
 struct Sums {
     max: [Extreme; 3],
     absolute: [f64; 3],
@@ -235,7 +235,7 @@ impl Sums {
     ) -> Option<Self> {
         let row = |y| Self::of_row(covered, picture, golden, codes, y);
         let rows: Vec<Option<Self>> = (0..picture.height_px()).into_par_iter().map(row).collect();
-        // From the top down, whatever thread summed a row.
+        // Summed from the top down, independent of threads.
         rows.into_iter().flatten().reduce(Self::and)
     }
 
@@ -263,7 +263,7 @@ impl Sums {
     fn of_pixel(channels: [Extreme; 3], [a, b]: [[u8; 3]; 2]) -> Self {
         let absolute = channels.map(|channel| channel.difference);
         let apart = |i: usize| a[i].abs_diff(b[i]);
-        // Codes can't tell what is no number: it differs from everything by everything.
+        // 8-bit codes can't represent NaN: it counts as the largest difference.
         let number = absolute.iter().all(|difference| !difference.is_nan());
         let most = if number { apart(0).max(apart(1)).max(apart(2)) } else { u8::MAX };
         Self {
@@ -275,7 +275,7 @@ impl Sums {
         }
     }
 
-    /// These pixels and later ones.
+    /// The sums of these pixels and later ones.
     fn and(self, later: Self) -> Self {
         Self {
             max: std::array::from_fn(|i| self.max[i].or_later(later.max[i])),

@@ -1,21 +1,21 @@
-//! Pictures, scales and words on white sheets.
+//! Draws pictures, scales and text on white sheets.
 
 use super::pixels::{MAX_SIDE_PX, Srgb8};
 use crate::base::cast;
 use crate::base::error::{Error, Result};
 use noto_sans_mono_bitmap::{FontWeight, RasterHeight, get_raster, get_raster_width};
 
-/// Font of every word.
+/// Font of all text.
 const WEIGHT: FontWeight = FontWeight::Regular;
 const HEIGHT: RasterHeight = RasterHeight::Size16;
 /// Height of a line of text.
 pub(super) const LINE_PX: usize = 16;
-/// Between things, and around all.
+/// Gap between items, and margin around all.
 pub(super) const GAP_PX: usize = 8;
 
 const PAPER: [u8; 3] = [255; 3];
 const INK: u8 = 30;
-/// Frames of what may be white at its edges.
+/// Colour of frames around items that may be white at their edges.
 const FRAME: [u8; 3] = [150; 3];
 
 /// Width of a line of text.
@@ -35,13 +35,13 @@ impl Canvas {
     pub(super) fn new(width: usize, height: usize) -> Result<Self> {
         if width.max(height) > MAX_SIDE_PX {
             return Err(Error::usage(format!(
-                "a sheet of {width} x {height} px: its sides have at most {MAX_SIDE_PX} px"
+                "a sheet of {width} x {height} px: legal are sides of at most {MAX_SIDE_PX} px"
             )));
         }
         Ok(Self { width, codes: vec![PAPER; width * height] })
     }
 
-    /// Fills a rectangle with colours by x and y from its upper left.
+    /// Fills a rectangle; `colour` gets x and y from its upper left.
     pub(super) fn fill(
         &mut self,
         (left, top): (usize, usize),
@@ -72,7 +72,7 @@ impl Canvas {
         self.fill(corner, size, |x, y| picture.codes[y * size.0 + x]);
     }
 
-    /// Writes a line; characters that the font doesn't have are question marks.
+    /// Writes a line; characters that the font lacks become question marks.
     pub(super) fn text(&mut self, (left, top): (usize, usize), text: &str) {
         for (i, c) in text.chars().enumerate() {
             let raster = get_raster(c, WEIGHT, HEIGHT)
@@ -91,25 +91,25 @@ impl Canvas {
     }
 }
 
-/// The nearest code to a number.
+/// Rounds to the nearest code.
 pub(super) fn code(x: f64) -> u8 {
     u8::try_from(cast::i64_of(x.round()).clamp(0, 255)).expect("bug: clamped to a byte")
 }
 
-/// A picture of a [`sheet`] and the line below it.
+/// A picture of a [`sheet`] and its caption.
 #[derive(Clone, Copy, Debug)]
 pub struct Panel<'a> {
-    /// One line; letters outside Latin-1 are drawn as question marks.
+    /// One line below the picture; letters outside Latin-1 become question marks.
     pub caption: &'a str,
     /// The picture.
     pub picture: &'a Srgb8,
 }
 
-/// Puts pictures side by side, `columns` in a row, each with its caption below it. Cells are as
-/// large as the largest picture and the longest caption, so that equal pictures line up.
+/// Puts pictures side by side, `columns` in a row, each with its caption below it. All cells have
+/// the size of the largest picture and the longest caption, so that equal pictures line up.
 ///
 /// # Errors
-/// If there are no panels or no columns, or the sheet is larger than a picture can be.
+/// If there are no panels or no columns, or the sheet is larger than a picture may be.
 pub fn sheet(panels: &[Panel<'_>], columns: usize) -> Result<Srgb8> {
     if panels.is_empty() || columns == 0 {
         return Err(Error::usage(format!(

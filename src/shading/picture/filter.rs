@@ -5,11 +5,12 @@ use crate::base::simd::{Body, vectorised};
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Rows per band: enough that few are filtered twice, few enough for caches and for memory that
-/// doesn't grow with pictures.
+/// Rows per band: enough that few rows are filtered twice, few enough to fit caches and to bound
+/// memory.
 const BAND: usize = 64;
 
-/// Adds up what `body` gives for each band of `rows`, from the top down whatever thread did it.
+/// Adds up the results of `body` for each band of `rows`, in order from the top, whatever thread
+/// computed them.
 pub(super) fn sum_over_bands(rows: usize, body: impl Fn(Range<usize>) -> f64 + Sync) -> f64 {
     let band = |i: usize| body(i * BAND..((i + 1) * BAND).min(rows));
     let sums: Vec<f64> = (0..rows.div_ceil(BAND)).into_par_iter().map(band).collect();
@@ -24,7 +25,7 @@ pub(super) struct Plane {
 }
 
 impl Plane {
-    /// Filters each row; the result is narrower by the kernel's length less one.
+    /// Filters each row; the result is narrower by the kernel's length minus 1.
     pub(super) fn along_x(&self, kernel: &[f64]) -> Self {
         let width = self.width + 1 - kernel.len();
         let mut values = vec![0.0; self.values.len() / self.width * width];
@@ -34,7 +35,7 @@ impl Plane {
         Self { width, values }
     }
 
-    /// Filters each column; the result is lower by the kernel's length less one.
+    /// Filters each column; the result is lower by the kernel's length minus 1.
     pub(super) fn along_y(&self, kernel: &[f64]) -> Self {
         let lost = (kernel.len() - 1) * self.width;
         let mut values = vec![0.0; self.values.len() - lost];
@@ -46,7 +47,7 @@ impl Plane {
     }
 }
 
-/// `to[i]` becomes the sum over `k` of `kernel[k] * from[i + k * step]`.
+/// Computes `to[i]` as the sum over `k` of `kernel[k] * from[i + k * step]`.
 struct Weighted<'a> {
     to: &'a mut [f64],
     from: &'a [f64],
@@ -78,7 +79,7 @@ impl Body for Weighted<'_> {
     }
 }
 
-/// The function's value at each whole number from `-radius` to `radius`.
+/// The function's value at each integer from `-radius` to `radius`.
 pub(super) fn taps(radius: usize, value: impl Fn(f64) -> f64) -> Vec<f64> {
     let at = |i: usize| cast::f64_of_len(i) - cast::f64_of_len(radius);
     (0..=2 * radius).map(|i| value(at(i))).collect()

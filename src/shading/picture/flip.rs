@@ -1,9 +1,9 @@
 //! LDR-FLIP: Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström, Fairchild, "FLIP: A
 //! Difference Evaluator for Alternating Images", 2020.
 //!
-//! Two differences are taken and joined: of colour, after a filter that takes away what an eye
-//! can't resolve, and of features, edges and points found in the luminance. Beyond its borders a
-//! picture goes on with its last pixels.
+//! Two differences are computed and combined: of colour, after a filter that removes what the eye
+//! can't resolve, and of features, which are edges and points found in the luminance. A picture is
+//! extended beyond its borders with its border pixels.
 
 use super::filter::{Plane, sum_over_bands, taps};
 use super::pixels::{Srgb8, linear};
@@ -12,7 +12,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, PI};
 use std::ops::Range;
 
 /// Contrast sensitivity to luminance, red against green, and blue against yellow: sums of
-/// `a * sqrt(pi / b) * exp(-pi² d² / b)` of the distance `d` in degrees (Table 1).
+/// `a * sqrt(pi / b) * exp(-pi² d² / b)`, where `d` is the distance in degrees (Table 1).
 const SENSITIVITY: [&[(f64, f64)]; 3] =
     [&[(1.0, 0.0047)], &[(1.0, 0.0053)], &[(34.1, 0.04), (13.5, 0.025)]];
 /// Width of the feature detectors, in degrees.
@@ -20,7 +20,7 @@ const FEATURE_DEG: f64 = 0.082;
 /// Exponents of colour and feature differences.
 const COLOUR_EXPONENT: f64 = 0.7;
 const FEATURE_EXPONENT: f64 = 0.5;
-/// Differences up to this part of the largest are spread over this part of the scale.
+/// Differences up to this fraction of the largest are spread over the second fraction of the scale.
 const SMALL_PART: f64 = 0.4;
 const SMALL_SPREAD: f64 = 0.95;
 
@@ -48,25 +48,25 @@ fn white() -> Colour {
     times(&XYZ_OF_RGB, [1.0; 3])
 }
 
-/// XYZ over that of white: 0..=1 for colours within sRGB.
+/// XYZ relative to white: 0..=1 for colours within sRGB.
 fn relative_xyz(rgb: Colour) -> Colour {
     let (xyz, white) = (times(&XYZ_OF_RGB, rgb), white());
     [xyz[0] / white[0], xyz[1] / white[1], xyz[2] / white[2]]
 }
 
-/// Linear light of the opponent colour YyCxCz, kept inside 0..=1.
+/// Linear light of the opponent colour YyCxCz, clamped to 0..=1.
 fn rgb_of_opponent([y, cx, cz]: Colour) -> Colour {
     let (y, white) = ((y + 16.0) / 116.0, white());
     let xyz = [(y + cx / 500.0) * white[0], y * white[1], (y - cz / 200.0) * white[2]];
     times(&RGB_OF_XYZ, xyz).map(|light| light.clamp(0.0, 1.0))
 }
 
-/// Opponent coordinates of three relative values: YyCxCz of XYZ itself, L*a*b* of its roots.
+/// Opponent coordinates of three relative values: YyCxCz for XYZ itself, L*a*b* for its roots.
 fn opponent([x, y, z]: Colour) -> Colour {
     [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
 }
 
-/// L*a*b* with chroma scaled by lightness, as an eye sees it (Hunt's effect).
+/// L*a*b* with chroma scaled by lightness, as perceived (Hunt effect).
 fn hunt_lab(rgb: Colour) -> Colour {
     const DELTA: f64 = 6.0 / 29.0;
     let root = |t: f64| {
@@ -80,22 +80,22 @@ fn hunt_lab(rgb: Colour) -> Colour {
     [l, 0.01 * l * a, 0.01 * l * b]
 }
 
-/// HyAB distance: by the block in lightness, straight in chroma.
+/// HyAB distance: absolute difference in lightness plus Euclidean distance in chroma.
 fn hyab(p: Colour, q: Colour) -> f64 {
     (p[0] - q[0]).abs() + ((p[1] - q[1]).powi(2) + (p[2] - q[2]).powi(2)).sqrt()
 }
 
-/// Every filter, all of one radius.
+/// All filters, with a common radius.
 struct Filters {
     radius: usize,
     /// For each sensitivity, the Gaussians whose products along x and y add up to it.
     sensitivity: [Vec<Vec<f64>>; 3],
-    /// A Gaussian and its first two derivatives, the negative and the positive part of each
-    /// scaled to a sum of one.
+    /// A Gaussian and its first two derivatives, the negative and the positive part of each scaled
+    /// to sum to 1.
     smooth: Vec<f64>,
     edge: Vec<f64>,
     point: Vec<f64>,
-    /// The largest difference of colour: of green and blue, which are farthest apart.
+    /// The largest colour difference: of green and blue, which are farthest apart.
     largest: f64,
 }
 
@@ -112,7 +112,7 @@ impl Filters {
         let deviation = 0.5 * FEATURE_DEG * pixels_per_degree;
         let feature_reach = reach(deviation);
         let radius = cast::usize_of(colour_reach.max(feature_reach));
-        // Shorter filters end in zeros.
+        // Shorter filters are padded with zeros.
         let within = |reach: f64, value: &dyn Fn(f64) -> f64| {
             taps(radius, |x| if x.abs() <= reach { value(x) } else { 0.0 })
         };
@@ -127,7 +127,7 @@ impl Filters {
                 .collect();
             let weight = |(a, bell): &(f64, Vec<f64>)| a * bell.iter().sum::<f64>().powi(2);
             let total: f64 = parts.iter().map(weight).sum();
-            // Half of a part's factor goes along x and half along y.
+            // A part's factor is divided equally between x and y.
             let scaled = |(a, bell): &(f64, Vec<f64>)| {
                 bell.iter().map(|value| value * (a / total).sqrt()).collect()
             };
@@ -155,7 +155,7 @@ impl Filters {
     }
 }
 
-/// What is compared of a picture, over some rows.
+/// The compared quantities of a picture, over some rows.
 struct Seen {
     colours: Vec<Colour>,
     edges: Vec<f64>,
@@ -175,7 +175,7 @@ impl Seen {
         let colour = |i: usize| hunt_lab(rgb_of_opponent([y[i], cx[i], cz[i]]));
         let colours = (0..y.len()).map(colour).collect();
 
-        // Detectors take the luminance as 0..=1; they don't see the offset.
+        // The detectors use the luminance as 0..=1; they don't respond to the offset.
         let smooth = planes[0].along_x(&filters.smooth);
         let strength = |kernel: &[f64]| -> Vec<f64> {
             let x = planes[0].along_x(kernel).along_y(&filters.smooth);
@@ -186,7 +186,7 @@ impl Seen {
     }
 }
 
-/// YyCxCz of rows and of as many px around them as the radius.
+/// YyCxCz of rows, padded by the radius on all sides.
 fn opponent_planes(picture: &Srgb8, rows: Range<usize>, radius: usize) -> [Plane; 3] {
     let (width, height) = (picture.width_px(), picture.height_px());
     let wide = width + 2 * radius;
@@ -204,8 +204,8 @@ fn opponent_planes(picture: &Srgb8, rows: Range<usize>, radius: usize) -> [Plane
     planes
 }
 
-/// Mean FLIP, 0..=1, of two pictures of equal size, each seen with so many px per degree of the
-/// visual field. 0 if they are equal.
+/// Mean FLIP, 0..=1, of two pictures of equal size, viewed at `pixels_per_degree` of the visual
+/// field. 0 if they are equal.
 pub(super) fn flip(a: &Srgb8, b: &Srgb8, pixels_per_degree: f64) -> f64 {
     let filters = Filters::new(pixels_per_degree);
     let sum = sum_over_bands(a.height_px(), |rows| {
@@ -224,7 +224,7 @@ pub(super) fn flip(a: &Srgb8, b: &Srgb8, pixels_per_degree: f64) -> f64 {
     sum / cast::f64_of_len(a.codes.len())
 }
 
-/// A colour difference as a part of the largest, with small ones spread out.
+/// A colour difference as a fraction of the largest, with small ones spread out.
 fn spread(difference: f64, largest: f64) -> f64 {
     let small = SMALL_PART * largest;
     if difference < small {

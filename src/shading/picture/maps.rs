@@ -10,15 +10,15 @@ use rayon::prelude::*;
 /// How much a difference is amplified before it is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Amplify {
-    /// By the largest power of two that doesn't take the largest difference above 1; not at all
-    /// where there is none.
+    /// By the largest power of two that keeps the largest difference at 1 or below; by 1 if there
+    /// is no difference.
     Fit,
-    /// By a factor, above 0; what it takes above 1 is drawn as 1.
+    /// By a factor above 0; results above 1 are drawn as 1.
     By(f64),
 }
 
 impl Amplify {
-    /// The factor for the largest of some differences; infinite ones and NaN don't count.
+    /// The factor for the largest of some differences; infinite ones and NaN are ignored.
     fn factor(self, differences: impl Iterator<Item = f64>) -> Result<f64> {
         match self {
             Self::By(factor) if factor.is_finite() && factor > 0.0 => Ok(factor),
@@ -36,13 +36,13 @@ impl Amplify {
 }
 
 /// Draws the absolute difference of each channel in linear light, amplified, black where there is
-/// none; beside it a scale with the difference at its top, 0 at its bottom, and the factor.
+/// none. Beside it is a scale with the difference at its top, 0 at its bottom, and the factor.
 ///
-/// Where a difference is not a number, [`NAN_COLOUR`] is drawn, and the scale names it.
+/// NaN differences are drawn in [`NAN_COLOUR`], and the scale labels that colour.
 ///
 /// # Errors
-/// If the pictures differ in size, the factor is not a number above 0, or the result would be
-/// larger than a picture can be.
+/// If the pictures differ in size, the factor isn't a number above 0, or the result would be larger
+/// than a picture may be.
 pub fn absolute_map(picture: &Picture, golden: &Picture, amplify: Amplify) -> Result<Srgb8> {
     check_equal_sizes(picture, golden)?;
     let pairs = picture.pixels().par_iter().zip(golden.pixels());
@@ -62,9 +62,10 @@ pub fn absolute_map(picture: &Picture, golden: &Picture, amplify: Amplify) -> Re
 
 /// Draws the signed difference of luminance (BT.709 weights of linear light, 0..=1 within 0..=1):
 /// blue where the picture is darker than the golden one, white where equal, red where it is
-/// brighter; beside it a scale with the difference at its top, its negative at its bottom, and the factor.
+/// brighter. Beside it is a scale with the difference at its top, its negative at its bottom, and
+/// the factor.
 ///
-/// Where a difference is not a number, [`NAN_COLOUR`] is drawn, and the scale names it.
+/// NaN differences are drawn in [`NAN_COLOUR`], and the scale labels that colour.
 ///
 /// # Errors
 /// As [`absolute_map`].
@@ -89,8 +90,8 @@ pub fn signed_map(picture: &Picture, golden: &Picture, amplify: Amplify) -> Resu
     map.with_scale(|height| diverging(2.0 * height - 1.0))
 }
 
-/// The colour of a number, -1..=1: ColorBrewer's RdBu (C. Brewer) in seven steps with red for
-/// positive numbers, its middle made white.
+/// The colour of a number, -1..=1: ColorBrewer's RdBu (C. Brewer) in seven steps, red for positive
+/// numbers, with a white middle.
 fn diverging(x: f64) -> [u8; 3] {
     const STEPS: [[u8; 3]; 7] = [
         [33, 102, 172],
@@ -113,7 +114,7 @@ fn diverging(x: f64) -> [u8; 3] {
     })
 }
 
-/// A number with four digits at most, exact for the powers of two that fit them.
+/// Formats a number with at most four digits, exact for powers of two that fit.
 fn short(x: f64) -> String {
     if (1.0..1e6).contains(&x) {
         return format!("{}", (x * 1e3).round() / 1e3);
@@ -129,19 +130,19 @@ struct Map {
     width_px: usize,
     codes: Vec<[u8; 3]>,
     has_nan: bool,
-    /// Heights along the scale, 0 (bottom) to 1 (top), and what is written there.
+    /// Heights along the scale, 0 (bottom) to 1 (top), and their labels.
     labels: Vec<(f64, String)>,
-    /// Written below the scale.
+    /// Text below the scale.
     below: String,
 }
 
-/// Width of a scale's bar, its least height, and what is between it and its labels.
+/// Width of a scale's bar, its minimum height, and the gap between bar and labels.
 const BAR_PX: usize = 16;
 const MIN_BAR_PX: usize = 4 * LINE_PX;
 const LABEL_GAP_PX: usize = 4;
 
 impl Map {
-    /// The map with a bar of the colours of 0 (bottom) to 1 (top) to its right.
+    /// The map with a colour bar to its right, from 0 (bottom) to 1 (top).
     fn with_scale(self, colour: impl Fn(f64) -> [u8; 3]) -> Result<Srgb8> {
         let nan = if self.has_nan { "NaN" } else { "" };
         let words = self.labels.iter().map(|(_, label)| label.as_str()).chain([nan]);
@@ -150,7 +151,7 @@ impl Map {
         let picture = Srgb8 { width_px: self.width_px, codes: self.codes };
         let size = (picture.width_px(), picture.height_px());
 
-        // The frame is all that is around the picture, so that it lines up with others.
+        // Only the frame surrounds the picture, so that it lines up with others.
         let corner = (1, 1);
         let below = 2 * (LINE_PX + GAP_PX);
         let bar_height = size.1.saturating_sub(below).max(MIN_BAR_PX);

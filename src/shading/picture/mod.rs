@@ -1,4 +1,4 @@
-//! Pictures in linear light, their PNG files, and how far one is from another.
+//! Pictures in linear light, their PNG files, and the differences between them.
 //!
 //! ```text
 //! Picture (linear, f32) ──► Difference: linear light, 8-bit codes, SSIM, FLIP
@@ -7,12 +7,14 @@
 //!    └─ to_srgb8 ──► Srgb8 ──────────────────┴──► sheet ──► Srgb8 ──► save_png
 //! ```
 //!
-//! A [`Picture`] is what was computed; an [`Srgb8`] is what can be seen and stored. Figures in
-//! linear light are of the pictures; SSIM and FLIP are of their 8-bit codes, so that any outside
-//! tool finds the same from the PNG files. Nothing depends on the number of threads.
+//! A [`Picture`] holds computed values; an [`Srgb8`] holds 8-bit codes for display and storage.
+//! Differences in linear light are computed from pictures. SSIM and FLIP are computed from their
+//! 8-bit codes, so any other tool finds the same from the PNG files. Results don't depend on the
+//! number of threads. The *golden* picture is the reference: computed by the same function in
+//! double precision.
 //!
-//! A pixel that is not a number is never passed over: [`to_srgb8`](Picture::to_srgb8) draws it in
-//! magenta, and every figure of a [`Difference`] is NaN or the worst that it can be.
+//! A NaN pixel is never ignored: [`to_srgb8`](Picture::to_srgb8) draws it in magenta, and every
+//! figure of a [`Difference`] is NaN or its worst value.
 
 mod compare;
 mod draw;

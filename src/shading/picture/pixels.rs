@@ -12,7 +12,7 @@ use std::sync::LazyLock;
 /// The longest side of a picture.
 pub const MAX_SIDE_PX: usize = 1 << 16;
 
-/// What [`Picture::to_srgb8`] makes of a pixel with a channel that is not a number.
+/// The colour of a pixel with a NaN channel in [`Picture::to_srgb8`].
 pub const NAN_COLOUR: [u8; 3] = [255, 0, 255];
 
 /// Weights of linear red, green and blue in luminance (ITU-R BT.709, the primaries of sRGB).
@@ -28,7 +28,7 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Makes a picture of its pixels, row after row.
+    /// Creates a picture from its pixels, row by row.
     ///
     /// # Errors
     /// If a side is not in 1..=[`MAX_SIDE_PX`], or the pixels don't fill the sides.
@@ -37,7 +37,7 @@ impl Picture {
         Ok(Self { width_px, pixels })
     }
 
-    /// Makes a picture of a function of x and y (in px, from the upper left), on all threads.
+    /// Creates a picture from a function of x and y (in px, from the upper left), on all threads.
     ///
     /// # Errors
     /// If a side is not in 1..=[`MAX_SIDE_PX`].
@@ -64,21 +64,21 @@ impl Picture {
         self.pixels.len() / self.width_px
     }
 
-    /// All pixels, row after row.
+    /// All pixels, row by row.
     #[must_use]
     pub fn pixels(&self) -> &[[f32; 3]] {
         &self.pixels
     }
 
-    /// The picture as it is seen: clamped to 0..1, with the transfer of IEC 61966-2-1, rounded
-    /// to the nearest code. Pixels with a NaN become [`NAN_COLOUR`].
+    /// The picture for display: clamped to 0..1, encoded with the transfer function of IEC
+    /// 61966-2-1 and rounded to the nearest code. Pixels with a NaN become [`NAN_COLOUR`].
     #[must_use]
     pub fn to_srgb8(&self) -> Srgb8 {
         let codes = self.pixels.par_iter().map(|pixel| encode(*pixel)).collect();
         Srgb8 { width_px: self.width_px, codes }
     }
 
-    /// Writes [`to_srgb8`](Self::to_srgb8) as PNG, whole or not at all.
+    /// Writes [`to_srgb8`](Self::to_srgb8) as PNG, completely or not at all.
     ///
     /// # Errors
     /// If the file can't be written.
@@ -95,7 +95,7 @@ pub struct Srgb8 {
 }
 
 impl Srgb8 {
-    /// Makes a picture of its codes, row after row.
+    /// Creates a picture from its codes, row by row.
     ///
     /// # Errors
     /// If a side is not in 1..=[`MAX_SIDE_PX`], or the codes don't fill the sides.
@@ -116,21 +116,21 @@ impl Srgb8 {
         self.codes.len() / self.width_px
     }
 
-    /// All codes, row after row.
+    /// All codes, row by row.
     #[must_use]
     pub fn codes(&self) -> &[[u8; 3]] {
         &self.codes
     }
 
-    /// The picture in linear light; [`Picture::to_srgb8`] gives the same codes again.
+    /// The picture in linear light; [`Picture::to_srgb8`] returns the same codes.
     #[must_use]
     pub fn to_linear(&self) -> Picture {
         let decode = |codes: &[u8; 3]| codes.map(|code| cast::f32_of(linear(code)));
         Picture { width_px: self.width_px, pixels: self.codes.par_iter().map(decode).collect() }
     }
 
-    /// Writes the picture as PNG, whole or not at all. It says that its codes are sRGB, so that colour-managed
-    /// viewers and tools take them for nothing else.
+    /// Writes the picture as PNG, completely or not at all. The file declares sRGB, so that
+    /// colour-managed viewers and tools interpret its codes correctly.
     ///
     /// # Errors
     /// If the file can't be written.
@@ -142,7 +142,8 @@ impl Srgb8 {
                 encoder.set_color(png::ColorType::Rgb);
                 encoder.set_depth(png::BitDepth::Eight);
                 encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
-                // The same for programs that don't know sRGB, as the PNG specification has it.
+                // The same for programs that don't know the sRGB chunk, as the PNG specification
+                // recommends.
                 encoder.set_source_gamma(png::ScaledFloat::from_scaled(45_455));
                 encoder.set_source_chromaticities(png::SourceChromaticities::new(
                     (0.3127, 0.329),
@@ -165,7 +166,7 @@ impl Srgb8 {
     }
 }
 
-/// A side as the encoder takes it.
+/// A side in the encoder's type.
 fn side(px: usize) -> u32 {
     u32::try_from(px).expect("bug: a side was not checked")
 }
@@ -174,7 +175,7 @@ fn check_sides(width_px: usize, height_px: usize, pixels: usize) -> Result<()> {
     let legal = 1..=MAX_SIDE_PX;
     if !legal.contains(&width_px) || !legal.contains(&height_px) {
         return Err(Error::usage(format!(
-            "a picture of {width_px} x {height_px} px: each side has 1 to {MAX_SIDE_PX} px"
+            "a picture of {width_px} x {height_px} px: legal are sides of 1 to {MAX_SIDE_PX} px"
         )));
     }
     if width_px * height_px != pixels {
@@ -202,7 +203,8 @@ pub(super) fn encode(pixel: [f32; 3]) -> [u8; 3] {
     if pixel.iter().any(|value| value.is_nan()) {
         return NAN_COLOUR;
     }
-    // The nearest code is the number of thresholds below: no transfer's inverse, no rounding.
+    // The nearest code is the number of thresholds at or below the value: needs no inverse and no
+    // rounding.
     pixel.map(|value| {
         let code = THRESHOLDS.partition_point(|threshold| *threshold <= f64::from(value));
         u8::try_from(code).expect("bug: more than 255 thresholds")

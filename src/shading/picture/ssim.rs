@@ -15,9 +15,9 @@ const C2: f64 = 58.5225;
 /// Mean SSIM, -1..=1, of the luma (BT.709, 0..=255, not rounded) of two pictures of equal size,
 /// over all windows that lie inside them. 1 if they are equal.
 ///
-/// The window has 11 px a side, Gaussian with a deviation of 1.5 px. Along a side that is
-/// shorter, it is as long as that side, still centred: a picture of one pixel is one window
-/// without any variance.
+/// The window is 11 px wide and high, Gaussian with a standard deviation of 1.5 px. Along a shorter
+/// side of the picture it is as long as that side, still centred: a picture of one pixel is one
+/// window without variance.
 pub(super) fn ssim(a: &Srgb8, b: &Srgb8) -> f64 {
     let (width, height) = (a.width_px(), a.height_px());
     let (across, down) = (window(width), window(height));
@@ -47,7 +47,7 @@ fn luma(codes: &[u8; 3]) -> f64 {
     codes.iter().zip(LUMINANCE).map(|(code, weight)| f64::from(*code) * weight).sum()
 }
 
-/// Weights along a side; their sum is one.
+/// Weights along a side; they sum to 1.
 fn window(side_px: usize) -> Vec<f64> {
     let len = side_px.min(WINDOW_PX);
     let centre = 0.5 * cast::f64_of_len(len - 1);

@@ -43,7 +43,7 @@ fn noisy(picture: &Srgb8) -> Srgb8 {
     })
 }
 
-/// The picture two pixels to the left; its last column fills up.
+/// The picture shifted two pixels to the left; the last columns repeat the border.
 fn shifted(picture: &Srgb8) -> Srgb8 {
     let width = picture.width_px();
     changed(picture, |_, x, y, c| picture.codes()[y * width + (x + 2).min(width - 1)][c])
@@ -59,17 +59,18 @@ fn negative(picture: &Srgb8) -> Srgb8 {
 
 type Change = fn(&Srgb8) -> Srgb8;
 
-/// Figures of outside implementations for `scene` against what a change makes of it:
+/// Figures of other implementations for `scene` against each change of it:
 ///
 /// - SSIM by scikit-image 0.26.0: `structural_similarity(golden, picture, gaussian_weights=True,
 ///   sigma=1.5, use_sample_covariance=False, data_range=255)` on float luma, codes times 0.2126,
 ///   0.7152 and 0.0722;
-/// - FLIP by its authors' `flip-evaluator` 1.7: `evaluate(golden, picture, "LDR",
-///   parameters={"ppd": ppd})` on float32 codes over 255, at 67 and at 20 pixels per degree.
+/// - FLIP by its authors' `flip-evaluator` 1.7:
+///   `evaluate(golden, picture, "LDR", parameters={"ppd": ppd})` on float32 codes over 255, at 67
+///   and at 20 pixels per degree.
 ///
-/// SSIM is the same formula in f64, and differs by rounding only: 1e-9 is far above that and far
-/// below what another window or other constants would give. The authors' FLIP computes in f32,
-/// with colour matrices rounded to that: means agree to 2e-5.
+/// SSIM is the same formula in f64 and differs only by rounding: 1e-9 is far above that and far
+/// below the effect of another window or other constants. The authors' FLIP computes in f32, with
+/// colour matrices rounded to it: means agree to 2e-5.
 const OUTSIDE: [(usize, usize, Change, f64, [f64; 2]); 8] = [
     (96, 64, noisy, 0.934_213_550_909_644, [0.050_145_227, 0.135_701_731]),
     (96, 64, shifted, 0.856_188_280_048_52, [0.173_928_723, 0.212_279_856]),
@@ -81,7 +82,8 @@ const OUTSIDE: [(usize, usize, Change, f64, [f64; 2]); 8] = [
     (40, 75, negative, -0.079_978_303_250_385_4, [0.894_515_693, 0.925_868_750]),
 ];
 
-/// FLIP by the same `flip-evaluator` at 67 pixels per degree, of pictures smaller than its filters.
+/// FLIP by the same `flip-evaluator` at 67 pixels per degree, for pictures smaller than its
+/// filters.
 const OUTSIDE_SMALL: [(usize, usize, Change, f64); 6] = [
     (1, 1, brighter, 0.206_272_498),
     (1, 1, negative, 0.981_559_455),
@@ -121,7 +123,7 @@ fn ssim_of_a_side_shorter_than_the_window() {
     let grey = |code| Srgb8::new(1, 1, vec![[code; 3]]).unwrap();
     let expected = (2.0 * 100.0 * 150.0 + 6.5025) / (100.0 * 100.0 + 150.0 * 150.0 + 6.5025);
     assert!((ssim(&grey(100), &grey(150)) - expected).abs() < 1e-12);
-    // Two pixels, mirrored: equal weights, equal variances, covariance the negative of them.
+    // Two pixels, mirrored: equal weights and variances, and the negated covariance.
     let pair = |a, b| Srgb8::new(2, 1, vec![[a; 3], [b; 3]]).unwrap();
     let expected = (58.5225 - 2.0 * 625.0) / (58.5225 + 2.0 * 625.0);
     assert!((ssim(&pair(100, 150), &pair(150, 100)) - expected).abs() < 1e-12);
@@ -203,7 +205,7 @@ fn equal_pictures_and_one_pixel() {
     assert!(apart.ssim < 1e-3 && apart.flip > 0.9, "{} {}", apart.ssim, apart.flip);
 }
 
-/// Only covered pixels count, wherever they are; what is beside them is not looked at.
+/// Only covered pixels count, wherever they are; others are ignored.
 #[test]
 fn figures_are_over_what_is_covered() {
     let golden = grey(3, &[0.0, 0.0, 0.0, 0.25, 0.5, 0.5]);
@@ -218,7 +220,7 @@ fn figures_are_over_what_is_covered() {
     let message = Difference::over(&[false; 6], &picture, &golden, 67.0).unwrap_err().to_string();
     assert!(message.starts_with("nothing is in view"), "{message}");
     let message = Difference::over(&[true; 5], &picture, &golden, 67.0).unwrap_err().to_string();
-    assert!(message.contains("5 pixels are told covered or not"), "{message}");
+    assert!(message.contains("`covered` has 5 entries"), "{message}");
 }
 
 #[test]
@@ -247,7 +249,7 @@ fn what_is_no_number_is_seen() {
         let json = serde_json::to_value(&difference).unwrap();
         assert_eq!((&json["flip"], &json["max"]["difference"]), (&"NaN".into(), &"NaN".into()));
     }
-    // One channel is enough, and doesn't spoil the others.
+    // One NaN channel is enough, and doesn't affect the others.
     let golden_pixel = Picture::new(1, 1, vec![[0.5; 3]]).unwrap();
     let difference =
         between(&Picture::new(1, 1, vec![[0.5, 0.5, f32::NAN]]).unwrap(), &golden_pixel);
@@ -316,7 +318,7 @@ fn pixel(picture: &Srgb8, x: usize, y: usize) -> [u8; 3] {
     picture.codes()[y * picture.width_px() + x]
 }
 
-/// Of a map, whose picture has a frame of one px.
+/// Reads a pixel of a map, whose picture has a frame of one px.
 fn inside(map: &Srgb8, x: usize, y: usize) -> [u8; 3] {
     pixel(map, 1 + x, 1 + y)
 }
@@ -343,7 +345,7 @@ fn the_absolute_map_shows_amplified_differences() {
     assert_eq!(inside(&difference(4.0), 0, 0), [255; 3]);
     assert_eq!(inside(&difference(0.0), 0, 0), [0; 3]);
     assert_eq!(inside(&difference(f32::NAN), 0, 0), NAN_COLOUR);
-    // The scale names what is no number: more than one pixel has its colour.
+    // The scale shows the NaN colour: more than one pixel has it.
     let marked = |map: &Srgb8| map.codes().iter().filter(|codes| **codes == NAN_COLOUR).count();
     assert!(marked(&difference(f32::NAN)) > 100 && marked(&difference(0.5)) == 0);
 }
@@ -383,7 +385,7 @@ fn a_sheet_holds_every_picture_and_caption() {
         let below = (0..16).flat_map(|y| (0..8).map(move |x| (left + x, top + 24 + y)));
         assert!(below.into_iter().any(|(x, y)| pixel(&whole, x, y)[0] < 100), "{}", panel.caption);
     }
-    // Not as wide as its columns; and what the font lacks doesn't stop it.
+    // Fewer panels than columns; and characters that the font lacks are no error.
     let one = sheet(&[Panel { caption: "\u{4e00}", picture: &a }], 5).unwrap();
     assert_eq!(one.width_px(), 30 + 16);
 }

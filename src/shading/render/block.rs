@@ -1,4 +1,4 @@
-//! Pictures put together of blocks of rows, on all threads.
+//! Pictures assembled from blocks of rows, on all threads.
 
 use crate::base::cast;
 use crate::base::error::Result;
@@ -13,12 +13,12 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
-/// Rows that a thread takes at a time.
+/// Rows that a thread processes at a time.
 const ROWS: u32 = 8;
-/// Blocks of rows whose colours are held at a time.
+/// Blocks whose colours are in memory at a time.
 const BLOCKS_TOGETHER: usize = 64;
 
-/// What a block of rows gave.
+/// The results of a block of rows.
 pub(super) struct Block {
     pub(super) pixels: Vec<u32>,
     pub(super) golden: Vec<[f64; 3]>,
@@ -30,13 +30,13 @@ pub(super) struct BlockShot {
     pub(super) colours: Vec<[f64; 3]>,
     pub(super) engine: Duration,
     pub(super) samples: u64,
-    /// Of each `narrow` of each stage.
+    /// Overflow counts by stage and `narrow`.
     pub(super) overflows: Vec<Vec<u64>>,
     pub(super) angles: Stream,
 }
 
 impl BlockShot {
-    /// Nothing yet, by some programs.
+    /// An empty shot for these programs.
     pub(super) fn of<'a>(programs: impl Iterator<Item = &'a Program>) -> Self {
         Self {
             colours: Vec::new(),
@@ -47,7 +47,7 @@ impl BlockShot {
         }
     }
 
-    /// Adds up all but the colours.
+    /// Adds up everything but the colours.
     pub(super) fn merge(&mut self, later: &Self) {
         self.engine += later.engine;
         self.samples += later.samples;
@@ -60,7 +60,7 @@ impl BlockShot {
     }
 }
 
-/// Pictures put together of blocks of rows.
+/// Pictures assembled from blocks of rows.
 pub(super) struct Gathered {
     pub(super) golden: Picture,
     pub(super) blinn: f64,
@@ -72,7 +72,7 @@ pub(super) struct Gathered {
     pub(super) rates: Vec<Vec<(Duration, u64)>>,
 }
 
-/// Renders a scene block by block on all threads; `totals` has an empty entry for each picture.
+/// Renders a scene block by block on all threads; `totals` has an empty entry per picture.
 pub(super) fn gather<L: Send>(
     scene: &Scene,
     mut totals: Vec<BlockShot>,
@@ -97,7 +97,8 @@ pub(super) fn gather<L: Send>(
     let mut covers = vec![false; width * height];
     let mut pictures = vec![blank; totals.len()];
     let mut rates: Vec<Vec<(Duration, u64)>> = vec![Vec::new(); totals.len()];
-    // Some blocks at a time: beside the pictures, memory doesn't grow with their height.
+    // A limited number of blocks at a time, so that memory beyond the pictures doesn't grow with
+    // their height.
     let rounds = blocks.chunks(BLOCKS_TOGETHER);
     let results = rounds.flat_map(|some| -> Vec<Result<Block>> {
         some.par_iter().map_init(&lanes, shade_rows).collect()
@@ -133,7 +134,7 @@ pub(super) fn gather<L: Send>(
     })
 }
 
-/// The rate, in samples per second, that half of all samples were not above; 0 if there are none.
+/// The median rate, in samples per second, weighted by samples; 0 if there are none.
 pub(super) fn median_rate(blocks: &mut [(Duration, u64)]) -> f64 {
     let rate = |(time, samples): &(Duration, u64)| {
         cast::f64_of_count(*samples) / time.as_secs_f64().max(1e-9)
@@ -148,7 +149,7 @@ pub(super) fn median_rate(blocks: &mut [(Duration, u64)]) -> f64 {
     middle.map_or(0.0, rate)
 }
 
-/// What overflowed in any of some designs.
+/// Overflow counts of some designs, summed by node.
 pub(super) fn overflows<'a>(
     stages: impl Iterator<Item = (&'a Arc<Design>, &'a Program)>,
     counts: &[Vec<u64>],
@@ -167,12 +168,12 @@ pub(super) fn overflows<'a>(
     Ok(all)
 }
 
-/// Rows of an image as threads take them.
+/// The blocks of rows of an image.
 pub(super) fn blocks(height: u32) -> Vec<Range<u32>> {
     (0..height.div_ceil(ROWS)).map(|b| b * ROWS..(b * ROWS + ROWS).min(height)).collect()
 }
 
-/// How many are true.
+/// Number of true entries.
 pub(super) fn count(covers: &[bool]) -> u64 {
     cast::count_of(covers.iter().filter(|covered| **covered).count())
 }

@@ -1,4 +1,4 @@
-//! Bumps shaded per pixel by pipelines, beside the golden and Blinn's equation.
+//! Bump-mapping pipelines per pixel, beside the golden and Blinn's equation.
 
 use super::block::{Block, BlockShot, Gathered, count, gather, median_rate, overflows};
 use super::light::{colour, reflected};
@@ -24,16 +24,16 @@ impl BlockShot {
     }
 }
 
-/// What a thread keeps from block to block.
+/// State that a thread keeps from block to block.
 struct Lanes {
     fragments: Fragments,
     runners: Vec<Vec<Runner>>,
-    /// Of the angle errors of each pipeline.
+    /// Histograms of each pipeline's angle errors.
     histograms: Vec<u32>,
 }
 
-/// Renders a scene by shaders made for it, all at once: the golden is computed for all of them.
-/// `progress` gets the rows done.
+/// Renders a scene with prepared shaders, all at once: the golden is computed once for all of them.
+/// `progress` receives the number of finished rows.
 ///
 /// # Errors
 /// If a `narrow` under overflow mode `error` overflowed.
@@ -91,7 +91,7 @@ pub fn shoot(
     })
 }
 
-/// Fragments by material, so that each design gets columns of its own.
+/// Fragments by material, so that each design gets its own columns.
 pub(super) fn by_material(fragments: &Fragments) -> BTreeMap<usize, Vec<usize>> {
     let mut groups: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
     for i in 0..fragments.len() {
@@ -100,7 +100,7 @@ pub(super) fn by_material(fragments: &Fragments) -> BTreeMap<usize, Vec<usize>> 
     groups
 }
 
-/// Values of a port.
+/// The values of a port.
 pub(super) fn port_column(port: Port, points: &[Fragment]) -> Vec<f64> {
     let mut column = Vec::new();
     port.column(points, &mut column);
@@ -123,7 +123,7 @@ pub(super) fn shading_point(
         tangent: vector(&fragments.tangent),
         light: to_light,
         half: crate::shading::scene::halfway(to_light, vector(&fragments.eye), normal),
-        // A mirrored texture: its second axis is the other way round in the frame (T, N × T, N).
+        // For a mirrored texture, the second axis is reversed in the frame (T, N × T, N).
         perturbed: DVec3::new(bump.x, bump.y * fragments.handedness[i], bump.z),
     }
 }
@@ -160,7 +160,7 @@ fn block(scene: &Scene, shaders: &[&Shader], rows: Range<u32>, lanes: &mut Lanes
                 let by_blinn = blinn_normal(scene, fragments, *i);
                 add(&mut blinn[*i], reflected(point, by_blinn, light, material));
             }
-            // Values of ports, which pipelines share.
+            // Port values, shared by pipelines.
             let mut values: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
             for (((shader, runners), histogram), (sums, shot)) in shaders
                 .iter()
@@ -221,13 +221,13 @@ fn blinn_normal(scene: &Scene, fragments: &Fragments, i: usize) -> DVec3 {
     let (slope_u, slope_v) = slopes(scene, fragments.bump[i]);
     let normal = Fragments::vector(&fragments.normal, i);
     let (pu, pv) = (Fragments::vector(&fragments.tangent, i), fragments.bitangent(i));
-    // The equation takes N as P_u × P_v; a mirrored texture has N on the other side.
+    // The equation defines N as P_u × P_v; for a mirrored texture N is on the other side.
     let side = fragments.handedness[i];
     (normal + side * (slope_u * normal.cross(pv) - slope_v * normal.cross(pu))).normalize()
 }
 
 /// Slopes B_u, B_v of the height map at a texel, in texels of height per texel, by differences of
-/// its neighbours: not from the bump vectors, which they are held against.
+/// its neighbours: not from the bump vectors, which are checked against them.
 fn slopes(scene: &Scene, texel: u32) -> (f64, f64) {
     let (width, height) = scene.bumps.size();
     let (column, row) = (texel % width, texel / width);
@@ -240,7 +240,7 @@ fn slopes(scene: &Scene, texel: u32) -> (f64, f64) {
     (0.5 * (at(right, row) - at(left, row)), 0.5 * (at(column, above) - at(column, below)))
 }
 
-/// Runs a design over fragments and adds the light of each.
+/// Runs a design over fragments and adds up their light.
 fn shade(
     stage: &Stage,
     runner: &mut Runner,
@@ -262,7 +262,7 @@ fn shade(
     shot.samples += cast::count_of(members.len());
     let ulp = stage.light_format.ulp();
     for (at, i) in members.iter().enumerate() {
-        // Words of a light are exact in f64, and so are sums of some of them.
+        // Words of a light are exact in f64, and so are sums of a few of them.
         sums[*i].0 += cast::f64_of(out[0][at]) * ulp;
         if stage.has_specular {
             sums[*i].1 += cast::f64_of(out[1][at]) * ulp;

@@ -1,4 +1,4 @@
-//! Light of a shading point.
+//! The light reflected at a shading point.
 
 use crate::shading::scene::{Light, Material};
 use crate::units::fragment::Fragment;
@@ -10,7 +10,7 @@ pub(super) fn colour(diffuse: f64, specular: f64, texel: [f32; 3]) -> [f64; 3] {
     texel.map(|texel| (diffuse * f64::from(texel) + specular).min(1.0))
 }
 
-/// Diffuse and specular light of a perturbed normal, without the ambient light.
+/// Diffuse and specular light for a perturbed normal, without ambient light.
 pub(super) fn reflected(
     point: &Fragment,
     normal: DVec3,

@@ -1,18 +1,20 @@
-//! Scenes rendered by fixed-point pipelines, beside the golden picture in plain floating point.
+//! Scenes rendered by fixed-point pipelines, beside the golden picture. The *golden model* of a
+//! pipeline is the same function in double precision.
 //!
-//! The front end ([`Scene::trace`](crate::shading::scene::Scene::trace)) is floating point and gives what each pixel sees. A pipeline is a
-//! unit whose input ports are those of a [`Fragment`](crate::units::fragment::Fragment) and that has an output port `diffuse`, and
-//! `specular` if it has highlights: one pass for each light. What goes on from there is the same for
-//! the pipelines and for the golden: over all lights, diffuse light (with the ambient light, which the
-//! first light brings) times the texture's colour, plus specular light, each sum and the colour saturated
-//! at 1. All of it is linear light.
+//! The front end ([`Scene::trace`](crate::shading::scene::Scene::trace)) is floating point and
+//! returns what each pixel sees. A pipeline is a unit whose input ports are those of a
+//! [`Fragment`](crate::units::fragment::Fragment). It has an output port `diffuse`, and `specular`
+//! if it has highlights; it runs once per light. The rest is the same for the pipelines and the
+//! golden: the sum over all lights of diffuse light (the first light includes the ambient light),
+//! times the texture's colour, plus the sum of specular light. Each sum and the colour saturate at
+//! 1. All light is linear.
 //!
-//! The golden is tangent-space bump mapping: N' = p_x T + p_y B + p_z N and the reflection formula. Blinn's
-//! equation, N' = N + B_u (N × P_v) - B_v (N × P_u) normalised, is evaluated beside it: with an
-//! orthonormal frame (scales are in texels) both are one.
+//! The golden is tangent-space bump mapping: N' = p_x T + p_y B + p_z N, with the reflection
+//! formula. Blinn's equation, N' = N + B_u (N × P_v) - B_v (N × P_u) normalised, is evaluated
+//! beside it: for an orthonormal frame (with scales in texels) both are the same.
 //!
-//! Emboss pipelines are another family, with a golden of their own: see [`emboss`]. Those of the tangent-space
-//! set-up have this golden and one more, of their own flow: see [`tangent`].
+//! Emboss pipelines are a separate family with their own golden: see [`emboss`]. Pipelines of the
+//! tangent-space setup have this golden, and another one of their own flow: see [`tangent`].
 
 mod block;
 mod bumps;

@@ -1,4 +1,4 @@
-//! A unit of a render path, fed and read by the names of its ports.
+//! A unit of a render path, whose ports are addressed by name.
 
 use super::block::BlockShot;
 use super::pipeline::{Pipeline, knows};
@@ -18,7 +18,7 @@ pub(super) struct Stage {
 }
 
 impl Stage {
-    /// A unit with those assignments of the pipeline that it knows, and the scene's.
+    /// A unit with those assignments of the pipeline that it has parameters for, and the scene's.
     pub(super) fn new(unit: &Unit, pipeline: &Pipeline, scene: &[String]) -> Result<Self> {
         let own = pipeline.assignments.iter().filter(|set| knows(unit, set));
         let all: Vec<&String> = own.chain(scene).collect();
@@ -29,7 +29,7 @@ impl Stage {
         Ok(Self { design: Arc::new(design), program })
     }
 
-    /// Input columns of the ports in order, taken from columns by name.
+    /// Input columns in the order of the ports, from columns by name.
     pub(super) fn inputs<T>(&self, mut columns: BTreeMap<String, Vec<T>>) -> Vec<Vec<T>> {
         let netlist = &self.design.netlist;
         let column = |at| {
@@ -39,7 +39,7 @@ impl Stage {
         (0..netlist.inputs().len()).map(column).collect()
     }
 
-    /// Words of all outputs by name.
+    /// Runs the unit; returns the words of all outputs by name.
     pub(super) fn run(
         &self,
         runner: &mut Runner,
@@ -69,14 +69,14 @@ impl Stage {
         netlist.node(port.expect("bug: a port of this name").node).format.ulp()
     }
 
-    /// Format of an input port, if there is one of this name.
+    /// Format of an input port, if a port has this name.
     pub(super) fn port(&self, name: &str) -> Option<Format> {
         let netlist = &self.design.netlist;
         let at = (0..netlist.inputs().len()).find(|at| netlist.input_name(*at) == name);
         at.map(|at| netlist.node(netlist.inputs()[at]).format)
     }
 
-    /// Largest magnitude of both signs that an input port holds.
+    /// The largest value that an input port holds; its negative fits too.
     pub(super) fn reach(&self, port: &str) -> f64 {
         let format = self.port(port).expect("bug: a port of this name");
         format.value(format.max_raw())

@@ -8,25 +8,25 @@ use crate::units::{self, built_in};
 /// A unit with parameters, as a way to shade pixels.
 #[derive(Clone, Debug)]
 pub struct Pipeline {
-    /// Name in reports and of its files.
+    /// Name in reports and file names.
     pub name: String,
     /// The unit.
     pub unit: Unit,
-    /// Parameters that differ from the defaults, as `key=value`. Those of the material come from the
+    /// Parameters that differ from the defaults, as `key=value`. Material parameters come from the
     /// scene.
     pub assignments: Vec<String>,
-    /// Where the texture frames of pixels come from.
+    /// The source of the pixels' texture frames.
     pub frames: Frames,
 }
 
-/// Where texture frames (T, B, N) of pixels come from.
+/// The source of the pixels' texture frames (T, B, N).
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub enum Frames {
     /// Floating point, for each pixel: those of the golden.
     #[default]
     Float,
-    /// The fixed-point set-up (unit `tangent`), for each corner of each face; interpolated. Spheres, which have no
-    /// corners, keep their own. See [`tangent`](super::tangent).
+    /// The fixed-point setup (unit `tangent`), for each corner of each face, then interpolated.
+    /// Spheres have no corners and keep their own frames. See [`tangent`](super::tangent).
     Setup,
 }
 
@@ -36,7 +36,7 @@ pub const EMBOSS_PIPELINES: [&str; 2] = ["emboss-gx", "emboss-nv"];
 /// Units behind the emboss unit.
 const EMBOSS_BEHIND: [&str; 2] = ["sampler", "combine"];
 
-/// Parameters of the units that the pipeline's name and the scene give.
+/// Unit parameters that the pipeline's name and the scene determine.
 const EMBOSS_FROM_SCENE: &[&str] = &[
     "setting",
     "frame",
@@ -63,20 +63,20 @@ const EMBOSS_FROM_SCENE: &[&str] = &[
     "destination",
 ];
 
-/// Pipelines that are settings of the tangent-space set-up.
+/// Pipelines that are settings of the tangent-space setup.
 pub const TANGENT_PIPELINES: [&str; 2] = ["tangent-smooth", "tangent-faceted"];
 
-/// Units before a pipeline whose frames are set up.
+/// Units before a pipeline with [`Frames::Setup`].
 const TANGENT_BEFORE: [&str; 1] = ["tangent"];
 
-/// Parameters of the unit that the pipeline's name and the scene give.
+/// Unit parameters that the pipeline's name and the scene determine.
 const TANGENT_FROM_SCENE: &[&str] = &["frame", "lights"];
 
-/// Sets a part of the reflection formula in every material of a scene, for the golden and for pipelines
-/// alike.
+/// Sets a part of the reflection formula in every material of a scene, for the golden and for
+/// pipelines alike.
 ///
 /// # Panics
-/// If the value is none of its kind: that is wrong code.
+/// If the value has the wrong kind: a bug of the caller.
 pub fn set_material(scene: &mut Scene, part: Reflection, value: &Value) {
     for material in &mut scene.materials {
         match (part, value) {
@@ -96,7 +96,7 @@ pub(crate) fn pipeline_units() -> impl Iterator<Item = &'static Unit> {
     units::all().filter(|unit| unit.shades == Shading::Pipeline)
 }
 
-/// Names of the pipelines that a unit is.
+/// Names of the pipelines that a unit implements.
 fn pipelines_of(unit: &Unit) -> Vec<&str> {
     let choices = unit.params.iter().find(|param| param.role == Role::Pipeline);
     match choices.map(|param| &param.kind) {
@@ -110,26 +110,26 @@ fn is_of_material(unit: &Unit, key: &str) -> bool {
     unit.find_param(key).is_some_and(|param| matches!(param.role, Role::Material(_)))
 }
 
-/// True if an assignment is to a parameter of a unit.
+/// True if an assignment is to a parameter of the unit.
 pub(super) fn knows(unit: &Unit, set: &str) -> bool {
     let key = set.split_once('=').map_or("", |(key, _)| key);
     unit.find_param(key).is_some()
 }
 
 impl Pipeline {
-    /// Names of all pipelines that shade bumps.
+    /// Names of all bump-mapping pipelines.
     #[must_use]
     pub fn names() -> Vec<&'static str> {
         pipeline_units().flat_map(pipelines_of).collect()
     }
 
-    /// The pipeline of a name.
+    /// The pipeline with this name.
     ///
     /// # Errors
     /// If there is none.
     ///
     /// # Panics
-    /// Never: each name is that of a unit.
+    /// Never: each name belongs to a unit.
     pub fn named(name: &str) -> Result<Self> {
         let names: Vec<&str> =
             Self::names().into_iter().chain(TANGENT_PIPELINES).chain(EMBOSS_PIPELINES).collect();
@@ -156,36 +156,37 @@ impl Pipeline {
         Self { name: name.to_owned(), unit: unit.clone(), assignments, frames: Frames::Float }
     }
 
-    /// True if it embosses: its golden is another one than that of the others.
+    /// True for emboss pipelines, which have their own golden.
     #[must_use]
     pub fn is_emboss(&self) -> bool {
         EMBOSS_PIPELINES.contains(&self.name.as_str())
     }
 
-    /// True if it sets triangles up and lights in texture space.
+    /// True if it sets up triangles and lights in texture space.
     #[must_use]
     pub fn is_tangent(&self) -> bool {
         TANGENT_PIPELINES.contains(&self.name.as_str())
     }
 
-    /// False if it takes nothing of the normals at vertices, so that triangles' own do where a mesh has none.
+    /// False if it doesn't use vertex normals, so that triangle normals suffice where a mesh has
+    /// none.
     #[must_use]
     pub fn takes_normals(&self) -> bool {
         self.name != "tangent-faceted"
     }
 
-    /// What it sets beside the parameter that tells the unit's pipelines apart.
+    /// Its assignments, without the parameter that selects one of the unit's pipelines.
     pub(crate) fn given(&self) -> impl Iterator<Item = &String> {
         self.assignments.iter().filter(|set| !self.names_it(set))
     }
 
-    /// True if an assignment says which of the unit's pipelines this is.
+    /// True if an assignment selects one of the unit's pipelines.
     fn names_it(&self, set: &str) -> bool {
         let param = set.split_once('=').and_then(|(key, _)| self.unit.find_param(key));
         param.is_some_and(|param| param.role == Role::Pipeline)
     }
 
-    /// Parameters of all its units.
+    /// The parameters of all its units.
     pub fn params(&self) -> impl Iterator<Item = &Param> {
         let beside: &[&str] = match self.frames {
             _ if self.is_emboss() => &EMBOSS_BEHIND,
@@ -196,7 +197,8 @@ impl Pipeline {
         self.unit.all_params().chain(beside)
     }
 
-    /// A unit with parameters, under a name of its own; what the scene gives is left out of them.
+    /// A unit with parameters, under its own name; parameters that the scene determines are left
+    /// out.
     #[must_use]
     pub fn of_unit(name: &str, unit: &Unit, assignments: &[String]) -> Self {
         let from_scene =
@@ -205,7 +207,7 @@ impl Pipeline {
         Self::with(name, unit, assignments)
     }
 
-    /// The pipeline of all parameters of a unit but those of the material.
+    /// The pipeline of all parameters of a unit, except material parameters.
     #[must_use]
     pub fn of_values(values: &Values) -> Self {
         let given = values.params().filter(|(p, _)| !matches!(p.role, Role::Material(_)));
@@ -213,10 +215,10 @@ impl Pipeline {
         Self::with(&values.unit().name, values.unit(), assignments)
     }
 
-    /// Sets parameters for all pipelines that have them.
+    /// Sets parameters in all pipelines that have them.
     ///
     /// # Errors
-    /// If none has one of them, or the scene gives it.
+    /// If no pipeline has a parameter, or the scene determines it.
     pub fn set(pipelines: &mut [Self], assignments: &[String]) -> Result<()> {
         for assignment in assignments {
             let (key, _) =
@@ -265,12 +267,13 @@ impl Pipeline {
         Ok(())
     }
 
-    /// Its design for a material in a light; `ambient` is what the light brings of that.
+    /// Its design for a material and a light; `ambient` is the ambient part that the light
+    /// includes.
     ///
     /// # Errors
-    /// If the parameters don't go together.
+    /// If the parameters are incompatible.
     pub fn design(&self, ambient: f64, light: &Light, material: &Material) -> Result<Design> {
-        // Others are for the set-up of the frames.
+        // The other assignments are for the setup of the frames.
         let mut assignments = match self.frames {
             Frames::Float => self.assignments.clone(),
             Frames::Setup => {
@@ -292,7 +295,7 @@ impl Pipeline {
                 Reflection::Specular => light.intensity * material.specular,
                 Reflection::Exponent => f64::from(material.exponent),
             };
-            // A product of numbers that are at most 1 each can be an ulp above.
+            // A product of numbers of at most 1 can exceed the limit by an ulp.
             let legal = match param.kind {
                 Kind::Real { min, max } => value.clamp(min, max),
                 Kind::Int { .. } | Kind::Choice(_) => value,
@@ -303,8 +306,8 @@ impl Pipeline {
     }
 }
 
-/// The error for emboss pipelines among others.
+/// The error for emboss pipelines mixed with others.
 pub(crate) fn mixed() -> Error {
-    let text = "emboss pipelines have a golden of their own: render them apart from the others, into another folder";
+    let text = "emboss pipelines have their own golden: render them separately from the others, into another folder";
     Error::usage(text.to_owned())
 }

@@ -1,4 +1,4 @@
-//! A pipeline ready for the pixels of a scene.
+//! A pipeline prepared for the pixels of a scene.
 
 use super::pipeline::{Frames, Pipeline};
 use super::tangent::frames::FaceFrames;
@@ -13,12 +13,12 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// A design ready to shade pixels.
+/// A design prepared for shading pixels.
 pub(super) struct Stage {
     pub(super) design: Arc<Design>,
     pub(super) program: Program,
     pub(super) ports: Vec<Port>,
-    /// Number of the first judged node of the rotated light vector among the program's outputs.
+    /// The nodes of the rotated light vector among the program's outputs, if it is measured.
     pub(super) vector: Option<Range<usize>>,
     pub(super) has_specular: bool,
     pub(super) light_format: Format,
@@ -30,7 +30,7 @@ impl Stage {
         let mut ports = Vec::new();
         for at in 0..netlist.inputs().len() {
             let name = netlist.input_name(at);
-            let none = || Error::usage(format!("a scene has nothing for the port `{name}`"));
+            let none = || Error::usage(format!("a scene has no value for the port `{name}`"));
             ports.push(Port::of(name).ok_or_else(none)?);
         }
         let output = |name: &str| {
@@ -59,18 +59,18 @@ impl Stage {
     }
 }
 
-/// A pipeline ready to shade the pixels of a scene: all its designs.
+/// A pipeline prepared for shading the pixels of a scene: all its designs.
 pub struct Shader {
     pub(super) pipeline: Pipeline,
     pub(super) stages: Vec<Stage>,
-    /// Stage of each material under each light.
+    /// Stage by material and light.
     pub(super) of: Vec<Vec<usize>>,
-    /// Frames of its own.
+    /// Its own texture frames, if they are set up by the unit.
     pub(super) frames: Option<Arc<FaceFrames>>,
 }
 
 impl Shader {
-    /// The pipeline on a scene; `vectors` also judges the rotated light vectors.
+    /// The pipeline on a scene; `vectors` also measures the rotated light vectors.
     ///
     /// # Errors
     /// If the pipeline can't be built with its parameters, or lacks a port.
@@ -78,8 +78,8 @@ impl Shader {
         Self::with_stages(scene, pipeline, vectors, true, true)
     }
 
-    /// As [`Shader::new`]; unless `shared`, each material has a stage of its own under each light,
-    /// also where two are built the same; unless `framed`, frames are left to be put in.
+    /// As [`Shader::new`]. Unless `shared`, each material has its own stage under each light, even
+    /// if two have equal designs. Unless `framed`, the caller sets the frames.
     pub(super) fn with_stages(
         scene: &Scene,
         pipeline: &Pipeline,
@@ -117,13 +117,13 @@ impl Shader {
     }
 
     /// One of its designs: that of the first material under the first light. The others differ in
-    /// what the light tables hold.
+    /// the contents of the light tables.
     #[must_use]
     pub fn design(&self) -> &Arc<Design> {
         &self.stages[0].design
     }
 
-    /// The first material and light that a stage serves.
+    /// The first material and light that use a stage.
     pub(super) fn first_use(&self, stage: usize) -> (usize, usize) {
         let uses = self.of.iter().enumerate().flat_map(|(material, row)| {
             row.iter().enumerate().map(move |(light, index)| (material, light, *index))

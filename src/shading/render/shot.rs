@@ -1,4 +1,4 @@
-//! Pictures of a scene, and what is known of them.
+//! Pictures of a scene, and measurements on them.
 
 use super::pipeline::Pipeline;
 use super::{emboss, tangent};
@@ -49,7 +49,7 @@ impl VectorError {
         }
     }
 
-    /// The same as figures of a quantity `lt_angle`.
+    /// The same as figures of the quantity `lt_angle`.
     fn figures(&self) -> Figures {
         Figures {
             quantity: "lt_angle".to_owned(),
@@ -76,33 +76,34 @@ pub struct Shot {
     pub pipeline: Pipeline,
     /// Its picture.
     pub picture: Picture,
-    /// Its golden picture, where that isn't [`Rendered::golden`]: an emboss that displaces the other way.
+    /// Its golden picture, if that isn't [`Rendered::golden`]: for an emboss that displaces the
+    /// other way.
     pub golden: Option<Arc<Picture>>,
     /// One of its designs: that of the first material under the first light.
     pub design: Arc<Design>,
-    /// Designs of the units behind it, if there are some.
+    /// Designs of the units behind it, if any.
     pub behind: Vec<Arc<Design>>,
-    /// What is known of an emboss.
+    /// Measurements of an emboss.
     pub emboss: Option<emboss::known::Known>,
-    /// What is known of a tangent-space set-up.
+    /// Measurements of a tangent-space setup.
     pub setup: Option<Box<tangent::known::Known>>,
-    /// What is known of the set-up of its frames, if they are set up.
+    /// Measurements of the setup of its frames, if its frames come from the unit.
     pub frames: Option<Box<tangent::known::FramesKnown>>,
     /// Time in the bit-true engine, all threads together.
     pub engine: Duration,
-    /// Samples per second and thread of the engine alone: the median of all samples by the rate of the
-    /// rows that they were in, so that a thread that was held up hardly shows.
+    /// Samples per second and thread of the engine alone: the median over blocks of rows, weighted
+    /// by samples, so that an interrupted thread hardly matters.
     pub samples_per_second: f64,
-    /// Samples that the engine took: covered pixels times lights.
+    /// Samples that the engine processed: covered pixels times lights.
     pub samples: u64,
-    /// Errors of the rotated light vectors, if they were asked for and the unit has them.
+    /// Errors of the rotated light vectors, if requested and if the unit has them.
     pub vectors: Option<VectorError>,
     /// Every `narrow` that overflowed at least once.
     pub overflows: Vec<OverflowCount>,
 }
 
 impl Shot {
-    /// How often any `narrow` overflowed.
+    /// Total number of overflows in all `narrow`s.
     #[must_use]
     pub fn overflowed(&self) -> u64 {
         self.overflows.iter().map(|overflow| overflow.count).sum()
@@ -112,17 +113,18 @@ impl Shot {
 /// A scene rendered.
 #[derive(Clone, Debug)]
 pub struct Rendered {
-    /// The golden picture, in `f64`: tangent-space bump mapping, or an emboss as the first pipeline has it.
+    /// The golden picture, in `f64`: tangent-space bump mapping, or the emboss of the first
+    /// pipeline.
     pub golden: Picture,
-    /// The largest difference of Blinn's equation to it, in linear light; an emboss has none.
+    /// The largest difference of Blinn's equation to it, in linear light; none for an emboss.
     pub blinn: Option<f64>,
     /// Pixels that see an object.
     pub covered: u64,
-    /// Which they are, row after row.
+    /// Which pixels see an object, row by row.
     pub covers: Vec<bool>,
     /// The pipelines' pictures.
     pub shots: Vec<Shot>,
-    /// Wall-clock time of all of it.
+    /// Total wall-clock time.
     pub elapsed: Duration,
 }
 
@@ -139,11 +141,11 @@ impl Rendered {
         cast::count_of(self.covers.len()) - self.covered
     }
 
-    /// How far one picture of the scene is from another, over the pixels that see an object;
+    /// The difference of one picture of the scene to another, over the pixels that see an object;
     /// `pixels_per_degree` is FLIP's.
     ///
     /// # Errors
-    /// If no pixel does, or FLIP can't look that finely.
+    /// If no pixel sees an object, or `pixels_per_degree` is outside FLIP's range.
     pub fn difference(
         &self,
         picture: &Picture,
@@ -153,9 +155,9 @@ impl Rendered {
         Difference::over(&self.covers, picture, golden, pixels_per_degree)
     }
 
-    /// A shot as a measurement, end to end: `picture`, the difference to the golden in linear light of
-    /// every channel of every covered pixel, and `lt_angle`, if it was judged. The difference is that of
-    /// the shot's picture.
+    /// A shot as a measurement, end to end: `picture`, the difference to the golden in linear light
+    /// of every channel of every covered pixel, and `lt_angle`, if it was measured. `difference`
+    /// must be that of the shot's picture.
     #[must_use]
     pub fn report(&self, shot: &Shot, difference: &Difference) -> Report {
         let mut histogram = vec![0; BINS];
@@ -170,7 +172,8 @@ impl Rendered {
             stream.merge(&Stream::of(&errors, 0, &mut histogram));
             histograms.take(&mut histogram);
         }
-        // The mean is summed up in another order there: one number, not two that differ in the last place.
+        // Take the mean from `difference`: it sums in another order, and two numbers would differ
+        // in the last place.
         let mut figures = vec![Figures {
             mean: difference.mean,
             ..stream.figures("picture", "1", Basis::EndToEnd, &histograms.of(0))

@@ -1,6 +1,6 @@
-//! Only what a scene needs: each design of a pipeline cut down to the words that occur, parted into
-//! what runs once per flat face and what runs for every pixel, and held to the general design on
-//! every pixel of the scene.
+//! Specialises pipelines to a scene: each design is reduced to the words that occur, split into a
+//! part that runs once per flat face and a part that runs for every pixel, and compared with the
+//! general design on every pixel of the scene.
 
 use super::block::blocks;
 use super::bumps::{by_material, port_column, shading_point};
@@ -22,32 +22,32 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::time::{Duration, Instant};
 
-/// Words are told apart by this many top bits when their intervals are looked for.
+/// Words are bucketed by this many top bits when their intervals are determined.
 const BUCKET_BITS: u32 = 10;
 
 /// A flat face: object and number.
 type Face = (u32, u32);
 
-/// One design of a pipeline, specialised.
+/// A design of a pipeline, specialised to a scene.
 #[derive(Clone, Debug, Serialize)]
 pub struct SpecialisedStage {
-    /// Number of the material and of the light that it was built for first.
+    /// The first material that uses it.
     pub material: usize,
-    /// Number of the light.
+    /// The first light that uses it.
     pub light: usize,
     /// Words that occur at each input port, and how often they change.
     pub inputs: Vec<SeenPort>,
-    /// What was folded, cut and moved, and what that saves.
+    /// What was folded, cut and moved, and the savings.
     pub report: Report,
-    /// Samples compared, with every word of the light in each.
+    /// Samples compared; all words of the light are compared in each.
     pub samples: u64,
-    /// Words that differed: 0, or the specialiser is wrong.
+    /// Words that differed: 0, unless the specialiser is wrong.
     pub mismatches: u64,
-    /// Faces that the face's part was run for.
+    /// Faces for which the face part was run.
     pub faces: u64,
     /// Seconds of the general design in the engine, all threads together.
     pub general_seconds: f64,
-    /// Seconds of the specialised design, its faces included.
+    /// Seconds of the specialised design, including its face part.
     pub specialised_seconds: f64,
 }
 
@@ -58,18 +58,18 @@ pub struct SeenPort {
     pub port: String,
     /// Its words, as intervals.
     pub words: String,
-    /// `scene`, `face` or `pixel`: what it is constant over.
+    /// `scene`, `face` or `pixel`: the extent over which it is constant.
     pub rate: &'static str,
 }
 
 /// Words seen at the ports of a stage.
 #[derive(Clone, Default)]
 struct Seen {
-    /// Least and greatest word of each bucket that has one, by port.
+    /// Smallest and largest word of each nonempty bucket, by port.
     buckets: Vec<BTreeMap<i64, (i64, i64)>>,
-    /// The word of each port on each flat face; `None` where it changes there.
+    /// The word of each port on each flat face; `None` if it varies there.
     faces: BTreeMap<Face, Vec<Option<i64>>>,
-    /// True if a fragment had no flat face.
+    /// True if a fragment wasn't on a flat face.
     curved: bool,
 }
 
@@ -123,7 +123,7 @@ impl Seen {
         self.curved |= other.curved;
     }
 
-    /// What is known of each port; nothing at all if the stage was never used.
+    /// What is known of each port: nothing if the stage was never used.
     fn known(&self, netlist: &Netlist) -> Vec<Known> {
         let port = |(at, id): (usize, &NodeId)| {
             let Some(buckets) = self.buckets.get(at).filter(|buckets| !buckets.is_empty()) else {
@@ -142,13 +142,13 @@ impl Seen {
     }
 }
 
-/// A specialised stage ready to run.
+/// A specialised stage, ready to run.
 struct Lean {
     made: Specialised,
     program: Option<Program>,
     /// Output nodes in the order of the general stage's: diffuse, specular.
     outputs: Vec<NodeId>,
-    /// Words of the face's outputs by face.
+    /// Output words of the face part, by face.
     faces: BTreeMap<Face, Vec<i64>>,
     face_time: Duration,
 }
@@ -170,7 +170,7 @@ impl Lean {
         Self { program, outputs, faces, face_time: start.elapsed(), made }
     }
 
-    /// Words of the light of samples, from the general stage's input words.
+    /// The light's words for some samples, from the general stage's input words.
     fn run(
         &self,
         runner: Option<&mut Runner>,
@@ -210,11 +210,11 @@ impl Lean {
     }
 }
 
-/// Runs the face's part for every face.
+/// Runs the face part for every face.
 fn face_words(face: &Reduced, seen: &Seen) -> BTreeMap<Face, Vec<i64>> {
     let outputs = face.netlist.outputs();
     let words = |known: &Vec<Option<i64>>| {
-        // Ports that the face's part takes are constant on it; others are never looked at.
+        // Ports that the face part reads are constant on the face; the others are ignored.
         let ports: Vec<i64> = known.iter().map(|word| word.unwrap_or(0)).collect();
         let ran = face.netlist.eval(&face.select(&ports, &[]));
         let (words, _) = ran.expect("bug: words are of their ports' formats");
@@ -223,7 +223,7 @@ fn face_words(face: &Reduced, seen: &Seen) -> BTreeMap<Face, Vec<i64>> {
     seen.faces.iter().map(|(face, known)| (*face, words(known))).collect()
 }
 
-/// Quantised inputs of the fragments of a block, by stage: numbers of stage, material and light.
+/// Calls `take` with the quantised inputs of a block's fragments, for each stage.
 fn each_batch(
     scene: &Scene,
     shader: &Shader,
@@ -260,7 +260,7 @@ struct Compared {
 }
 
 /// Specialises every design of a pipeline to a scene, and compares it with the general one on every
-/// pixel: all words of the light, bit for bit. [`SpecialisedStage::mismatches`] is what came of it.
+/// pixel: all words of the light, bit for bit. [`SpecialisedStage::mismatches`] is the result.
 ///
 /// # Errors
 /// If the pipeline can't be built.

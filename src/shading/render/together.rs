@@ -1,4 +1,4 @@
-//! Pipelines of all kinds rendered together.
+//! Renders pipelines of all kinds together.
 
 use super::block::blocks;
 use super::bumps::shoot;
@@ -18,8 +18,8 @@ use std::time::Instant;
 /// The most pixels of all pictures that are rendered together.
 const TOGETHER_PIXELS: u64 = 1 << 24;
 
-/// Renders a scene by some pipelines at once; `vectors` also judges the rotated light vectors.
-/// `progress` gets the rows done.
+/// Renders a scene by some pipelines at once; `vectors` also measures the rotated light vectors.
+/// `progress` receives the number of finished rows.
 ///
 /// # Errors
 /// If a pipeline can't be built with its parameters, or lacks a port.
@@ -38,7 +38,7 @@ pub fn render(
     }
     let (setups, others): (Vec<&Pipeline>, Vec<&Pipeline>) =
         pipelines.iter().partition(|pipeline| pipeline.is_tangent());
-    // The golden then has facets, too, and vertices that nothing splits.
+    // The golden then has facets too, and vertices aren't split.
     let facets = !pipelines.is_empty() && !pipelines.iter().any(Pipeline::takes_normals);
     let faceted = if facets { scene.faceted() } else { None };
     let scene = faceted.as_ref().unwrap_or(scene);
@@ -46,7 +46,7 @@ pub fn render(
     for pipeline in others {
         let mut shader = Shader::with_stages(scene, pipeline, vectors, true, false)?;
         if pipeline.frames == Frames::Setup {
-            // Of the same parameters, once for all.
+            // Computed once for all pipelines with the same parameters.
             let own = FaceFrames::parameters(pipeline);
             let same = |known: &&Shader| FaceFrames::parameters(&known.pipeline) == own;
             shader.frames = match shaders.iter().find(same) {
@@ -66,7 +66,7 @@ pub fn render(
     let mut rendered = shoot(scene, &shaders, &|done| progress(done / 2))?;
     let setups = tangent::flow::shots(scene, &setups, &|done| progress((height + done) / 2))?;
     let (mut setups, mut others) = (setups.into_iter(), rendered.shots.into_iter());
-    // As they were asked for.
+    // In the order of the request.
     let shots = pipelines
         .iter()
         .filter_map(|pipeline| if pipeline.is_tangent() { setups.next() } else { others.next() });
@@ -75,16 +75,16 @@ pub fn render(
     Ok(rendered)
 }
 
-/// How many pictures of a scene are best rendered together: all are in memory.
+/// Number of pictures of a scene that should be rendered together, since all of them are in memory.
 #[must_use]
 pub fn shots_together(scene: &Scene) -> usize {
     usize::try_from(TOGETHER_PIXELS / scene.image.pixels()).unwrap_or(1).max(1)
 }
 
-/// Fails if no pixel of a scene sees an object, which takes no picture to know.
+/// Fails if no pixel of a scene sees an object; renders no picture.
 ///
 /// # Errors
-/// So it does.
+/// If no pixel sees an object.
 pub fn check_view(scene: &Scene) -> Result<()> {
     let sees = |fragments: &mut Fragments, rows: Range<u32>| {
         scene.trace(rows, fragments);

@@ -1,43 +1,46 @@
-//! Primitive assembly: vertex buffers whose vertices primitives share, and triangles by number.
+//! Primitive assembly: vertex buffers whose vertices are shared by primitives, and triangles of
+//! vertex numbers.
 //!
-//! A mesh holds each vertex once, however many triangles it is a corner of; a [`Topology`] tells which of a
-//! list of corners make the next triangle. Readers of files give corners and a topology, and everything else
-//! takes vertices and triangles of vertex numbers: what is computed per vertex is computed once for all
-//! triangles that share it, which is the claim of US 7,843,463, and [`Sharing`] counts it.
+//! A mesh stores each vertex once, however many triangles share it. A [`Topology`] says which
+//! corners of a list form the next triangle. File readers return corners and a topology; all other
+//! code takes vertices and triangles of vertex numbers. A per-vertex computation is done once for
+//! all triangles that share the vertex, which is the claim of US 7,843,463; [`Sharing`] counts the
+//! savings.
 
 use super::limits::{MAX_TRIANGLES, too_many};
 use crate::base::cast;
 use glam::{DVec2, DVec3};
 use serde::Serialize;
 
-/// How a list of corners makes triangles (glTF's modes 4, 5 and 6).
+/// How a list of corners forms triangles (glTF's modes 4, 5 and 6).
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Topology {
-    /// Three corners each.
+    /// Three corners per triangle.
     List,
-    /// Each corner from the third on with the two before it.
+    /// Each corner from the third on, with the two before it.
     Strip,
-    /// Each corner from the third on with the one before it and the first.
+    /// Each corner from the third on, with the one before it and the first.
     Fan,
 }
 
 impl Topology {
-    /// Number of triangles of so many corners.
+    /// Number of triangles that so many corners form.
     ///
     /// # Errors
-    /// If they leave some over, or are too few for any.
+    /// If corners are left over, or there are too few for a triangle.
     pub fn triangles(self, corners: usize) -> Result<usize, String> {
         match self {
             Self::List if corners.is_multiple_of(3) => Ok(corners / 3),
-            Self::List => Err(format!("{corners} corners don't make whole triangles")),
+            Self::List => Err(format!("{corners} corners, not a multiple of 3")),
             Self::Strip | Self::Fan if corners >= 3 => Ok(corners - 2),
-            Self::Strip => Err(format!("a strip of {corners} corners: 3 or more make one")),
-            Self::Fan => Err(format!("a fan of {corners} corners: 3 or more make one")),
+            Self::Strip => Err(format!("a strip of {corners} corners: it needs 3 or more")),
+            Self::Fan => Err(format!("a fan of {corners} corners: it needs 3 or more")),
         }
     }
 
-    /// Places of a triangle's corners in the list. All triangles turn as the first does: in a strip every
-    /// other one has its last two corners exchanged, as glTF 2.0 has it (3.7.2.1).
+    /// Positions of a triangle's corners in the list. All triangles have the winding of the first:
+    /// in a strip every other triangle has its last two corners exchanged, as glTF 2.0 (3.7.2.1)
+    /// specifies.
     #[must_use]
     pub fn corners(self, triangle: usize) -> [usize; 3] {
         let i = triangle;
@@ -50,52 +53,53 @@ impl Topology {
     }
 }
 
-/// A vertex that triangles share: nothing in it depends on any of them.
+/// A shared vertex: it doesn't depend on any of its triangles.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct SharedVertex {
-    /// Where it is.
+    /// Its position.
     pub position: DVec3,
-    /// Its unit normal N; 0 where its triangles take their own ([`Scene::faceted`](super::Scene::faceted)).
+    /// Its unit normal N; 0 where triangles use their own
+    /// ([`Scene::faceted`](super::Scene::faceted)).
     pub normal: DVec3,
-    /// u and v, v up; 0 where there are none, and nothing needs them.
+    /// u and v, v up; 0 if the mesh has none and nothing needs them.
     pub uv: DVec2,
 }
 
-/// A vertex as a file has it.
+/// A vertex as the file gives it.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct MeshVertex {
     pub(super) position: DVec3,
-    /// Of any length but zero.
+    /// Of any length except zero.
     pub(super) normal: Option<DVec3>,
     pub(super) uv: Option<DVec2>,
 }
 
-/// Vertices and the triangles between them, as a file has them.
+/// Vertices and the triangles between them, as the file gives them.
 #[derive(Clone, Default, Debug)]
 pub(super) struct Mesh {
-    /// Each once.
+    /// Each vertex once.
     pub(super) vertices: Vec<MeshVertex>,
-    /// Numbers of each triangle's vertices.
+    /// Vertex numbers of each triangle.
     pub(super) triangles: Vec<[u32; 3]>,
-    /// Line of each triangle in its file, where that has lines.
+    /// Line of each triangle in its file, for text formats.
     pub(super) lines: Vec<u64>,
     /// Words of index buffers: the corners of all lists, strips and fans that have one.
     pub(super) indices: u64,
-    /// Triangles of strips that were left out since two of their corners are one point: they stitch.
+    /// Strip triangles that were left out because two of their corners coincide: they only stitch.
     pub(super) stitches: u64,
-    /// Other triangles that were left out since they have no area.
+    /// Other triangles that were left out because they have no area.
     pub(super) flat: Tally,
-    /// What else its reader left out or passed over, in words.
+    /// Anything else that the reader left out or ignored, in words.
     pub(super) notes: Vec<String>,
-    /// Where it has no normals, its format asks for those of the triangles.
+    /// True if the format requires the triangles' own normals where vertices have none.
     pub(super) is_faceted: bool,
 }
 
-/// How often something was met in a file, and where first.
+/// How often something occurred in a file, and where first.
 #[derive(Clone, Copy, Default, Debug)]
 pub(super) struct Tally {
     pub(super) count: u64,
-    /// Line of the first, where the file has lines.
+    /// Line of the first, for text formats.
     line: Option<u64>,
 }
 
@@ -107,35 +111,35 @@ impl Tally {
         self.count += 1;
     }
 
-    /// Refuses a statement that these should have come after.
+    /// Rejects a statement that should have come before these.
     pub(super) fn follows(&self, name: &str) -> Result<(), String> {
         match self.line {
             Some(line) => Err(format!(
-                "the first `{name}` comes after line {line}, whose corners name one: put it before"
+                "the first `{name}` comes after line {line}, whose corners refer to one: move it before that line"
             )),
             None => Ok(()),
         }
     }
 
-    /// The count and where the first was, after what it counts; `None` if there were none.
+    /// A note of the count and the first line; `None` if the count is 0.
     pub(super) fn told(&self, what: &str) -> Option<String> {
         let place = self.line.map(|line| format!(", the first in line {line}"));
         (self.count > 0).then(|| format!("{what}: {}{}", self.count, place.unwrap_or_default()))
     }
 }
 
-/// Triangles whose area is less than this, against the square of their longest edge, have none.
+/// A triangle whose area is below this fraction of its longest edge squared has none.
 const THIN: f64 = 1e-12;
-/// Squares of edges below this have lost their digits.
+/// Squared edges below this have lost their significant digits.
 const TINY: f64 = 1e-60;
 
-/// False for a triangle or parallelogram of these corners that is no more than a line or a point.
+/// False for a triangle or parallelogram of these corners that degenerates to a line or a point.
 pub(super) fn has_area([a, b, c]: [DVec3; 3]) -> bool {
     let longest = a.distance_squared(b).max(a.distance_squared(c)).max(b.distance_squared(c));
     is_area((b - a).cross(c - a).length(), longest)
 }
 
-/// False if an area is next to none, against the square of the longest edge around it.
+/// False if an area is negligible against the square of its longest edge.
 pub(super) fn is_area(area: f64, longest: f64) -> bool {
     longest > TINY && area > THIN * longest
 }
@@ -157,19 +161,20 @@ impl Mesh {
         self.lines.get(triangle).copied()
     }
 
-    /// What isn't as its file has it, in words.
+    /// How the mesh differs from its file, in words.
     pub(super) fn told(&self) -> Vec<String> {
         let flat = self.flat.told("triangles without area left out");
         flat.into_iter().chain(self.notes.iter().cloned()).collect()
     }
 
-    /// Adds the triangles of a list of corners, which are numbers of vertices; those without area are counted only.
+    /// Adds the triangles of a list of corners, which are vertex numbers; triangles without area
+    /// are only counted.
     ///
     /// # Errors
-    /// If the corners make no triangles, or they become too many.
+    /// If the corners don't form triangles, or there are too many triangles.
     ///
     /// # Panics
-    /// If a corner has no vertex: readers check that.
+    /// If a corner has no vertex: readers check this.
     pub(super) fn assemble(
         &mut self,
         topology: Topology,
@@ -182,7 +187,7 @@ impl Mesh {
             let corners = topology.corners(triangle).map(|place| corners[place]);
             let points = self.corners(corners).map(|vertex| vertex.position);
             let [a, b, c] = points;
-            // Strips are stitched by corners that come twice, or by points that do.
+            // Strips are stitched by repeated indices or by coinciding points.
             if topology == Topology::Strip && (a == b || b == c || a == c) {
                 self.stitches += 1;
                 continue;
@@ -201,7 +206,7 @@ impl Mesh {
     }
 }
 
-/// What sharing of vertices saves against a copy of each for each of its triangles.
+/// What vertex sharing saves against a separate copy of a vertex for each of its triangles.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
 pub struct Sharing {
     /// Vertices in the buffer.
@@ -210,19 +215,20 @@ pub struct Sharing {
     pub primitives: u64,
     /// Words of the index buffer; 0 if there is none.
     pub indices: u64,
-    /// Triangles left out of strips, which only stitch.
+    /// Triangles left out of strips because they only stitch.
     pub stitches: u64,
-    /// Operations of the vertex stage with sharing: one for each vertex that a triangle has.
+    /// Operations of the vertex stage with sharing: one for each vertex that is used by a triangle.
     pub vertex_operations: u64,
-    /// The same where each triangle has its vertices to itself: 3 for each triangle.
+    /// Without sharing: 3 per triangle.
     pub replicated_operations: u64,
-    /// Bytes of vertices and indices: 8 `f32` a vertex (position, normal, uv) and 4 bytes an index.
+    /// Bytes of vertices and indices: 8 `f32` per vertex (position, normal, uv) and 4 bytes per
+    /// index.
     pub bytes: u64,
-    /// Bytes of as many vertices as there are corners, without indices.
+    /// Bytes without sharing: one vertex per corner, no indices.
     pub replicated_bytes: u64,
 }
 
-/// Bytes of a vertex in a buffer.
+/// Bytes of a vertex in the buffer.
 const VERTEX_BYTES: u64 = 8 * 4;
 /// Bytes of an index.
 const INDEX_BYTES: u64 = 4;
@@ -270,7 +276,8 @@ mod tests {
         mesh.triangles.iter().map(area).collect()
     }
 
-    /// A ladder of 2 x 6 points as one strip: all its triangles turn one way, and cover it once.
+    /// A ladder of 2 x 6 points as one strip: all its triangles have the same winding, and cover it
+    /// once.
     #[test]
     fn strips_turn_one_way() {
         let points: Vec<[i32; 2]> = (0..12).map(|i| [i / 2, 1 - i % 2]).collect();
@@ -283,7 +290,7 @@ mod tests {
         assert_eq!(seen, expected);
     }
 
-    /// Two ladders stitched into one strip: by indices that come twice, and by points that do.
+    /// Two ladders stitched into one strip: by repeated indices, and by coinciding points.
     #[test]
     fn stitches_make_no_triangles() {
         let ladder = |x: i32| (0..6).map(move |i| [x + i / 2, 1 - i % 2]);

@@ -1,15 +1,18 @@
-//! Meshes from glTF 2.0: as much as shapes need, every number checked before it is used.
+//! Meshes from glTF 2.0: the part that shapes need, with every number checked before use.
 //!
-//! What a file shows at rest is read: nodes, morph targets by their default weights, skins by the joints' own
-//! places, texture coordinates of the material's colour texture (else its normal map's, and so on) with
-//! KHR_texture_transform. Images, colours, animations and cameras are passed over, and so are lines and points beside
-//! triangles. A node that mirrors turns its triangles over (3.7.4 of the specification). Of skins it says nothing:
-//! here a triangle is turned over where the joints mirror most of its corners, so that it keeps the side that it had.
+//! A file is read in its rest pose: nodes, morph targets by their default weights, skins by the
+//! joints' own transforms, and texture coordinates of the material's colour texture (otherwise of
+//! its normal map, and so on) with KHR_texture_transform. Images, colours, animations and cameras
+//! are ignored, and so are lines and points beside triangles. A node that mirrors reverses the
+//! winding of its triangles (3.7.4 of the specification). The specification doesn't say this for
+//! skins: here a triangle's winding is reversed if the joints mirror most of its corners, so that
+//! its front stays its front.
 //!
-//! The reader is our own. Crate `gltf` (1.4) panics on what damaged files hold: a component type that an attribute
-//! can't have, more sparse indices than values, an accessor of no elements, a URI that isn't UTF-8. It reads a buffer
-//! as often as it is named, has no limits and no data URIs but of plain base64, and leaves skins, morph targets, strips
-//! and every check of a count to its caller. JSON, base64 and %XX are other crates' here too.
+//! This is a reader of our own. The crate `gltf` (1.4) panics on damaged files: on a component type
+//! that an attribute can't have, more sparse indices than values, an accessor without elements, a
+//! URI that isn't UTF-8. It reads a buffer as often as it is named, has no limits, and decodes only
+//! data URIs of plain base64. It leaves skins, morph targets, strips and every check of a count to
+//! its caller. JSON, base64 and %XX are decoded by other crates here too.
 
 mod data;
 
@@ -27,7 +30,7 @@ use std::collections::hash_map::Entry;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::Path;
 
-/// What a file says of itself, whatever its version.
+/// The file's version information, readable in any version.
 #[derive(Deserialize)]
 struct Head {
     #[serde(default)]
@@ -89,11 +92,11 @@ struct Node {
 #[derive(Deserialize)]
 struct MeshNode {
     primitives: Vec<Primitive>,
-    /// Of morph targets, where the node has none.
+    /// Morph-target weights, used if the node has none.
     weights: Option<Vec<f64>>,
 }
 
-/// Accessors by what they are of a vertex: `POSITION`, `NORMAL`, `TEXCOORD_0`, …
+/// Accessors by vertex attribute: `POSITION`, `NORMAL`, `TEXCOORD_0`, …
 type Attributes = BTreeMap<String, usize>;
 
 #[derive(Deserialize)]
@@ -102,7 +105,7 @@ struct Primitive {
     indices: Option<usize>,
     material: Option<usize>,
     mode: Option<u32>,
-    /// What morph targets add to attributes.
+    /// What morph targets add to the attributes.
     #[serde(default)]
     targets: Vec<Attributes>,
     #[serde(default)]
@@ -122,7 +125,7 @@ struct Material {
 #[derive(Default, Deserialize)]
 #[serde(default)]
 struct MaterialExtensions {
-    /// Colours in place of the others.
+    /// Colours that replace the others.
     #[serde(rename = "KHR_materials_pbrSpecularGlossiness")]
     specular_glossiness: Diffuse,
 }
@@ -170,8 +173,9 @@ impl Default for TextureTransform {
 }
 
 impl TextureTransform {
-    /// Where it moves (u, v), v down: scaled, turned, then moved. The matrix that the extension's text prints turns
-    /// the other way than its words, its example and every viewer do (KhronosGroup/glTF issue 1563).
+    /// Transforms (u, v), v down: scale, rotate, then translate. The matrix printed in the
+    /// extension's text rotates the other way than its words, its example and every viewer
+    /// (KhronosGroup/glTF issue 1563).
     fn apply(&self, uv: DVec2) -> DVec2 {
         let (sin, cos) = libm::sincos(self.rotation);
         let turn = DMat2::from_cols_array(&[cos, -sin, sin, cos]);
@@ -186,7 +190,7 @@ struct Skin {
     joints: Vec<usize>,
 }
 
-/// True of extensions that change no shape, or are read: a file may require them.
+/// True for extensions that are supported or don't change shapes: a file may require them.
 fn is_known(extension: &str) -> bool {
     let read = ["KHR_texture_transform", "KHR_mesh_quantization"];
     let no_shape = [
@@ -206,23 +210,23 @@ fn is_known(extension: &str) -> bool {
         || no_shape.contains(&extension)
 }
 
-/// Most extensions that are told.
+/// The most extensions that are reported.
 const MAX_NOTES: usize = 8;
 
-/// Reads a `.gltf` or `.glb` file of which these are the bytes.
+/// Reads a `.gltf` or `.glb` file from its bytes.
 pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Mesh> {
     read_within(bytes, path, map::MAX_BYTES)
 }
 
-/// As [`read`], with so many bytes in all buffers together.
+/// As [`read`], with a limit for the bytes of all buffers together.
 fn read_within(bytes: &[u8], path: &Path, max_bytes: u64) -> Result<Mesh> {
     let fail = |problem| Error::file(path, problem);
     let (json, binary) =
         if bytes.starts_with(b"glTF") { data::chunks(bytes).map_err(fail)? } else { (bytes, None) };
-    // A byte order mark: the specification forbids it, editors write it.
+    // A byte order mark: the specification forbids it, but editors write it.
     let json = json.strip_prefix(b"\xef\xbb\xbf").unwrap_or(json);
     check_encoding(json).map_err(fail)?;
-    let not_json = |why| fail(format!("no glTF 2.0: {why}"));
+    let not_json = |why| fail(format!("isn't glTF 2.0: {why}"));
     let head: Head = serde_json::from_slice(json).map_err(not_json)?;
     head.asset.check().map_err(fail)?;
     let document: Document = serde_json::from_slice(json).map_err(not_json)?;
@@ -234,13 +238,13 @@ fn read_within(bytes: &[u8], path: &Path, max_bytes: u64) -> Result<Mesh> {
     let data = Data::new(&document.accessors, &document.buffer_views, buffers);
     let mut mesh = File { document: &document, data }.mesh().map_err(fail)?;
     let unread = document.extensions_used.iter().filter(|name| !is_known(name));
-    let unread = unread.map(|name| format!("the extension `{name}` isn't read"));
+    let unread = unread.map(|name| format!("the extension `{name}` is ignored"));
     mesh.notes.extend(unread.take(MAX_NOTES));
     Ok(mesh)
 }
 
 impl Asset {
-    /// 2.0 is read, and any later 2.x that doesn't ask for more.
+    /// Accepts 2.0, and any later 2.x that doesn't require a newer reader.
     fn check(&self) -> Result<(), String> {
         let parsed = |value: &serde_json::Value| -> Option<[u32; 2]> {
             let (major, minor) = value.as_str()?.split_once('.')?;
@@ -253,12 +257,12 @@ impl Asset {
         };
         if parsed(version).is_none_or(|[major, _]| major != 2) {
             return Err(format!(
-                "its `asset.version` is {version}: legal is \"2.0\"; export it as that"
+                "its `asset.version` is {version}: only \"2.0\" is supported; export it as that"
             ));
         }
         match &self.min_version {
             Some(least) if parsed(least).is_none_or(|least| least > [2, 0]) => Err(format!(
-                "needs a reader of glTF {least} (`asset.minVersion`), and this one is of \"2.0\": export it as that"
+                "needs a reader of glTF {least} (`asset.minVersion`), but this one supports \"2.0\": export it as that"
             )),
             Some(_) | None => Ok(()),
         }
@@ -270,22 +274,22 @@ struct File<'a> {
     data: Data<'a>,
 }
 
-/// How the vertices of a mesh come into the world.
+/// How the vertices of a mesh are transformed to the world.
 enum Pose {
     /// All by one matrix.
     Rigid(DMat4),
-    /// Each by those of its joints.
+    /// Each by the matrices of its joints.
     Skinned(Vec<DMat4>),
 }
 
-/// What makes vertices; primitives that have it in common share them.
+/// What determines vertices; primitives with the same source share them.
 #[derive(PartialEq, Eq, Hash)]
 struct VertexSource<'a> {
     attributes: &'a Attributes,
     targets: &'a [Attributes],
-    /// Which texture coordinates.
+    /// The set of texture coordinates.
     uv_set: usize,
-    /// The material whose texture transforms them.
+    /// The material whose texture transforms them, if any.
     transformed_by: Option<usize>,
 }
 
@@ -306,7 +310,7 @@ impl File<'_> {
             };
             let mesh = get(&self.document.meshes, "mesh", number)?;
             let weights = node.weights.as_ref().or(mesh.weights.as_ref());
-            // Vertices that several of its primitives name are there once.
+            // Vertices used by several of its primitives are stored once.
             let mut known = HashMap::new();
             for (j, primitive) in mesh.primitives.iter().enumerate() {
                 let weights = weights.map_or(&[][..], Vec::as_slice);
@@ -321,11 +325,11 @@ impl File<'_> {
         }
         if whole.triangles.is_empty() && passed_over > 0 {
             return Err(format!(
-                "has no triangles, but {passed_over} primitives of lines or points: export a surface"
+                "has no triangles, only {passed_over} primitives of lines or points: export a surface"
             ));
         }
         if passed_over > 0 {
-            whole.notes.push(format!("primitives of lines or points passed over: {passed_over}"));
+            whole.notes.push(format!("primitives of lines or points ignored: {passed_over}"));
         }
         Ok(whole)
     }
@@ -356,7 +360,8 @@ impl File<'_> {
         Ok(placed)
     }
 
-    /// The matrices of a skin's joints, from the mesh's own space. The node that shows the mesh doesn't move it.
+    /// The matrices of a skin's joints, from the mesh's own space. The node that shows the mesh
+    /// doesn't transform it.
     fn joints(&self, skin: &Skin, to_worlds: &HashMap<usize, DMat4>) -> Result<Pose, String> {
         // Many nodes may show one skin.
         self.data.spend(skin.joints.len())?;
@@ -365,7 +370,11 @@ impl File<'_> {
             None => DMat4::IDENTITY.to_cols_array().repeat(skin.joints.len()),
         };
         if binds.len() < 16 * skin.joints.len() {
-            return Err(format!("{} joints and {} matrices", skin.joints.len(), binds.len() / 16));
+            return Err(format!(
+                "{} joints but {} inverse bind matrices",
+                skin.joints.len(),
+                binds.len() / 16
+            ));
         }
         let matrix = |(joint, bind): (&usize, &[f64])| {
             let to_world = to_worlds.get(joint);
@@ -390,7 +399,7 @@ impl File<'_> {
         if primitive.extensions.contains_key(draco)
             && attributes.values().any(|accessor| !self.data.has_view(*accessor))
         {
-            return Err(format!("its data are compressed by `{draco}`: export without it"));
+            return Err(format!("its data is compressed with `{draco}`: export without it"));
         }
         let (uv_set, transformed_by) = self.uv_set(primitive.material)?;
         let source = VertexSource { attributes, targets, uv_set, transformed_by };
@@ -407,7 +416,9 @@ impl File<'_> {
             Some(accessor) => {
                 let indices = self.data.wholes(accessor, 1)?;
                 if let Some(index) = indices.iter().find(|index| **index >= vertices) {
-                    return Err(format!("vertex {index} is named, and there are {vertices}"));
+                    return Err(format!(
+                        "refers to vertex {index} (they count from 0) of {vertices}"
+                    ));
                 }
                 mesh.indices += cast::count_of(indices.len());
                 indices.into_iter().map(|index| first + cast::id_of(index)).collect()
@@ -428,7 +439,8 @@ impl File<'_> {
         Ok(())
     }
 
-    /// The set of texture coordinates that a material's texture takes, and the material if it transforms them.
+    /// The set of texture coordinates that a material's texture uses, and the material if it
+    /// transforms them.
     fn uv_set(&self, material: Option<usize>) -> Result<(usize, Option<usize>), String> {
         let Some(number) = material else { return Ok((0, None)) };
         let material = get(&self.document.materials, "material", number)?;
@@ -439,7 +451,8 @@ impl File<'_> {
         })
     }
 
-    /// Adds the vertices of attributes and what morphs them; tells of each if what places it mirrors.
+    /// Adds the vertices of attributes and morph targets; returns for each vertex whether its
+    /// transform mirrors it.
     fn vertices(
         &self,
         source: &VertexSource,
@@ -448,9 +461,9 @@ impl File<'_> {
         to: &mut Vec<MeshVertex>,
     ) -> Result<Vec<bool>, String> {
         let (targets, uv_name) = (source.targets, format!("TEXCOORD_{}", source.uv_set));
-        // Without weights, morph targets weigh nothing.
+        // Without weights, morph targets have weight 0.
         if !weights.is_empty() && weights.len() != targets.len() {
-            return Err(format!("{} morph targets and {} weights", targets.len(), weights.len()));
+            return Err(format!("{} morph targets but {} weights", targets.len(), weights.len()));
         }
         let attribute = |what: &str, name: &str, components: usize| {
             let Some(accessor) = source.attributes.get(name) else { return Ok(None) };
@@ -483,10 +496,10 @@ impl File<'_> {
         let material = source.transformed_by.map(|i| &self.document.materials[i]);
         let texture = material.and_then(Material::texture);
         let transform = texture.and_then(|texture| texture.extensions.transform.as_ref());
-        // Each node that shows a mesh has vertices of its own.
+        // Each node that shows a mesh has its own copy of the vertices.
         if to.len() + vertices > 3 * MAX_TRIANGLES {
             return Err(format!(
-                "more than {} vertices, the most that a mesh may have: simplify it, or show it fewer times",
+                "more than {} vertices, the most that a mesh may have: simplify it, or use it in fewer nodes",
                 3 * MAX_TRIANGLES
             ));
         }
@@ -501,7 +514,7 @@ impl File<'_> {
             };
             let DMat3 { x_axis: x, y_axis: y, z_axis: z } = DMat3::from_mat4(to_world);
             mirrored.push(x.dot(y.cross(z)) < 0.0);
-            // The inverse transpose, up to a positive factor, which a matrix that makes things flat has, too.
+            // The inverse transpose up to a positive factor; it also exists for a singular matrix.
             let side = if mirrored[i] { -1.0 } else { 1.0 };
             let normal_matrix = side * DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y));
             let given = DVec3::from_slice(&points[3 * i..]);
@@ -530,7 +543,7 @@ impl File<'_> {
         Ok(mirrored)
     }
 
-    /// Sets of four joints a vertex, and what each of the four weighs.
+    /// Sets of four joints per vertex, and their weights.
     fn bones(&self, attributes: &Attributes, vertices: usize) -> Result<Vec<Bones>, String> {
         let mut sets = Vec::new();
         while let Some(joints) = attributes.get(&format!("JOINTS_{}", sets.len())) {
@@ -546,7 +559,7 @@ impl File<'_> {
             sets.push(bones);
         }
         if sets.is_empty() {
-            return Err("has no joints (JOINTS_0), and its node has a skin".to_owned());
+            return Err("has no joints (JOINTS_0), but its node has a skin".to_owned());
         }
         Ok(sets)
     }
@@ -558,7 +571,7 @@ struct Bones {
     weights: Vec<f64>,
 }
 
-/// The mean of the matrices of a vertex's joints.
+/// The weighted mean of the matrices of a vertex's joints.
 fn blended(joints: &[DMat4], bones: &[Bones], vertex: usize) -> Result<DMat4, String> {
     let (mut sum, mut total) = (DMat4::ZERO, 0.0);
     for set in bones {
@@ -566,17 +579,23 @@ fn blended(joints: &[DMat4], bones: &[Bones], vertex: usize) -> Result<DMat4, St
         for (joint, weight) in set.joints[four.clone()].iter().zip(&set.weights[four]) {
             let matrix = get(joints, "joint", *joint)?;
             if !(0.0..=f64::MAX).contains(weight) {
-                return Err(format!("has a joint of weight {weight}"));
+                return Err(format!(
+                    "has a joint with weight {weight}: legal are finite weights of 0 or more"
+                ));
             }
             sum += *weight * *matrix;
             total += weight;
         }
     }
-    if total > 0.0 { Ok(sum * total.recip()) } else { Err("has no joint of any weight".to_owned()) }
+    if total > 0.0 {
+        Ok(sum * total.recip())
+    } else {
+        Err("has no joint with a weight above 0".to_owned())
+    }
 }
 
 impl Primitive {
-    /// How its corners make triangles; `None` for points (0) and lines (1 to 3).
+    /// The topology of its corners; `None` for points (0) and lines (1 to 3).
     fn topology(&self) -> Result<Option<Topology>, String> {
         Ok(match self.mode {
             Some(0..=3) => None,
@@ -585,7 +604,7 @@ impl Primitive {
             Some(6) => Some(Topology::Fan),
             Some(mode) => {
                 return Err(format!(
-                    "its mode is {mode}: legal are 0 to 6, of which lists (4), strips (5) and fans (6) of triangles are read"
+                    "its mode is {mode}: legal are 0 to 6, of which lists (4), strips (5) and fans (6) of triangles are supported"
                 ));
             }
         })
@@ -593,7 +612,7 @@ impl Primitive {
 }
 
 impl Material {
-    /// The texture that says which texture coordinates a surface has.
+    /// The texture whose texture coordinates the surface uses.
     fn texture(&self) -> Option<&TextureInfo> {
         let color = &self.pbr_metallic_roughness.base_color_texture;
         let given = [
@@ -610,7 +629,8 @@ impl Material {
 fn transform(node: &Node) -> Result<DMat4, String> {
     if let Some(matrix) = node.matrix {
         if node.translation.is_some() || node.rotation.is_some() || node.scale.is_some() {
-            let problem = "has a `matrix` and beside it `translation`, `rotation` or `scale`: a node has either";
+            let problem =
+                "has both a `matrix` and `translation`, `rotation` or `scale`: remove one of them";
             return Err(problem.to_owned());
         }
         let matrix = DMat4::from_cols_array(&matrix);
@@ -664,7 +684,7 @@ mod tests {
         ] {
             let why = read(&uris, max_bytes).unwrap_err();
             let expected = format!(
-                "x.gltf: its buffers have more than {max_bytes} bytes together, the most that is read: simplify it"
+                "x.gltf: its buffers have more than {max_bytes} bytes together, the most that is supported: simplify it"
             );
             assert!(why.ends_with(&expected), "{why}");
         }

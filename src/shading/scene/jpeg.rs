@@ -1,32 +1,33 @@
-//! Whether a JPEG file is whole.
+//! Checks whether a JPEG file is complete.
 //!
-//! Decoders forgive: where data end early or make no sense they go on with grey, as viewers want it. The picture is
-//! then another one without a word. This walks through the Huffman codes of every scan (ITU-T T.81, annexes F and G),
-//! keeps nothing but which coefficients aren't 0, and asks that each scan has just as many blocks as the header says.
+//! Decoders are lenient: where data end early or are invalid they continue with grey, as viewers
+//! want. The result is then silently a different picture. This check walks through the Huffman
+//! codes of every scan (ITU-T T.81, annexes F and G). It keeps only which coefficients are nonzero,
+//! and requires each scan to have exactly as many blocks as the header says.
 
-/// Most scans of a file; encoders make about 10.
+/// The most scans of a file; encoders write about 10.
 const MAX_SCANS: usize = 100;
 
-/// A table of codes (annex C): those of each length follow on each other.
+/// A table of codes (annex C): the codes of each length are consecutive.
 #[derive(Clone, Default)]
 struct Huffman {
     /// Number of codes of 1 to 16 bits.
     counts: [u8; 16],
-    /// What they stand for, by length.
+    /// The symbols that they stand for, by length.
     symbols: Vec<u8>,
 }
 
 /// A component of the frame.
 struct Component {
     id: u8,
-    /// Samples across and down in a unit of the frame.
+    /// Samples across and down in one unit of the frame.
     sampling: [usize; 2],
-    /// Blocks across and down, of itself alone and in whole units.
+    /// Blocks across and down: of the component alone, and rounded up to whole units.
     alone: [usize; 2],
     padded: [usize; 2],
-    /// By block, which coefficients aren't 0; of progressive frames.
+    /// Which coefficients of each block are nonzero; only for progressive frames.
     nonzero: Vec<u64>,
-    /// True once a scan has had it.
+    /// True once a scan contained it.
     seen: bool,
 }
 
@@ -43,11 +44,11 @@ struct Scan {
     band: [usize; 2],
     /// True if it adds a bit to what earlier scans coded.
     refines: bool,
-    /// Components by index, with their tables of DC and AC.
+    /// Components by index, with their DC and AC tables.
     parts: Vec<(usize, Huffman, Huffman)>,
 }
 
-/// A file that is walked through.
+/// The state of the walk through a file.
 struct Walk<'a> {
     bytes: &'a [u8],
     at: usize,
@@ -62,7 +63,7 @@ struct Walk<'a> {
 /// Checks the bytes of a file.
 ///
 /// # Errors
-/// If they end too early or hold what no encoder writes: which byte, and what is wrong with it.
+/// If the data end too early or are invalid; the message names the byte and the problem.
 pub(super) fn check(bytes: &[u8]) -> Result<(), String> {
     let (dc, ac) = Default::default();
     let mut walk = Walk { bytes, at: 0, dc, ac, interval: 0, frame: None, scans: 0 };
@@ -79,7 +80,7 @@ impl<'a> Walk<'a> {
     fn file(&mut self) -> Result<(), String> {
         loop {
             match self.marker()? {
-                // Start of image, restarts without a scan, and a marker without a meaning.
+                // Start of image, restarts outside a scan, and TEM, which has no payload.
                 0xd8 | 0xd0..=0xd7 | 0x01 => {}
                 0xd9 => return self.end(),
                 marker => {
@@ -90,7 +91,8 @@ impl<'a> Walk<'a> {
                             return Err("a second frame".to_owned());
                         }
                         0xc0..=0xc2 => self.frame = Some(frame(segment, marker == 0xc2)?),
-                        // Lossless and arithmetic: the decoder says that it doesn't know them.
+                        // Lossless and arithmetic coding: the decoder reports that it doesn't
+                        // support them.
                         0xc3 | 0xc5..=0xc7 | 0xc9..=0xcb | 0xcd..=0xcf => return Ok(()),
                         0xdd => {
                             let interval = segment.first_chunk().ok_or("a short segment")?;
@@ -104,7 +106,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// At the end of the image every component has had a scan.
+    /// Checks that every component had a scan when the image ends.
     fn end(&self) -> Result<(), String> {
         let frame = self.frame.as_ref().ok_or("there is no frame")?;
         match frame.components.iter().find(|component| !component.seen) {
@@ -119,7 +121,8 @@ impl<'a> Walk<'a> {
         byte.ok_or_else(|| "the file ends within the picture".to_owned())
     }
 
-    /// The next marker, which any number of 0xff may go before. What else is between segments no decoder reads.
+    /// The next marker, which any number of 0xff may precede. Decoders ignore all other bytes
+    /// between segments.
     fn marker(&mut self) -> Result<u8, String> {
         loop {
             while self.byte()? != 0xff {}
@@ -133,7 +136,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// The bytes of a segment, whose length stands before them and counts itself.
+    /// The bytes of a segment. Its length precedes them and includes itself.
     fn segment(&mut self) -> Result<&'a [u8], String> {
         let len = usize::from(u16::from_be_bytes([self.byte()?, self.byte()?]));
         let rest = self.bytes.get(self.at..).unwrap_or_default();
@@ -186,7 +189,7 @@ impl<'a> Walk<'a> {
         } else {
             ([0, 63], false)
         };
-        // Beyond the first coefficient a progressive scan has one component (G.1.1.1).
+        // Beyond the first coefficient a progressive scan has a single component (G.1.1.1).
         let mixed = frame.progressive && (band[0] == 0) != (band[1] == 0);
         if band[0] > band[1] || band[1] > 63 || mixed || (band[0] > 0 && *count != 1) {
             return Err(wrong());
@@ -233,10 +236,10 @@ fn frame(segment: &[u8], progressive: bool) -> Result<Frame, String> {
     Ok(Frame { progressive, units, components })
 }
 
-/// The units of a scan, one after the other.
+/// The units of a scan, in order.
 struct Units<'a> {
     bits: Bits<'a>,
-    /// Blocks that follow without any more coefficients (G.1.2.2).
+    /// Blocks that follow without further coefficients (G.1.2.2).
     end_run: usize,
 }
 
@@ -275,11 +278,11 @@ impl Units<'_> {
         self.bits.finish().map_err(|problem| format!("{problem} after {count} units"))
     }
 
-    /// The difference of a block's first coefficient from the block before (F.1.2.1).
+    /// Skips the difference of a block's first coefficient to the previous block (F.1.2.1).
     fn constant(&mut self, dc: &Huffman) -> Result<(), String> {
         let size = self.bits.code(dc)?;
         if size > 15 {
-            return Err(format!("code {size:#04x} has no meaning"));
+            return Err(format!("code {size:#04x} is invalid"));
         }
         self.bits.take(size).map(|_| ())
     }
@@ -294,7 +297,7 @@ impl Units<'_> {
             match (run, size) {
                 (0, 0) => break,
                 (15, 0) => k += 16,
-                (_, 0) => return Err(format!("code {symbol:#04x} has no meaning")),
+                (_, 0) => return Err(format!("code {symbol:#04x} is invalid")),
                 _ => {
                     k += run;
                     if k > 63 {
@@ -328,7 +331,8 @@ impl Units<'_> {
                 break;
             }
             self.bits.take(size)?;
-            // Over as many zeros, with a bit for each that isn't one where the scan refines.
+            // Skip as many zeros as `run` says; where the scan refines, each nonzero coefficient
+            // passed has a bit.
             while k <= last {
                 if scan.refines && *nonzero >> k & 1 == 1 {
                     self.bits.take(1)?;
@@ -360,11 +364,11 @@ impl Units<'_> {
     }
 }
 
-/// Bits of the data of a scan, up to the next marker.
+/// The bits of a scan's data, up to the next marker.
 struct Bits<'a> {
     bytes: &'a [u8],
     at: usize,
-    /// The byte in hand, and how many of its bits are left.
+    /// The current byte, and how many of its bits are left.
     byte: u8,
     left: u32,
 }
@@ -376,7 +380,7 @@ impl<'a> Bits<'a> {
 
     fn bit(&mut self) -> Result<u8, String> {
         if self.left == 0 {
-            // A byte of 0xff has a 0 behind it, which says that it is no marker.
+            // A byte of 0xff is followed by a 0, which says that it isn't a marker.
             self.byte = match self.bytes.get(self.at..) {
                 Some([0xff, 0, ..]) => {
                     self.at += 2;
@@ -394,12 +398,12 @@ impl<'a> Bits<'a> {
         Ok(self.byte >> self.left & 1)
     }
 
-    /// So many bits, 16 at most.
+    /// Reads `count` bits, 16 at most.
     fn take(&mut self, count: u8) -> Result<usize, String> {
         (0..count).try_fold(0, |bits, _| Ok(bits << 1 | usize::from(self.bit()?)))
     }
 
-    /// What the next code stands for (F.2.2.3).
+    /// The symbol of the next code (F.2.2.3).
     fn code(&mut self, table: &Huffman) -> Result<u8, String> {
         let (mut code, mut first, mut index) = (0, 0, 0);
         for count in table.counts.map(usize::from) {
@@ -414,7 +418,7 @@ impl<'a> Bits<'a> {
         Err("no code fits".to_owned())
     }
 
-    /// Goes on behind the marker of a restart.
+    /// Continues behind the marker of restart number `expected`.
     fn restart(&mut self, expected: usize) -> Result<(), String> {
         self.finish()?;
         while let Some([0xff, 0xff, ..]) = self.bytes.get(self.at..) {
@@ -429,8 +433,9 @@ impl<'a> Bits<'a> {
         }
     }
 
-    /// Drops the bits that fill up the last byte, and bytes of 0, to which some files are filled up; behind them is a
-    /// marker. Decoders pass over any bytes, but those that code something more are a sign of damage.
+    /// Drops the padding bits of the last byte, and the zero bytes with which some files are
+    /// padded; a marker must follow. Decoders skip any bytes, but bytes that code something more
+    /// are a sign of damage.
     fn finish(&mut self) -> Result<(), String> {
         self.left = 0;
         while self.bytes.get(self.at) == Some(&0) {
@@ -450,7 +455,7 @@ mod tests {
     use image::codecs::jpeg::JpegEncoder;
     use image::{ExtendedColorType, RgbImage};
 
-    /// 40 x 24 pixels by another encoder: progressive, of components at half the size, with restarts.
+    /// 40 x 24 pixels from another encoder: progressive, with subsampled components and restarts.
     const PROGRESSIVE: &str = "\
         ffd8ffe000104a46494600010100000100010000ffdb004300140e0f120f0d14121012171514181e32211e1c1c1e3d2c2e24\
         3249404c4b47404645505a736250556d5645466488656d777b8182814e608d978c7d96737e817cffdb0043011517171e1a1e\
@@ -505,11 +510,12 @@ mod tests {
                 let why = check(&picture[..len]).unwrap_err();
                 assert!(why.starts_with("is cut off or damaged at byte "), "{why}");
             }
-            // As tools mend it that only put an end there: a picture of fewer scans is whole, but no part of a scan.
+            // Like tools that repair a file by only appending an end marker: a picture with fewer
+            // scans is complete, but no part of a scan is.
             let mended = |len: &usize| check(&[&picture[..*len], b"\xff\xd9"].concat()).is_ok();
             let whole: Vec<usize> = (0..picture.len() - 2).filter(mended).collect();
             assert_eq!(whole.is_empty(), !progressive);
-            // Right before the next segment, or in its 0xff, of which any number may be there.
+            // Right before the next segment, or in its leading 0xff bytes.
             let segment =
                 |at: usize| [[0xff, 0xc4], [0xff, 0xda]].contains(&[picture[at], picture[at + 1]]);
             for len in whole {
@@ -518,7 +524,7 @@ mod tests {
         }
     }
 
-    /// Bytes that no decoder reads change no picture.
+    /// Bytes that no decoder reads don't change the picture.
     #[test]
     fn what_is_between_segments_may_be() {
         for picture in pictures() {
@@ -533,7 +539,7 @@ mod tests {
         }
     }
 
-    /// Damage that changes the number of blocks or makes no code is found; nothing panics.
+    /// Damage that changes the number of blocks or yields an invalid code is found; nothing panics.
     #[test]
     fn damage_inside_is_found() {
         for picture in pictures() {
@@ -545,7 +551,7 @@ mod tests {
                 damaged[bit / 8] ^= 1 << (bit % 8);
                 found += usize::from(check(&damaged).is_err() && bit >= 8 * start);
             }
-            // Many codes become others of the same length, and many bits are values.
+            // Many codes turn into others of the same length, and many bits are values.
             assert!(4 * found > all, "{found} of {all}");
             for (from, len) in [(start + 20, 40), ((start + picture.len()) / 2, 20)] {
                 let cut = [&picture[..from], &picture[from + len..]].concat();

@@ -1,20 +1,20 @@
-//! What every surface keeps to, wherever it comes from.
+//! Limits that every surface obeys, whatever its source.
 
 use crate::base::error::Result;
 use glam::DVec3;
 
-/// Coordinates, lengths and angles stay within this, so that their squares stay far from infinity.
+/// Coordinates, lengths and angles stay within this, so that their squares don't overflow.
 pub(super) const FAR: f64 = 1e6;
 
-/// A number for a message, however large.
+/// Formats a number for a message, however large.
 pub(super) fn shown(value: f64) -> String {
     if value.abs() < 1e9 { value.to_string() } else { format!("{value:e}") }
 }
 
-/// Most triangles of a mesh, and of all objects of a scene together.
+/// The most triangles of a mesh, and of all objects of a scene together.
 pub(super) const MAX_TRIANGLES: usize = 1_000_000;
 
-/// What is wrong with the coordinates of a vertex.
+/// Checks the coordinates of a vertex.
 pub(super) fn check_coordinates(what: &str, values: &[f64]) -> Result<(), String> {
     match values.iter().find(|value| !(-FAR..=FAR).contains(*value)) {
         Some(value) => {
@@ -25,7 +25,8 @@ pub(super) fn check_coordinates(what: &str, values: &[f64]) -> Result<(), String
     }
 }
 
-/// A normal; `None` for one of next to no length, which stands for none: longer ones keep their direction in all arithmetic.
+/// A normal; `None` if its length is negligible, which counts as no normal. Longer normals keep
+/// their direction in all arithmetic.
 pub(super) fn checked_normal(what: &str, normal: DVec3) -> Result<Option<DVec3>, String> {
     check_coordinates(what, &normal.to_array())?;
     Ok((normal.length_squared() >= 1e-24).then_some(normal))

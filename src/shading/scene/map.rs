@@ -1,4 +1,4 @@
-//! Maps over surfaces: colours and heights, from image files or made up.
+//! Maps over surfaces: colours and heights, from image files or generated.
 
 use super::jpeg;
 use super::procedural::Samples;
@@ -13,12 +13,13 @@ use std::path::Path;
 
 /// Largest side of a map, in texels.
 pub(super) const MAX_SIDE: u32 = 8192;
-/// Most texels of a map.
+/// The most texels of a map.
 const MAX_TEXELS: u64 = 1 << 25;
-/// Most texels of a map whose bump vectors are stored (96 MiB): pixels and lights ask for each often.
+/// The most texels of a map whose bump vectors are stored (96 MiB): each is read often, by pixels
+/// and lights.
 const MAX_VECTORS: usize = 1 << 22;
-/// How far the channels of a grey picture may be apart, of 65535: JPEG keeps colour coarsely, and means of a
-/// conversion aren't exact.
+/// The largest difference between the channels of a grey picture, of 65535: JPEG stores colour
+/// coarsely, and conversions average inexactly.
 const GREY: u16 = 16 * 257;
 /// Largest file that a scene may name, in bytes.
 pub(super) const MAX_BYTES: u64 = 1 << 28;
@@ -30,13 +31,13 @@ pub struct Texture {
     texels: Vec<[f32; 3]>,
 }
 
-/// Bump vectors over a surface, made from heights.
+/// Bump vectors over a surface, computed from heights.
 #[derive(Clone, Debug)]
 pub struct Bumps {
     size: Size,
     heights: Vec<f64>,
     scale: f64,
-    /// By texel index; none of a map above [`MAX_VECTORS`].
+    /// By texel index; empty for a map above [`MAX_VECTORS`].
     vectors: Vec<DVec3>,
     flat: bool,
 }
@@ -66,7 +67,7 @@ impl Size {
 }
 
 impl Texture {
-    /// One colour, linear.
+    /// A single linear colour.
     #[must_use]
     pub(super) fn constant(color: [f64; 3], width: u32, height: u32) -> Self {
         let size = Size { width, height };
@@ -81,7 +82,7 @@ impl Texture {
 
     pub(super) fn open(path: &Path) -> Result<Self> {
         let (size, image) = open_image(path)?;
-        // Of 8-bit files this keeps k/255 as 257 k/65535, which is the same number.
+        // For 8-bit files k/255 becomes 257 k/65535, which is the same number.
         let linear: Vec<f32> = (0..=u16::MAX)
             .map(|code| cast::f32_of(from_srgb(f64::from(code) / f64::from(u16::MAX))))
             .collect();
@@ -96,7 +97,7 @@ impl Texture {
         (self.size.width, self.size.height)
     }
 
-    /// True if it has one colour.
+    /// True if it has only one colour.
     pub(super) fn is_even(&self) -> bool {
         self.texels.iter().all(|texel| *texel == self.texels[0])
     }
@@ -126,7 +127,7 @@ impl Bumps {
         Self::new(size, samples.texels.iter().map(|sample| sample.height).collect(), scale)
     }
 
-    /// Grey values of a file as they are; of almost grey colours, 0.2126 R + 0.7152 G + 0.0722 B.
+    /// Grey values of a file as stored; for nearly grey colours, 0.2126 R + 0.7152 G + 0.0722 B.
     pub(super) fn open(path: &Path, scale: f64) -> Result<Self> {
         let (size, image) = open_image(path)?;
         let heights = if image.color().has_color() {
@@ -156,7 +157,7 @@ impl Bumps {
     }
 
     /// Number of texels.
-    #[expect(clippy::len_without_is_empty, reason = "a map has a texel")]
+    #[expect(clippy::len_without_is_empty, reason = "a map has at least one texel")]
     #[must_use]
     pub fn len(&self) -> u32 {
         self.size.width * self.size.height
@@ -180,8 +181,9 @@ impl Bumps {
         self.scale
     }
 
-    /// The bump vector of a texel by index: a unit vector along (T, B, N). Maps of up to 2^22 texels
-    /// have converted each once; of a larger one it costs a few additions and a square root.
+    /// The bump vector of a texel by index: a unit vector along (T, B, N). Maps of up to 2^22
+    /// texels store all their vectors; for a larger map each call costs a few additions and a
+    /// square root.
     ///
     /// # Panics
     /// If there is no such texel.
@@ -214,22 +216,22 @@ impl Bumps {
     }
 }
 
-/// The whole of a file that a scene names.
+/// The contents of a file that a scene names.
 pub(super) fn read_file(path: &Path) -> Result<Vec<u8>> {
     input::read(input::open_regular(path)?, path, MAX_BYTES)
 }
 
-/// The whole of a file; `None` if it has more bytes than these.
+/// The contents of a file; `None` if it has more than `max_bytes` bytes.
 pub(super) fn read_up_to(path: &Path, max_bytes: u64) -> Result<Option<Vec<u8>>> {
     input::read_up_to(input::open_regular(path)?, path, max_bytes)
 }
 
-/// The part of 1 that a channel's code stands for.
+/// The fraction of 1 that a channel's code stands for.
 fn unit(code: u16) -> f64 {
     f64::from(code) / f64::from(u16::MAX)
 }
 
-/// Refuses colours, which say nothing of heights.
+/// Rejects colours, which don't encode heights.
 fn check_grey(image: &ImageBuffer<Rgb<u16>, Vec<u16>>) -> Result<(), String> {
     let spread = |[r, g, b]: [u16; 3]| r.max(g).max(b) - r.min(g).min(b);
     let most = image.enumerate_pixels().max_by_key(|(.., pixel)| spread(pixel.0));
@@ -237,7 +239,7 @@ fn check_grey(image: &ImageBuffer<Rgb<u16>, Vec<u16>>) -> Result<(), String> {
         return Ok(());
     };
     let texel = format!("texel ({x}, {y}) is {:?} of 255", colour.0.map(|code| code / 257));
-    // Of a normal map, almost all texels are unit vectors that point upwards.
+    // In a normal map, almost all texels are unit vectors that point upwards.
     let is_normal = |pixel: &&Rgb<u16>| {
         let normal = DVec3::from_array(pixel.0.map(|code| 2.0 * unit(code) - 1.0));
         (0.9..1.1).contains(&normal.length()) && normal.z > 0.0
@@ -245,17 +247,17 @@ fn check_grey(image: &ImageBuffer<Rgb<u16>, Vec<u16>>) -> Result<(), String> {
     let normals = image.pixels().filter(is_normal).count();
     Err(if 10 * normals > 9 * image.pixels().len() {
         format!(
-            "is a tangent-space normal map ({texel}), and [height] takes heights: give the height or displacement map from which it was baked"
+            "is a tangent-space normal map ({texel}), but [height] needs heights: give the height or displacement map from which it was baked"
         )
     } else {
         format!(
-            "has colours ({texel}), and [height] takes heights as grey values, whose channels differ by up to {}: give a height map, or save it as greyscale if bright means high",
+            "has colours ({texel}), but [height] needs heights: grey values whose channels differ by at most {}. Give a height map, or save it as greyscale if bright means high",
             GREY / 257
         )
     })
 }
 
-/// Decodes an image, after a look at what its header says, and turns it as its EXIF data ask.
+/// Decodes an image after checking the size in its header, and applies its EXIF orientation.
 fn open_image(path: &Path) -> Result<(Size, DynamicImage)> {
     let bytes = read_file(path)?;
     let fail = |why: image::ImageError| {
@@ -279,7 +281,7 @@ fn open_image(path: &Path) -> Result<(Size, DynamicImage)> {
     Ok((Size { width: image.width(), height: image.height() }, image))
 }
 
-/// Width and height in the header of a PNG file, which the decoder tells only where data follow.
+/// Width and height in the header of a PNG file. The decoder reports them only if data follow.
 fn png_size(bytes: &[u8]) -> Option<(u32, u32)> {
     let header = bytes.strip_prefix(b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR")?;
     let (width, rest) = header.split_first_chunk()?;
@@ -287,12 +289,12 @@ fn png_size(bytes: &[u8]) -> Option<(u32, u32)> {
     Some((u32::from_be_bytes(*width), u32::from_be_bytes(*height)))
 }
 
-/// What is wrong with the size of a map.
+/// Checks the size of a map.
 pub(super) fn check_size(width: u32, height: u32) -> Result<(), String> {
     let texels = u64::from(width) * u64::from(height);
     if width.max(height) > MAX_SIDE || texels > MAX_TEXELS || texels == 0 {
         return Err(format!(
-            "a map of {width} x {height} texels: legal are sides of 1 to {MAX_SIDE} and at most {MAX_TEXELS} texels; scale it down"
+            "the map has {width} x {height} texels: legal are sides of 1 to {MAX_SIDE} and at most {MAX_TEXELS} texels; scale it down"
         ));
     }
     Ok(())
@@ -314,7 +316,7 @@ mod tests {
             (0.0, 0.25, 4),
             (1.0, 0.25, 4),   // wraps to the left
             (-0.01, 0.25, 7), // and to the right
-            (0.0, 0.0, 0),    // the lower edge is the upper one
+            (0.0, 0.0, 0),    // the lower edge wraps to the upper one
             (0.0, 1.2, 4),
             (1e300, -1e300, 3), // no panic; texel of the largest integer
         ] {
@@ -329,7 +331,7 @@ mod tests {
 
     #[test]
     fn slopes_are_in_texels() {
-        // A ramp that falls by 1/4 per texel to the right and rises by 1/4 per row downwards.
+        // A ramp that falls by 1/8 per texel to the right and rises by 1/8 per row downwards.
         let heights: Vec<f64> =
             (0..16).map(|i| 0.125 * f64::from(i / 4) - 0.125 * f64::from(i % 4) + 0.5).collect();
         let bumps = Bumps::new(Size { width: 4, height: 4 }, heights, 2.0);

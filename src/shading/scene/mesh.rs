@@ -1,4 +1,4 @@
-//! Meshes from files by their extension, one that is made up, and what holds for all of them.
+//! Meshes from files, by extension, and a generated mesh.
 
 use super::assembly::{Mesh, MeshVertex, Topology};
 use super::{gltf, map, obj};
@@ -10,11 +10,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Strips of a made-up mesh, and squares of each.
+/// Strips of the generated mesh, and squares in each.
 const SHELL_SQUARES: u32 = 48;
 
-/// A dome over the square [-1, 1]² whose halves left and right of x = 0 share a texture: u = |x|, v = 2 (y + 1), and
-/// z = 0.6 (1 - x²) (1 - y²). Rows of one strip each; the vertices of x = 0 belong to both halves.
+/// A dome over the square [-1, 1]² whose halves left and right of x = 0 share a texture: u = |x|, v
+/// = 2 (y + 1), and z = 0.6 (1 - x²) (1 - y²). Each row is one strip; the vertices at x = 0 belong
+/// to both halves.
 pub(super) fn shell() -> Mesh {
     let mut mesh = Mesh::default();
     let along = |i: u32| 2.0 * f64::from(i) / f64::from(SHELL_SQUARES) - 1.0; // exact at 0 and ±1
@@ -33,7 +34,8 @@ pub(super) fn shell() -> Mesh {
     for j in 0..SHELL_SQUARES {
         let (lower, upper) = (|i| id(i, j), |i| id(i, j + 1));
         let half = SHELL_SQUARES / 2;
-        // A corner that comes twice turns the strip over: its squares are cut as in a mirror, left and right.
+        // A repeated corner flips the strip: the right half's squares are cut as mirror images of
+        // the left's.
         let mut strip = vec![lower(0)];
         strip.extend((0..=half).flat_map(|i| [lower(i), upper(i)]));
         strip.push(lower(half));
@@ -44,7 +46,7 @@ pub(super) fn shell() -> Mesh {
     mesh
 }
 
-/// Meshes by their files, each of which is read once, however many objects it is.
+/// Meshes by file. Each file is read once, however many objects use it.
 #[derive(Default)]
 pub(super) struct Files(HashMap<PathBuf, Arc<Mesh>>);
 
@@ -67,7 +69,7 @@ fn read(path: &Path) -> Result<Mesh> {
         "obj" => obj::read(&map::read_file(path)?, path)?,
         "gltf" | "glb" => gltf::read(&map::read_file(path)?, path)?,
         _ => {
-            let problem = "a mesh is an .obj, .gltf or .glb file, by its extension".to_owned();
+            let problem = "isn't a mesh: legal extensions are .obj, .gltf and .glb".to_owned();
             return Err(Error::file(path, problem));
         }
     };

@@ -1,8 +1,8 @@
 //! Scenes: objects, lights, textures and a camera from a TOML file, and the pixels that they cover.
 //!
-//! [`Scene::open`] reads a file, [`Scene::builtin`] one of the scenes that come with the program
-//! (their TOML text in `src/shading/scene/builtin/` shows the format), and [`Scene::trace`] gives, row
-//! by row, what each covered pixel sees:
+//! [`Scene::open`] reads a file. [`Scene::builtin`] returns one of the scenes built into the
+//! program; their TOML text in `src/shading/scene/builtin/` shows the format. [`Scene::trace`]
+//! computes, row by row, what each covered pixel sees:
 //!
 //! ```
 //! use fixpath::scene::{Fragments, Scene};
@@ -16,93 +16,107 @@
 //! # Ok::<(), fixpath::error::Error>(())
 //! ```
 //!
-//! What follows is all that it takes to do the same elsewhere.
+//! The rest of this text specifies a scene completely, so that another renderer can reproduce it.
 //!
 //! # Space
-//! The world is right-handed and z is up. A point of an object goes to
-//! `translate + Rz Ry Rx (scale * point)`: scaled along its own axes, then turned about x, then
-//! y, then z, counter-clockwise seen from the tip of the axis. Normals go by the inverse transpose.
+//! The world is right-handed and z is up. A point of an object maps to
+//! `translate + Rz Ry Rx (scale * point)`: it is scaled along the object's own axes, then rotated
+//! about x, then y, then z, counter-clockwise seen from the tip of the axis. Normals are
+//! transformed by the inverse transpose.
 //!
 //! - *plane*: the square [-1, 1]^2 in z = 0, facing +z; u = (x+1)/2, v = (y+1)/2.
 //! - *cube*: [-1, 1]^3. Faces 0 to 5 are +x, -x, +y, -y, +z, -z; u runs from 0 to 1 along T and v
 //!   along B, which are (+y, +z), (-y, +z), (-x, +z), (+x, +z), (+x, +y), (+x, -y).
-//! - *sphere*: of radius 1 about the origin, poles on z; with az the azimuth from +x towards +y
-//!   and θ the angle from +z, u = az/turn in [0, 1) and v = 1 - θ/(half a turn). It is no mesh:
-//!   rays meet it exactly and normals are exact. On the pole itself az is 0.
-//! - *mesh*: triangles of an `.obj`, `.gltf` or `.glb` file, coordinates as in the file (glTF's y is up:
-//!   `rotate_degrees = [90, 0, 0]` stands it upright): lists, strips, fans and polygons.
-//!   A glTF file is read as it is at rest: with its nodes, default weights of morph targets, and skins. Texture
-//!   coordinates are those of the material's colour texture (else its normal map's), by KHR_texture_transform. Nodes
-//!   that mirror turn triangles over, as `scale` does.
-//!   Triangles count from 0 in the file's order, without those that have no area, which are left out.
-//!   Where it has no normals, they are means of those of the triangles around a point, weighted by their angles there,
-//!   up to edges sharper than `crease_degrees`; if that isn't given, 60 for `.obj`, and 0 for glTF, whose specification asks
-//!   for flat normals: each triangle has its own. Both are in the file's own space, before `scale`. A triangle's own side
-//!   is that of the normals that it has, else that from which its corners turn counter-clockwise.
-//!   Texture coordinates are needed only where `[texture]` or `[height]` differ from place to place, and
-//!   for a tangent-space set-up.
-//!   With `source = "shell"` instead of a file it is a dome over [-1, 1]^2 whose halves left and right of x = 0 share a
-//!   texture: u = |x|, v = 2 (y + 1), z = 0.6 (1 - x²) (1 - y²), in 48 x 48 squares, each cut
-//!   in two from its lower corner nearer to x = 0 to its upper one farther from it.
+//! - *sphere*: radius 1 about the origin, poles on z. With az the azimuth from +x towards +y and θ
+//!   the angle from +z, u = az/360° in [0, 1) and v = 1 - θ/180°. The sphere is not tessellated
+//!   here: rays intersect it exactly and normals are exact. At the poles az is 0.
+//! - *mesh*: triangles of an `.obj`, `.gltf` or `.glb` file: lists, strips, fans and polygons.
+//!   Coordinates are those of the file (y is up in glTF; `rotate_degrees = [90, 0, 0]` makes it
+//!   upright). With `source = "shell"` instead of a file, the mesh is a dome over [-1, 1]^2 whose
+//!   halves left and right of x = 0 share a texture: u = |x|, v = 2 (y + 1), z = 0.6 (1 - x²) (1 -
+//!   y²). It has 48 x 48 squares, each cut in two from its lower corner nearer to x = 0 to its
+//!   upper corner farther from it.
+//!
+//! # Meshes from files
+//! - A glTF file is read in its rest pose: with nodes, default morph-target weights and skins.
+//!   Texture coordinates are those of the material's colour texture (otherwise of its normal map),
+//!   transformed by KHR_texture_transform. Nodes that mirror reverse the triangles' winding, as
+//!   `scale` does.
+//! - Triangles are counted from 0 in the file's order, without the degenerate ones (zero area),
+//!   which are left out. A triangle's front is the side of its given normals; without normals, the
+//!   side from which its corners run counter-clockwise.
+//! - Missing normals are means of the normals of the triangles around a point, weighted by their
+//!   angles at that point, up to edges sharper than `crease_degrees`. Its default is 60 for `.obj`,
+//!   and 0 for glTF, whose specification requires flat normals: each triangle has its own. Both are
+//!   computed in the file's own space, before `scale`.
+//! - Texture coordinates are needed only where `[texture]` or `[height]` vary with position, and
+//!   for a tangent-space setup.
 //!
 //! # Texture frames
 //! `T = normalise(dP/du - N (N·dP/du))` and `B = h (N x T)`, with handedness h = +1, or -1 where
-//! the texture is mirrored: h is the sign of the determinant of (u, v) over the face, whose
-//! normal points to the side that the sum of its unit vertex normals is on (where that sum is square to
-//! the face, to the side from which the corners turn counter-clockwise). Each triangle has its own
-//! dP/du; normals of a mesh are interpolated with barycentric weights and made unit again, and a
-//! face whose three normals are equal is flat. Where dP/du lies along N, `T = normalise(h (dP/dv x N))`.
-//! On the sphere, before the object is placed, T = (-sin az, cos az, 0), at its poles too.
-//! A face without area in (u, v) is refused, unless every bump vector is (0, 0, 1), where T says
-//! nothing; then T is along any of its edges, and h = +1.
+//! the texture is mirrored: h is the sign of the determinant of (u, v) over the face. The face
+//! normal points to the side of the sum of its unit vertex normals (where that sum lies in the
+//! plane of the face, to the side from which the corners run counter-clockwise). Each triangle has
+//! its own dP/du. Normals of a mesh are interpolated with barycentric weights and renormalised; a
+//! face whose three normals are equal is flat. Where dP/du is parallel to N,
+//! `T = normalise(h (dP/dv x N))`. On the sphere, before the object is placed, T = (-sin az, cos
+//! az, 0), also at its poles. A face without area in (u, v) is an error, unless every bump vector
+//! is (0, 0, 1) and T doesn't matter; then T is along any of its edges, and h = +1.
 //!
 //! # Maps
-//! u goes right and v goes up, as in OBJ files (glTF's v goes down and is flipped on reading).
-//! The texel of (u, v) is column `floor(u w)` and row `floor((1-v) h)`, both modulo the map's size:
-//! maps repeat, nearest texel, row 0 on top. A texel's index is `row * w + column`.
-//! Texture files hold sRGB and are decoded to linear light ([`from_srgb`]); colours in a scene file are
-//! linear. Whoever writes an image encodes it ([`to_srgb8`](crate::shading::picture::Picture::to_srgb8)).
-//! Heights are 0 to 1: the grey values of a file as they are, not decoded; of channels that differ by no more than
-//! 16/255, 0.2126 R + 0.7152 G + 0.0722 B, and other colours are refused. Transparency is passed over; a picture whose
-//! EXIF data ask for it is turned before anything else. The bump vector of a texel is
-//! `normalise(-s (h[x+1] - h[x-1])/2, -s (h[y-1] - h[y+1])/2, 1)` along (T, B, N), where y counts rows
-//! downwards, neighbours wrap around, and the scale s is the height, in texels, of a difference of 1.
+//! u goes right and v goes up, as in OBJ files (v goes down in glTF and is flipped on reading). The
+//! texel of (u, v) is column `floor(u w)` and row `floor((1-v) h)`, both modulo the map's size:
+//! maps repeat, the nearest texel is used, and row 0 is on top. A texel's index is
+//! `row * w + column`. Texture files are sRGB and are decoded to linear light ([`from_srgb`]);
+//! colours in a scene file are linear. A writer of images must encode them
+//! ([`to_srgb8`](crate::shading::picture::Picture::to_srgb8)). Heights are 0 to 1: the grey values
+//! of a file, without sRGB decoding. If the channels differ by at most 16/255, the height is 0.2126
+//! R + 0.7152 G + 0.0722 B; other colours are an error. Transparency is ignored. EXIF orientation
+//! is applied first. The bump vector of a texel is
+//! `normalise(-s (h[x+1] - h[x-1])/2, -s (h[y-1] - h[y+1])/2, 1)` along (T, B, N), where y counts
+//! rows downwards, neighbours wrap around, and the scale s is the height, in texels, of a
+//! difference of 1.
 //!
 //! # Camera and light
 //! With f the direction from eye to target, right = normalise(f x up) and top = right x f, pixel
-//! (x, y) of a w x h image has a = (2 (x+½)/w - 1) w/h and b = 1 - 2 (y+½)/h; y counts rows downwards.
-//! In perspective its ray leaves the eye along `f + tan(fov/2) (a right + b top)`; orthographic, it leaves
-//! `eye + (height/2) (a right + b top)` along f. The nearest face that is met from in front (by
-//! the face's own normal, not the interpolated one) is seen; faces are closed, with 1e-9 of an edge to spare,
-//! so that there is no crack between them. Nothing casts a shadow, and light doesn't fade with distance.
+//! (x, y) of a w x h image has a = (2 (x+½)/w - 1) w/h and b = 1 - 2 (y+½)/h; y counts rows
+//! downwards. In perspective its ray leaves the eye along `f + tan(fov/2) (a right + b top)`; an
+//! orthographic ray leaves `eye + (height/2) (a right + b top)` along f. The nearest face that the
+//! ray meets from its front (by the face's own normal, not the interpolated one) is visible. Faces
+//! are closed, with a tolerance of 1e-9 of an edge, so that there is no crack between them. There
+//! are no shadows, and light doesn't fade with distance.
 //!
-//! V is the unit vector to the eye (orthographic: -f). L is the unit vector to the light, which for a
-//! directional light is its `direction`; on the very spot of a point light, L = N. H =
-//! normalise(L+V), and H = -N where |L+V| < 1e-12: from right behind there is no highlight.
+//! V is the unit vector to the eye (orthographic: -f). L is the unit vector to the light, which for
+//! a directional light is its `direction`; if the point coincides with a point light, L = N. H =
+//! normalise(L+V), and H = -N where |L+V| < 1e-12: a light exactly behind gives no highlight.
 //!
-//! A material answers with `Ia ka + Σ I kd max(0, N'·L)` times the texture's colour, plus
-//! `Σ I ks (N'·H)^n` over the lights where N'·H > 0 (with n = 0 too: 0^0 is 0 here), whichever side of the
-//! surface a light is on. N' is the bump vector along (T, B, N). The two sums, and then the colour, end at 1.
+//! The shaded colour is `Ia ka + Σ I kd max(0, N'·L)` times the texture's colour, plus
+//! `Σ I ks (N'·H)^n` over the lights where N'·H > 0 (also for n = 0: 0^0 is 0 here), whichever side
+//! of the surface a light is on. N' is the bump vector along (T, B, N). The two sums are clamped to
+//! 1, and so is the colour.
 //!
 //! # Emboss
-//! `[emboss]` says how the same scene is embossed instead, which [`crate::shading::render::emboss`] does; a scene with
-//! the section is so where no pipelines are named. Light is ambient and
-//! diffuse, with N in place of N', computed per vertex of the [`Tessellation`], ended at 1 and interpolated;
-//! times the texture's colour. Texture coordinates in texels, (u w, v h), are displaced per vertex and light by
-//! `strength` times (T·L, B·L), L as above and (0, 0) on the very
-//! spot of a point light, turned round with `light_sign = "vertex-light"`; these too are interpolated. The height at
-//! (x, y) in texels is that of the texel that they are in, or with `filter = "bilinear"` between those
-//! whose centres, at halves, are around; heights are k/255, rounded, of 1 - h where `[height]` has a negative
-//! scale. Beyond the map it repeats or its border goes on, by axis. To each channel comes
-//! `2^gain_log2 Σ (height - displaced height)` over the lights, and it ends at 0 and 1.
+//! `[emboss]` describes how the same scene is embossed instead, which
+//! [`crate::shading::render::emboss`] does. A scene with this section is embossed if no pipelines
+//! are named. Light is ambient and diffuse, with N in place of N', computed per vertex of the
+//! [`Tessellation`], clamped to 1 and interpolated; it is multiplied by the texture's colour.
+//! Texture coordinates in texels, (u w, v h), are displaced per vertex and light by `strength`
+//! times (T·L, B·L), with L as above and (0, 0) where the vertex coincides with a point light. The
+//! displacement is negated with `light_sign = "vertex-light"`; it is interpolated too. The height
+//! at (x, y) in texels is that of the texel that contains it, or with `filter = "bilinear"`
+//! interpolated between the texels whose centres, at half-integers, surround it. Heights are k/255,
+//! rounded, and of 1 - h where `[height]` has a negative scale. Beyond the map, each axis either
+//! repeats it or extends its border. Each channel adds `2^gain_log2 Σ (height - displaced height)`
+//! over the lights, and is clamped to 0 and 1.
 //!
 //! # In texture space
-//! Pipelines of the tangent-space set-up ([`crate::shading::render::tangent`]) light the same triangles, with vertices shared
-//! ([`Scene::assemble`]) and as fine as `tessellation` in `[emboss]` says, in texture space instead.
+//! Pipelines of the tangent-space setup ([`crate::shading::render::tangent`]) light the same
+//! triangles in texture space instead, with shared vertices ([`Scene::assemble`]) and as fine as
+//! `tessellation` in `[emboss]` says.
 //!
 //! # Frames
-//! With `[orbit]` a scene has several pictures: in frame k of n the light is turned about the axis by
-//! `turns k/n`, counter-clockwise seen from the axis's tip.
+//! With `[orbit]` a scene has several pictures: in frame k of n the light is rotated about the axis
+//! by `turns k/n`, counter-clockwise seen from the axis's tip.
 
 mod assembly;
 mod gltf;
@@ -135,7 +149,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use trace::{Placement, Shape, Surfaces};
 
-/// The scenes that come with the program, with their TOML text.
+/// The built-in scenes, with their TOML text.
 pub const BUILTIN: &[(&str, &str)] = &[
     ("plane", include_str!("builtin/plane.toml")),
     ("cube", include_str!("builtin/cube.toml")),
@@ -148,16 +162,16 @@ pub const BUILTIN: &[(&str, &str)] = &[
 ];
 
 /// A scene, checked and ready to be traced. Camera, lights and materials may be changed; shapes and
-/// their places are fixed.
+/// their placement are fixed.
 #[derive(Clone, Debug)]
 pub struct Scene {
-    /// Size and background of its image.
+    /// Size and background of the image.
     pub image: Image,
-    /// Where it is seen from.
+    /// The camera.
     pub camera: Camera,
     /// Its lights, 1 to 8.
     pub lights: Vec<Light>,
-    /// Intensity of the light from everywhere, 0 to 1.
+    /// Intensity of the ambient light, 0 to 1.
     pub ambient: f64,
     /// Colours of its surfaces.
     pub texture: Texture,
@@ -165,12 +179,12 @@ pub struct Scene {
     pub bumps: Bumps,
     /// Material of each object.
     pub materials: Vec<Material>,
-    /// What emboss pipelines ask of it.
+    /// Settings of emboss pipelines.
     pub emboss: Emboss,
     /// The path of a light from frame to frame, if there is more than one picture.
     pub orbit: Option<Orbit>,
     surfaces: Surfaces,
-    /// What the surfaces were made from.
+    /// What the surfaces were built from.
     objects: Arc<[(Shape, Placement)]>,
     /// The first triangle without texture coordinates.
     without_uv: Option<Bare>,
@@ -186,7 +200,7 @@ struct Bare {
 }
 
 impl Bare {
-    /// That it has no texture coordinates, which something needs.
+    /// The error that it has no texture coordinates; `needed` says what for.
     fn error(&self, needed: &str) -> Error {
         let Self { file, line, triangle } = self;
         let problem =
@@ -212,25 +226,25 @@ pub struct Image {
 /// Where a scene is seen from.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Camera {
-    /// How its rays run.
+    /// Its projection.
     pub projection: Projection,
-    /// Where it stands.
+    /// The position of the eye.
     pub eye: DVec3,
-    /// What it looks at; not the eye.
+    /// The point that it looks at; not the eye.
     pub target: DVec3,
-    /// What is upwards in the image; not along the view.
+    /// The direction that is up in the image; not along the view.
     pub up: DVec3,
 }
 
-/// How the rays of a camera run.
+/// The projection of a camera.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Projection {
-    /// From the eye, through an image this many degrees high.
+    /// Perspective: all rays start at the eye.
     Perspective {
         /// Vertical field of view, in degrees.
         fov_degrees: f64,
     },
-    /// Side by side, through an image this high.
+    /// Orthographic: all rays are parallel.
     Orthographic {
         /// Height of the image in the world.
         height: f64,
@@ -249,14 +263,14 @@ pub struct Light {
 /// Where a light is.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Place {
-    /// Far away: the unit vector from every surface towards it.
+    /// Infinitely far: the unit vector from every surface towards it.
     Direction(DVec3),
     /// At a point.
     Position(DVec3),
 }
 
-/// How a surface answers light: `Ia ka + Σ I (kd max(0, N·L) + ks max(0, N·H)^n)`, where the last term
-/// is 0 unless N·H > 0, even for n = 0.
+/// How a surface reflects light: `Ia ka + Σ I (kd max(0, N·L) + ks max(0, N·H)^n)`, where the last
+/// term is 0 unless N·H > 0, even for n = 0.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Material {
     /// ka, 0 to 1.
@@ -269,48 +283,49 @@ pub struct Material {
     pub exponent: u32,
 }
 
-/// How an emboss looks: `[emboss]` of a scene file.
+/// The settings of an emboss: `[emboss]` of a scene file.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Emboss {
-    /// True if the scene has the section: then it is embossed, if no pipelines are named.
+    /// True if the scene has the section: the scene is then embossed if no pipelines are named.
     pub asked: bool,
-    /// The longest displacement, in texels: that of a light along the surface. 0 to 64.
+    /// The largest displacement, in texels: that of a light parallel to the surface. 0 to 64.
     pub strength: f64,
     /// How heights are looked up.
     pub filter: Filter,
-    /// What is beyond the map, along s and along t.
+    /// How the map continues beyond its border, along s and along t.
     pub address: [Address; 2],
-    /// Which way the vector between vertex and light runs.
+    /// The direction of the vector between vertex and light.
     pub light_sign: LightSign,
-    /// Differences of heights count 2^gain_log2 times, -8 to 8.
+    /// Height differences are multiplied by 2^gain_log2, -8 to 8.
     pub gain_log2: i32,
-    /// Parts that the edge of a plane, of a cube's face and half a turn of a sphere have, 1 to 256.
+    /// Segments along the edge of a plane or of a cube's face, and along 180° of a sphere, 1 to
+    /// 256.
     pub tessellation: u32,
 }
 
-/// How a map is looked up.
+/// The filter of a map.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Filter {
-    /// The texel that the coordinate lies in.
+    /// The texel that contains the coordinate.
     Nearest,
-    /// The four texels around, weighted.
+    /// The four texels around it, weighted.
     #[default]
     Bilinear,
 }
 
-/// What is beyond a map.
+/// How a map continues beyond its border.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Address {
-    /// The map again.
+    /// It repeats.
     #[default]
     Wrap,
-    /// Its border.
+    /// Its border texels extend.
     Clamp,
 }
 
-/// Which way L runs; the wrong one turns what looks raised.
+/// The direction of L; the wrong one makes raised shapes look sunken.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum LightSign {
@@ -354,25 +369,25 @@ impl LightSign {
     }
 }
 
-/// A light that turns about an axis from frame to frame: `[orbit]` of a scene file.
+/// A light that rotates about an axis from frame to frame: `[orbit]` of a scene file.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Orbit {
     /// Number of pictures, 1 to 360.
     pub frames: u32,
-    /// The light, counted from 0.
+    /// The light's number, counted from 0.
     pub light: usize,
-    /// A point of the axis, for a light at a point.
+    /// A point on the axis; used for a point light.
     pub center: DVec3,
-    /// The axis, a unit vector; the light turns counter-clockwise seen from its tip.
+    /// The axis, a unit vector; the light rotates counter-clockwise seen from its tip.
     pub axis: DVec3,
-    /// Turns over all frames: frame k has k / frames of them behind it.
+    /// Turns over all frames: frame k is rotated by k / frames of them.
     pub turns: f64,
 }
 
-/// What holds for every pixel of a scene.
+/// Facts that hold for every pixel of a scene.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Facts {
-    /// Some material has a specular part and some light an intensity: H is needed.
+    /// Some material has a specular part and some light has an intensity: H is needed.
     pub specular: bool,
     /// Every bump vector is (0, 0, 1).
     pub flat_bumps: bool,
@@ -384,14 +399,14 @@ impl Scene {
     /// Reads a scene file; the paths in it are relative to its folder.
     ///
     /// # Errors
-    /// If it or a file that it names can't be read, isn't TOML, has a key that scenes don't
-    /// have or a value that isn't legal (which names the line), or a mesh can't be lit.
+    /// If it or a file that it names can't be read, isn't TOML, has an unknown key or an illegal
+    /// value (the error names the line), or a mesh can't be lit.
     pub fn open(path: &Path) -> Result<Self> {
         text::read(&input::text(path, map::MAX_BYTES)?, path)
     }
 
-    /// A scene from TOML text; the paths in it are relative to the folder of `path`, which is
-    /// also its name in messages.
+    /// A scene from TOML text; the paths in it are relative to the folder of `path`, and messages
+    /// name `path`.
     ///
     /// # Errors
     /// As [`Self::open`].
@@ -415,7 +430,7 @@ impl Scene {
         text::read(text, Path::new(name))
     }
 
-    /// What holds for every pixel.
+    /// The facts that hold for every pixel.
     #[must_use]
     pub fn facts(&self) -> Facts {
         let lit = self.lights.iter().any(|light| light.intensity > 0.0);
@@ -426,17 +441,17 @@ impl Scene {
         }
     }
 
-    /// What of its files was left out, passed over or made up, in words.
+    /// What was left out of its files, ignored or generated, in words.
     #[must_use]
     pub fn notes(&self) -> &[String] {
         &self.notes
     }
 
-    /// The same where normals that meshes lack are those of their triangles, and not means of them: for what needs
-    /// none at vertices. `None` if meshes lack none.
+    /// The same scene with each triangle's own normal, instead of a mean, where meshes lack
+    /// normals: for pipelines that need none at vertices. `None` if no mesh lacks normals.
     ///
     /// # Panics
-    /// Never: the surfaces were made before.
+    /// Never: the surfaces were built before.
     #[must_use]
     pub fn faceted(&self) -> Option<Self> {
         let lacks = |(shape, _): &(Shape, Placement)| match shape {
@@ -450,19 +465,22 @@ impl Scene {
         Some(Self { surfaces: surfaces.expect("bug: surfaces made before"), ..self.clone() })
     }
 
-    /// Refuses a scene with triangles without texture coordinates, for what takes T from them.
+    /// Rejects a scene that has triangles without texture coordinates, for users that derive T from
+    /// them.
     pub(crate) fn demand_uv(&self, by: &str) -> Result<()> {
-        let needed = format!("from which {by} takes T: unwrap it, or take a pipeline without");
+        let needed =
+            format!("from which {by} computes T: unwrap the mesh, or use a pipeline without it");
         self.without_uv.as_ref().map_or(Ok(()), |bare| Err(bare.error(&needed)))
     }
 
-    /// Number of pictures: 1, or as many as its orbit has frames.
+    /// Number of pictures: 1, or the number of frames of its orbit.
     #[must_use]
     pub fn frames(&self) -> u32 {
         self.orbit.map_or(1, |orbit| orbit.frames)
     }
 
-    /// The scene where a light that moves stands still, at its start, with a note of that: for what takes one picture.
+    /// The scene with a moving light fixed at its start, and a note that says so: for commands that
+    /// render one picture.
     #[must_use]
     pub fn at_start(&self) -> Self {
         Self { notes: self.notes_at_start(), ..self.frame(0) }
@@ -471,12 +489,13 @@ impl Scene {
     /// The notes of [`Self::at_start`].
     pub(crate) fn notes_at_start(&self) -> Vec<String> {
         let moves = |orbit: Orbit| {
-            format!("[orbit]: light {} moves, and is taken where it starts", orbit.light)
+            format!("[orbit]: light {} moves; its starting position is used", orbit.light)
         };
         self.notes.iter().cloned().chain(self.orbit.map(moves)).collect()
     }
 
-    /// The scene of a frame, counted from 0: the orbiting light at its place, and no orbit left.
+    /// The scene of a frame, counted from 0: the orbiting light is at its position for that frame,
+    /// and the orbit is removed.
     #[must_use]
     pub fn frame(&self, number: u32) -> Self {
         let mut scene = self.clone();
@@ -494,10 +513,10 @@ impl Scene {
         scene
     }
 
-    /// A digest of all that an image depends on, wherever its files are and whatever else is in
-    /// them: scenes that differ have, in all likelihood, different ones. It is for one version of
-    /// this program: another may print the fields in another way, and so give the same scene
-    /// another number.
+    /// A digest of everything that an image depends on, wherever its files are and whatever else
+    /// they contain: scenes that differ almost certainly have different digests. It is valid for
+    /// one version of this program: another may print the fields differently and give the same
+    /// scene another number.
     #[must_use]
     pub fn fingerprint(&self) -> u64 {
         let Self {
@@ -518,7 +537,7 @@ impl Scene {
         let mut digest = Digest(0xcbf2_9ce4_8422_2325);
         let sizes = (texture.size(), bumps.size(), bumps.scale());
         let small = (image, camera, lights, ambient, sizes, materials, emboss, orbit, surfaces);
-        // Debug text has floats to the last place; a digest takes any text.
+        // Debug text has floats to the last place.
         write!(digest, "{small:?}").expect("bug: a digest takes any text");
         for texel in texture.texels().as_flattened() {
             digest.add(&texel.to_bits().to_le_bytes());
@@ -530,7 +549,7 @@ impl Scene {
     }
 }
 
-/// FNV-1a of 64 bits: the same bytes give the same number on every machine, unlike the standard
+/// 64-bit FNV-1a: the same bytes give the same number on every machine, unlike the standard
 /// library's hashers.
 struct Digest(u64);
 
@@ -558,8 +577,8 @@ impl Image {
 }
 
 impl Light {
-    /// The unit vector L from a point of a surface with normal N towards the light; N on the very
-    /// spot of a point light.
+    /// The unit vector L from a point of a surface with normal N towards the light; N if the point
+    /// coincides with a point light.
     #[must_use]
     pub fn towards(&self, point: DVec3, normal: DVec3) -> DVec3 {
         match self.place {
@@ -569,8 +588,8 @@ impl Light {
     }
 }
 
-/// The unit vector H halfway between L and V; -N where |L+V| < 1e-12, since the light is right behind
-/// and must give no highlight.
+/// The unit vector H halfway between L and V; -N where |L+V| < 1e-12, since the light is exactly
+/// behind and must give no highlight.
 #[must_use]
 pub fn halfway(light: DVec3, eye: DVec3, normal: DVec3) -> DVec3 {
     let sum = light + eye;

@@ -1,11 +1,12 @@
 //! Normals where a mesh has none: those of its triangles, or means of them.
 //!
-//! A mean at a corner is over the triangles around its point, each weighted by its angle there (Thürmer and Wüthrich,
-//! "Computing vertex normals from polygonal facets", 1998), so that it doesn't depend on how a surface is cut into
-//! triangles. It ends at creases: edges at which the normals of the two triangles differ by more than an angle, and
-//! edges of one triangle, or of more than [`MOST`]. Points are one where their coordinates are equal, however often a
-//! file has them: a seam of the texture is no crease. A vertex at a crease has a normal on each side, and so becomes
-//! several. All of this is of the mesh as its file places it, before an object's `scale`.
+//! The mean at a corner is over the triangles around its point, each weighted by its angle there
+//! (Thürmer and Wüthrich, "Computing vertex normals from polygonal facets", 1998), so it doesn't
+//! depend on how a surface is cut into triangles. It ends at creases: edges at which the normals of
+//! the two triangles differ by more than an angle, and edges of a single triangle or of more than
+//! [`MOST`]. Points with equal coordinates count as one, however often a file has them: a texture
+//! seam isn't a crease. A vertex at a crease has a normal on each side, and so becomes several
+//! vertices. All of this applies to the mesh as its file places it, before an object's `scale`.
 
 use super::assembly::{Mesh, SharedVertex};
 use crate::base::cast;
@@ -13,29 +14,31 @@ use crate::number::trig::{atan2, sin_cos_turns};
 use glam::{DVec2, DVec3};
 use std::collections::HashMap;
 
-/// What takes the place of normals that a mesh lacks.
+/// Replaces the normals that a mesh lacks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Normals {
-    /// At each corner a mean.
+    /// A mean at each corner.
     Means,
-    /// That of each triangle: vertices have 0, and stay shared.
+    /// The normal of each triangle: vertices have 0 and stay shared.
     Facets,
 }
 
-/// Crease of an object that names none, where its file's format has no other, in degrees: cubes (90) and octahedra (71) keep their edges, a cylinder of seven sides
-/// (51) is round.
+/// Crease angle of an object that names none and whose file format has no other default, in
+/// degrees: cubes (90) and octahedra (71) keep their edges, a cylinder of seven sides (51) is
+/// round.
 pub(super) const CREASE_DEGREES: f64 = 60.0;
 
-/// Most triangles of an edge that is no crease: each is compared to each.
+/// The most triangles of an edge that isn't a crease: they are compared in pairs.
 const MOST: usize = 8;
-/// Rounding of a cosine: triangles at exactly the crease's angle are within it.
+/// Tolerance of a cosine: triangles at exactly the crease angle are within it.
 const ROUNDING: f64 = 1e-12;
-/// Cosine above which two triangles are in one plane, but for rounding.
+/// Cosine above which two triangles are in one plane, up to rounding.
 const PLANE: f64 = 1.0 - 1e-15;
-/// Cosine to a triangle's own normal below which a mean is none: it lies in the triangle, or behind it.
+/// Cosine to a triangle's own normal below which a mean is discarded: it lies in the triangle's
+/// plane or behind it.
 const BEHIND: f64 = 1e-6;
 
-/// Vertices of a mesh, all with a normal, and its triangles, in their order.
+/// The vertices of a mesh, all with a normal, and its triangles, in order.
 pub(super) fn completed(
     mesh: &Mesh,
     crease_degrees: f64,
@@ -52,7 +55,8 @@ pub(super) fn completed(
         return (vertices, triangles);
     }
     let made = means(mesh, crease_degrees);
-    // The vertex for each normal that a vertex without one gets; the first stays where it was.
+    // The vertex for each normal that a vertex without one gets; the first normal stays at the
+    // vertex.
     let mut known: HashMap<(u32, [u64; 3]), u32> = HashMap::new();
     for (corner, normal) in triangles.as_flattened_mut().iter_mut().zip(made) {
         let number = cast::index_of_u32(*corner);
@@ -72,7 +76,7 @@ pub(super) fn completed(
     (vertices, triangles)
 }
 
-/// How many corners of triangles have no normal.
+/// Number of triangle corners without a normal.
 pub(super) fn corners_without(mesh: &Mesh) -> u64 {
     let lacks = |triangle: &[u32; 3]| {
         mesh.corners(*triangle).iter().filter(|vertex| vertex.normal.is_none()).count()
@@ -84,7 +88,7 @@ pub(super) fn corners_without(mesh: &Mesh) -> u64 {
 fn means(mesh: &Mesh, crease_degrees: f64) -> Vec<DVec3> {
     let positions: Vec<[DVec3; 3]> =
         mesh.triangles.iter().map(|t| mesh.corners(*t).map(|vertex| vertex.position)).collect();
-    // Of a triangle that has some normals, its side is theirs.
+    // A triangle with some normals faces the side of those.
     let facet = |(triangle, [a, b, c]): (&[u32; 3], &[DVec3; 3])| {
         let given = mesh.corners(*triangle).map(|v| v.normal.unwrap_or_default());
         let side: DVec3 = given.into_iter().map(DVec3::normalize_or_zero).sum();
@@ -93,7 +97,7 @@ fn means(mesh: &Mesh, crease_degrees: f64) -> Vec<DVec3> {
     };
     let mut facets: Vec<DVec3> = mesh.triangles.iter().zip(&positions).map(facet).collect();
     let (smooth, mut planes) = joined(&positions, &facets, crease_degrees);
-    // One normal for a plane, to the last bit: what is flat stays so.
+    // One normal for a plane, to the last bit, so that flat areas stay flat.
     for triangle in 0..facets.len() {
         facets[triangle] = facets[planes.first(triangle)];
     }
@@ -114,12 +118,12 @@ fn means(mesh: &Mesh, crease_degrees: f64) -> Vec<DVec3> {
     corners().map(normal).collect()
 }
 
-/// A mean of normals.
+/// A weighted mean of normals.
 #[derive(Clone, Copy, Default)]
 struct Mean {
     sum: DVec3,
     first: DVec3,
-    /// Not all of them are equal.
+    /// True if they aren't all equal.
     mixed: bool,
 }
 
@@ -132,13 +136,13 @@ impl Mean {
         self.sum += weight * normal;
     }
 
-    /// 0 where they cancel.
+    /// The unit mean; 0 where they cancel.
     fn normal(&self) -> DVec3 {
         if self.mixed { self.sum.normalize_or_zero() } else { self.first }
     }
 }
 
-/// Which corners (three to a triangle) have one mean, and which triangles one plane.
+/// Which corners (three per triangle) share a mean, and which triangles share a plane.
 fn joined(positions: &[[DVec3; 3]], facets: &[DVec3], crease_degrees: f64) -> (Sets, Sets) {
     let mut points: HashMap<[u64; 3], u32> = HashMap::new();
     let mut point = |at: DVec3| {
@@ -147,7 +151,7 @@ fn joined(positions: &[[DVec3; 3]], facets: &[DVec3], crease_degrees: f64) -> (S
         *points.entry((at + DVec3::ZERO).to_array().map(f64::to_bits)).or_insert(next)
     };
     let points: Vec<[u32; 3]> = positions.iter().map(|of| of.map(&mut point)).collect();
-    // Of each edge of each triangle its ends, the lower point first, and the corners there.
+    // For each edge of each triangle: its ends, the lower point first, and the corners there.
     let mut edges: Vec<([u32; 2], [usize; 2])> = Vec::with_capacity(3 * points.len());
     for (triangle, of) in points.iter().enumerate() {
         for (k, l) in [(0, 1), (1, 2), (2, 0)] {
@@ -184,7 +188,7 @@ impl Sets {
         Self((0..len).collect())
     }
 
-    /// The least number of a number's set.
+    /// The smallest number in a number's set.
     fn first(&mut self, mut i: usize) -> usize {
         while self.0[i] != i {
             self.0[i] = self.0[self.0[i]];

@@ -1,10 +1,11 @@
 //! Meshes from Wavefront OBJ: points, texture coordinates, normals and polygons.
 //!
-//! A reader of our own. Crate `tobj` (and `obj-rs`, `wavefront_obj` alike) names no line in its errors, cuts concave
-//! polygons as fans, passes over statements without a word, reads no continued lines, and fails on a number that no face
-//! uses; what is left of the work is a loop over words. What files have beside the format's letter is read: CR and CRLF as ends of
-//! lines, a byte order mark, colours after points, NaN and normals without length where no face uses them, indices of
-//! normals in files without any.
+//! This is a reader of our own. The crate `tobj` (like `obj-rs` and `wavefront_obj`) names no line
+//! in its errors, cuts concave polygons as fans, silently skips statements, doesn't read continued
+//! lines, and fails on a number that no face uses. The remaining work is a loop over words. This
+//! reader also accepts what files contain beyond the specification: CR and CRLF line ends, a byte
+//! order mark, colours after points, NaN and zero-length normals if no face uses them, and normal
+//! indices in files without normals.
 
 use super::assembly::{Mesh, MeshVertex, Tally};
 use super::limits::{MAX_TRIANGLES, check_coordinates, checked_normal, too_many};
@@ -17,7 +18,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::path::Path;
 
-/// Statements of names, groups, materials and looks: they change no shape.
+/// Statements of names, groups, materials and appearance: they don't change shapes.
 const SHAPELESS: &[&str] = &[
     "g",
     "o",
@@ -34,17 +35,17 @@ const SHAPELESS: &[&str] = &[
     "shadow_obj",
     "trace_obj",
 ];
-/// Those of them that hold names, which may end in a `\` of their own.
+/// Those that hold names, which may end in a `\` of their own.
 const NAMES: &[&str] = &["g", "o", "usemtl", "mtllib", "usemap", "maplib"];
-/// Statements that a shape depends on.
+/// Statements that define shapes.
 const SHAPES: &[&str] = &["v", "vt", "vn", "f", "fo"];
-/// Statements of curves and surfaces, which aren't read.
+/// Statements of free-form curves and surfaces, which aren't supported.
 const FREE_FORM: &[&str] = &[
     "vp", "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv",
     "sp", "end", "con", "ctech", "stech", "bsp", "bzp", "cdc", "cdp", "res",
 ];
 
-/// Reads an OBJ file of which these are the bytes.
+/// Reads an OBJ file from its bytes.
 pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Mesh> {
     let text = decoded(bytes).map_err(|problem| Error::file(path, problem))?;
     let mut reader = Reader::default();
@@ -58,19 +59,23 @@ pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Mesh> {
 fn decoded(bytes: &[u8]) -> Result<Cow<'_, str>, String> {
     check_encoding(bytes)?;
     if bytes.contains(&0) {
-        return Err("is binary, or UTF-16 without a mark, and no text: save it as UTF-8".to_owned());
+        return Err(
+            "isn't text: it is binary, or UTF-16 without a byte order mark; save it as UTF-8"
+                .to_owned(),
+        );
     }
-    // Names may be in any encoding: nothing here depends on them.
+    // Names may have any encoding: nothing here depends on them.
     Ok(String::from_utf8_lossy(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)))
 }
 
-/// Statements without their comments, each with the number of its first line. A `\` at the end of a line continues it.
+/// Statements without comments, each with the number of its first line. A `\` at the end of a line
+/// continues it.
 fn statements(text: &str) -> impl Iterator<Item = (u64, Cow<'_, str>)> {
     let mut lines = lines(text).map(without_comment).zip(1..).peekable();
     std::iter::from_fn(move || {
         let (line, number) = lines.next()?;
         let Some(mut begun) = continued(line) else { return Some((number, Cow::Borrowed(line))) };
-        // The end of a folder's name, if a statement follows.
+        // The `\` ends a folder's name if a statement follows.
         let first = |line: &&str, of: &[&str]| {
             line.split_whitespace().next().is_some_and(|word| of.contains(&word))
         };
@@ -91,7 +96,7 @@ fn statements(text: &str) -> impl Iterator<Item = (u64, Cow<'_, str>)> {
     })
 }
 
-/// What is before the `\` at the end of a line.
+/// The part before the `\` at the end of a line.
 fn continued(line: &str) -> Option<&str> {
     line.trim_end().strip_suffix('\\')
 }
@@ -108,7 +113,8 @@ fn lines(text: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// A line up to its comment. The `#` of a NaN as Microsoft's C library writes it (`-1.#IND`) begins none.
+/// A line up to its comment. The `#` of a NaN as Microsoft's C library writes it (`-1.#IND`)
+/// doesn't start a comment.
 fn without_comment(line: &str) -> &str {
     let begins = |(at, _): &(usize, &str)| {
         let nan = ["INF", "IND", "QNAN", "SNAN"].iter().any(|n| line[at + 1..].starts_with(n));
@@ -117,22 +123,22 @@ fn without_comment(line: &str) -> &str {
     line.match_indices('#').find(begins).map_or(line, |(at, _)| &line[..at])
 }
 
-/// A mesh as far as it has been read.
+/// The state of reading a mesh.
 #[derive(Default)]
 struct Reader {
     points: Vec<DVec3>,
     uvs: Vec<DVec2>,
     normals: Vec<DVec3>,
     mesh: Mesh,
-    /// The vertex of each point, texture coordinate and normal that corners name together.
+    /// The vertex of each combination of point, texture coordinate and normal.
     known: HashMap<[Option<usize>; 3], u32>,
-    /// Corners that name a texture coordinate, or a normal, where there is none up to there.
+    /// Corners that refer to a texture coordinate, or a normal, before the file has any.
     early: [Tally; 2],
     cutter: Cutter,
     met: Met,
 }
 
-/// Statements that make no triangles.
+/// Statements that form no triangles.
 #[derive(Default)]
 struct Met {
     small: Tally,
@@ -146,11 +152,12 @@ struct Met {
 
 impl Reader {
     fn take(&mut self, statement: &str, line: u64) -> Result<(), String> {
-        // Files that were put together have a mark where each began.
+        // Concatenated files have a byte order mark where each one began.
         let mut words = statement.trim_start_matches('\u{feff}').split_whitespace();
         let met = &mut self.met;
         match words.next() {
-            // Values are checked where they are used: many files have some that no face uses.
+            // Values are checked where they are used: many files have invalid ones that no face
+            // uses.
             Some("v") => self.points.push(DVec3::from_array(numbers("the point", words, 3)?)),
             Some("vt") => {
                 self.early[0].follows("vt")?;
@@ -161,7 +168,7 @@ impl Reader {
                 self.early[1].follows("vn")?;
                 self.normals.push(DVec3::from_array(numbers("the normal", words, 3)?));
             }
-            // `fo` is its old name.
+            // `fo` is the old name of `f`.
             Some("f" | "fo") => self.face(words, line)?,
             Some("l") => met.lines.add(Some(line)),
             Some("p") => met.points.add(Some(line)),
@@ -198,7 +205,7 @@ impl Reader {
         self.mesh.assemble(topology, &order, Some(line))
     }
 
-    /// The vertex of a corner: a point, and a texture coordinate and a normal if it names them.
+    /// The vertex of a corner: a point, and its texture coordinate and normal if it names them.
     fn corner(&mut self, word: &str, line: u64) -> Result<u32, String> {
         let mut indices = word.split('/');
         let [point, uv, normal] =
@@ -212,7 +219,7 @@ impl Reader {
         let mut other = |len: usize, what, index: Option<&str>, early: usize| {
             let names_one = |index: &str| index.parse().is_ok_and(|index: i64| index != 0);
             if len == 0 && index.is_some_and(names_one) {
-                // As if it named none, if the file has none at all.
+                // Treated as missing, provided that the file has none at all.
                 self.early[early].add(Some(line));
                 return Ok(None);
             }
@@ -243,22 +250,23 @@ impl Reader {
 
     fn done(self) -> Mesh {
         let Self { mut mesh, met, early: [uvs, normals], .. } = self;
-        let unknown = format!("statements that aren't read passed over, such as `{}`", met.name);
+        let unknown = format!("unknown statements ignored, such as `{}`", met.name);
         let told = [
             met.small.told("faces of fewer than 3 corners left out"),
-            met.lines.told("lines (`l`) passed over"),
-            met.points.told("points (`p`) passed over"),
-            met.free_form.told("statements of free-form curves and surfaces passed over"),
+            met.lines.told("lines (`l`) ignored"),
+            met.points.told("points (`p`) ignored"),
+            met.free_form.told("statements of free-form curves and surfaces ignored"),
             met.unknown.told(&unknown),
-            uvs.told("corners that name a texture coordinate, and there are none"),
-            normals.told("corners that name a normal, and there are none"),
+            uvs.told("corners that refer to a texture coordinate, but the file has none"),
+            normals.told("corners that refer to a normal, but the file has none"),
         ];
         mesh.notes.extend(told.into_iter().flatten());
         mesh
     }
 }
 
-/// Three numbers of a line, the first ones of which must be there; the others are 0 if they aren't.
+/// The first three numbers of a line. At least `least` of them are required; the others default to
+/// 0.
 fn numbers<'a>(
     what: &str,
     words: impl Iterator<Item = &'a str>,
@@ -269,7 +277,9 @@ fn numbers<'a>(
     for word in words {
         let value = match word.trim_start_matches('-').strip_prefix("1.#") {
             Some(_) => f64::NAN,
-            None => word.parse().map_err(|_| format!("{what} has `{}`, no number", shown(word)))?,
+            None => word
+                .parse()
+                .map_err(|_| format!("{what} has `{}`, which isn't a number", shown(word)))?,
         };
         // A weight or a colour may follow.
         if let Some(to) = values.get_mut(count) {
@@ -278,12 +288,13 @@ fn numbers<'a>(
         count += 1;
     }
     if count < least {
-        return Err(format!("{what} has {count} numbers, and at least {least} make one"));
+        return Err(format!("{what} has {count} numbers: it needs at least {least}"));
     }
     Ok(values)
 }
 
-/// The place in a list of so many that a corner's index names: from 1, or from -1 backwards.
+/// The position in a list of `len` entries that a corner's index refers to: from 1 up, or from -1
+/// backwards.
 fn pick(
     len: usize,
     what: &str,
@@ -299,7 +310,7 @@ fn pick(
     });
     let position = position.filter(|position| *position < len).ok_or_else(|| {
         format!(
-            "corner `{}` names {what} {}, and up to here there are {len} (they count from 1)",
+            "corner `{}` refers to {what} {}, but up to here there are {len} (they count from 1)",
             shown(corner),
             shown(index)
         )
@@ -307,7 +318,7 @@ fn pick(
     Ok(Some(position))
 }
 
-/// A word for a message: not too long, nothing that a terminal would act on.
+/// Formats a word for a message: shortened, and without control characters for a terminal.
 fn shown(word: &str) -> String {
     crate::base::escape::short(word)
 }
@@ -328,7 +339,7 @@ mod tests {
         assert_eq!(seen, expected.map(|(line, text)| (line, text.to_owned())));
         assert_eq!(statements("\\").count(), 1);
         assert_eq!(statements("f \\\n\\\n").count(), 1);
-        // Names that end so, and one that goes on.
+        // Names that end in `\`, and one that continues.
         assert_eq!(statements("g C:\\dir\\\nv 1 2 3\no a\\\nvn 0 0 1").count(), 4);
         assert_eq!(statements("g a \\\n b\nf 1 \\\n2 3").count(), 2);
     }

@@ -1,26 +1,29 @@
 //! Polygons as triangles.
 //!
-//! A strictly convex polygon is a fan from its first corner. All others are cut by ear clipping, as crate `earcut` has
-//! it, after a projection along Newell's normal: the sum of the cross products around the polygon, which a polygon that
-//! isn't quite plane has, too (Sutherland, Sproull and Schumacker, "A characterization of ten hidden-surface algorithms",
-//! 1974). A polygon that crosses itself, or goes around twice, has no inside and is refused; it may touch itself, as one
-//! does that goes to its hole and back. One that only rounding makes cross, or that goes out and back, has no area.
+//! A strictly convex polygon becomes a fan from its first corner. All others are cut by ear
+//! clipping (crate `earcut`), after a projection along Newell's normal: the sum of the cross
+//! products around the polygon, which is also defined for a polygon that isn't quite planar
+//! (Sutherland, Sproull and Schumacker, "A characterization of ten hidden-surface algorithms",
+//! 1974). A polygon that crosses itself, or goes around twice, has no inside and is an error. It
+//! may touch itself, like one that leads to its hole and back. A polygon that crosses itself only
+//! by rounding, or that goes out and back, has no area.
 
 use super::assembly::{Topology, is_area};
 use crate::base::cast;
 use earcut::Earcut;
 use glam::{DVec2, DVec3};
 
-/// Most corners of a polygon that isn't convex: its edges are compared in pairs.
+/// The most corners of a polygon that isn't convex: its edges are compared in pairs.
 const MOST: usize = 4096;
-/// Most pairs of edges of a file's polygons that aren't convex: some ten seconds' work.
+/// The most pairs of edges of a file's nonconvex polygons: about ten seconds of work.
 const MOST_PAIRS: u64 = 1 << 32;
-/// How far corners may be across an edge, against the size of the polygon: files have six or seven digits.
+/// How far corners may be across an edge, relative to the polygon's size: files have six or seven
+/// digits.
 const TOUCH: f64 = 1e-6;
 
 /// Cuts the polygons of a file.
 pub(super) struct Cutter {
-    /// Pairs of edges that may still be compared.
+    /// Number of edge pairs that may still be compared.
     left: u64,
 }
 
@@ -31,10 +34,11 @@ impl Default for Cutter {
 }
 
 impl Cutter {
-    /// Triangles of a polygon as a list or a fan of its corners, turning as it does; none if it has no area.
+    /// The triangles of a polygon as a list or a fan of its corners, with its winding; none if it
+    /// has no area.
     ///
     /// # Errors
-    /// If it crosses itself, or there are too many corners for polygons that aren't convex.
+    /// If it crosses itself, or the limits for nonconvex polygons are exceeded.
     pub(super) fn triangles(&mut self, points: &[DVec3]) -> Result<(Topology, Vec<usize>), String> {
         let kept = if points.len() > 3 { around(points) } else { (0..points.len()).collect() };
         let of = |order: Vec<usize>| order.into_iter().map(|at| kept[at]).collect();
@@ -63,23 +67,23 @@ impl Cutter {
         }
     }
 
-    /// Counts the pairs of so many edges.
+    /// Counts the pairs of `edges` edges against the limit.
     fn spend(&mut self, edges: usize) -> Result<(), String> {
         if edges > MOST {
             return Err(format!(
-                "a polygon of {edges} corners that isn't convex: {MOST} are the most, so export triangles"
+                "a polygon of {edges} corners that isn't convex: legal are up to {MOST} corners; export triangles"
             ));
         }
         self.left = self.left.checked_sub(cast::count_of(edges * edges)).ok_or_else(|| {
             format!(
-                "the polygons that aren't convex have more than {MOST_PAIRS} pairs of edges up to here, each by itself, and that is the most of a file: export triangles"
+                "the polygons that aren't convex have more than {MOST_PAIRS} pairs of edges up to here (counted within each polygon), the most that a file may have: export triangles"
             )
         })?;
         Ok(())
     }
 }
 
-/// The corners without those that repeat the one before, and without ways out and back.
+/// The corners without repetitions of the previous one and without ways out and back.
 fn around(points: &[DVec3]) -> Vec<usize> {
     let mut kept: Vec<usize> = Vec::with_capacity(points.len());
     for (corner, point) in points.iter().enumerate() {
@@ -91,7 +95,7 @@ fn around(points: &[DVec3]) -> Vec<usize> {
             _ => kept.push(corner),
         }
     }
-    // The same across the end.
+    // The same across the end of the list.
     let (mut first, mut end) = (0, kept.len());
     while end - first > 2 {
         let at = |place: usize| points[kept[place]];
@@ -124,12 +128,14 @@ fn cut(plane: &[DVec2]) -> Option<Vec<usize>> {
             corners.swap(1, 2);
         }
     }
-    // What turns over where it touches itself, or goes around twice, isn't covered once.
+    // A polygon that reverses where it touches itself, or goes around twice, isn't covered exactly
+    // once.
     let area: f64 = edges(plane).map(|(_, [a, b])| a.perp_dot(b)).sum();
     (once && (whole - area).abs() <= rounding).then_some(corners)
 }
 
-/// How often the polygon goes around a point, counter-clockwise: by the edges that cross the way to its right.
+/// How often the polygon goes around a point counter-clockwise: counts the edges that cross the ray
+/// to the point's right.
 fn times_around(plane: &[DVec2], at: DVec2) -> i32 {
     let crosses = |(_, [a, b]): (usize, [DVec2; 2])| {
         let left = turn(a, b, at) > 0.0;
@@ -142,8 +148,8 @@ fn times_around(plane: &[DVec2], at: DVec2) -> i32 {
     edges(plane).map(crosses).sum()
 }
 
-/// The corners seen along the normal, from the side that they go around counter-clockwise; relative to the first one.
-/// `None` if there is no such side.
+/// The corners projected along the normal, seen from the side on which they run counter-clockwise,
+/// relative to the first corner. `None` if there is no such side.
 fn projected(points: &[DVec3]) -> Option<Vec<DVec2>> {
     let from_first: Vec<DVec3> = points.iter().map(|point| point - points[0]).collect();
     let next = from_first.iter().cycle().skip(1);
@@ -156,7 +162,7 @@ fn projected(points: &[DVec3]) -> Option<Vec<DVec2>> {
     Some(from_first.iter().map(|point| DVec2::new(point.dot(x), point.dot(y))).collect())
 }
 
-/// True if all points are on one line, but for the digits that coordinates of their size have in a file.
+/// True if all points are on one line, up to the digits that a file stores for such coordinates.
 fn is_rounded_line(points: &[DVec3]) -> bool {
     let to = |point: &DVec3| point - points[0];
     let far =
@@ -166,30 +172,30 @@ fn is_rounded_line(points: &[DVec3]) -> bool {
     points.iter().all(|point| to(point).cross(far).length() <= TOUCH * largest * far.length())
 }
 
-/// The farthest that a corner is from the first.
+/// The largest distance of a corner from the first.
 fn size(plane: &[DVec2]) -> f64 {
     plane.iter().map(|at| at.length()).fold(0.0, f64::max)
 }
 
-/// Positive if c is to the left of the way from a to b.
+/// Positive if c is to the left of the line from a to b.
 fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     (b - a).perp_dot(c - a)
 }
 
-/// Edges with the number of their first corner.
+/// The edges, with the number of their first corner.
 fn edges(plane: &[DVec2]) -> impl Iterator<Item = (usize, [DVec2; 2])> + '_ {
     let next = plane.iter().cycle().skip(1);
     plane.iter().zip(next).map(|(a, b)| [*a, *b]).enumerate()
 }
 
-/// True if every corner turns left, and all of them once around.
+/// True if every corner turns left and the polygon goes around once.
 fn is_convex(plane: &[DVec2]) -> bool {
     let ahead = |(i, [a, b]): (usize, [DVec2; 2])| {
         let c = plane[(i + 2) % plane.len()];
         let longest = a.distance_squared(b).max(b.distance_squared(c));
         turn(a, b, c) > TOUCH * longest
     };
-    // Once around, x grows in one run and falls in one.
+    // In one turn, x rises in one run and falls in another.
     let grows: Vec<bool> = edges(plane).map(|(_, [a, b])| b.x > a.x).collect();
     let turns = (0..grows.len()).filter(|i| grows[*i] != grows[(i + 1) % grows.len()]).count();
     edges(plane).all(ahead) && turns == 2
@@ -200,7 +206,7 @@ fn cross(plane: &[DVec2]) -> bool {
     let size = size(plane);
     let mut sorted: Vec<[DVec2; 2]> = edges(plane).map(|(_, edge)| edge).collect();
     sorted.sort_unstable_by(|[a, b], [c, d]| a.x.min(b.x).total_cmp(&c.x.min(d.x)));
-    // Signed distances of the ends of an edge to the line of another are on both sides of it.
+    // The ends of one edge are on opposite sides of the other's line, by signed distance.
     let parted = |[a, b]: [DVec2; 2], [c, d]: [DVec2; 2]| {
         let length = a.distance(b);
         let [c, d] = [c, d].map(|end| turn(a, b, end));
@@ -243,8 +249,8 @@ mod tests {
         cut(points).iter().map(area).collect()
     }
 
-    /// Stars of random radii about the origin. Triangles between a polygon's corners that all turn left cover each point as
-    /// often as the polygon goes around it: here, once.
+    /// Stars of random radii about the origin. Triangles of a polygon's corners that all turn left
+    /// cover each point as often as the polygon goes around it: here, once.
     #[test]
     fn triangles_cover_the_polygon_once_from_any_corner() {
         let mut random = rand_pcg::Pcg64Mcg::seed_from_u64(12);
@@ -269,7 +275,7 @@ mod tests {
 
     #[test]
     fn a_polygon_in_space_turns_as_it_did() {
-        // An arrow whose notch is its first corner, stood up in three ways, and turned over.
+        // An arrow whose notch is its first corner, in several orientations.
         let arrow = flat(&[[0.0, 0.25], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]]);
         for axes in [
             [DVec3::X, DVec3::Y],
@@ -293,7 +299,7 @@ mod tests {
 
     #[test]
     fn corners_on_edges_stay_corners() {
-        // A square with a corner in the middle of each side, from each of them.
+        // A square with a corner in the middle of each side, starting at each corner in turn.
         let mut square = flat(&[
             [0.0, 0.0],
             [1.0, 0.0],
@@ -314,7 +320,7 @@ mod tests {
 
     #[test]
     fn touching_is_legal_and_crossing_is_not() {
-        // To a square hole and back by the same way.
+        // To a square hole and back by the same path.
         let keyhole = flat(&[
             [0.0, 0.0],
             [3.0, 0.0],
@@ -335,7 +341,7 @@ mod tests {
             .map(|angle| [angle.cos(), angle.sin()])
             .collect();
         let twice = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
-        // One half of it turns over in the corner that both halves have.
+        // One half of it is reversed; both halves touch in one corner.
         let over = [[0.0, 0.0], [-2.0, 1.0], [-2.0, -1.0], [0.0, 0.0], [1.0, 1.0], [1.0, -1.0]];
         for crossing in [&bow[..], &even_bow, &pentagram, &twice, &over] {
             let why = triangles(&flat(crossing)).unwrap_err();
@@ -356,8 +362,8 @@ mod tests {
             turned.rotate_left(first);
             assert_eq!(triangles(&turned), none, "{first}");
         }
-        // Slimmer than the seventh digit, by which its corners are rounded across each other; in the middle of
-        // the digits it crosses itself.
+        // Thinner than the seventh digit, to which its corners are rounded across each other. Moved
+        // to the origin, where that rounding counts as real, it crosses itself.
         let sliver = [
             [122.9991, 45.00191],
             [122.9903, 45.02151],
@@ -379,7 +385,7 @@ mod tests {
         assert_eq!(cut(&gear(2048)).len(), 4094);
         let why = triangles(&gear(2049)).unwrap_err();
         assert!(why.starts_with("a polygon of 4098 corners"), "{why}");
-        // Corners that repeat one don't count.
+        // Repeated corners don't count.
         let many = [vec![gear(2)[0]; 5000], gear(2)].concat();
         assert_eq!(cut(&many).len(), 2);
         let mut cutter = Cutter { left: 20 * 20 + 19 * 19 };

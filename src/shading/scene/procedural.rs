@@ -1,4 +1,5 @@
-//! Made-up surfaces: each gives colour and height from one function, so that bumps fit the picture.
+//! Generated surfaces: each computes colour and height from one function, so that the bumps match
+//! the colours.
 //!
 //! Everything is computed in f64 from an integer hash, so a pattern is the same on every run.
 
@@ -10,20 +11,20 @@ use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
 use std::sync::LazyLock;
 
-/// A made-up surface.
+/// A generated surface.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Pattern {
     /// A wall of wooden boards; repeats.
     Wood,
     /// A brick wall; repeats.
     Brick,
-    /// A world: oceans, land, ice; u is longitude and v latitude, without a seam.
+    /// A planet with oceans, land and ice; u is longitude and v latitude, without a seam.
     Earth,
     /// A stone plate, twice as wide as high, with a word in raised letters; repeats.
     Lettering,
 }
 
-/// What a surface is like at a point.
+/// A surface at one point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sample {
     /// Linear RGB, 0 to 1.
@@ -42,7 +43,7 @@ pub(super) struct Samples {
 }
 
 impl Pattern {
-    /// Columns and rows where the scene gives none.
+    /// Columns and rows if the scene gives none.
     pub(super) const fn default_size(self) -> (u32, u32) {
         match self {
             Self::Wood | Self::Brick => (512, 512),
@@ -75,16 +76,16 @@ impl Pattern {
     }
 }
 
-/// Boards side by side, each sawn from its own log and ending somewhere.
+/// Boards side by side, each cut from its own log, with ends at different places.
 fn wood(u: f64, v: f64) -> (DVec3, f64) {
     const BOARDS: f64 = 5.0;
     let board = (u * BOARDS).floor();
     let across = u * BOARDS - board; // 0 to 1 over the board
     let log = |what| hash01([cast::i64_of(board), what, 0], 11);
-    // Where the board's end meets the next one's start, anything may jump.
+    // At the joint between two boards' ends, discontinuities are allowed.
     let along = (v + log(0)).rem_euclid(1.0);
 
-    // Rings about an axis that runs a little askew of the board give long arches.
+    // Rings about an axis slightly skewed to the board give long arches.
     let wobble = fbm(DVec3::new(2.0 * across, 3.0 * along, 7.0 * board), FREE, 3, 12);
     let from_axis = DVec3::new(
         across - 0.2 - 0.6 * log(1) + 0.12 * wobble,
@@ -93,7 +94,7 @@ fn wood(u: f64, v: f64) -> (DVec3, f64) {
     );
     let rings = 9.0 * from_axis.length() + 0.25 * wobble;
     let ring = rings.rem_euclid(1.0);
-    // Pale wood darkens slowly, then the winter ends it at once.
+    // Early wood darkens slowly; late wood ends abruptly.
     let late = smooth(0.25, 0.85, ring) * (1.0 - smooth(0.92, 1.0, ring));
     let fibre = fbm(DVec3::new(45.0 * across, 4.0 * along, 3.0 * board), FREE, 3, 13);
     let pores = smooth(0.25, 0.5, noise(DVec3::new(70.0 * across, 9.0 * along, board), FREE, 14));
@@ -117,7 +118,7 @@ fn wood(u: f64, v: f64) -> (DVec3, f64) {
 fn brick(u: f64, v: f64) -> (DVec3, f64) {
     const COLUMNS: i64 = 4;
     const ROWS: i64 = 10;
-    // Width of a brick in its heights, so that joints are as wide both ways.
+    // Width of a brick in units of its height, so that joints are equally wide in both directions.
     let shape = cast::f64_of(ROWS) / cast::f64_of(COLUMNS);
     let everywhere = |per_side: i64, octaves, seed| {
         let side = cast::f64_of(per_side);
@@ -151,12 +152,12 @@ fn brick(u: f64, v: f64) -> (DVec3, f64) {
     (mix(mortar, fired, is_brick), joint + (body - joint) * dome)
 }
 
-/// A world by noise on the sphere.
+/// A planet from noise on the sphere.
 fn earth(u: f64, v: f64) -> (DVec3, f64) {
     let (sin_az, cos_az) = libm::sincos(TAU * u);
     let (sin_theta, cos_theta) = libm::sincos(PI * (1.0 - v));
     let p = DVec3::new(sin_theta * cos_az, sin_theta * sin_az, cos_theta);
-    // Coasts fray because the place where land is looked up is itself moved by noise.
+    // Coasts are ragged because noise displaces the point at which land is looked up.
     let moved = |seed| fbm(2.1 * p + DVec3::splat(3.7), FREE, 4, seed);
     let q = p + 0.32 * DVec3::new(moved(31), moved(32), moved(33));
     let continents = fbm(1.25 * q + DVec3::new(5.2, 1.3, 9.1), FREE, 7, 34);
@@ -172,7 +173,7 @@ fn earth(u: f64, v: f64) -> (DVec3, f64) {
     let latitude = (v - 0.5).abs() * 2.0; // 0 at the equator, 1 at a pole
     let fray = fbm(6.0 * p, FREE, 5, 38);
     let wet = fbm(2.4 * p + DVec3::splat(8.3), FREE, 4, 39);
-    // Wet at the equator, dry about 25 degrees, wet again, cold at last.
+    // Wet at the equator, dry at about 25 degrees, then wet again, finally cold.
     let desert = smooth(0.0, 0.22, 0.16 - (latitude - 0.28).abs() - 0.35 * wet + 0.1 * fray + 0.06);
     let cold = smooth(0.58, 0.80, latitude + 0.12 * fray + 0.25 * relief);
     let ice = smooth(0.80, 0.86, latitude + 0.09 * fray + 0.05 * coast + 0.1 * relief);
@@ -193,11 +194,11 @@ fn earth(u: f64, v: f64) -> (DVec3, f64) {
 
 /// The word on the plate.
 const WORD: &str = "fixpath";
-/// Rows of dots of a letter, and of the whole plate.
+/// Dot rows of a letter, and of the whole plate.
 const LETTER_DOTS: usize = 16;
 const PLATE_DOTS: f64 = 28.0;
 
-/// Ink of the word's dots, 0 to 1, row by row from the top, and how many are in a row.
+/// Ink of the word's dots, 0 to 1, row by row from the top, and the number of dots in a row.
 static INK: LazyLock<(Vec<f64>, usize)> = LazyLock::new(|| {
     let (weight, size) = (FontWeight::Regular, RasterHeight::Size16);
     let width = get_raster_width(weight, size);
@@ -212,17 +213,17 @@ static INK: LazyLock<(Vec<f64>, usize)> = LazyLock::new(|| {
     (ink, columns)
 });
 
-/// A plate of sandstone with a word.
+/// A sandstone plate with a word.
 fn lettering(u: f64, v: f64) -> (DVec3, f64) {
     let (ink, columns) = &*INK;
     let at = |x: i64, y: i64| {
         let inside = |at: i64, count: usize| usize::try_from(at).ok().filter(|at| *at < count);
         inside(x, *columns).zip(inside(y, LETTER_DOTS)).map_or(0.0, |(x, y)| ink[y * columns + x])
     };
-    // Dots from the word's upper left, their centres at whole numbers; the word is in the middle.
+    // Dot coordinates from the word's upper left, centres at whole numbers; the word is centred.
     let x = 2.0 * PLATE_DOTS * (u - 0.5) + 0.5 * cast::f64_of_len(*columns) - 0.5;
     let y = PLATE_DOTS * (0.5 - v) + 0.5 * cast::f64_of_len(LETTER_DOTS) - 0.5;
-    // A cubic B-spline over the dots: dots become strokes without steps, and their edges flanks.
+    // A cubic B-spline over the dots: dots merge into strokes without steps, with sloped edges.
     let weights = |f: f64| {
         let g = 1.0 - f;
         let near = |f: f64| 2.0 / 3.0 - 0.5 * f * f * (2.0 - f);
@@ -248,15 +249,15 @@ fn lettering(u: f64, v: f64) -> (DVec3, f64) {
     (stone * (1.0 + 0.10 * grain), 0.1 + 0.03 * grain + 0.8 * raised)
 }
 
-/// Noise that repeats nowhere.
+/// The period of noise that doesn't repeat.
 const FREE: [i64; 3] = [0; 3];
 
-/// Octaves of noise, each twice as fine and half as strong; about -0.7 to 0.7.
+/// Sums octaves of noise, each twice as fine and half as strong; about -0.7 to 0.7.
 fn fbm(p: DVec3, period: [i64; 3], octaves: u32, seed: u64) -> f64 {
     let (mut sum, mut weight, mut scale) = (0.0, 0.5, 1);
     for octave in 0..octaves {
         let shift = 17.31 * f64::from(octave);
-        // A shift along a repeating axis would be harmless, along a free one it decouples octaves.
+        // A shift is harmless along a repeating axis; along a free one it decouples octaves.
         let q = p * cast::f64_of(scale) + DVec3::splat(shift);
         sum += weight * noise(q, period.map(|side| side * scale), seed + u64::from(octave) * 101);
         weight *= 0.5;
@@ -265,7 +266,7 @@ fn fbm(p: DVec3, period: [i64; 3], octaves: u32, seed: u64) -> f64 {
     sum
 }
 
-/// Gradient noise, about -1 to 1; the lattice repeats after `period` where that isn't 0.
+/// Gradient noise, about -1 to 1; the lattice repeats after `period` along axes where that isn't 0.
 fn noise(p: DVec3, period: [i64; 3], seed: u64) -> f64 {
     let cell = p.floor();
     let f = p - cell;
@@ -276,7 +277,7 @@ fn noise(p: DVec3, period: [i64; 3], seed: u64) -> f64 {
     };
     let fade = |t: f64| t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
     let weight = [fade(f.x), fade(f.y), fade(f.z)];
-    // From plane to line to corner, so that each hashes only its own coordinate.
+    // From plane to line to corner, so that each level hashes only its own coordinate.
     let corner = |state: u64, x: f64, y: f64, k: i64| {
         let bits = stir(state, ends(2, k));
         let part = |shift: u32| cast::f64_of_count(bits >> shift & 0xffff) / 32768.0 - 1.0;
@@ -301,13 +302,13 @@ fn stir(state: u64, x: i64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// A number in [0, 1) of three integers.
+/// A hash of three integers, in [0, 1).
 fn hash01(at: [i64; 3], seed: u64) -> f64 {
     let bits = at.iter().fold(seed, |state, x| stir(state, *x));
     cast::f64_of_count(bits >> 11) / 9_007_199_254_740_992.0 // 2^53
 }
 
-/// 0 before `from`, 1 after `to`, smooth between; either order.
+/// 0 before `from`, 1 after `to`, smooth in between; either order.
 fn smooth(from: f64, to: f64, x: f64) -> f64 {
     let t = ((x - from) / (to - from)).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)

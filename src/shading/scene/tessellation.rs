@@ -1,14 +1,15 @@
-//! A scene as vertices and triangles, for what is computed per vertex and interpolated.
+//! A scene as vertices and triangles, for values that are computed per vertex and interpolated.
 //!
-//! Two forms: a [`Tessellation`] has texture frames at its vertices, as the emboss takes them, so that triangles of
-//! meshes, which have a dP/du each, have vertices of their own; an [`Assembly`] has only what triangles
-//! share, each vertex once.
+//! There are two forms. A [`Tessellation`] has texture frames at its vertices, as the emboss needs
+//! them; since each mesh triangle has its own dP/du, it has its own vertices. An [`Assembly`] has
+//! only what triangles share, each vertex once.
 //!
-//! Planes and faces of cubes become grids of `tessellation` by `tessellation` squares, a sphere one of
-//! `tessellation` rows (2 at least) from pole to pole and twice as many columns, each row a strip of triangles, two to
-//! a square; at a pole a square is one triangle, whose tip has the azimuth of the square's middle. Triangles of
-//! meshes stay as they are. The weights of a pixel's corners are those of the place that
-//! its ray meets, so what is interpolated with them is right in perspective.
+//! Planes and faces of cubes become grids of `tessellation` by `tessellation` squares. A sphere
+//! becomes a grid of `tessellation` rows (at least 2) from pole to pole and twice as many columns.
+//! Each row is a strip of triangles, two per square; at a pole a square is one triangle, whose tip
+//! has the azimuth of the square's middle. Mesh triangles stay as they are. The weights of a
+//! pixel's corners are those of the point that its ray meets, so interpolation with them is
+//! perspective-correct.
 
 use super::Scene;
 use super::assembly::{SharedVertex, Sharing, Topology};
@@ -19,17 +20,17 @@ use crate::number::trig::Real;
 use glam::{DVec2, DVec3};
 use std::ops::Range;
 
-/// Most triangles of a scene.
+/// The most triangles of a scene.
 const MAX_TRIANGLES: u64 = 1 << 22;
 
 /// A vertex, in the world.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Vertex {
-    /// Where it is.
+    /// Its position.
     pub position: DVec3,
     /// Unit normal N.
     pub normal: DVec3,
-    /// Unit vector T, along which u grows, at right angles to N.
+    /// Unit vector T, along which u grows; perpendicular to N.
     pub tangent: DVec3,
     /// Unit vector B = h (N × T), along which v grows.
     pub binormal: DVec3,
@@ -61,15 +62,15 @@ pub struct Assembly {
     triangles: Triangles,
 }
 
-/// Triangles between vertices that are known by number, and what rays meet of them.
+/// Triangles between numbered vertices, and the surfaces that rays intersect.
 #[derive(Clone, Debug)]
 struct Triangles {
-    /// Vertices of each, turning counter-clockwise seen from the side of their normals.
+    /// Vertices of each triangle, counter-clockwise seen from the side of their normals.
     corners: Vec<[u32; 3]>,
     surfaces: Surfaces,
 }
 
-/// What pixels see of triangles, as columns: entry `i` of each belongs to one pixel.
+/// What pixels see of triangles, as columns: entry `i` of each column belongs to one pixel.
 #[derive(Clone, Default, Debug)]
 pub struct Seen {
     /// Index of the pixel, `row * width + column`, row 0 on top; increasing.
@@ -78,7 +79,7 @@ pub struct Seen {
     pub triangle: Vec<u32>,
     /// The triangle's vertices.
     pub corners: Vec<[u32; 3]>,
-    /// What each of them counts; together 1.
+    /// The weight of each vertex; they add up to 1.
     pub weights: Vec<[f64; 3]>,
 }
 
@@ -95,10 +96,10 @@ impl Seen {
         self.pixel.is_empty()
     }
 
-    /// What is between a pixel's corners of something that vertices have.
+    /// Interpolates a per-vertex value between a pixel's corners.
     ///
     /// # Panics
-    /// If there are fewer pixels, or something lacks a vertex.
+    /// If there are fewer pixels, or `of` has no value for a vertex.
     #[must_use]
     pub fn between(&self, i: usize, of: impl Fn(usize) -> f64) -> f64 {
         let pairs = self.corners[i].iter().zip(self.weights[i]);
@@ -110,7 +111,7 @@ impl Scene {
     /// Its surfaces as triangles with texture frames.
     ///
     /// # Errors
-    /// If they are more than 2^22.
+    /// If there are more than 2^22 triangles.
     pub fn tessellate(&self) -> Result<Tessellation> {
         let vertex = |seen: &trace::Seen| Vertex {
             position: seen.position,
@@ -131,8 +132,8 @@ impl Scene {
         Ok(Tessellation { vertices, triangles })
     }
 
-    /// Its surfaces as triangles that share vertices: the grids' own, and those of meshes as their files have
-    /// them.
+    /// Its surfaces as triangles that share vertices: those of the grids, and those of meshes as in
+    /// their files.
     ///
     /// # Errors
     /// If there are more than 2^22 triangles.
@@ -157,7 +158,7 @@ impl Scene {
         Ok(Assembly { vertices, indices, stitches, triangles })
     }
 
-    /// The grids of all that isn't a mesh.
+    /// Builds the grids of everything that isn't a mesh.
     fn grow<V>(
         &self,
         make: fn(&trace::Seen) -> V,
@@ -169,7 +170,7 @@ impl Scene {
             + 4 * parts * parts * cast::count_of(self.surfaces.balls.len());
         if count > MAX_TRIANGLES {
             return Err(Error::usage(format!(
-                "the scene has {count} triangles at `tessellation` = {parts}: legal are {MAX_TRIANGLES}; lower it in [emboss]"
+                "the scene has {count} triangles at `tessellation` = {parts}: legal are at most {MAX_TRIANGLES}; lower it in [emboss]"
             )));
         }
         let parts = self.emboss.tessellation;
@@ -199,7 +200,8 @@ impl Scene {
                 ball.seen(point, DVec3::new(-sin[0], cos[0], 0.0), DVec2::new(u, v))
             };
             grower.grid(ball.object, [columns, rows], |grower, i, j| {
-                // Of a square's one triangle at a pole, the tip is its first corner there, or its last.
+                // At a pole, the tip of a square's one triangle is its first corner there, or its
+                // last.
                 let middle = match j {
                     0 => 0.5,
                     j if j == rows => -0.5,
@@ -212,7 +214,7 @@ impl Scene {
     }
 }
 
-/// Vertices and triangles so far.
+/// The vertices and triangles built so far.
 struct Grower<V> {
     make: fn(&trace::Seen) -> V,
     shared: fn(&V) -> SharedVertex,
@@ -229,7 +231,8 @@ impl<V> Grower<V> {
         cast::id_of(self.vertices.len() - 1)
     }
 
-    /// Squares of a grid of vertices: each row a strip, two triangles to a square, or one if the other has no area.
+    /// The squares of a grid of vertices: each row is a strip with two triangles per square, or one
+    /// if the other has no area.
     fn grid(
         &mut self,
         object: u32,
@@ -244,8 +247,8 @@ impl<V> Grower<V> {
         }
         let id = |i: u32, j: u32| first + j * (columns + 1) + i;
         for j in 0..rows {
-            // Upper and lower ends by turns: at the lower pole the second triangle of a square has no
-            // area, at the upper one the first.
+            // Upper and lower ends alternate: at the lower pole the second triangle of a square has
+            // no area, at the upper pole the first.
             let strip: Vec<u32> = (0..=columns).flat_map(|i| [id(i, j + 1), id(i, j)]).collect();
             self.indices += cast::count_of(strip.len());
             let count = Topology::Strip.triangles(strip.len()).expect("bug: a square has corners");
@@ -256,7 +259,7 @@ impl<V> Grower<V> {
         }
     }
 
-    /// Adds a triangle, unless it has no area.
+    /// Adds a triangle; returns false if it has no area.
     fn triangle(&mut self, object: u32, corners: [u32; 3]) -> bool {
         let of = corners.map(|corner| (self.shared)(&self.vertices[cast::index_of_u32(corner)]));
         let place = Place { object, number: 0, triangle: true };
@@ -266,7 +269,7 @@ impl<V> Grower<V> {
             return false;
         }
         let [a, b, c] = corners;
-        // A face turns its corners so that it is met from the side of its normals.
+        // A face orders its corners so that it is seen from the side of its normals.
         let turned = face.points[1] != points[1];
         self.corners.push(if turned { [a, c, b] } else { corners });
         self.faces.push(face);
@@ -280,15 +283,15 @@ impl<V> Grower<V> {
 }
 
 impl Tessellation {
-    /// What the pixels of some rows see, in order; pixels that see nothing are left out. Replaces what
-    /// `seen` held.
+    /// What the pixels of some rows see, in order; pixels that see nothing are left out. Replaces
+    /// the contents of `seen`.
     pub fn trace(&self, scene: &Scene, rows: Range<u32>, seen: &mut Seen) {
         self.triangles.trace(scene, rows, seen);
     }
 }
 
 impl Assembly {
-    /// Vertices of each triangle, by number; they turn counter-clockwise seen from the side of their normals.
+    /// Vertices of each triangle, by number; counter-clockwise seen from the side of their normals.
     #[must_use]
     pub fn primitives(&self) -> &[[u32; 3]] {
         &self.triangles.corners
@@ -303,8 +306,8 @@ impl Assembly {
         self.triangles.surfaces.faces[cast::index_of_u32(triangle)].place.object
     }
 
-    /// Texture coordinates of a pixel, by the same arithmetic as [`Scene::trace`]'s: of triangles of meshes, the same
-    /// to the last bit, so that both see one texel on a border of two.
+    /// Texture coordinates of a pixel, by the same arithmetic as in [`Scene::trace`]: for mesh
+    /// triangles they are bit-identical, so that both see the same texel on a border of two.
     ///
     /// # Panics
     /// If there are fewer pixels.
@@ -314,7 +317,7 @@ impl Assembly {
         self.triangles.surfaces.faces[cast::index_of_u32(seen.triangle[i])].uv(DVec2::new(s, r))
     }
 
-    /// What sharing of vertices saves.
+    /// What vertex sharing saves.
     #[must_use]
     pub fn sharing(&self) -> Sharing {
         Sharing::of(self.vertices.len(), self.primitives(), self.indices, self.stitches)

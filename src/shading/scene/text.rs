@@ -1,4 +1,4 @@
-//! From TOML text to a scene: what is legal, and what is wrong in which line.
+//! From TOML text to a scene: legal values, and errors with their line.
 
 use super::limits::MAX_TRIANGLES;
 use super::limits::{FAR, shown};
@@ -20,11 +20,11 @@ use std::ops::{Range, RangeInclusive};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toml::Spanned;
-/// Most objects of a scene.
+/// The most objects of a scene.
 const MAX_OBJECTS: usize = 1000;
-/// Most lights of a scene.
+/// The most lights of a scene.
 const MAX_LIGHTS: usize = 8;
-/// Most materials that differ: each is computed with each light.
+/// The most different materials: each is computed with each light.
 const MAX_MATERIALS: usize = 64;
 
 type Real = Option<Spanned<f64>>;
@@ -105,7 +105,7 @@ struct MaterialText {
     exponent: Integer,
 }
 
-/// `[texture]` and `[height]`; each refuses the other's own key.
+/// `[texture]` and `[height]`; each rejects the key that only the other has.
 #[derive(Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 struct MapText {
@@ -172,7 +172,7 @@ enum ShapeText {
     Mesh,
 }
 
-/// Meshes that are made up.
+/// Generated meshes.
 #[derive(Clone, Copy, Deserialize)]
 #[serde(rename_all = "lowercase")]
 enum MeshSource {
@@ -186,7 +186,7 @@ enum Scale {
     Axes(Exactly<f64, 3>),
 }
 
-/// Reads a scene; `path` names it in messages, and files are relative to its folder.
+/// Reads a scene; `path` is its name in messages, and file names are relative to its folder.
 pub(super) fn read(text: &str, path: &Path) -> Result<Scene> {
     let document = Document { text, path };
     let reader = Reader { document };
@@ -219,7 +219,7 @@ pub(super) fn read(text: &str, path: &Path) -> Result<Scene> {
         }
         if different.len() > MAX_MATERIALS {
             let problem = format!(
-                "more than {MAX_MATERIALS} different materials, the most that a scene may have: give some objects the same"
+                "more than {MAX_MATERIALS} different materials, the most that a scene may have: let some objects share one"
             );
             return Err(reader.fail(&object.span(), problem));
         }
@@ -255,8 +255,7 @@ pub(super) fn read(text: &str, path: &Path) -> Result<Scene> {
     if let Some(bare) = &without_uv {
         for (varies, map) in [(!texture.is_even(), "texture"), (!bumps.is_flat(), "height")] {
             if varies {
-                let needed =
-                    format!("by which [{map}] lies on it: unwrap it, or leave [{map}] out");
+                let needed = format!("which [{map}] needs: unwrap the mesh, or leave [{map}] out");
                 return Err(bare.error(&needed));
             }
         }
@@ -289,7 +288,7 @@ pub(super) fn read(text: &str, path: &Path) -> Result<Scene> {
     })
 }
 
-/// What isn't in an object's mesh as its file has it, each once.
+/// How the objects' meshes differ from their files, each note once.
 fn notes(objects: &[(Shape, Placement)]) -> Vec<String> {
     let mut notes: Vec<String> = Vec::new();
     for (shape, _) in objects {
@@ -299,11 +298,11 @@ fn notes(objects: &[(Shape, Placement)]) -> Vec<String> {
         if without > 0 {
             let taken = match (*crease_degrees > 0.0, mesh.is_faceted) {
                 (true, _) => format!(
-                    "means of the triangles around it are taken, up to edges of `crease_degrees` = {crease_degrees} (by `tangent-faceted` alone those of the triangles)"
+                    "means of the triangles around each are used, up to edges of `crease_degrees` = {crease_degrees} (`tangent-faceted` alone uses the triangles' own)"
                 ),
-                (false, true) => "those of the triangles are taken, as glTF asks for; `crease_degrees` = 60 in its [[object]] takes means up to such edges".to_owned(),
+                (false, true) => "the triangles' own are used, as glTF requires; for means up to edges of 60 degrees, set `crease_degrees` = 60 in its [[object]]".to_owned(),
                 (false, false) => {
-                    "those of the triangles are taken, by `crease_degrees` = 0".to_owned()
+                    "the triangles' own are used, due to `crease_degrees` = 0".to_owned()
                 }
             };
             told.push(format!(
@@ -323,7 +322,7 @@ fn notes(objects: &[(Shape, Placement)]) -> Vec<String> {
 
 const MATERIAL: Material = Material { ambient: 0.1, diffuse: 0.7, specular: 0.2, exponent: 32 };
 
-/// The file, to say where something is wrong.
+/// The file, for the line of an error.
 struct Reader<'a> {
     document: Document<'a>,
 }
@@ -398,10 +397,11 @@ impl Reader<'_> {
         })
     }
 
-    /// Refuses a key that says nothing here.
+    /// Rejects a key that has no effect here.
     fn refuse<T>(&self, key: &str, given: &Option<Spanned<T>>, why: &str) -> Result<()> {
         given.as_ref().map_or(Ok(()), |given| {
-            Err(self.fail(&given.span(), format!("`{key}` has no use here: {why}; leave it out")))
+            Err(self
+                .fail(&given.span(), format!("`{key}` has no effect here: {why}; leave it out")))
         })
     }
 
@@ -447,7 +447,7 @@ impl Reader<'_> {
             let mut legal = [0; 3];
             legal[view.abs().min_position()] = 1;
             let problem = format!(
-                "the camera's `up` = [{}, {}, {}] is no direction or along the view: choose another, such as {legal:?}",
+                "the camera's `up` = [{}, {}, {}] is zero or along the view: choose another, such as {legal:?}",
                 up.x, up.y, up.z
             );
             return Err(self.fail(&line(&camera.up), problem));
@@ -474,7 +474,7 @@ impl Reader<'_> {
                 let unit = direction.try_normalize().ok_or_else(|| {
                     let span = light.direction.as_ref().map(Spanned::span).unwrap_or_default();
                     let problem =
-                        "`direction` has no length: it points from the surface towards the light";
+                        "`direction` is zero: it must point from the surface towards the light";
                     self.fail(&span, problem.to_owned())
                 })?;
                 Place::Direction(unit)
@@ -511,7 +511,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The path of a light.
+    /// The orbit of a light.
     fn orbit(
         &self,
         given: Option<&Spanned<Table<OrbitText>>>,
@@ -523,7 +523,10 @@ impl Reader<'_> {
         let axis = self.vector("axis", &orbit.axis, [0.0, 0.0, 1.0])?;
         let axis = axis.try_normalize().ok_or_else(|| {
             let span = orbit.axis.as_ref().map_or(given.span(), Spanned::span);
-            self.fail(&span, "`axis` has no length: the light turns about it".to_owned())
+            self.fail(
+                &span,
+                "`axis` is zero: give the direction about which the light rotates".to_owned(),
+            )
         })?;
         let light = self.integer("light", &orbit.light, 0, 0..=last)?;
         if matches!(lights[cast::index_of_u32(light)].place, Place::Direction(_)) {
@@ -538,7 +541,7 @@ impl Reader<'_> {
         }))
     }
 
-    /// A material whose missing keys are those of another.
+    /// A material; keys that aren't given have the values of `base`.
     fn material(&self, given: &MaterialText, base: Material) -> Result<Material> {
         Ok(Material {
             ambient: self.real("ambient", &given.ambient, base.ambient, 0.0..=1.0)?,
@@ -548,7 +551,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The texture, and what it was made from.
+    /// The texture, and the samples that it was generated from.
     fn texture(
         &self,
         given: Option<&Spanned<Table<MapText>>>,
@@ -573,7 +576,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The bumps; a surface that was made for the texture isn't made again.
+    /// The bumps; samples generated for the texture are reused.
     fn bumps(
         &self,
         given: Option<&Spanned<Table<MapText>>>,
@@ -599,7 +602,7 @@ impl Reader<'_> {
         let span = given.map(Spanned::span).unwrap_or_default();
         if let Some(file) = &map.file {
             if map.source.is_some() {
-                let problem = "`source` and `file` are both there: a map has one of them";
+                let problem = "`source` and `file` are both given: remove one of them";
                 return Err(self.fail(&span, problem.to_owned()));
             }
             self.refuse("width", &map.width, "the size is that of the file")?;
@@ -660,7 +663,7 @@ impl Reader<'_> {
             ShapeText::Sphere => Shape::Sphere,
             ShapeText::Mesh => {
                 if let Some(source) = &object.source {
-                    let why = "the mesh is that of `source`";
+                    let why = "the mesh comes from `source`";
                     self.refuse("file", &object.file, why)?;
                     let why = "that mesh has normals";
                     self.refuse("crease_degrees", &object.crease_degrees, why)?;

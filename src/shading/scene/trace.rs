@@ -1,4 +1,4 @@
-//! The pixels that a scene covers: rays against faces and spheres, and what is there where they meet.
+//! The pixels that a scene covers: rays against faces and spheres, and the surface where they meet.
 
 use super::assembly::{Mesh, SharedVertex, has_area, is_area};
 use super::normals::{self, Normals};
@@ -13,22 +13,24 @@ use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// Face number of a fragment whose face isn't flat: its normal changes from pixel to pixel.
+/// Face number of a fragment whose face isn't flat: its normal varies from pixel to pixel.
 pub const CURVED: u32 = u32::MAX;
 
-/// Faces are this much larger than they are, in lengths of their edges, so that neighbours leave no crack.
+/// Faces are enlarged by this fraction of their edges, so that neighbours leave no crack.
 const EDGE: f64 = 1e-9;
 
 /// Triangles or balls in a leaf of the tree.
 const LEAF: usize = 4;
-/// Most faces and spheres that the rays of one picture may try together: about a minute's work.
+/// The most faces and spheres that the rays of one picture may test together: about a minute's
+/// work.
 const MAX_TRIES: u64 = 1 << 33;
-/// Columns and rows of rays that are tried before.
+/// Columns and rows of probe rays, which are tested first.
 const PROBES: u32 = 32;
-/// Depth of the tree at most: every level halves, and there are fewer than 2^32 primitives.
+/// The largest depth of the tree: every level halves, and there are fewer than 2^32 primitives.
 const DEPTH: usize = 40;
 
-/// What pixels see, as columns: entry `i` of each belongs to one pixel. Reused without allocation.
+/// What pixels see, as columns: entry `i` of each column belongs to one pixel. Reused without
+/// allocation.
 #[derive(Clone, Default, Debug)]
 pub struct Fragments {
     /// Index of the pixel, `row * width + column`, row 0 on top; increasing.
@@ -37,19 +39,19 @@ pub struct Fragments {
     pub object: Vec<u32>,
     /// Number of the flat face in its object, or [`CURVED`].
     pub face: Vec<u32>,
-    /// Where it is in the world: x, y, z.
+    /// Position in the world: x, y, z.
     pub position: [Vec<f64>; 3],
     /// Unit normal N.
     pub normal: [Vec<f64>; 3],
-    /// Unit vector T, at right angles to N.
+    /// Unit vector T, perpendicular to N.
     pub tangent: [Vec<f64>; 3],
     /// Handedness h, +1 or -1: B = h (N x T).
     pub handedness: Vec<f64>,
     /// Unit vector V to the eye.
     pub eye: [Vec<f64>; 3],
-    /// Number of the face among those of [`Scene::faces`], or [`CURVED`] on a sphere.
+    /// Index of the face in [`Scene::faces`], or [`CURVED`] on a sphere.
     pub primitive: Vec<u32>,
-    /// What the face's second and third corner count there; the first counts what is left of 1.
+    /// Weights of the face's second and third corner; the first has the remainder to 1.
     pub weights: [Vec<f64>; 2],
     /// Index of the texel in the texture.
     pub texel: Vec<u32>,
@@ -70,7 +72,7 @@ impl Fragments {
         self.pixel.is_empty()
     }
 
-    /// Removes all, keeps their memory.
+    /// Removes all fragments and keeps their memory.
     pub fn clear(&mut self) {
         self.pixel.clear();
         self.object.clear();
@@ -112,9 +114,9 @@ fn push(columns: &mut [Vec<f64>; 3], vector: DVec3) {
 }
 
 impl Scene {
-    /// Corners of all faces, in the world: of planes and of cubes those at (u, v) = (0, 0), (1, 0) and (0, 1), and
-    /// triangles of meshes; with the index of their object. They turn counter-clockwise seen from the side of their
-    /// normals.
+    /// Corners of all faces in the world, with the index of their object: for planes and cubes
+    /// those at (u, v) = (0, 0), (1, 0) and (0, 1), for meshes the triangles. They run
+    /// counter-clockwise seen from the side of their normals.
     pub fn faces(&self) -> impl Iterator<Item = (u32, [SharedVertex; 3])> + '_ {
         let corner = |face: &Face, i: usize| SharedVertex {
             position: face.points[i],
@@ -125,14 +127,14 @@ impl Scene {
         self.surfaces.faces.iter().map(of)
     }
 
-    /// The unit vector V from a point to the eye; 0 in the eye itself.
+    /// The unit vector V from a point to the eye; 0 at the eye itself.
     #[must_use]
     pub fn to_eye(&self, point: DVec3) -> DVec3 {
         Rays::new(&self.camera, &self.image).to_eye(point)
     }
 
     /// What the pixels of some rows see, in order; pixels that see no object are left out. Replaces
-    /// what `fragments` held. Rows below the image have no pixels.
+    /// the contents of `fragments`. Rows below the image have no pixels.
     pub fn trace(&self, rows: Range<u32>, fragments: &mut Fragments) {
         fragments.clear();
         let rays = Rays::new(&self.camera, &self.image);
@@ -172,7 +174,7 @@ pub(super) struct Rays {
     height: f64,
 }
 
-/// A ray, its direction of any length.
+/// A ray; its direction has any length.
 pub(super) struct Ray {
     origin: DVec3,
     direction: DVec3,
@@ -215,16 +217,16 @@ pub(super) enum Shape {
     Cube,
     Sphere,
     Mesh {
-        /// The file that it is from.
+        /// The file that it comes from.
         file: PathBuf,
-        /// Objects of one file share it.
+        /// Shared by objects of the same file.
         mesh: Arc<Mesh>,
-        /// Edges up to this angle are smooth, where normals are made.
+        /// Edges up to this angle are smooth where normals are computed.
         crease_degrees: f64,
     },
 }
 
-/// Where an object is and how large.
+/// Position, orientation and size of an object.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Placement {
     linear: DMat3,
@@ -232,11 +234,11 @@ pub(super) struct Placement {
 }
 
 impl Placement {
-    /// Scales along the axes, then turns about x, y and z in this order, then moves.
+    /// Scales along the axes, then rotates about x, y and z in this order, then translates.
     pub(super) fn new(offset: DVec3, rotate_degrees: [f64; 3], scale: DVec3) -> Self {
         let turns = rotate_degrees.map(|degrees| degrees / 360.0);
         let (mut sin, mut cos) = ([0.0; 3], [0.0; 3]);
-        // Exact at quarter turns, which the standard library's radians can't be.
+        // Exact at quarter turns, which radians in the standard library can't be.
         f64::sin_cos_turns(&turns, &mut sin, &mut cos);
         let x = DMat3::from_cols(
             DVec3::X,
@@ -264,27 +266,28 @@ impl Placement {
 /// Why a mesh can't be lit.
 #[derive(Debug)]
 pub(super) struct Unfit {
-    /// The object that it is.
+    /// The mesh's object.
     pub(super) object: usize,
-    /// Line of its file, where that has lines.
+    /// Line in its file, for text formats.
     pub(super) line: Option<u64>,
-    /// What is wrong with it.
+    /// The problem.
     pub(super) problem: String,
 }
 
-/// Every surface of a scene, and a tree over them.
+/// All surfaces of a scene, and a tree over them.
 #[derive(Clone, Debug)]
 pub(super) struct Surfaces {
     pub(super) faces: Vec<Face>,
     pub(super) balls: Vec<Ball>,
-    /// What the faces that are triangles were assembled from.
+    /// The meshes from which triangular faces were assembled.
     pub(super) meshes: Vec<PlacedMesh>,
-    /// Faces, then balls, in the order of the tree's leaves; without faces that others hide everywhere.
+    /// Faces, then balls, in the order of the tree's leaves; without faces that are hidden
+    /// everywhere.
     order: Vec<u32>,
     nodes: Vec<TreeNode>,
 }
 
-/// A mesh in the world and the object that it is.
+/// A mesh in the world, and its object.
 #[derive(Clone, Debug)]
 pub(super) struct PlacedMesh {
     pub(super) object: u32,
@@ -294,7 +297,7 @@ pub(super) struct PlacedMesh {
     pub(super) stitches: u64,
 }
 
-/// A triangle or a parallelogram of points a + s (b-a) + r (c-a). Seen from its own side, a, b, c turn
+/// A triangle or parallelogram of points a + s (b-a) + r (c-a). Seen from its front, a, b, c run
 /// counter-clockwise.
 #[derive(Clone, Debug)]
 pub(super) struct Face {
@@ -302,11 +305,11 @@ pub(super) struct Face {
     pub(super) points: [DVec3; 3],
     uvs: [DVec2; 3],
     normals: [DVec3; 3],
-    /// The normals are all equal.
+    /// True if the normals are all equal.
     flat: bool,
 }
 
-/// Which face it is, and of which kind.
+/// The number of a face, and its kind.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
     pub(super) object: u32,
@@ -324,7 +327,8 @@ pub(super) struct Ball {
     handedness: f64,
 }
 
-/// A node of the tree. Its children are the next node and node `next`; a leaf has `len` of `order` from `next`.
+/// A node of the tree. Its children are the next node and node `next`; a leaf has `len` entries of
+/// `order` from `next` on.
 #[derive(Clone, Debug)]
 struct TreeNode {
     low: DVec3,
@@ -333,7 +337,7 @@ struct TreeNode {
     len: u32,
 }
 
-/// What a ray meets.
+/// The surface that a ray meets.
 pub(super) struct Seen {
     pub(super) object: u32,
     face: u32,
@@ -398,7 +402,7 @@ impl Surfaces {
                         uv: vertex.uv,
                     };
                     let vertices: Vec<SharedVertex> = vertices.into_iter().map(placed).collect();
-                    // A mirror turns corners the other way round.
+                    // A mirror reverses the winding.
                     if placement.linear.determinant() < 0.0 {
                         triangles.iter_mut().for_each(|corners| corners.swap(1, 2));
                     }
@@ -413,13 +417,13 @@ impl Surfaces {
                         let line = mesh.line(cast::index_of_u32(number));
                         if !face.has_area() {
                             let problem = format!(
-                                "triangle {number} (they count from 0) has no area where `scale` puts it: scale it evenly, or remove it"
+                                "triangle {number} (they count from 0) has no area after `scale`: scale the mesh evenly, or remove the triangle"
                             );
                             return Err(Unfit { object: i, line, problem });
                         }
                         if has_bumps && face.uv_determinant() == 0.0 {
                             let problem = format!(
-                                "triangle {number} (they count from 0) has no area in the texture, so bumps have no direction: unwrap it, or leave [height] out"
+                                "triangle {number} (they count from 0) has no area in the texture, so bumps have no direction: unwrap the mesh, or leave [height] out"
                             );
                             return Err(Unfit { object: i, line, problem });
                         }
@@ -433,7 +437,7 @@ impl Surfaces {
         Ok(Self { meshes, ..Self::over(faces, balls) })
     }
 
-    /// A tree over what is placed already.
+    /// Builds the tree over placed faces and balls.
     pub(super) fn over(faces: Vec<Face>, balls: Vec<Ball>) -> Self {
         let meshes = Vec::new();
         let mut surfaces = Self { faces, balls, meshes, order: Vec::new(), nodes: Vec::new() };
@@ -446,7 +450,7 @@ impl Surfaces {
             && self.faces.iter().all(|face| face.uv_determinant() >= 0.0)
     }
 
-    /// Grows the tree: halves by the median along the longest side.
+    /// Builds the tree: splits at the median along the longest side.
     fn grow(&mut self) {
         let boxes: Vec<(DVec3, DVec3)> = self
             .faces
@@ -458,10 +462,10 @@ impl Surfaces {
             let (low, high) = boxes[cast::index_of_u32(i)];
             low + high
         };
-        // Of faces that lie right upon each other the first alone is ever seen.
+        // Of coinciding faces only the first is ever seen.
         let mut seen = HashSet::new();
         let is_first = |i: &u32| match self.faces.get(cast::index_of_u32(*i)) {
-            // No zero has a sign.
+            // Adding 0.0 turns -0 into 0.
             Some(Face { points, place, .. }) => seen.insert((
                 points.map(|point| point.to_array().map(|x| (x + 0.0).to_bits())),
                 place.triangle,
@@ -469,7 +473,7 @@ impl Surfaces {
             None => true,
         };
         self.order = (0..cast::id_of(boxes.len())).filter(is_first).collect();
-        // Ranges yet to become nodes, and the parent that waits to know its second child's place.
+        // Ranges that still become nodes, and the parent that needs the index of its second child.
         let mut waiting: Vec<(Range<usize>, Option<usize>)> = vec![(0..self.order.len(), None)];
         while let Some((range, parent)) = waiting.pop() {
             let id = self.nodes.len();
@@ -499,7 +503,7 @@ impl Surfaces {
         }
     }
 
-    /// What there is where [`Self::meet`] says.
+    /// The surface at a hit of [`Self::meet`].
     fn at(&self, ray: &Ray, t: f64, i: u32, place: DVec2) -> Seen {
         let index = cast::index_of_u32(i);
         match self.faces.get(index) {
@@ -508,14 +512,15 @@ impl Surfaces {
         }
     }
 
-    /// The nearest thing that a ray meets from in front; of several at one distance, the one that is
-    /// first in the scene: how far away it is, its number among faces and then balls, and where on a face.
+    /// The nearest thing that a ray meets from its front; at equal distances, the first in the
+    /// scene. Returns the ray parameter, its number among faces and then balls, and the position on
+    /// a face.
     pub(super) fn meet(&self, ray: &Ray) -> Option<(f64, u32, DVec2)> {
         self.meet_counted(ray, &mut 0)
     }
 
-    /// Refuses what would take hours: faces and spheres that lie so close upon each other that rays must try most of
-    /// them. Some rays are tried, and as many tries expected of the others.
+    /// Rejects scenes that would take hours: faces and spheres so close together that rays must
+    /// test most of them. Tests some rays and extrapolates to all.
     pub(super) fn check_tries(&self, camera: &Camera, image: &Image) -> Result<(), String> {
         let rays = Rays::new(camera, image);
         let (columns, rows) = (image.width.min(PROBES), image.height.min(PROBES));
@@ -527,7 +532,7 @@ impl Surfaces {
             self.meet_counted(&ray, &mut tries);
             if tries > most {
                 return Err(format!(
-                    "faces lie so close upon each other that the rays of a picture would try more than {MAX_TRIES} of them, the most that a picture may take: remove those that are there many times, or make the picture smaller than {} x {}",
+                    "faces lie so close together that the rays of a picture would test more than {MAX_TRIES} of them, the most that a picture may take: remove duplicates, or make the picture smaller than {} x {}",
                     image.width, image.height
                 ));
             }
@@ -535,7 +540,7 @@ impl Surfaces {
         Ok(())
     }
 
-    /// As [`Self::meet`], and counts what it tries.
+    /// As [`Self::meet`], and counts the primitives tested.
     #[inline]
     fn meet_counted(&self, ray: &Ray, tries: &mut u64) -> Option<(f64, u32, DVec2)> {
         // A direction of 0 along an axis would give NaN at the faces of a box.
@@ -552,12 +557,12 @@ impl Surfaces {
             let (a, b) = ((node.low - ray.origin) * inverse, (node.high - ray.origin) * inverse);
             let enter = a.min(b).max_element().max(0.0);
             let leave = a.max(b).min_element();
-            // Rounding must not cut off what lies on the box's own border.
+            // The tolerance keeps surfaces on the box's own border in spite of rounding.
             if enter > leave * (1.0 + 1e-12) || enter > limit {
                 continue;
             }
             if node.len == 0 {
-                // The child that the ray comes to first goes on top.
+                // The child that the ray enters first goes on top.
                 let children = [stack[top] + 1, node.next];
                 let entry = |child: u32| {
                     let node = &self.nodes[cast::index_of_u32(child)];
@@ -594,8 +599,8 @@ impl Surfaces {
 }
 
 impl Face {
-    /// A face, its corners put in such an order that its own side is that of its unit normals. In place of a
-    /// normal of 0 it takes its own, on the side of those that it has.
+    /// A face whose corners are ordered so that its front is the side of its unit normals. A normal
+    /// of 0 is replaced by the face's own, on the side of the other normals.
     pub(super) fn new(
         place: Place,
         points: [DVec3; 3],
@@ -629,7 +634,7 @@ impl Face {
         has_area(self.points)
     }
 
-    /// Twice the area in the texture, negative where it is mirrored; 0 if it is next to none.
+    /// Twice the area in the texture, negative where mirrored; 0 if it is negligible.
     fn uv_determinant(&self) -> f64 {
         let [d1, d2] = self.uv_edges();
         let longest = d1.length_squared().max(d2.length_squared()).max(d1.distance_squared(d2));
@@ -639,12 +644,12 @@ impl Face {
 
     fn bounds(&self) -> (DVec3, DVec3) {
         let [a, b, c] = self.points;
-        // Of a triangle the fourth corner is one of its own.
+        // A triangle has no fourth corner: one of its own stands in.
         let d = if self.place.triangle { a } else { b + c - a };
         (a.min(b).min(c).min(d), a.max(b).max(c).max(d))
     }
 
-    /// Where along the ray it is met from in front, and at which (s, r) (Möller and Trumbore).
+    /// The ray parameter where the ray meets the front, and (s, r) there (Möller and Trumbore).
     #[inline]
     fn meet(&self, ray: &Ray) -> Option<(f64, DVec2)> {
         let [e1, e2] = self.edges();
@@ -681,7 +686,7 @@ impl Face {
         let [d1, d2] = self.uv_edges();
         let determinant = self.uv_determinant();
         let handedness = if determinant < 0.0 { -1.0 } else { 1.0 };
-        // Up to a positive factor, the determinant's size.
+        // Up to a positive factor, the absolute determinant.
         let (dpdu, dpdv) = if determinant == 0.0 {
             (e1, e2)
         } else {
@@ -711,17 +716,18 @@ impl Ball {
         (self.offset - half, self.offset + half)
     }
 
-    /// Where along the ray it is met from outside.
+    /// The ray parameter where the ray meets the ball from outside.
     #[inline]
     fn meet(&self, ray: &Ray) -> Option<f64> {
         let origin = self.inverse * (ray.origin - self.offset);
         let direction = self.inverse * ray.direction;
         let square = direction.length_squared();
         let middle = -origin.dot(direction) / square;
-        // The ray's nearest point to the centre: from far away, this keeps more digits than b² - ac.
+        // The ray's nearest point to the centre: from far away, this keeps more digits than b² -
+        // ac.
         let depth = 1.0 - (origin + middle * direction).length_squared();
         let t = middle - (depth / square).sqrt();
-        // NaN where the ray passes by.
+        // NaN where the ray misses.
         (t > 0.0).then_some(t)
     }
 
@@ -729,7 +735,7 @@ impl Ball {
         let met = self.inverse * (ray.origin + t * ray.direction - self.offset);
         let p = met.normalize();
         let rho = libm::hypot(p.x, p.y);
-        // On a pole the azimuth is 0, whatever the signs of its zeros.
+        // At a pole the azimuth is 0, whatever the signs of its zeros.
         let (azimuth, east) = if rho == 0.0 {
             (0.0, DVec3::Y)
         } else {
@@ -741,7 +747,7 @@ impl Ball {
         self.seen(p, east, DVec2::new(u, v))
     }
 
-    /// The place of a point of the unit sphere, whose east is given.
+    /// The surface at a point `p` of the unit sphere, with its eastward direction.
     pub(super) fn seen(&self, p: DVec3, east: DVec3, uv: DVec2) -> Seen {
         let normal = (self.inverse.transpose() * p).normalize();
         let along = self.linear * east;
@@ -763,7 +769,7 @@ mod tests {
     use super::*;
     use rand_core::{RngCore, SeedableRng};
 
-    /// What the tree finds is what trying everything finds.
+    /// The tree finds the same as testing everything.
     #[test]
     fn the_tree_finds_the_nearest() {
         let mut random = rand_pcg::Pcg64Mcg::seed_from_u64(5);
@@ -787,7 +793,7 @@ mod tests {
             let placement = Placement::new(vector(), vector().to_array(), DVec3::splat(0.05));
             objects.push((Shape::Sphere, placement));
         }
-        // Boxes without thickness, and rays that run along them.
+        // Boxes without thickness, and rays along them.
         objects.push((Shape::Plane, Placement::new(DVec3::ZERO, [0.0; 3], DVec3::splat(0.3))));
         let surfaces = Surfaces::new(&objects, true, Normals::Means).unwrap();
         let mut hits = 0;
@@ -822,7 +828,7 @@ mod tests {
             [90.0, 0.0, 90.0],
             DVec3::new(1.0, 2.0, 3.0),
         );
-        // y: doubled, about x to z, stays there about z; z: tripled, to -y, to +x.
+        // y: doubled, rotated about x to z, unchanged about z; z: tripled, to -y, to +x.
         assert_eq!(place.point(DVec3::Y), DVec3::new(10.0, 0.0, 2.0));
         assert_eq!(place.point(DVec3::Z), DVec3::new(13.0, 0.0, 0.0));
         assert_eq!(place.point(DVec3::X), DVec3::new(10.0, 1.0, 0.0));
@@ -836,7 +842,7 @@ mod tests {
         let face = Face::new(place, points, [DVec2::ZERO, DVec2::X, DVec2::Y], normals);
         let seen = face.at(DVec2::new(0.5, 0.5));
         assert_eq!((seen.normal, seen.face), (DVec3::Z, CURVED));
-        // N along dP/du: T still is at right angles, and B along dP/dv.
+        // N is along dP/du: T is still perpendicular, and B is along dP/dv.
         let seen = face.at(DVec2::new(1.0, 0.0));
         assert_eq!(seen.normal, DVec3::X);
         assert_eq!(seen.normal.cross(seen.tangent), DVec3::Y);

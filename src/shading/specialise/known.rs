@@ -1,10 +1,10 @@
-//! What is known of an input.
+//! Knowledge about an input.
 
 use crate::netlist::Rate;
 use crate::netlist::words::Words;
 use crate::number::format::Format;
 
-/// What is known of an input.
+/// Knowledge about an input.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Known {
     /// The words that occur.
@@ -14,7 +14,7 @@ pub struct Known {
 }
 
 impl Known {
-    /// Nothing: every word of the format, with every sample.
+    /// No knowledge: every word of the format may occur, with every sample.
     #[must_use]
     pub fn nothing(format: Format) -> Self {
         Self { words: Words::all(format), rate: Rate::Pixel }

@@ -1,18 +1,20 @@
-//! Only what a scene needs: a netlist cut down to the words that occur at its inputs.
+//! Specialisation of a netlist to a scene: reduces it to the words that occur at its inputs.
 //!
-//! A caller knows which words each input can hold ([`Known::words`]) and how often it changes
-//! ([`Known::rate`]). [`specialise`] finds from that which words every node can hold ([`ranges`]), and
-//! makes netlists that give the same output words for all such inputs:
+//! A caller knows which words each input can have ([`Known::words`]) and how often it changes
+//! ([`Known::rate`]). From this, [`specialise`] derives the words that every node can have
+//! ([`ranges`]), and builds netlists with the same output words for all such inputs:
 //!
-//! 1. nodes of one word become constants; choices with a known flag, additions of zero, products with
-//!    a power of two and shifts by a known count become wires; limits that are never met go;
-//! 2. what depends only on inputs that are constant over a face moves to a netlist of its own, whose
-//!    outputs are further inputs of the rest;
-//! 3. tables are cut to rows and columns that are read;
-//! 4. nodes, tables and inputs that no wanted output needs go.
+//! 1. Nodes with one possible word become constants. Muxes with a known flag, additions of zero,
+//!    products with a power of two and shifts by a known count become wires. Saturation that never
+//!    happens is removed.
+//! 2. Nodes that depend only on inputs that are constant over a face move to a separate netlist,
+//!    whose outputs become further inputs of the rest.
+//! 3. Tables are cut to the rows and columns that are read.
+//! 4. Nodes, tables and inputs that no wanted output needs are removed.
 //!
-//! What is left keeps its operation, format, name, scope and meaning. A meaning whose arguments are
-//! gone goes too: on reals, a constant is its word, with the error that it has.
+//! The remaining nodes keep their operation, format, name, scope and meaning. A meaning is removed
+//! if its arguments are gone: in real arithmetic, a constant is then its word, with the word's
+//! error.
 
 mod known;
 mod rebuild;

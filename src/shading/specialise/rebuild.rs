@@ -1,4 +1,4 @@
-//! Building a netlist again, node by node, with some of them replaced.
+//! Rebuilds a netlist node by node, replacing some nodes.
 
 use super::reduced::{Reduced, Source};
 use crate::base::name;
@@ -7,14 +7,14 @@ use crate::netlist::{Builder, Netlist, NodeId, Quantity, ScopeId, TableId};
 use crate::number::format::{Overflow, Round};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A netlist that grows from another; nodes are given in the order of the old one.
+/// A netlist rebuilt from another; nodes are added in the order of the old one.
 pub(super) struct Rebuild<'a> {
     old: &'a Netlist,
     old_inputs: &'a [Source],
     b: Builder,
     /// New ids by old ones.
     new: Vec<Option<NodeId>>,
-    /// The operand of a new node that only brings it into another format.
+    /// The operand of each new node that only converts its format.
     wires_of: BTreeMap<NodeId, NodeId>,
     inputs: Vec<Source>,
 }
@@ -31,7 +31,7 @@ impl<'a> Rebuild<'a> {
         }
     }
 
-    /// The node as it is.
+    /// Copies a node unchanged.
     pub(super) fn copy(&mut self, id: NodeId) {
         let node = self.old.node(id);
         if node.op == Op::Input {
@@ -46,7 +46,7 @@ impl<'a> Rebuild<'a> {
         }
     }
 
-    /// A port in its place.
+    /// Replaces a node by a port.
     pub(super) fn port(&mut self, id: NodeId, name: &str, source: Source) {
         let node = self.old.node(id);
         self.b.enter(ScopeId::ROOT);
@@ -58,7 +58,7 @@ impl<'a> Rebuild<'a> {
         self.new[id.index()] = Some(new);
     }
 
-    /// A constant in its place.
+    /// Replaces a node by a constant.
     pub(super) fn constant(&mut self, id: NodeId, raw: i64) {
         let before = self.b.len();
         self.b.enter(self.old.node(id).scope);
@@ -66,29 +66,29 @@ impl<'a> Rebuild<'a> {
         self.stands_for(id, new, self.b.len() > before, None);
     }
 
-    /// The value of an operand, in the node's format.
+    /// Replaces a node by the value of an operand, in the node's format.
     pub(super) fn wires(&mut self, id: NodeId, operand: NodeId) {
         let before = self.b.len();
         self.b.enter(self.old.node(id).scope);
         let new = self.in_format(self.at(operand), id);
-        // An operand without a value on reals may stand for what the node did.
+        // An operand without a value on reals may take over the node's meaning.
         let own = self.b.len() > before || self.old.node(operand).real.is_none();
         self.stands_for(id, new, self.b.len() > before, own.then_some(id));
     }
 
-    /// The value of another operation, in the node's format.
+    /// Replaces a node by another operation, in the node's format.
     pub(super) fn simpler(&mut self, id: NodeId, op: Op, operands: &[NodeId]) {
         let operands: Vec<NodeId> = operands.iter().map(|id| self.at(*id)).collect();
         self.place(id, op, &operands);
     }
 
-    /// A table read at low bits of its address, in place of a read.
+    /// Replaces a table read by a read of a table at the low bits of the address.
     pub(super) fn read(&mut self, id: NodeId, table: TableId, column: u32) {
         let mut address = self.at(self.old.node(id).operands[0]);
         let bits = self.b.tables()[table.index()].addr_bits;
         self.b.enter(self.old.node(id).scope);
         if bits < self.b.format(address).bits() {
-            // A slice of a slice is one.
+            // Merge a slice of a slice into one.
             let (of, lo) = match (self.b.node(address).op, &self.b.node(address).operands[..]) {
                 (Op::Slice { lo }, [of]) => (*of, lo),
                 _ => (address, 0),
@@ -112,12 +112,12 @@ impl<'a> Rebuild<'a> {
         self.stands_for(id, new, fresh, fresh.then_some(id));
     }
 
-    /// A table of the new netlist.
+    /// The builder of the new netlist.
     pub(super) fn builder(&mut self) -> &mut Builder {
         &mut self.b
     }
 
-    /// The netlist with these outputs, named by old ids.
+    /// The netlist with these outputs, given by old ids.
     pub(super) fn finish(mut self, outputs: &[(String, NodeId)]) -> Reduced {
         for (name, id) in outputs {
             let node = self.at(*id);
@@ -131,12 +131,12 @@ impl<'a> Rebuild<'a> {
         self.new[id.index()].expect("bug: operands come first")
     }
 
-    /// What a node brings into another format, if it only does that.
+    /// The operand of a node that only converts formats; otherwise the node itself.
     fn through_wires(&self, new: NodeId) -> NodeId {
         self.wires_of.get(&new).copied().unwrap_or(new)
     }
 
-    /// A new node in the format of an old one, which holds each of its words.
+    /// Converts a new node to the format of an old one, which can represent each of its words.
     fn in_format(&mut self, new: NodeId, id: NodeId) -> NodeId {
         let format = self.old.node(id).format;
         if self.b.format(new) == format {
@@ -150,7 +150,7 @@ impl<'a> Rebuild<'a> {
         wires
     }
 
-    /// Notes a new node, and gives it what the old one was called and stood for.
+    /// Records a new node, and gives it the old node's name and meaning.
     fn stands_for(&mut self, id: NodeId, new: NodeId, fresh: bool, meaning_of: Option<NodeId>) {
         let node = self.old.node(id);
         self.new[id.index()] = Some(new);
@@ -172,7 +172,7 @@ impl<'a> Rebuild<'a> {
     }
 }
 
-/// Which nodes some outputs need, where a node needs `operands`.
+/// The nodes that some outputs need, where a node needs its `operands`.
 pub(super) fn live<'a>(
     netlist: &Netlist,
     outputs: impl Iterator<Item = NodeId>,
@@ -188,7 +188,7 @@ pub(super) fn live<'a>(
     live
 }
 
-/// A port name that isn't taken, from a node's name with its scopes.
+/// A free port name, from a node's name with its scopes.
 pub(super) fn port_name(netlist: &Netlist, id: NodeId, taken: &mut BTreeSet<String>) -> String {
     let node = netlist.node(id);
     let mut words = netlist.scope_path(node.scope);

@@ -1,13 +1,13 @@
-//! A netlist of which some inputs are gone.
+//! A netlist with some inputs removed.
 
 use crate::netlist::Netlist;
 
-/// Where an input of a specialised netlist gets its word.
+/// The source of a specialised netlist's input word.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Source {
-    /// Input port of the general netlist.
+    /// An input port of the general netlist.
     Port(usize),
-    /// Output of the netlist that is evaluated once per face.
+    /// An output of the netlist that is evaluated once per face.
     Face(usize),
 }
 
@@ -16,12 +16,12 @@ pub enum Source {
 pub struct Reduced {
     /// The netlist.
     pub netlist: Netlist,
-    /// Where each of its inputs gets its word.
+    /// The source of each input.
     pub inputs: Vec<Source>,
 }
 
 impl Reduced {
-    /// The words of its inputs, from those of the general netlist and of the face's outputs.
+    /// Its input words, from those of the general netlist and the face netlist's outputs.
     ///
     /// # Panics
     /// If a word is missing.

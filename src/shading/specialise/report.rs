@@ -1,17 +1,17 @@
-//! What a specialised netlist is made of, and what it saves.
+//! The parts of a specialised netlist, and what it saves.
 
 use super::reduced::Reduced;
 use super::tables::TableCut;
 use crate::netlist::Counts;
 
-/// What [`specialise`](super::specialise()) makes.
+/// The result of [`specialise`](super::specialise()).
 #[derive(Clone, Debug)]
 pub struct Specialised {
     /// The whole datapath, reduced.
     pub whole: Reduced,
-    /// What is evaluated once per face; `None` if nothing is gained by it.
+    /// The part that is evaluated once per face; `None` if there is nothing to gain.
     pub face: Option<Reduced>,
-    /// What is evaluated for every sample; [`Specialised::whole`] if there is no `face`.
+    /// The part that is evaluated for every sample; [`Specialised::whole`] if there is no `face`.
     pub pixel: Reduced,
     /// What was saved.
     pub report: Report,
@@ -26,11 +26,11 @@ pub struct PartReport {
     pub outputs: Vec<String>,
     /// Its operators and tables.
     pub counts: Counts,
-    /// What became of each table that it reads.
+    /// How each table that it reads was cut.
     pub tables: Vec<TableCut>,
 }
 
-/// A node of the general netlist that has one word.
+/// A node of the general netlist that became a constant.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Folded {
     /// Its name with its scopes.
@@ -48,34 +48,34 @@ pub struct Folded {
 pub struct Hoisted {
     /// Its node's name with its scopes.
     pub node: String,
-    /// Output of the face's netlist and input of the rest.
+    /// The output of the face netlist, and the input of the rest.
     pub port: String,
     /// Its format.
     pub format: String,
 }
 
-/// What was folded, cut and moved, and what that saves.
+/// What was folded, cut and moved, and the savings.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Report {
     /// The general netlist.
     pub before: Counts,
     /// The whole datapath, reduced.
     pub whole: PartReport,
-    /// What is evaluated once per face.
+    /// The part that is evaluated once per face.
     pub face: Option<PartReport>,
-    /// What is evaluated for every sample.
+    /// The part that is evaluated for every sample.
     pub pixel: PartReport,
-    /// Input ports that are gone.
+    /// Input ports that were removed.
     pub removed_inputs: Vec<String>,
-    /// Output ports that are gone.
+    /// Output ports that were removed.
     pub removed_outputs: Vec<String>,
-    /// Nodes that had operands and are constants, those with names.
+    /// Nodes with operands that became constants: those with names.
     pub folded: Vec<Folded>,
-    /// How many of them there are, with and without names.
+    /// Number of such nodes, with and without names.
     pub folded_nodes: u64,
     /// Nodes that became wires or a simpler operation.
     pub simplified_nodes: u64,
-    /// `narrow`s that lost limits that they never meet.
+    /// `narrow`s whose saturation never happens and was removed.
     pub unlimited_narrows: u64,
     /// Words that are computed once per face.
     pub hoisted: Vec<Hoisted>,

@@ -1,4 +1,4 @@
-//! Every node in its simplest form.
+//! Replaces every node by its simplest form.
 
 use super::rebuild::{self, Rebuild};
 use super::reduced::{Reduced, Source};
@@ -9,9 +9,9 @@ use crate::netlist::words::Words;
 use crate::netlist::{Netlist, NodeId};
 use crate::number::format::{Format, Overflow, narrow};
 
-/// What a node becomes.
+/// The simplified form of a node.
 enum Form {
-    /// It stays.
+    /// Unchanged.
     Same,
     /// A constant.
     Word(i64),
@@ -22,7 +22,7 @@ enum Form {
 }
 
 impl Form {
-    /// The nodes that are still needed.
+    /// The operands that are still needed.
     fn operands<'a>(&'a self, of: &'a [NodeId]) -> &'a [NodeId] {
         match self {
             Self::Same => of,
@@ -33,7 +33,7 @@ impl Form {
     }
 }
 
-/// What [`simplify`] did.
+/// Counts what [`simplify`] did.
 #[derive(Default)]
 pub(super) struct Tally {
     pub(super) folded: Vec<Folded>,
@@ -42,15 +42,15 @@ pub(super) struct Tally {
     pub(super) unlimited_narrows: u64,
 }
 
-/// The simplest form of a node whose operands hold only these words.
-#[expect(clippy::wildcard_enum_match_arm, reason = "what has no simpler form stays as it is")]
+/// The simplest form of a node whose operands can only have these words.
+#[expect(clippy::wildcard_enum_match_arm, reason = "other operations have no simpler form")]
 fn form(netlist: &Netlist, id: NodeId, words: &[Words]) -> Form {
     let node = netlist.node(id);
     let of = &node.operands;
     let known = |i: usize| words[of[i].index()].constant();
     let is = |i: usize, raw: i64| known(i) == Some(raw);
     let simpler = |op: Op, operands: &[NodeId]| {
-        // An intermediate result must be a word: that of -2^62 negated is none.
+        // An intermediate result must be a word: the negation of -2^62 isn't.
         let formats: Vec<Format> = operands.iter().map(|id| netlist.node(*id).format).collect();
         match op.result_format(&formats, Some(node.format), netlist.tables()) {
             Ok(_) => Form::Simpler(op, operands.to_vec()),
@@ -103,7 +103,7 @@ fn form(netlist: &Netlist, id: NodeId, words: &[Words]) -> Form {
     }
 }
 
-/// Every node in its simplest form, without those that no wanted output needs.
+/// Replaces every node by its simplest form, and removes nodes that no wanted output needs.
 pub(super) fn simplify(
     netlist: &Netlist,
     words: &[Words],

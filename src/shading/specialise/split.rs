@@ -1,4 +1,4 @@
-//! A datapath in two: once per face, and for every sample.
+//! Splits a datapath in two: a part once per face, and a part for every sample.
 
 use super::rebuild::{self, Rebuild};
 use super::reduced::{Reduced, Source};
@@ -7,17 +7,18 @@ use crate::netlist::op::Op;
 use crate::netlist::{NodeId, Rate};
 use std::collections::BTreeSet;
 
-/// A datapath in two.
+/// A datapath in two parts.
 pub(super) struct Halves {
     pub(super) face: Reduced,
     pub(super) pixel: Reduced,
-    /// The nodes that cross from one to the other, in order of the face's outputs.
+    /// The nodes that cross from the face part to the pixel part, in the order of the face's
+    /// outputs.
     pub(super) frontier: Vec<NodeId>,
     pub(super) hoisted: Vec<Hoisted>,
 }
 
-/// Parts what depends on inputs of [`Rate::Pixel`] from what doesn't, if anything but ports and
-/// constants doesn't.
+/// Splits nodes that depend on inputs of [`Rate::Pixel`] from those that don't; `None` if only
+/// ports and constants don't.
 pub(super) fn split(whole: &Reduced, rates: &[Rate]) -> Option<Halves> {
     let netlist = &whole.netlist;
     let outputs: Vec<(String, NodeId)> =

@@ -1,8 +1,8 @@
 //! Tables cut to the rows and columns that are read.
 //!
-//! A row stays at the low bits of its address, as many as tell all addresses that occur apart: rows
-//! within any 2^k consecutive ones, also past the end and round to the start, differ in their low k
-//! bits. So a cut costs no operation, wherever the range begins.
+//! A row is stored at the low bits of its address. As many bits are used as distinguish all
+//! addresses that occur: rows within any 2^k consecutive ones, also across the wrap-around, differ
+//! in their low k bits. So a cut costs no operation, wherever the range begins.
 
 use super::rebuild::Rebuild;
 use super::reduced::Reduced;
@@ -13,7 +13,7 @@ use crate::netlist::{Column, Netlist, NodeId, Table, TableId};
 use crate::number::format::word_mask;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What became of a table.
+/// How a table was cut.
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
 pub struct TableCut {
     /// Its name.
@@ -22,11 +22,11 @@ pub struct TableCut {
     pub rows: u64,
     /// Its stored bits.
     pub rom_bits: u64,
-    /// The tables that are read in its place.
+    /// The tables that replace it.
     pub into: Vec<CutTable>,
 }
 
-/// A table that is left.
+/// A table after the cut.
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
 pub struct CutTable {
     /// Its name.
@@ -37,13 +37,13 @@ pub struct CutTable {
     pub rows: u64,
     /// Its columns.
     pub columns: Vec<String>,
-    /// How many addresses read it.
+    /// Number of addresses that read it.
     pub ports: u64,
     /// Its stored bits.
     pub rom_bits: u64,
 }
 
-/// Ports of one table that read the same rows in one cut table.
+/// Ports of one table that share the rows of one cut table.
 #[derive(Clone)]
 struct Group {
     addresses: BTreeSet<NodeId>,
@@ -70,14 +70,14 @@ impl Group {
         u64::from(row) << self.addr_bits(table)
     }
 
-    /// Stored bits with a copy for every two ports, which is what a word from each port in every
-    /// cycle takes.
+    /// Stored bits with one copy for every two ports, as dual-port RAM needs to serve each port
+    /// every cycle.
     fn cost(&self, table: &Table) -> u64 {
         self.rom_bits(table) * cast::count_of(self.addresses.len()).div_ceil(2)
     }
 
-    /// Bits saved by one table in place of two, copies included; none if the two are no larger,
-    /// unless one has all rows of the other.
+    /// Bits saved by one table in place of two, including copies. `None` if it is larger than the
+    /// two, or if it saves nothing and has more rows than both.
     fn saved(&self, other: &Self, table: &Table) -> Option<u64> {
         let joined = self.joined(other);
         let rows = |group: &Self| group.addr_bits(table);
@@ -89,7 +89,8 @@ impl Group {
     fn cut(&self, table: &Table, name: String) -> Table {
         let addr_bits = self.addr_bits(table);
         let (mask, all) = (word_mask(addr_bits), word_mask(table.addr_bits));
-        // Rows that never occur are those that follow the first one: the table looks as it did.
+        // Slots of rows that never occur get the rows that follow the first one, as in the original
+        // table.
         let first = start(&self.words, table);
         let mut rows: Vec<i64> =
             (0..=mask).map(|slot| (first + ((slot - first) & mask)) & all).collect();
@@ -105,7 +106,7 @@ impl Group {
     }
 }
 
-/// The first address after the largest gap, going round.
+/// The first address after the largest gap, with wrap-around.
 fn start(words: &Words, table: &Table) -> i64 {
     let intervals = words.intervals();
     let around = (words.lo() + word_mask(table.addr_bits) - words.hi(), words.lo());
@@ -117,13 +118,13 @@ fn of_table(table: &Table, column: u32) -> &Column {
     &table.columns[usize::try_from(column).expect("bug: small")]
 }
 
-/// The ports of a table in groups, each with a table of its own. One table serves two groups where
-/// it has fewer bits than theirs together, the best pair first, or no more bits and no more rows;
-/// bits count with a copy for every two ports.
+/// The ports of a table in groups, each with its own table. Two groups are joined if their common
+/// table has fewer bits than theirs together, the best pair first, or as many bits and no more
+/// rows. Bits include one copy for every two ports.
 fn groups(netlist: &Netlist, words: &[Words]) -> BTreeMap<TableId, Vec<Group>> {
     let mut ports: BTreeMap<TableId, BTreeMap<NodeId, BTreeSet<u32>>> = BTreeMap::new();
     for (id, node) in netlist.ids().zip(netlist.nodes()) {
-        // The words of a memory aren't the datapath's to cut.
+        // A memory's words aren't part of the datapath and can't be cut.
         if let Op::Read { table, column } = node.op
             && netlist.memory(id).is_none()
         {
@@ -153,7 +154,7 @@ fn groups(netlist: &Netlist, words: &[Words]) -> BTreeMap<TableId, Vec<Group>> {
     ports.into_iter().map(of_one).collect()
 }
 
-/// The netlist with its tables cut, where its nodes hold only these words.
+/// The netlist with its tables cut, for the words that its nodes can have.
 pub(super) fn cut(part: &Reduced, words: &[Words]) -> (Reduced, Vec<TableCut>) {
     let netlist = &part.netlist;
     let mut new = Rebuild::new(part, netlist.name());
@@ -169,7 +170,7 @@ pub(super) fn cut(part: &Reduced, words: &[Words]) -> (Reduced, Vec<TableCut>) {
             let free = || (2..).map(|n| format!("{}_{n}", table.name)).find(|n| !taken.contains(n));
             let name = if i == 0 { table.name.clone() } else { free().expect("bug: endless") };
             let cut = group.cut(table, name);
-            // Tables with the same rows are one, whatever they are called.
+            // Tables with equal rows are stored once, whatever their names.
             let same = |(known, _): &&(Table, TableId)| {
                 let words = |table: &Table| -> Vec<_> {
                     table.columns.iter().map(|c| (c.format, c.words.clone())).collect()

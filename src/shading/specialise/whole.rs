@@ -1,4 +1,4 @@
-//! A netlist cut down, and what that saves.
+//! Specialises a netlist, and reports the savings.
 
 use super::known::Known;
 use super::reduced::{Reduced, Source};
@@ -12,11 +12,11 @@ use crate::netlist::words::Words;
 use crate::netlist::{Netlist, NodeId};
 use std::collections::BTreeSet;
 
-/// Cuts a netlist down to the outputs that are wanted, for the words that occur at its inputs.
+/// Reduces a netlist to the wanted outputs and to the words that occur at its inputs.
 ///
 /// # Panics
-/// If there isn't one `Known` per input, with words of its format, or if there is no output
-/// `outputs` or none of one of their names.
+/// If there isn't one `Known` per input, with words of its format, or if a name in `outputs` isn't
+/// that of an output.
 #[must_use]
 pub fn specialise(netlist: &Netlist, inputs: &[Known], outputs: &[&str]) -> Specialised {
     let wanted = netlist.outputs().iter().filter(|output| outputs.contains(&output.name.as_str()));

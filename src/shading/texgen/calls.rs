@@ -1,4 +1,4 @@
-//! Calls as a file has them, and what came of each.
+//! Calls from a file, and the outcome of each.
 
 use super::setting::{Emboss, Setting};
 use super::{gx, nv};
@@ -10,7 +10,7 @@ use std::ops::Range;
 use std::path::Path;
 use toml::Spanned;
 
-/// Calls in the order in which they are made; the two interfaces don't know of each other.
+/// Calls in the order in which they are made; the two interfaces are independent.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Calls {
@@ -19,14 +19,14 @@ pub struct Calls {
     nv: Vec<Spanned<nv::Call>>,
 }
 
-/// A call, and what came of it.
+/// A call and its outcome.
 #[derive(Clone, Debug)]
 pub struct Event {
     /// The interface.
     pub api: Setting,
-    /// Which of its calls, from 1.
+    /// Its number among the interface's calls, from 1.
     pub number: usize,
-    /// Where it stands in the text, in bytes.
+    /// Its position in the text, in bytes.
     pub span: Range<usize>,
     /// The call as it was given.
     pub call: String,
@@ -37,9 +37,9 @@ pub struct Event {
 /// A rule that is broken.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Refusal {
-    /// What `glGetError` gives, where that is what a program would see.
+    /// The error that `glGetError` returns, if a program would see one.
     pub gl_error: Option<&'static str>,
-    /// Which rule.
+    /// The rule.
     pub message: String,
 }
 
@@ -55,19 +55,19 @@ impl From<nv::Broken> for Refusal {
     }
 }
 
-/// A text from a file as it is told: texts in calls can be long.
+/// A text from a file, shortened and escaped for messages.
 fn printable(text: &str) -> String {
     escape::message(text)
 }
 
-/// What all calls together give.
+/// The outcome of all calls together.
 #[derive(Clone, Debug)]
 pub struct Outcome {
     /// Every call.
     pub events: Vec<Event>,
-    /// What the GX calls leave unfinished.
+    /// The gap that the GX calls leave, if any.
     pub unfinished: Option<gx::Broken>,
-    /// Where the GX state isn't as the patents say that it should be, but may be.
+    /// Where the GX state departs from what the patents recommend, but is legal.
     pub advice: Vec<gx::Advice>,
     /// The registers that hold the GX state.
     pub registers: Vec<gx::Register>,
@@ -78,7 +78,7 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// Broken rules and undefined texture units.
+    /// Number of broken rules and undefined texture units.
     #[must_use]
     pub fn problems(&self) -> usize {
         let refused = self.events.iter().filter(|event| event.outcome.is_err()).count();
@@ -90,7 +90,7 @@ impl Calls {
     /// Reads a TOML file; `path` names it in messages.
     ///
     /// # Errors
-    /// If it isn't TOML, if a key is unknown, missing or of another type, or a limit is out of range.
+    /// If it isn't TOML, a key is unknown, missing or of another type, or a limit is out of range.
     pub fn parse(text: &str, path: &Path) -> Result<Self> {
         let document = Document { text, path };
         let calls: Self =
@@ -99,7 +99,7 @@ impl Calls {
         Ok(calls)
     }
 
-    /// What serde can't check.
+    /// Checks what serde can't.
     pub(crate) fn check(&self, document: &Document<'_>) -> Result<()> {
         if let Some((at, problem)) = self.nv.iter().find_map(|call| call.get_ref().miscounted()) {
             return Err(document.fail(&at, problem));
@@ -153,7 +153,7 @@ impl Calls {
         }
     }
 
-    /// True if there is no call at all.
+    /// True if there are no calls.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.gx.is_empty() && self.nv.is_empty()

@@ -1,24 +1,26 @@
-//! Texture coordinates in the manner of `GXSetTexCoordGen` (US 6,980,218 and 7,307,640).
+//! Texture coordinates in the style of `GXSetTexCoordGen` (US 6,980,218 and 7,307,640).
 //!
-//! Eight coordinates are generated for each vertex, in the order of their numbers: each by a matrix
-//! from an attribute of the vertex (MTX2x4, MTX3x4), by emboss from an already generated coordinate
-//! and one of eight lights (BUMP0 to BUMP7), or from a lit colour (SRTG). [`TexCoords`] is the state that
-//! calls build up; a call that would break a rule is refused and leaves it as it was.
+//! Eight coordinates are generated for each vertex, in the order of their numbers: by a matrix from
+//! an attribute of the vertex (MTX2x4, MTX3x4), by emboss from an already generated coordinate and
+//! one of eight lights (BUMP0 to BUMP7), or from a lit colour (SRTG). [`TexCoords`] is the state
+//! that calls build up. A call that would break a rule is rejected and leaves the state unchanged.
 //!
-//! The patents give the call and its four arguments, the names of the functions, a light for each BUMP, that
-//! a bump offset coordinate is numbered after its base (n, n + 1), that bump coordinates come after the
-//! transformed ones and before those of lit colours, and that no matrix is used for a bump
-//! coordinate, "therefore use an identity matrix". For the two orders (n + 1 after n; all transformed ones first) they
-//! say "should", and two bases, each with a bump, can't keep both: what departs from them is told as [`Advice`] and
-//! stands. That those of lit colours come last is a rule, as nothing has to break it. Several
-//! lights over one base are ours: their coordinates follow it as n + 1, n + 2, … without a gap.
+//! The patents define the call and its four arguments, the names of the functions, and a light for
+//! each BUMP. They also say that a bump coordinate is numbered after its base (n, n + 1), that bump
+//! coordinates come after the transformed ones and before those of lit colours, and that no matrix
+//! is used for a bump coordinate, "therefore use an identity matrix". For two of these orders (n +
+//! 1 after n; all transformed ones first) they say "should", and two bases with a bump each can't
+//! satisfy both. Departures from them are reported as [`Advice`] and accepted. That coordinates of
+//! lit colours come last is a rule, since nothing requires breaking it. Several lights over one
+//! base are our extension: their coordinates follow the base as n + 1, n + 2, … without a gap.
 //!
-//! The register words are not in the patents. Names of sources and matrices, addresses and fields are
-//! those that the console's public drivers and emulators agree on: bit 1 the projection
-//! (0 for S, T; 1 for S, T, Q), bits 2-3 the form of the input (0: A, B, 1, 1; 1: A, B, C, 1), bits 4-6 the
-//! kind (0 by matrix, 1 emboss, 2 and 3 from colour 0 and 1), bits 7-11 the row of the source (0 position,
-//! 1 normal, 2 colours, 3 and 4 the binormals, 5 to 12 textures), bits 12-14 the coordinate that emboss
-//! displaces, bits 15-17 its light. Bit 0 and those from 18 on are 0.
+//! The register words are not in the patents. Names of sources and matrices, addresses and fields
+//! are those that the console's public drivers and emulators agree on. Bit 1 is the projection (0:
+//! S, T; 1: S, T, Q). Bits 2-3 are the form of the input (0: A, B, 1, 1; 1: A, B, C, 1). Bits 4-6
+//! are the kind (0: matrix, 1: emboss, 2 and 3: from colour 0 and 1). Bits 7-11 are the row of the
+//! source (0 position, 1 normal, 2 colours, 3 and 4 the binormals, 5 to 12 textures). Bits 12-14
+//! are the coordinate that emboss displaces, bits 15-17 its light. Bit 0 and bits 18 and above are
+//! 0.
 
 use super::setting::{Emboss, Setting};
 use crate::base::error::nearest;
@@ -29,16 +31,16 @@ use std::fmt;
 pub const COORDINATES: u8 = 8;
 /// Lights, of BUMP0 to BUMP7.
 pub const LIGHTS: u8 = 8;
-/// Rows that a matrix index can name: 6 bits.
+/// Number of rows that a matrix index can name: 6 bits.
 pub const MATRIX_ROWS: u8 = 64;
-/// The matrix that changes nothing.
+/// The identity matrix.
 pub const IDENTITY: u8 = 60;
-/// Texture matrices are three rows each, from this one on.
+/// Texture matrices have three rows each, starting at this row.
 const FIRST_TEXTURE_MATRIX: u8 = 30;
 /// Texture matrices, TEXMTX0 to TEXMTX9.
 const TEXTURE_MATRICES: u8 = 10;
 
-/// A call, in a file a TOML table with its name under `call`.
+/// A call; in a file, a TOML table with the call's name under `call`.
 #[derive(Clone, Debug, Deserialize)]
 pub enum Call {
     /// Sets how a coordinate is generated.
@@ -52,19 +54,19 @@ pub enum Call {
         /// TEXMTX0 to TEXMTX9, IDENTITY, or the row where a matrix starts.
         mat_idx: Matrix,
     },
-    /// Sets it by the word of its register.
+    /// Sets it from the word of its register.
     LoadRegister {
         /// The generated coordinate.
         dst_coord: String,
-        /// The register word, see the module; 32 bits.
+        /// The 32-bit register word; see the module documentation.
         word: i64,
-        /// As above; the word doesn't hold it. IDENTITY if not given.
+        /// As above; the word doesn't contain it. Defaults to IDENTITY.
         mat_idx: Option<Matrix>,
     },
 }
 
 impl Call {
-    /// The variant of a call, with or without its `GX`.
+    /// The variant of a call, with or without the prefix `GX`.
     ///
     /// # Errors
     /// If there is no such call.
@@ -124,7 +126,7 @@ pub enum Source {
     Color(u8),
 }
 
-/// How one coordinate is generated; legal by itself, whatever the others are.
+/// How one coordinate is generated; legal by itself, independently of the others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TexGen {
     function: Function,
@@ -135,29 +137,29 @@ pub struct TexGen {
 /// A rule that a call breaks.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Broken {
-    /// A name that the call doesn't take.
+    /// A name that the argument doesn't accept.
     #[error("{argument} `{given}`{hint}: legal is {legal}")]
     Name {
         /// The argument.
         argument: &'static str,
-        /// What was given.
+        /// The given text.
         given: String,
         /// `, did you mean …`, or nothing.
         hint: String,
-        /// Its values.
+        /// Its legal values.
         legal: &'static str,
     },
-    /// A number past the end of its range.
+    /// A number out of range.
     #[error("{argument} {given}: legal is {legal}")]
     Range {
         /// The argument.
         argument: &'static str,
-        /// What was given.
+        /// The given number.
         given: String,
-        /// Its values.
+        /// Its legal values.
         legal: &'static str,
     },
-    /// A matrix takes attributes of the vertex.
+    /// A matrix needs an attribute of the vertex.
     #[error(
         "{function} from {given}: a matrix transforms an attribute of the vertex, POS, NRM, BINRM, TANGENT or TEX0 to TEX7"
     )]
@@ -167,7 +169,7 @@ pub enum Broken {
         /// The source.
         given: Source,
     },
-    /// Emboss takes a generated coordinate.
+    /// Emboss needs a generated coordinate.
     #[error(
         "{function} from {given}: emboss displaces an already generated coordinate, TEXCOORD0 to TEXCOORD6"
     )]
@@ -177,7 +179,7 @@ pub enum Broken {
         /// The source.
         given: Source,
     },
-    /// SRTG takes a lit colour.
+    /// SRTG needs a lit colour.
     #[error("SRTG from {given}: coordinates from lighting channels come from COLOR0 or COLOR1")]
     ColorSource {
         /// The source.
@@ -191,7 +193,7 @@ pub enum Broken {
         /// Its first row.
         matrix: u8,
     },
-    /// A matrix that would read rows that aren't there.
+    /// A matrix that would read nonexistent rows.
     #[error("{function} with matrix {}: its {rows} rows end at row {}, and the last row is 63: start it at row {} or below", MatrixName(*.matrix), matrix + rows - 1, MATRIX_ROWS - rows)]
     MatrixRows {
         /// The function.
@@ -201,9 +203,9 @@ pub enum Broken {
         /// Its rows.
         rows: u8,
     },
-    /// The source isn't there yet when the destination is generated.
+    /// The source isn't generated before the destination.
     #[error(
-        "TEXCOORD{destination} from TEXCOORD{source_index}: coordinates are generated in order of their numbers, so that emboss takes one with a lower number than its own"
+        "TEXCOORD{destination} from TEXCOORD{source_index}: coordinates are generated in the order of their numbers, so emboss needs a source with a lower number"
     )]
     SourceNotLower {
         /// The coordinate that a call sets.
@@ -221,7 +223,7 @@ pub enum Broken {
         /// Its source.
         source_index: u8,
     },
-    /// Kinds out of order.
+    /// Kinds in the wrong order.
     #[error(
         "TEXCOORD{later} ({later_function}) after TEXCOORD{earlier} ({earlier_function}): coordinates from lighting channels (SRTG) come after all others"
     )]
@@ -237,7 +239,7 @@ pub enum Broken {
     },
     /// A coordinate is missing below another.
     #[error(
-        "TEXCOORD{missing} is not set, and TEXCOORD{above} is: number coordinates from 0 without a gap"
+        "TEXCOORD{missing} is not set, but TEXCOORD{above} is: number coordinates from 0 without a gap"
     )]
     Gap {
         /// The missing one.
@@ -245,7 +247,7 @@ pub enum Broken {
         /// The lowest above it.
         above: u8,
     },
-    /// A register word with a field that has no such meaning.
+    /// A register word with an invalid field.
     #[error("word {word:#010x}: bits {bits} ({field}) are {given}, legal is {legal}")]
     Field {
         /// The word.
@@ -254,19 +256,19 @@ pub enum Broken {
         bits: &'static str,
         /// Its name.
         field: &'static str,
-        /// What they hold.
+        /// Its value.
         given: u32,
-        /// What they may hold here.
+        /// Its legal values here.
         legal: &'static str,
     },
 }
 
-/// Where the patents say "should" and a state may be otherwise.
+/// A legal departure from what the patents recommend ("should").
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Advice {
-    /// Something stands between a base coordinate and its displaced one.
+    /// A coordinate is between a base coordinate and its displaced one.
     #[error(
-        "TEXCOORD{destination} from TEXCOORD{source_index}: base and displaced coordinate should be numbered n and n + 1, and TEXCOORD{between} between them is {} from {}", .is.function, .is.source
+        "TEXCOORD{destination} from TEXCOORD{source_index}: base and displaced coordinate should be numbered n and n + 1, but TEXCOORD{between} between them is {} from {}", .is.function, .is.source
     )]
     NotSequential {
         /// The displaced coordinate.
@@ -278,7 +280,7 @@ pub enum Advice {
         /// How that is generated.
         is: TexGen,
     },
-    /// A transformed coordinate comes late.
+    /// A transformed coordinate comes after a bump coordinate.
     #[error(
         "TEXCOORD{later} ({later_function}) after TEXCOORD{earlier} ({earlier_function}): transformed coordinates should come before all bump coordinates"
     )]
@@ -319,7 +321,7 @@ impl fmt::Display for Source {
     }
 }
 
-/// A matrix as its name, or as its row if it has none.
+/// A matrix's name, or its row if it has none.
 struct MatrixName(u8);
 
 impl fmt::Display for MatrixName {
@@ -334,8 +336,8 @@ impl fmt::Display for MatrixName {
     }
 }
 
-/// The number after a word: `TEXCOORD3` after `TEXCOORD`; `u8::MAX` if it is larger than that. As names of
-/// tokens are, it is without sign or leading zeros.
+/// The number after a word: 3 for `TEXCOORD3` after `TEXCOORD`; `u8::MAX` if larger than that. It
+/// has no sign and no leading zeros, like the names of tokens.
 pub(super) fn numbered(text: &str, word: &str) -> Option<u8> {
     let digits = text.strip_prefix(word)?;
     let all = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
@@ -344,7 +346,7 @@ pub(super) fn numbered(text: &str, word: &str) -> Option<u8> {
 }
 
 impl Function {
-    /// Reads a name, with or without `GX_TG_`.
+    /// Parses a name, with or without `GX_TG_`.
     ///
     /// # Errors
     /// If there is no such function.
@@ -370,7 +372,7 @@ impl Function {
 }
 
 impl Source {
-    /// Reads a name, with or without `GX_TG_`.
+    /// Parses a name, with or without `GX_TG_`.
     ///
     /// # Errors
     /// If there is no such source.
@@ -382,7 +384,7 @@ impl Source {
             if index < count { Ok(source) } else { Err(Broken::Range { argument, given, legal }) }
         };
         if let Some(i) = numbered(name, "TEXCOORD") {
-            // The last can't be a source, as nothing comes after it.
+            // The last coordinate can't be a source, since no coordinate follows it.
             return within(i, COORDINATES - 1, Self::TexCoord(i), "TEXCOORD0 to TEXCOORD6");
         }
         if let Some(i) = numbered(name, "TEX") {
@@ -409,7 +411,7 @@ impl Source {
     }
 }
 
-/// Reads the name of a generated coordinate, with or without `GX_`.
+/// Parses the name of a generated coordinate, with or without `GX_`.
 fn destination(text: &str) -> Result<u8, Broken> {
     let (argument, legal) = ("dst_coord", "TEXCOORD0 to TEXCOORD7");
     let name = text.strip_prefix("GX_").unwrap_or(text);
@@ -427,7 +429,7 @@ impl Matrix {
     /// The row where it starts.
     ///
     /// # Errors
-    /// If there is no such matrix; whether all its rows are there, [`TexGen::new`] checks.
+    /// If there is no such matrix. [`TexGen::new`] checks that all its rows exist.
     fn row(&self) -> Result<u8, Broken> {
         let argument = "mat_idx";
         match self {
@@ -466,7 +468,7 @@ impl fmt::Display for Matrix {
     }
 }
 
-/// A register word in hexadecimal; what is none, as a plain number.
+/// A register word in hexadecimal; a number that isn't one in decimal.
 struct Word(i64);
 
 impl fmt::Display for Word {
@@ -494,7 +496,7 @@ impl fmt::Display for Call {
     }
 }
 
-/// A field of the register word: its least bit and its bits.
+/// A field of the register word: its lowest bit and its width.
 #[derive(Clone, Copy)]
 struct Field {
     least: u32,
@@ -526,10 +528,10 @@ impl Field {
 }
 
 impl TexGen {
-    /// A function of a source.
+    /// Combines a function with its source and matrix.
     ///
     /// # Errors
-    /// If the function doesn't take that source or that matrix, or a number is past its range.
+    /// If the function doesn't accept that source or matrix, or a number is out of range.
     pub fn new(function: Function, source: Source, matrix: u8) -> Result<Self, Broken> {
         let range = |argument, given: String, legal| Err(Broken::Range { argument, given, legal });
         match source {
@@ -571,13 +573,13 @@ impl TexGen {
         }
     }
 
-    /// What generates the coordinate.
+    /// The function that generates the coordinate.
     #[must_use]
     pub fn function(&self) -> Function {
         self.function
     }
 
-    /// What it is generated from.
+    /// Its source.
     #[must_use]
     pub fn source(&self) -> Source {
         self.source
@@ -589,20 +591,21 @@ impl TexGen {
         self.matrix
     }
 
-    /// The register word, whose fields the module lists; the matrix has a register of its own.
+    /// The register word; the module documentation lists its fields. The matrix has its own
+    /// register.
     ///
     /// # Panics
     /// Never: every source and light fits its field.
     #[must_use]
     pub fn pack(&self) -> u32 {
-        // The three components of a vector, or S and T with 1 and 1 after them.
+        // The three components of a vector, or S and T followed by 1 and 1.
         let (row, form) = match self.source {
             Source::Pos => (0, 1),
             Source::Nrm => (1, 1),
             Source::Binrm => (3, 1),
             Source::Tangent => (4, 1),
             Source::Tex(i) => (ROW_TEX + u32::from(i), 0),
-            // Not read by emboss; drivers leave it so.
+            // Emboss doesn't read it; drivers use this value.
             Source::TexCoord(_) => (ROW_TEX, 0),
             Source::Color(_) => (ROW_COLORS, 0),
         };
@@ -623,10 +626,10 @@ impl TexGen {
             }
     }
 
-    /// What a register word says; [`TexGen::pack`] gives the same word again.
+    /// Decodes a register word; [`TexGen::pack`] returns the same word.
     ///
     /// # Errors
-    /// If a field, or a bit outside of all fields, holds what means nothing.
+    /// If a field, or a bit outside all fields, has an invalid value.
     #[expect(clippy::missing_panics_doc, reason = "fields have five bits at most")]
     pub fn unpack(word: u32, matrix: u8) -> Result<Self, Broken> {
         let field = |bits, field, given, legal| Broken::Field { word, bits, field, given, legal };
@@ -682,7 +685,7 @@ impl TexGen {
 /// A register and its word.
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
 pub struct Register {
-    /// What it holds.
+    /// Its content.
     pub name: String,
     /// Its address among those of the transform unit.
     pub address: u16,
@@ -690,7 +693,7 @@ pub struct Register {
     pub word: u32,
 }
 
-/// The state: how each coordinate is generated, where a call has set it.
+/// The state: how each coordinate is generated, if a call has set it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct TexCoords {
     coordinates: [Option<TexGen>; COORDINATES as usize],
@@ -703,7 +706,7 @@ impl TexCoords {
         self.coordinates.get(usize::from(destination)).copied().flatten()
     }
 
-    /// Those that are set, from the lowest number.
+    /// The coordinates that are set, from the lowest number.
     pub fn iter(&self) -> impl Iterator<Item = (u8, TexGen)> + '_ {
         (0..COORDINATES).filter_map(|i| Some((i, self.get(i)?)))
     }
@@ -711,7 +714,7 @@ impl TexCoords {
     /// Sets how a coordinate is generated.
     ///
     /// # Errors
-    /// If that breaks a rule; the state stays as it was.
+    /// If that breaks a rule; the state is unchanged.
     pub fn set(&mut self, destination: u8, generated: TexGen) -> Result<(), Broken> {
         let mut next = self.clone();
         let slot = next.coordinates.get_mut(usize::from(destination)).ok_or(Broken::Range {
@@ -725,7 +728,7 @@ impl TexCoords {
         Ok(())
     }
 
-    /// Every rule that holds between coordinates, but for gaps, which later calls may fill.
+    /// Checks every rule between coordinates, except gaps, which later calls may fill.
     fn check(&self) -> Result<(), Broken> {
         for (destination, generated) in self.iter() {
             let Source::TexCoord(source_index) = generated.source else { continue };
@@ -747,7 +750,7 @@ impl TexCoords {
         Ok(())
     }
 
-    /// What the patents say that should be otherwise.
+    /// Departures from what the patents recommend.
     #[must_use]
     pub fn advice(&self) -> Vec<Advice> {
         let mut all = Vec::new();
@@ -764,7 +767,7 @@ impl TexCoords {
             let Source::TexCoord(source_index) = generated.source else { continue };
             let between = (source_index + 1..destination).find_map(|between| {
                 let is = self.get(between)?;
-                // One more light over the same base, or over what another one gave.
+                // One more light over the same base, or over another light's result.
                 let displaced = matches!(is.source, Source::TexCoord(i) if i >= source_index);
                 (!displaced).then_some((between, is))
             });
@@ -778,11 +781,11 @@ impl TexCoords {
         all
     }
 
-    /// What has to hold once all calls are made.
+    /// Checks what must hold once all calls are made.
     ///
     /// # Errors
-    /// If a coordinate isn't set and one above it is.
-    #[expect(clippy::missing_panics_doc, reason = "there are eight")]
+    /// If a coordinate isn't set but a higher one is.
+    #[expect(clippy::missing_panics_doc, reason = "there are eight coordinates")]
     pub fn finish(&self) -> Result<(), Broken> {
         for (missing, (above, _)) in self.iter().enumerate() {
             if missing < usize::from(above) {
@@ -793,10 +796,10 @@ impl TexCoords {
         Ok(())
     }
 
-    /// Makes a call; tells what it did.
+    /// Makes a call; returns what it did.
     ///
     /// # Errors
-    /// If it breaks a rule; the state stays as it was.
+    /// If it breaks a rule; the state is unchanged.
     pub fn call(&mut self, call: &Call) -> Result<String, Broken> {
         let (to, generated) = match call {
             Call::SetTexCoordGen { dst_coord, func, src_param, mat_idx } => {
@@ -825,9 +828,10 @@ impl TexCoords {
     }
 
     /// The registers that hold the state: the number of coordinates, the word of each, and the
-    /// indices of their matrices. None while there is a gap: the number of coordinates couldn't say which.
+    /// indices of their matrices. Empty while there is a gap, since the number of coordinates
+    /// couldn't express it.
     #[must_use]
-    #[expect(clippy::missing_panics_doc, reason = "there are eight")]
+    #[expect(clippy::missing_panics_doc, reason = "there are eight coordinates")]
     pub fn registers(&self) -> Vec<Register> {
         let count = self.iter().count();
         if count == 0 || self.finish().is_err() {
@@ -852,8 +856,8 @@ impl TexCoords {
         registers
     }
 
-    /// A configuration of the emboss unit for each displaced coordinate. The scale of the
-    /// displacement is that of the matrix, so both constants are 1.
+    /// A configuration of the emboss unit for each displaced coordinate. The matrix includes the
+    /// scale of the displacement, so both constants are 1.
     #[must_use]
     pub fn emboss(&self) -> Vec<Emboss> {
         let of = |(to, generated): (u8, TexGen)| match (generated.function, generated.source) {

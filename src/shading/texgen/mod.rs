@@ -1,8 +1,8 @@
-//! Texture coordinate generation as two graphics interfaces ask for it: calls in, a configuration of the
-//! emboss unit out.
+//! Texture coordinate generation as two graphics interfaces define it: API calls in, a
+//! configuration of the emboss unit out.
 //!
-//! [`gx`] has the rules of `GXSetTexCoordGen` (US 6,980,218 and 7,307,640), [`nv`] those of
-//! `GL_NV_texgen_emboss`. [`Calls`] is a list of calls as it stands in a TOML file:
+//! [`gx`] implements the rules of `GXSetTexCoordGen` (US 6,980,218 and 7,307,640), [`nv`] those of
+//! `GL_NV_texgen_emboss`. [`Calls`] is a list of calls from a TOML file:
 //!
 //! ```
 //! use fixpath::texgen::Calls;

@@ -1,17 +1,20 @@
-//! The state of `GL_NV_texgen_emboss`: texture units, their generation of coordinates, and
-//! the lights that it needs.
+//! The state of `GL_NV_texgen_emboss`: texture units, their coordinate generation, and the lights
+//! that it needs.
 //!
-//! [`State`] is what calls build up; one that OpenGL answers with an error is refused and leaves it as it was. So
-//! is, by this tool's own restriction, a constant or a plane that isn't finite numbers. Only what the extension
-//! adds is judged: all else of OpenGL 1.x (planes, what can be enabled, other commands; `opengl` has the names) is
-//! kept as it was given, or passed on. The values of coordinates whose mode is EMBOSS_MAP_NV are defined only if
-//! all four coordinates of the unit have that mode and are enabled, S and T name the same light, and that light and
-//! lighting are enabled: [`State::emboss`] gives a configuration, or every condition that fails.
+//! [`State`] is what calls build up. A call that OpenGL answers with an error is rejected and
+//! leaves the state unchanged. As a restriction of this tool, so is a constant or plane with a
+//! number that isn't finite. Only what the extension adds is checked: everything else of OpenGL 1.x
+//! (planes, capabilities, other commands; `opengl` has the names) is stored as given, or passed on.
+//! Coordinates in mode EMBOSS_MAP_NV are defined only if all four coordinates of the unit have that
+//! mode and are enabled, S and T name the same light, and that light and lighting are enabled.
+//! [`State::emboss`] returns a configuration, or every condition that fails.
 //!
-//! From the specification: tokens, errors, initial values (EYE_LINEAR, 1.0, LIGHT0, for each of four coordinates
-//! of each unit), odd units only, conditions. From OpenGL 1.2 and ARB_multitexture, on which it builds:
-//! the other modes, that SPHERE_MAP is refused for R and Q, what is enabled at the start (DITHER, MULTISAMPLE),
-//! and that a unit or a light out of range is INVALID_ENUM. From OpenGL 1.3: REFLECTION_MAP and NORMAL_MAP, not for Q.
+//! These come from the specification: tokens, errors, initial values (EYE_LINEAR, 1.0, LIGHT0, for
+//! each of the four coordinates of each unit), odd units only, conditions. These come from OpenGL
+//! 1.2 and ARB_multitexture, on which it builds: the other modes, that SPHERE_MAP is an error for R
+//! and Q, the capabilities that are initially enabled (DITHER, MULTISAMPLE), and that a unit or
+//! light out of range is INVALID_ENUM. REFLECTION_MAP and NORMAL_MAP, not for Q, come from OpenGL
+//! 1.3.
 
 use super::gx::numbered;
 use super::opengl;
@@ -24,13 +27,13 @@ use std::fmt;
 use std::ops::Range;
 use toml::Spanned;
 
-/// What an implementation has.
+/// The limits of an implementation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Limits {
-    /// MAX_LIGHTS; 8, the least that OpenGL allows, if not given.
+    /// MAX_LIGHTS; defaults to 8, the least that OpenGL allows.
     pub lights: i64,
-    /// MAX_TEXTURE_UNITS; 4 if not given.
+    /// MAX_TEXTURE_UNITS; defaults to 4.
     pub texture_units: i64,
 }
 
@@ -40,10 +43,10 @@ impl Default for Limits {
     }
 }
 
-/// A call, in a file a TOML table with its name under `call`.
+/// A call; in a file, a TOML table with the call's name under `call`.
 #[derive(Clone, Debug, Deserialize)]
 pub enum Call {
-    /// Chooses the unit that later calls are about.
+    /// Selects the unit that later calls refer to.
     ActiveTexture {
         /// TEXTUREi.
         texture: String,
@@ -58,7 +61,7 @@ pub enum Call {
         #[serde(alias = "params")]
         param: Spanned<Param>,
     },
-    /// The same by a command that takes one value, and so no plane: glTexGend, f or i.
+    /// The same by a command that passes one value, so it can't set a plane: glTexGend, f or i.
     TexGenValue {
         /// S, T, R or Q.
         coord: String,
@@ -68,37 +71,37 @@ pub enum Call {
         #[serde(alias = "params")]
         param: Spanned<Param>,
     },
-    /// Tells a parameter of a coordinate.
+    /// Queries a parameter of a coordinate.
     GetTexGen {
         /// S, T, R or Q.
         coord: String,
         /// As above.
         pname: String,
     },
-    /// Enables something: LIGHTING, LIGHTi, TEXTURE_GEN_S, T, R, Q, and all else that OpenGL can.
+    /// Enables a capability: LIGHTING, LIGHTi, TEXTURE_GEN_S, T, R, Q, or any other of OpenGL.
     Enable {
-        /// What.
+        /// The capability.
         cap: String,
     },
-    /// Disables it.
+    /// Disables a capability.
     Disable {
-        /// What.
+        /// The capability.
         cap: String,
     },
-    /// Tells if it is enabled.
+    /// Queries whether a capability is enabled.
     IsEnabled {
-        /// What.
+        /// The capability.
         cap: String,
     },
-    /// One of OpenGL's own, by its name, with its arguments by theirs: passed on.
+    /// Another OpenGL command by its name, with its arguments by name: passed on.
     Other(BTreeMap<String, BTreeMap<Spanned<String>, Param>>),
 }
 
-/// The commands that do something here, without the letters of their types.
+/// The commands that are modelled here, without type suffixes.
 const JUDGED: [&str; 6] =
     ["ActiveTexture", "TexGen", "GetTexGen", "Enable", "Disable", "IsEnabled"];
 
-/// Those of the others that may change what is kept here, in a way that isn't followed.
+/// Other commands that may change the state here, in a way that isn't modelled.
 const NOT_FOLLOWED: [&str; 11] = [
     "PushAttrib",
     "PopAttrib",
@@ -106,7 +109,7 @@ const NOT_FOLLOWED: [&str; 11] = [
     "EndList",
     "CallList",
     "CallLists",
-    // Which arrays the client has.
+    // These change the client's arrays.
     "EnableClientState",
     "DisableClientState",
     "InterleavedArrays",
@@ -115,7 +118,7 @@ const NOT_FOLLOWED: [&str; 11] = [
 ];
 
 impl Call {
-    /// The variant of a command, with or without its `gl`.
+    /// The variant of a command, with or without the prefix `gl`.
     ///
     /// # Errors
     /// If OpenGL has no such command.
@@ -141,7 +144,7 @@ impl Call {
         Err(format!("no call `{given}`{hint}: legal are the commands of OpenGL 1.x"))
     }
 
-    /// Where and why a parameter has another number of values than the command reads.
+    /// Position and problem of a parameter whose number of values isn't what the command reads.
     pub(super) fn miscounted(&self) -> Option<(Range<usize>, String)> {
         let (Self::TexGen { pname, param, .. } | Self::TexGenValue { pname, param, .. }) = self
         else {
@@ -150,7 +153,8 @@ impl Call {
         let Param::List(values) = param.get_ref() else { return None };
         let takes = Pname::parse(pname).ok()?.values();
         let many = values.len();
-        let told = || (param.span(), format!("{pname} takes {takes}, and `param` has {many}"));
+        let told =
+            || (param.span(), format!("`param` has {many} values, but {pname} takes {takes}"));
         (takes != many).then(told)
     }
 }
@@ -160,7 +164,7 @@ fn command(name: &str) -> &str {
     name.strip_prefix("gl").unwrap_or(name)
 }
 
-/// What a parameter is set to.
+/// The value of a parameter.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(untagged, expecting = "param is a number or the name of a token, or an array of them")]
 pub enum Param {
@@ -172,12 +176,12 @@ pub enum Param {
     Token(String),
     /// TRUE or FALSE.
     Flag(bool),
-    /// What a pointer points to.
+    /// The values that a pointer points to.
     List(Vec<Param>),
 }
 
 impl Param {
-    /// A finite number.
+    /// The number, if it is finite.
     fn number(&self) -> Option<f64> {
         let number = match self {
             Self::Integer(number) => cast::f64_of(*number),
@@ -229,51 +233,52 @@ enum Pname {
     Constant,
 }
 
-/// What can be enabled.
+/// A capability.
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Cap {
     Lighting,
     Light(u8),
     TexGen(Coord),
-    /// An array of the client, which is enabled otherwise.
+    /// An array of the client, which another command enables.
     Array(String),
-    /// Of OpenGL alone, with the unit that has it.
+    /// Any other OpenGL capability, with its unit if each unit has its own.
     Other(Option<u8>, String),
 }
 
-/// A call that is refused. OpenGL answers each with INVALID_ENUM, but for [`Broken::Constant`] and [`Broken::Plane`]: a
-/// program in C can make those calls without an error, and refusing them is this tool's own restriction.
+/// A rejected call. OpenGL answers each with INVALID_ENUM, except [`Broken::Constant`] and
+/// [`Broken::Plane`]: a C program can make those calls without an error, and rejecting them is a
+/// restriction of this tool.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Broken {
-    /// A name or a number that is no such token.
+    /// A name or number that isn't a legal token.
     #[error("INVALID_ENUM: {argument} `{given}`{hint}: legal is {legal}")]
     Token {
         /// The argument.
         argument: &'static str,
-        /// What was given.
+        /// The given text.
         given: String,
         /// `, did you mean …`, or nothing.
         hint: String,
-        /// Its values.
+        /// Its legal values.
         legal: &'static str,
     },
-    /// Emboss of an even unit.
-    #[error("INVALID_ENUM: {token} with texture unit {unit} active: only odd units take it")]
+    /// Emboss on an even unit.
+    #[error("INVALID_ENUM: {token} with texture unit {unit} active: only odd units accept it")]
     EvenUnit {
-        /// What was asked for.
+        /// The token in question.
         token: &'static str,
         /// The active unit.
         unit: u8,
     },
     /// A light or a constant for R or Q.
-    #[error("INVALID_ENUM: {token} of coordinate {coord:?}: only S and T take it")]
+    #[error("INVALID_ENUM: {token} of coordinate {coord:?}: only S and T accept it")]
     RightCoord {
         /// The parameter.
         token: &'static str,
         /// The coordinate.
         coord: Coord,
     },
-    /// A light that isn't there.
+    /// A light that doesn't exist.
     #[error("INVALID_ENUM: {given}: i of LIGHTi is from 0 to MAX_LIGHTS - 1 = {last}")]
     Light {
         /// Its name as given.
@@ -281,7 +286,7 @@ pub enum Broken {
         /// The last light.
         last: u8,
     },
-    /// A number that is that of no light.
+    /// A number that isn't that of a light.
     #[error(
         "INVALID_ENUM: EMBOSS_LIGHT_NV {given}: legal is LIGHT0 = {LIGHT0} to LIGHT{last} = {}", LIGHT0 + i64::from(*.last)
     )]
@@ -291,7 +296,7 @@ pub enum Broken {
         /// The last light.
         last: u8,
     },
-    /// A unit that isn't there.
+    /// A unit that doesn't exist.
     #[error("INVALID_ENUM: {given}: i of TEXTUREi is from 0 to MAX_TEXTURE_UNITS - 1 = {last}")]
     Unit {
         /// Its name as given.
@@ -299,43 +304,46 @@ pub enum Broken {
         /// The last unit.
         last: u8,
     },
-    /// A mode that has no such coordinate.
-    #[error("INVALID_ENUM: {mode} of coordinate {coord:?}: only {takes} take it")]
+    /// A mode that the coordinate doesn't accept.
+    #[error("INVALID_ENUM: {mode} of coordinate {coord:?}: only {takes} accept it")]
     ModeCoord {
         /// The mode.
         mode: Mode,
         /// The coordinate.
         coord: Coord,
-        /// Those that have it.
+        /// The coordinates that accept it.
         takes: &'static str,
     },
-    /// A plane by a command that takes one value.
-    #[error("INVALID_ENUM: {token} by a command of one value: take glTexGendv, fv or iv")]
+    /// A plane set by a command that passes one value.
+    #[error(
+        "INVALID_ENUM: {token} needs four values, and this command passes one: use glTexGendv, fv or iv"
+    )]
     PlaneOfOne {
         /// The parameter.
         token: &'static str,
     },
-    /// A plane that isn't numbers, refused as [`Broken::Constant`] is.
+    /// A plane that isn't four finite numbers; rejected by this tool, like [`Broken::Constant`].
     #[error("{token} = {given}: legal are four finite numbers")]
     Plane {
         /// The parameter.
         token: &'static str,
-        /// What was given.
+        /// The given value.
         given: String,
     },
-    /// A constant that is NaN, infinite, or a token. C has all of them as numbers and OpenGL takes them; this
-    /// tool doesn't, as no displacement follows from the first two and the last is a mistake.
+    /// A constant that is NaN, infinite, or a token. In C all of them are numbers and OpenGL
+    /// accepts them. This tool rejects them: the first two define no displacement, and a token is a
+    /// mistake.
     #[error(
         "EMBOSS_CONSTANT_NV = {given}: legal is a finite number, such as 1 over the width of the texture"
     )]
     Constant {
-        /// What was given.
+        /// The given value.
         given: String,
     },
 }
 
 impl Broken {
-    /// The error that `glGetError` gives; none where only this tool refuses.
+    /// The error that `glGetError` returns; `None` if only this tool rejects the call.
     #[must_use]
     pub fn gl_error(&self) -> Option<&'static str> {
         match self {
@@ -362,41 +370,39 @@ impl Broken {
     }
 }
 
-/// A condition that fails, so that the result is undefined.
+/// A condition that fails and makes the result undefined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Condition {
-    /// Not all four coordinates are of the mode.
-    #[error(
-        "TEXTURE_GEN_MODE of {coord:?} is {mode}: all of S, T, R and Q have to be EMBOSS_MAP_NV"
-    )]
+    /// Not all four coordinates have the mode.
+    #[error("TEXTURE_GEN_MODE of {coord:?} is {mode}: all of S, T, R and Q must be EMBOSS_MAP_NV")]
     Mode {
-        /// Which one isn't.
+        /// A coordinate with another mode.
         coord: Coord,
-        /// What it is.
+        /// Its mode.
         mode: Mode,
     },
     /// Not all four coordinates are enabled.
-    #[error("TEXTURE_GEN_{coord:?} is disabled: it has to be enabled for all of S, T, R and Q")]
+    #[error("TEXTURE_GEN_{coord:?} is disabled: it must be enabled for all of S, T, R and Q")]
     Disabled {
-        /// Which one isn't.
+        /// A disabled coordinate.
         coord: Coord,
     },
     /// S and T name different lights.
-    #[error("EMBOSS_LIGHT_NV of S is LIGHT{s} and of T is LIGHT{t}: they have to be the same")]
+    #[error("EMBOSS_LIGHT_NV of S is LIGHT{s} and of T is LIGHT{t}: they must be the same")]
     Lights {
-        /// That of S.
+        /// The light of S.
         s: u8,
-        /// That of T.
+        /// The light of T.
         t: u8,
     },
     /// The light is off.
-    #[error("LIGHT{light} is disabled: the light of emboss has to be enabled")]
+    #[error("LIGHT{light} is disabled: the light of the emboss must be enabled")]
     LightOff {
         /// Its number.
         light: u8,
     },
     /// Lighting is off.
-    #[error("LIGHTING is disabled: it has to be enabled")]
+    #[error("LIGHTING is disabled: it must be enabled")]
     LightingOff,
 }
 
@@ -405,7 +411,7 @@ pub enum Condition {
 pub struct Undefined {
     /// The texture unit.
     pub unit: u8,
-    /// Those of its coordinates whose mode is EMBOSS_MAP_NV.
+    /// Its coordinates in mode EMBOSS_MAP_NV.
     pub coords: Vec<Coord>,
     /// Every condition that fails.
     pub conditions: Vec<Condition>,
@@ -445,7 +451,7 @@ impl fmt::Display for Call {
             Self::Disable { cap } => write!(f, "glDisable({cap})"),
             Self::IsEnabled { cap } => write!(f, "glIsEnabled({cap})"),
             Self::Other(calls) => calls.iter().try_for_each(|(name, arguments)| {
-                // As they stand in the file.
+                // In the order of the file.
                 let mut arguments: Vec<_> = arguments.iter().collect();
                 arguments.sort_by_key(|(key, _)| key.span().start);
                 let values: Vec<String> =
@@ -456,7 +462,7 @@ impl fmt::Display for Call {
     }
 }
 
-/// A name without its `GL_`.
+/// A name without the prefix `GL_`.
 fn bare(text: &str) -> &str {
     text.strip_prefix("GL_").unwrap_or(text)
 }
@@ -490,7 +496,7 @@ impl Mode {
     ];
 
     fn parse(param: &Param) -> Result<Self, Broken> {
-        // Two of them were extensions, of three vendors, with the same numbers.
+        // Two of them were extensions of three vendors, with the same numbers.
         let core = |name: &str| -> String {
             let ends = ["_MAP_ARB", "_MAP_EXT", "_MAP_NV"];
             let stem = ends.iter().find_map(|end| name.strip_suffix(end));
@@ -513,7 +519,7 @@ impl Mode {
         })
     }
 
-    /// Coordinates that have it, if not all do.
+    /// The coordinates that accept it, unless all do.
     fn takes(self) -> Option<(&'static str, &'static [Coord])> {
         match self {
             Self::EyeLinear | Self::ObjectLinear | Self::EmbossMapNv => None,
@@ -548,7 +554,7 @@ impl Pname {
         known.expect("bug: every parameter has a name").1
     }
 
-    /// Values that it has: a plane has four coefficients.
+    /// Number of its values: a plane has four coefficients.
     fn values(self) -> usize {
         match self {
             Self::ObjectPlane | Self::EyePlane => 4,
@@ -569,9 +575,9 @@ struct Generation {
 }
 
 impl Generation {
-    /// Table 6.14 as the extension changes it.
+    /// Table 6.14, as changed by the extension.
     fn initial(coord: Coord) -> Self {
-        // The planes of S and T are theirs, those of R and Q are 0.
+        // The planes of S and T select that coordinate, those of R and Q are 0.
         let plane = |along| Param::Number(if coord == along { 1.0 } else { 0.0 });
         let zero = || Param::Number(0.0);
         let plane = || Param::List(vec![plane(Coord::S), plane(Coord::T), zero(), zero()]);
@@ -586,7 +592,7 @@ impl Generation {
     }
 }
 
-/// A plane. One number stands where a call names no command that takes four.
+/// Checks a plane. A single number is accepted if a call doesn't name a command with four values.
 fn plane(pname: Pname, param: &Param) -> Result<Param, Broken> {
     let values = if let Param::List(values) = param { values } else { std::slice::from_ref(param) };
     let legal = values.iter().all(|value| value.number().is_some());
@@ -604,17 +610,17 @@ pub struct State {
     units: Vec<[Generation; 4]>,
     lights: Vec<bool>,
     lighting: bool,
-    /// What else is enabled, with the unit where each has its own.
+    /// Other enabled capabilities, with the unit if each unit has its own.
     others: BTreeSet<(Option<u8>, String)>,
-    /// Unknown names for which the nearest one may still be looked for.
+    /// Number of unknown names that may still get a hint.
     hints: u32,
 }
 
-/// Most unknown names for which a hint is looked for: each is compared to all that can be enabled.
+/// The most unknown names that get a hint: each is compared with all capabilities.
 const MAX_HINTS: u32 = 1000;
 
 impl State {
-    /// The initial state, with 1 to 255 lights and units: limits past those are taken as those.
+    /// The initial state, with 1 to 255 lights and units: limits beyond are clamped.
     #[must_use]
     pub fn new(limits: Limits) -> Self {
         let count = |limit: i64| cast::index_of(limit.clamp(1, i64::from(u8::MAX)));
@@ -635,14 +641,14 @@ impl State {
         u8::try_from(self.lights.len() - 1).expect("bug: 255 lights at most")
     }
 
-    /// A light by its name; nothing if that isn't LIGHTi.
+    /// A light by its name; `None` if the name isn't LIGHTi.
     fn light(&self, name: &str) -> Option<Result<u8, Broken>> {
         let (light, last) = (numbered(bare(name), "LIGHT")?, self.last_light());
         let given = name.to_owned();
         Some(if light <= last { Ok(light) } else { Err(Broken::Light { given, last }) })
     }
 
-    /// A light by its name or by its number, also if that comes as a float.
+    /// A light by its name or number, which may be a float.
     fn emboss_light(&self, param: &Param) -> Result<u8, Broken> {
         let last = self.last_light();
         let number = |light: &u8| LIGHT0 + i64::from(*light);
@@ -666,7 +672,7 @@ impl State {
         }
         let known = opengl::capability(bare(text)).ok_or_else(|| {
             let legal =
-                "what glEnable takes in OpenGL 1.x, such as LIGHTING, LIGHTi, TEXTURE_GEN_S";
+                "what glEnable accepts in OpenGL 1.x, such as LIGHTING, LIGHTi, TEXTURE_GEN_S";
             let left = if self.hints > 0 { usize::MAX } else { 0 };
             self.hints = self.hints.saturating_sub(1);
             let known = opengl::capabilities().chain(["LIGHT0"]).take(left);
@@ -701,7 +707,7 @@ impl State {
         Ok(self.told_enabled(&cap))
     }
 
-    /// If it is enabled.
+    /// States whether a capability is enabled.
     fn told_enabled(&self, cap: &Cap) -> String {
         let (unit, name, on) = match cap {
             Cap::Lighting => (None, "LIGHTING".to_owned(), self.lighting),
@@ -712,7 +718,7 @@ impl State {
                 self.generation(*coord).enabled,
             ),
             Cap::Array(name) => {
-                return format!("{name}: passed on; arrays of the client aren't followed");
+                return format!("{name}: passed on; client arrays aren't modelled");
             }
             Cap::Other(unit, name) => {
                 (*unit, name.clone(), self.others.contains(&(*unit, name.clone())))
@@ -744,7 +750,7 @@ impl State {
 
     fn texgen(&mut self, coord: Coord, pname: Pname, param: &Param) -> Result<(), Broken> {
         let (unit, even) = (self.active, self.active.is_multiple_of(2));
-        // Where a pointer points to one value, it is that.
+        // A pointer to one value is that value.
         let param = match param {
             Param::List(values) if pname.values() == 1 && values.len() == 1 => &values[0],
             Param::Integer(_)
@@ -788,10 +794,10 @@ impl State {
         Ok(())
     }
 
-    /// Makes a call; tells what it did.
+    /// Makes a call; returns what it did.
     ///
     /// # Errors
-    /// If it is refused, see [`Broken`]; the state stays as it was.
+    /// If it is rejected, see [`Broken`]; the state is unchanged.
     #[expect(clippy::missing_panics_doc, reason = "255 units at most")]
     pub fn call(&mut self, call: &Call) -> Result<String, Broken> {
         match call {
@@ -827,7 +833,7 @@ impl State {
             }
             Call::Other(calls) => {
                 let followed = calls.keys().all(|name| !NOT_FOLLOWED.contains(&command(name)));
-                let not = "passed on; what it does to the state that is judged here isn't followed";
+                let not = "passed on; its effect on the state checked here isn't modelled";
                 Ok(if followed { "passed on" } else { not }.to_owned())
             }
         }
@@ -861,10 +867,10 @@ impl State {
         failing
     }
 
-    /// For each texture unit with a coordinate of mode EMBOSS_MAP_NV the configuration of the emboss
-    /// unit, or why its coordinates are undefined.
+    /// For each texture unit with a coordinate in mode EMBOSS_MAP_NV: the configuration of the
+    /// emboss unit, or why its coordinates are undefined.
     ///
-    /// The specification calls all coordinates of that mode undefined, enabled or not.
+    /// By the specification, all coordinates in that mode are then undefined, enabled or not.
     #[must_use]
     pub fn emboss(&self) -> Vec<Result<Emboss, Undefined>> {
         let mut found = Vec::new();
@@ -882,7 +888,7 @@ impl State {
                 Ok(Emboss {
                     setting: Setting::Nv,
                     light: u32::from(unit[0].light),
-                    source: u32::from(number - 1), // Even units never get that mode.
+                    source: u32::from(number - 1), // even units never have that mode
                     destination: u32::from(number),
                     ks: unit[0].constant,
                     kt: unit[1].constant,

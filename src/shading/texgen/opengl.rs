@@ -1,8 +1,9 @@
-//! Names of OpenGL 1.x (1.0 to 1.5, with ARB_multitexture and the extensions that the emboss is made for): what
-//! `GL_NV_texgen_emboss` leaves as it is, so that [`super::nv`] passes it on and tells it from a slip of the pen.
+//! Names of OpenGL 1.x (1.0 to 1.5, with ARB_multitexture and the extensions used with emboss).
+//! They are the commands that `GL_NV_texgen_emboss` doesn't change: [`super::nv`] passes them on,
+//! and can tell them from typing errors.
 //!
-//! Braces hold alternatives, as the specification writes its commands: `Light{|f|i}{|v}`. An empty one stands for
-//! the command without the letter of its type.
+//! Braces hold alternatives, as the specification writes its commands: `Light{|f|i}{|v}`. An empty
+//! alternative is the command without that letter.
 
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
@@ -161,7 +162,7 @@ const COMMANDS: &[&str] = &[
     "GetQuery{|iv|Object|Objectiv|Objectuiv}",
     "Is{Buffer|Query}",
     "{Map|Unmap}Buffer",
-    // NV_register_combiners, with which the specification subtracts the two samples
+    // NV_register_combiners, which the specification uses to subtract the two samples.
     "CombinerParameter{|f|i}{|v}NV",
     "{Combiner|FinalCombiner}InputNV",
     "CombinerOutputNV",
@@ -169,7 +170,7 @@ const COMMANDS: &[&str] = &[
     "GetFinalCombinerInputParameter{|fv|iv}NV",
 ];
 
-/// What can be enabled, but for lights, which are numbered; with the ends that extensions gave it.
+/// Capabilities for `Enable`, except lights, which are numbered; with the suffixes of extensions.
 const CAPABILITIES: &[&str] = &[
     "{ALPHA|DEPTH|SCISSOR|STENCIL}_TEST",
     "AUTO_NORMAL",
@@ -205,7 +206,7 @@ const CAPABILITIES: &[&str] = &[
     "TEXTURE_RECTANGLE_{ARB|EXT|NV}",
 ];
 
-/// Ends of names that were extensions before they were OpenGL's own.
+/// Suffixes of names that were extensions before they became part of OpenGL.
 const VENDORS: [&str; 4] = ["ARB", "EXT", "NV", "SGIS"];
 
 static ALL_COMMANDS: LazyLock<BTreeSet<String>> = LazyLock::new(|| all(COMMANDS));
@@ -224,7 +225,7 @@ fn expanded(pattern: &str) -> Vec<String> {
     choices.split('|').flat_map(each).collect()
 }
 
-/// A name without the end of an extension.
+/// A name without the suffix of an extension; `None` if it has none.
 fn plain(name: &str) -> Option<&str> {
     VENDORS.iter().find_map(|end| name.strip_suffix(end))
 }
@@ -239,20 +240,20 @@ pub(super) fn commands() -> impl Iterator<Item = &'static str> {
     ALL_COMMANDS.iter().map(String::as_str)
 }
 
-/// What can be enabled, by its name without `GL_` and without the end of an extension.
+/// A capability by its name without `GL_`; returned without the suffix of an extension.
 pub(super) fn capability(name: &str) -> Option<&str> {
     let known = ALL_CAPABILITIES.contains(name).then_some(name)?;
     let core = plain(name).and_then(|name| name.strip_suffix('_'));
     Some(core.filter(|core| ALL_CAPABILITIES.contains(*core)).unwrap_or(known))
 }
 
-/// Names of what can be enabled.
+/// Names of the capabilities.
 pub(super) fn capabilities() -> impl Iterator<Item = &'static str> {
     ALL_CAPABILITIES.iter().map(String::as_str)
 }
 
-/// True if each texture unit has its own.
+/// True if each texture unit has its own copy.
 pub(super) fn is_of_unit(capability: &str) -> bool {
-    // Arrays are the client's, and the coordinates of evaluators aren't of a unit.
+    // Arrays belong to the client, and the coordinates of evaluators don't belong to a unit.
     capability.starts_with("TEXTURE_") && !capability.ends_with("_ARRAY")
 }

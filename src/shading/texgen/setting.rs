@@ -1,4 +1,4 @@
-//! What the interfaces configure: the emboss unit.
+//! The result of both interfaces: a configuration of the emboss unit.
 
 use serde::Serialize;
 use std::fmt;
@@ -29,13 +29,13 @@ impl fmt::Display for Setting {
 /// A configuration of the emboss unit.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Emboss {
-    /// The interface, whose variant of the unit it is.
+    /// The interface, which also selects the variant of the unit.
     pub setting: Setting,
     /// The light.
     pub light: u32,
-    /// What is displaced: a generated coordinate (gx), a texture unit (nv).
+    /// The displaced coordinate: a generated coordinate (gx), a texture unit (nv).
     pub source: u32,
-    /// Where the result goes, likewise.
+    /// The destination of the result, likewise.
     pub destination: u32,
     /// Scale of the displacement of s.
     pub ks: f64,
@@ -54,7 +54,7 @@ impl fmt::Display for Emboss {
     }
 }
 
-/// A number as short as its value allows: extreme ones in scientific form.
+/// A number in its shortest form; very large and small ones in scientific notation.
 pub(super) struct Brief(pub(super) f64);
 
 impl fmt::Display for Brief {

@@ -1,4 +1,4 @@
-//! What the goldens and all pipelines share of a scene.
+//! The part of a scene that the goldens and all pipelines share.
 
 use crate::base::cast;
 use crate::base::error::{Error, Result};
@@ -8,10 +8,10 @@ use crate::shading::scene::{
 };
 use glam::{DMat3, DVec2, DVec3};
 
-/// How far a directional light is from what it shines on.
+/// Distance of a directional light from the lit point.
 pub const FAR_AWAY: f64 = 1024.0;
 
-/// Codes of texels and channels that stand for 1, of 8 bits: what a map holds.
+/// The 8-bit code of texels and channels that stands for 1.
 pub(super) const TEXEL_MAX: f64 = 255.0;
 
 /// Texture coordinates of every vertex, in texels: plain, and displaced by each light.
@@ -21,12 +21,12 @@ pub(super) struct Coordinates {
     pub(super) displaced: Vec<Vec<DVec2>>,
 }
 
-/// Which way a setting displaces, and so which of two samples it takes from the other.
+/// The direction in which a setting displaces, and so the sign of its difference of samples.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Way {
-    /// To the light.
+    /// Towards the light.
     Toward,
-    /// From it.
+    /// Away from the light.
     Away,
 }
 
@@ -36,7 +36,7 @@ impl Way {
         if nv { Self::Away } else { Self::Toward }
     }
 
-    /// The factor of displacements, and of the undisplaced height less the displaced one.
+    /// The sign of displacements, and of the undisplaced height minus the displaced one.
     fn sign(self) -> f64 {
         match self {
             Self::Toward => 1.0,
@@ -44,7 +44,7 @@ impl Way {
         }
     }
 
-    /// The parameter of the combiner.
+    /// The value of the combiner's parameter `difference`.
     pub(super) fn difference(self) -> &'static str {
         match self {
             Self::Toward => "undisplaced-displaced",
@@ -53,17 +53,17 @@ impl Way {
     }
 }
 
-/// What the goldens and all pipelines share of a scene.
+/// The part of a scene that the goldens and all pipelines share.
 pub(super) struct Front<'a> {
     pub(super) scene: &'a Scene,
     pub(super) mesh: Tessellation,
-    /// From the world's axes to the camera's: rows are its right, its up, and backwards.
+    /// From the world's axes to the camera's: the rows are its right, its up, and backwards.
     pub(super) turn: DMat3,
-    /// Vertices in the order of the mesh, in the camera's space.
+    /// Vertices in the order of the mesh, in camera space.
     pub(super) eye: Vec<Vertex>,
     /// The light of each vertex.
     pub(super) light: Vec<f64>,
-    /// Texels of the height map, 0 to 255, the row of t = 0 first.
+    /// Texels of the height map, 0 to 255; the row of t = 0 first.
     pub(super) texels: Vec<u8>,
     /// Columns and rows.
     pub(super) size: [u32; 2],
@@ -132,7 +132,7 @@ impl<'a> Front<'a> {
         vertex.uv * DVec2::new(f64::from(self.size[0]), f64::from(self.size[1]))
     }
 
-    /// Where a light is in the camera's space, seen from a vertex.
+    /// The position of a light in camera space, seen from a vertex.
     pub(super) fn light_in_eye(&self, light: &Light, number: usize) -> DVec3 {
         match light.place {
             Place::Direction(direction) => {
@@ -164,7 +164,7 @@ impl<'a> Front<'a> {
         }
     }
 
-    /// A texel, 0 to 255, wherever it is asked for.
+    /// A texel, 0 to 255, at any coordinate.
     fn texel(&self, column: i64, row: i64) -> f64 {
         let at = |index: i64, axis: usize| {
             let side = i64::from(self.size[axis]);
@@ -176,13 +176,13 @@ impl<'a> Front<'a> {
         self.stored(at(column, 0), at(row, 1))
     }
 
-    /// A texel of the map.
+    /// A texel inside the map.
     pub(super) fn stored(&self, column: i64, row: i64) -> f64 {
         let index = row * i64::from(self.size[0]) + column;
         f64::from(self.texels[cast::index_of(index)])
     }
 
-    /// The golden height at a place in texels, 0 to 255.
+    /// The golden height at a position in texels, 0 to 255.
     fn height(&self, at: DVec2) -> f64 {
         if self.scene.emboss.filter == Filter::Nearest {
             return self.texel(cast::i64_of(at.x.floor()), cast::i64_of(at.y.floor()));
@@ -202,7 +202,7 @@ impl<'a> Front<'a> {
         for row in 0..height {
             for column in 0..width {
                 let here = self.texel(column, row);
-                // Beyond a clamped border is the border itself.
+                // A clamped border continues with itself.
                 most[0] = most[0].max((self.texel(column + 1, row) - here).abs());
                 most[1] = most[1].max((self.texel(column, row + 1) - here).abs());
             }
@@ -220,7 +220,7 @@ impl<'a> Front<'a> {
     }
 }
 
-/// Ambient and diffuse light of a vertex, ending at 1.
+/// Ambient and diffuse light of a vertex, clamped to 1.
 fn gouraud(scene: &Scene, vertex: &Vertex) -> f64 {
     let material = &scene.materials[cast::index_of_u32(vertex.object)];
     let of_light = |light: &Light| {
@@ -231,7 +231,7 @@ fn gouraud(scene: &Scene, vertex: &Vertex) -> f64 {
     (scene.ambient * material.ambient + diffuse).min(1.0)
 }
 
-/// Coordinates between a pixel's corners.
+/// Coordinates interpolated between a pixel's corners.
 pub(super) fn between(seen: &Seen, i: usize, of: &[DVec2]) -> DVec2 {
     DVec2::new(seen.between(i, |vertex| of[vertex].x), seen.between(i, |vertex| of[vertex].y))
 }

@@ -1,4 +1,4 @@
-//! A pipeline ready for the pixels of a scene.
+//! A pipeline prepared for the pixels of a scene.
 
 use super::front::{Coordinates, Front, TEXEL_MAX, Way, between};
 use super::known::Known;
@@ -15,7 +15,8 @@ use crate::units::built_in;
 use glam::DVec2;
 use std::collections::BTreeMap;
 
-/// A pipeline ready for the pixels of a scene: its designs, and what its first unit made of the vertices.
+/// A pipeline prepared for the pixels of a scene: its designs, and the emboss unit's results for
+/// the vertices.
 pub(super) struct Shader<'a> {
     pub(super) pipeline: &'a Pipeline,
     pub(super) way: Way,
@@ -23,7 +24,7 @@ pub(super) struct Shader<'a> {
     pub(super) sampler: Stage,
     pub(super) combine: Stage,
     pub(super) coordinates: Coordinates,
-    /// What the vertices took and overflowed.
+    /// Time and overflows of the vertices.
     pub(super) vertices: BlockShot,
     pub(super) known: Known,
 }
@@ -48,7 +49,7 @@ impl<'a> Shader<'a> {
         let combine = Stage::new(built_in("combine"), pipeline, &of_combine)?;
         let mut vertices = BlockShot::of([&emboss.program].into_iter());
         let (coordinates, step_texels) = displaced(front, &emboss, &mut vertices)?;
-        // Integer bits for the farthest coordinate, in maps.
+        // Integer bits for the largest coordinate, in maps.
         let maps = DVec2::new(f64::from(front.size[0]), f64::from(front.size[1]));
         let all = coordinates.displaced.iter().flatten().chain(&coordinates.plain);
         let farthest = all.map(|at| (*at / maps).abs().max_element()).fold(0.0, f64::max);
@@ -76,14 +77,14 @@ impl<'a> Shader<'a> {
         Ok(shader)
     }
 
-    /// What no channel of its picture can be off by more than, in linear light.
+    /// Bound on the error of any channel of its picture, in linear light.
     fn bounded(&self, front: &Front<'_>) -> Result<Option<f64>> {
         if front.scene.emboss.filter == Filter::Nearest {
             return Ok(None); // a position next to a border may be on its other side
         }
         let values = &self.sampler.design.values;
         let power = |bits: u32| 2f64.powi(-cast::signed_count(bits));
-        // Rounded to a word of the sampler, and cut off by it.
+        // Rounded to a word of the sampler, then truncated by it.
         let rounded = 0.5 * power(values.bits("frac_bits"));
         let cut = power(values.bits("fraction_bits"));
         let steepest = front.steepest();
@@ -101,7 +102,7 @@ impl<'a> Shader<'a> {
             displaced.map(|(is, should)| plain + of_height(apart(is, should))).sum::<f64>()
                 / TEXEL_MAX;
         let most = self.max_code();
-        // Texels are 8 bits wide: other codes are the nearest ones.
+        // Texels are 8 bits wide: codes of another width are rounded to the nearest.
         let texel = if most == TEXEL_MAX { 0.0 } else { 0.5 / most };
         let lights = cast::f64_of_len(front.scene.lights.len());
         let gain = 2f64.powi(front.scene.emboss.gain_log2);

@@ -14,18 +14,18 @@ use std::ops::Range;
 use std::sync::Arc;
 use std::time::Instant;
 
-/// What a thread keeps from block to block.
+/// State that a thread keeps from block to block.
 struct Lanes {
     seen: Seen,
     /// Sampler and combiner of each pipeline.
     runners: Vec<[Runner; 2]>,
 }
 
-/// Renders a scene by emboss pipelines at once. `progress` gets the rows done.
+/// Renders a scene by emboss pipelines at once. `progress` receives the number of finished rows.
 ///
 /// # Errors
-/// If a unit can't be built with its parameters, the height map's sides are no powers of two, something is out
-/// of the range of its words, or a `narrow` under overflow mode `error` overflowed.
+/// If a unit can't be built with its parameters, the height map's sides aren't powers of two, a
+/// value is out of the range of its words, or a `narrow` under overflow mode `error` overflowed.
 pub fn render(
     scene: &Scene,
     pipelines: &[Pipeline],
@@ -59,7 +59,7 @@ pub fn render(
         let golden = |way| -> Vec<[f64; 3]> {
             (0..seen.len()).map(|i| golden(&front, way, seen, i)).collect()
         };
-        // The golden of the other way is one more picture.
+        // The golden of the other direction is an additional picture.
         let other =
             other.map(|way| BlockShot { colours: golden(way), ..BlockShot::of([].into_iter()) });
         Ok(Block {

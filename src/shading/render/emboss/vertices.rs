@@ -1,4 +1,4 @@
-//! Every vertex under every light through the unit `emboss`.
+//! Runs every vertex under every light through the unit `emboss`.
 
 use super::front::{Coordinates, Front};
 use crate::base::cast;
@@ -10,10 +10,11 @@ use crate::shading::render::named::Stage;
 use glam::DVec2;
 use std::collections::BTreeMap;
 
-/// The least scale of the matrix, in its last places.
+/// The smallest scale of the matrix, in ulps.
 const LEAST_SCALE_ULPS: f64 = 4.0;
 
-/// Every vertex under every light through the unit `emboss`, and the texels that it counts as 1.
+/// Runs every vertex under every light through the unit `emboss`; also returns the texels per unit
+/// of its coordinates.
 pub(super) fn displaced(
     front: &Front<'_>,
     stage: &Stage,
@@ -23,7 +24,7 @@ pub(super) fn displaced(
     let strength = scene.emboss.strength;
     let plain = &front.toward.plain; // the same either way
     let farthest = plain.iter().map(|at| at.abs().max_element()).fold(0.0, f64::max);
-    // A word of the coordinates counts so many texels as a whole one; a strength of 1 at most.
+    // Texels per unit of the coordinate words; the strength must be at most 1 such unit.
     let reach = stage.reach("s0");
     let step = (0..32)
         .map(|k| 2f64.powi(k))
@@ -34,12 +35,12 @@ pub(super) fn displaced(
         ))
     })?;
     let scale = strength / step;
-    // A relief of a scale that the matrix hardly has words for would go without a word.
+    // With a scale of only a few ulps of the matrix, the relief would silently disappear.
     let ulp = stage.port("m0_x").map_or(0.0, Format::ulp);
     if strength > 0.0 && scale < LEAST_SCALE_ULPS * ulp {
         return Err(Error::usage(format!(
-            "a strength of {strength} texels is {scale:.3e} of the emboss unit's whole coordinate of {step} texels, and its matrix \
-             counts {ulp:.3e}: give the object smaller texture coordinates, or the unit more texture_int_bits or matrix_bits"
+            "a strength of {strength} texels is {scale:.3e} in the emboss unit's steps of {step} texels, but its matrix has \
+             steps of {ulp:.3e}: give the object smaller texture coordinates, or the unit more texture_int_bits or matrix_bits"
         )));
     }
     let reach = stage.reach("vertex_x");
@@ -58,7 +59,7 @@ pub(super) fn displaced(
                 let far = at.abs().max_element();
                 if far > reach {
                     return Err(Error::usage(format!(
-                        "a {what} is {far} from the camera along an axis and the emboss unit's positions end at {reach}: make the scene smaller, or -p position_bits larger or -p position_frac_bits smaller"
+                        "a {what} is {far} from the camera along an axis, but the emboss unit's positions end at {reach}: make the scene smaller, increase -p position_bits, or decrease -p position_frac_bits"
                     )));
                 }
             }
@@ -96,7 +97,7 @@ pub(super) fn displaced(
         let value =
             |(s, t): (&i64, &i64)| DVec2::new(cast::f64_of(*s) * ulp[0], cast::f64_of(*t) * ulp[1]);
         all.push(out["s1"].iter().zip(&out["t1"]).map(value).collect());
-        // Ports in and out have one format.
+        // Input and output ports have the same format.
         let netlist = &stage.design.netlist;
         let port = |name: &str| (0..words.len()).find(|at| netlist.input_name(*at) == name);
         let [s0, t0] = ["s0", "t0"].map(|name| &words[port(name).expect("bug: a port")]);

@@ -19,12 +19,12 @@ use std::ops::Range;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// What golden and pipelines share of a scene.
+/// The part of a scene that the golden and the pipelines share.
 struct Front<'a> {
     scene: &'a Scene,
     mesh: Assembly,
-    /// Of each vertex, what the vertex stage makes: the unit vector to the eye, and to each light.
-    /// Those of vertices that no triangle has are made here, too, but need not be, and aren't counted as operations.
+    /// The vertex stage's result for each vertex: the unit vectors to the eye and to each light.
+    /// Vertices that no triangle uses are computed too, but aren't counted as operations.
     vectors: Vec<Vec<DVec3>>,
 }
 
@@ -40,7 +40,7 @@ impl<'a> Front<'a> {
         Ok(Self { scene, mesh, vectors })
     }
 
-    /// A corner of a triangle, counted over all triangles.
+    /// A corner of a triangle, numbered over all triangles.
     fn corner(&self, at: usize) -> Corner {
         let ids = self.mesh.primitives()[at / 3].map(cast::index_of_u32);
         let vertices = ids.map(|id| self.mesh.vertices[id]);
@@ -60,11 +60,11 @@ impl<'a> Front<'a> {
     }
 }
 
-/// Vectors of the eye and of the lights in texture space, of every corner of every triangle: of the eye, then of
-/// the lights, each three columns.
+/// Vectors to the eye and to the lights in texture space, for every corner of every triangle: the
+/// eye's, then the lights', three columns each.
 type Vectors = Vec<Vec<f64>>;
 
-/// A pipeline whose triangles are set up.
+/// A pipeline with its triangles set up.
 struct Shader<'a> {
     pipeline: &'a Pipeline,
     design: Arc<Design>,
@@ -75,7 +75,7 @@ struct Shader<'a> {
     program: crate::sim::batch::Program,
 }
 
-/// All of [`Known`] but the picture.
+/// All of [`Known`] except the picture.
 struct KnownSoFar {
     per_primitive: Option<Counts>,
     per_vertex: Counts,
@@ -120,7 +120,7 @@ impl<'a> Shader<'a> {
     }
 }
 
-/// Colours of pixels by vectors of the corners.
+/// Colours of pixels from the vectors of the corners.
 fn shade(front: &Front<'_>, seen: &Seen, vectors: &Vectors) -> Vec<[f64; 3]> {
     let scene = front.scene;
     let shade = |i: usize| {
@@ -156,7 +156,7 @@ fn shade(front: &Front<'_>, seen: &Seen, vectors: &Vectors) -> Vec<[f64; 3]> {
     (0..seen.len()).map(shade).collect()
 }
 
-/// Renders a scene by these pipelines. `progress` gets the rows done.
+/// Renders a scene by these pipelines. `progress` receives the number of finished rows.
 pub(in crate::shading::render) fn shots(
     scene: &Scene,
     pipelines: &[&Pipeline],
@@ -220,7 +220,7 @@ pub(in crate::shading::render) fn shots(
     Ok(shots)
 }
 
-/// Corners per second of the engine.
+/// Corners per second of engine time.
 fn rate(samples: u64, engine: Duration) -> f64 {
     cast::f64_of_count(samples) / engine.as_secs_f64().max(1e-9)
 }

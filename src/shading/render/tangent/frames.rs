@@ -1,4 +1,4 @@
-//! Frames of the set-up for pipelines that shade bumps.
+//! Frames from the setup, for bump-mapping pipelines.
 
 use super::known::FramesKnown;
 use super::setup::{Corner, Outputs, Setup, flagged};
@@ -14,7 +14,7 @@ use crate::units::fragment::Fragment;
 use glam::DVec3;
 use std::sync::Arc;
 
-/// Frames at the corners of a scene's faces, by the unit.
+/// Frames at the corners of a scene's faces, computed by the unit.
 pub(in crate::shading::render) struct FaceFrames {
     design: Arc<Design>,
     /// Components of T, B and N of each corner of each face, by column.
@@ -23,13 +23,13 @@ pub(in crate::shading::render) struct FaceFrames {
 }
 
 impl FaceFrames {
-    /// What of a pipeline's parameters they depend on.
+    /// The pipeline parameters that the frames depend on.
     pub(in crate::shading::render) fn parameters(pipeline: &Pipeline) -> Vec<&String> {
         pipeline.assignments.iter().filter(|set| knows(built_in("tangent"), set)).collect()
     }
 
     pub(in crate::shading::render) fn new(scene: &Scene, pipeline: &Pipeline) -> Result<Self> {
-        scene.demand_uv("the set-up of frames")?;
+        scene.demand_uv("the setup of frames")?;
         let of_face =
             |(object, face): (u32, [SharedVertex; 3])| face.map(|corner| (object, corner));
         let corners: Vec<(u32, SharedVertex)> = scene.faces().flat_map(of_face).collect();
@@ -78,7 +78,7 @@ impl FaceFrames {
         &self.known
     }
 
-    /// A shading point with the frame of the set-up; `None` on a sphere.
+    /// A shading point with the frame of the setup; `None` on a sphere.
     pub(in crate::shading::render) fn frame(
         &self,
         scene: &Scene,

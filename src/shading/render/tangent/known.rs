@@ -1,4 +1,4 @@
-//! What is known of a set-up beside pictures.
+//! Measurements of a setup, beside pictures.
 
 use crate::measure::OverflowCount;
 use crate::netlist::Counts;
@@ -6,29 +6,29 @@ use crate::shading::picture::Picture;
 use crate::shading::scene::Sharing;
 use serde::Serialize;
 
-/// What is known of a set-up beside its picture.
+/// Measurements of a setup, beside its picture.
 #[derive(Clone, Debug, Serialize)]
 pub struct Known {
-    /// The same flow with the golden of the set-up.
+    /// The same flow with the golden of the setup.
     #[serde(skip)]
     pub flow: Picture,
-    /// What sharing of vertices saves.
+    /// What vertex sharing saves.
     pub sharing: Sharing,
-    /// Operations of the set-up for each triangle; `None` if none are apart from those of its vertices.
+    /// Operations of the setup per triangle; `None` if all of them are per vertex.
     pub per_primitive: Option<Counts>,
-    /// Operations for each vertex of a triangle, besides.
+    /// Further operations per vertex of a triangle.
     pub per_vertex: Counts,
     /// Triangles whose texture is mirrored.
     pub mirrored: u64,
     /// Corners that got a fallback frame.
     pub degenerate: u64,
-    /// Last place of positions, in the world: that of the object where it is coarsest.
+    /// Ulp of positions, in the world: that of the object where it is largest.
     pub position_step: f64,
-    /// Last place of texture coordinates, likewise.
+    /// Ulp of texture coordinates, likewise.
     pub uv_step: f64,
 }
 
-/// What is known of the set-up of a scene's frames.
+/// Measurements of the setup of a scene's frames.
 #[derive(Clone, Debug, Serialize)]
 pub struct FramesKnown {
     /// Faces that were set up, with three corners each; spheres have none.
@@ -41,6 +41,6 @@ pub struct FramesKnown {
     pub position_step: f64,
     /// As [`Known::uv_step`].
     pub uv_step: f64,
-    /// Every `narrow` of the set-up that overflowed at least once.
+    /// Every `narrow` of the setup that overflowed at least once.
     pub overflows: Vec<OverflowCount>,
 }

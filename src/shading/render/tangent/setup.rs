@@ -1,4 +1,4 @@
-//! The set-up of corners by the unit.
+//! The setup of corners by the unit.
 
 use crate::base::cast;
 use crate::base::error::Result;
@@ -18,12 +18,12 @@ use rayon::prelude::*;
 /// Corners that a thread sets up at a time.
 const TOGETHER: usize = 3 << 10;
 
-/// How many flags are set.
+/// Number of flags that are set.
 pub(super) fn flagged<'a>(flags: impl Iterator<Item = &'a f64>) -> u64 {
     cast::count_of(flags.filter(|flag| **flag != 0.0).count())
 }
 
-/// What the set-up takes for one corner of a triangle.
+/// Inputs of the setup for one corner of a triangle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corner {
     /// Index of its object.
@@ -35,7 +35,7 @@ pub(super) struct Corner {
     pub(super) lights: [DVec3; 8],
 }
 
-/// What an input port of the set-up takes.
+/// The value that an input port of the setup gets.
 #[derive(Clone, Copy, Debug)]
 enum Source {
     Position(usize, usize),
@@ -46,7 +46,7 @@ enum Source {
 }
 
 impl Source {
-    /// That of a port's name.
+    /// The source of a port, by its name.
     fn of(port: &str) -> Option<Self> {
         let (name, axis) = port.rsplit_once('_')?;
         let axis = ["x", "y", "z", "u", "v"].iter().position(|known| *known == axis)?;
@@ -78,7 +78,7 @@ impl Corner {
     }
 }
 
-/// Where words of a set-up have their middle, and what they count.
+/// The middle and the scale of a setup's words.
 #[derive(Clone, Copy, Debug)]
 struct Place<V> {
     middle: V,
@@ -92,21 +92,21 @@ struct Places {
     uv: Place<DVec2>,
 }
 
-/// The set-up of a scene's triangles by the unit.
+/// The setup of a scene's triangles by the unit.
 pub(super) struct Setup {
     pub(super) stage: Stage,
-    /// Of each object that has corners.
+    /// By object; `None` if it has no corners.
     places: Vec<Option<Places>>,
 }
 
-/// Values of outputs for corners, by name; and the golden's.
+/// Output values for corners, by column; of the words and of the golden.
 #[derive(Default)]
 pub(super) struct Outputs {
     pub(super) fixed: Vec<Vec<f64>>,
     pub(super) golden: Vec<Vec<f64>>,
 }
 
-/// Columns of some corners: pieces of those of [`Outputs`].
+/// Columns of some corners: slices of those of [`Outputs`].
 #[derive(Default)]
 struct Part<'a> {
     fixed: Vec<&'a mut [f64]>,
@@ -114,14 +114,14 @@ struct Part<'a> {
 }
 
 impl Setup {
-    /// For corners of these objects.
+    /// Prepares the setup for corners of these objects.
     pub(super) fn new(
         pipeline: &Pipeline,
         lights: usize,
         corners: impl Iterator<Item = (u32, SharedVertex)>,
     ) -> Result<Self> {
         let stage = Stage::new(built_in("tangent"), pipeline, &[format!("lights={lights}")])?;
-        // Least and greatest position and uv.
+        // Smallest and largest position and uv.
         let mut bounds: Vec<Option<[[DVec3; 2]; 2]>> = Vec::new();
         for (object, SharedVertex { position, uv, .. }) in corners {
             let object = cast::index_of_u32(object);
@@ -133,9 +133,9 @@ impl Setup {
             }
         }
         let place = |[low, high]: [DVec3; 2], port: &str| {
-            // All in one place still have a scale.
+            // Coinciding points still need a scale.
             let half = (0.5 * (high - low)).max_element().max(1e-18);
-            // A power of two, so that scaling rounds nothing.
+            // A power of two, so that scaling is exact.
             let scale = libm::exp2(libm::log2(stage.reach(port) / half).floor());
             Place { middle: 0.5 * (low + high), scale }
         };
@@ -148,7 +148,7 @@ impl Setup {
         Ok(Self { places, stage })
     }
 
-    /// The coarsest last places of positions and of texture coordinates, in the scene; 0 without corners.
+    /// The largest ulps of positions and of texture coordinates in the scene; 0 without corners.
     pub(super) fn steps(&self) -> [f64; 2] {
         let step = |port, scale: fn(&Places) -> f64| {
             let ulp = self.stage.port(port).map_or(0.0, Format::ulp);
@@ -157,7 +157,7 @@ impl Setup {
         [step("p0_x", |places| places.position.scale), step("uv0_u", |places| places.uv.scale)]
     }
 
-    /// Some outputs of all corners, by the words and, if it is asked for, by the golden.
+    /// Some outputs for all corners, from the words and, if `with_golden`, from the golden.
     pub(super) fn run(
         &self,
         count: usize,
@@ -178,7 +178,7 @@ impl Setup {
             columns.iter().position(|column| column == name).expect("bug: a golden of this name")
         };
         let of_golden: Vec<usize> = names.iter().map(of_golden).collect();
-        // A part's columns of words' values and of the golden are pieces of those of all.
+        // The columns of a part are slices of the columns of all corners.
         let chunk = |first: usize, part: Part<'_>| -> Result<BlockShot> {
             let corners: Vec<Corner> = (first..(first + TOGETHER).min(count))
                 .map(|at| {
@@ -234,7 +234,7 @@ impl Setup {
         Ok(all)
     }
 
-    /// Operations for each triangle, and for each of its vertices besides.
+    /// Operations per triangle, and further ones per vertex of it.
     pub(super) fn counts(&self) -> (Option<Counts>, Counts) {
         let netlist = &self.stage.design.netlist;
         let known = |(at, id): (usize, &crate::netlist::NodeId)| {

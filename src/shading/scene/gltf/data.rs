@@ -12,7 +12,8 @@ use std::cell::Cell;
 use std::collections::HashMap;
 use std::path::Path;
 
-/// Most numbers that a file's primitives read, each as often as one reads it: many may share an accessor.
+/// The most numbers that a file's primitives read, counted each time that one reads them: many may
+/// share an accessor.
 const MAX_NUMBERS: usize = 1 << 25;
 
 #[derive(Deserialize)]
@@ -30,7 +31,7 @@ pub(super) struct Accessor {
     sparse: Option<Sparse>,
 }
 
-/// Elements that replace some of an accessor.
+/// Elements that replace some of an accessor's.
 #[derive(Deserialize)]
 struct Sparse {
     count: usize,
@@ -72,14 +73,14 @@ pub(super) struct Buffer {
     byte_length: usize,
 }
 
-/// JSON and binary chunk of a `.glb` file. What follows its declared end isn't part of it.
+/// JSON and binary chunk of a `.glb` file. Bytes after its declared end aren't part of it.
 pub(super) fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), String> {
     let word = |at: usize| -> Result<u32, String> {
         let word = bytes.get(at..at + 4).and_then(|word| word.try_into().ok());
         word.map(u32::from_le_bytes).ok_or_else(|| cut_off(bytes, at + 4))
     };
     if word(4)? != 2 {
-        return Err(format!("is .glb of version {}: only 2 is read", word(4)?));
+        return Err(format!("is a .glb file of version {}: only version 2 is supported", word(4)?));
     }
     let end = cast::index_of_u32(word(8)?);
     if bytes.len() < end {
@@ -93,7 +94,7 @@ pub(super) fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), String> {
         at = start + len;
         if at > end {
             return Err(format!(
-                "the chunk at byte {start} of its .glb container has {len} bytes and reaches beyond the container's {end}: the file is damaged"
+                "the chunk at byte {start} of its .glb container has {len} bytes and extends beyond the container's {end}: the file is damaged"
             ));
         }
         match kind {
@@ -107,20 +108,20 @@ pub(super) fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), String> {
 
 fn cut_off(bytes: &[u8], needed: usize) -> String {
     format!(
-        "its .glb container has {} bytes of {needed}: the file is cut off, export or copy it again",
+        "its .glb container has {} of {needed} bytes: the file is truncated; export or copy it again",
         bytes.len()
     )
 }
 
-/// Buffers, in bytes.
+/// The contents of buffers.
 pub(super) struct Buffers<'a> {
     data: Vec<Cow<'a, [u8]>>,
-    /// Which of the data a buffer has: one URI may be that of many buffers, and is read once.
+    /// Index into `data` by buffer: buffers with the same URI share one entry, which is read once.
     places: Vec<usize>,
 }
 
 impl<'a> Buffers<'a> {
-    /// Reads all buffers, with so many bytes in them together; `binary` is the chunk of a container.
+    /// Reads all buffers, limited to `max_bytes` together; `binary` is the chunk of a container.
     pub(super) fn read(
         buffers: &[Buffer],
         binary: Option<&'a [u8]>,
@@ -139,7 +140,7 @@ impl<'a> Buffers<'a> {
                         (Some(uri), _) if is_data(uri) => {
                             let bytes = decoded(uri).ok_or_else(|| {
                                 fail(format!(
-                                    "buffer {i}: its data URI can't be decoded: it is `data:;base64,` and base64, or `data:,` and bytes as %00 to %ff"
+                                    "buffer {i}: its data URI can't be decoded: legal are `data:;base64,` with base64, and `data:,` with bytes as %00 to %ff"
                                 ))
                             })?;
                             Some(Cow::Owned(bytes))
@@ -159,7 +160,7 @@ impl<'a> Buffers<'a> {
                     let fits = |bytes: &Cow<[u8]>| cast::count_of(bytes.len()) <= left;
                     let bytes = bytes.filter(fits).ok_or_else(|| {
                         fail(format!(
-                            "its buffers have more than {max_bytes} bytes together, the most that is read: simplify it"
+                            "its buffers have more than {max_bytes} bytes together, the most that is supported: simplify it"
                         ))
                     })?;
                     left -= cast::count_of(bytes.len());
@@ -172,7 +173,8 @@ impl<'a> Buffers<'a> {
             };
             let (has, needs) = (data[place].len(), buffer.byte_length);
             if has < needs {
-                let problem = format!("buffer {i} has {has} bytes of {needs}: the file is cut off");
+                let problem =
+                    format!("buffer {i} has {has} of {needs} bytes: the file is truncated");
                 return Err(fail(problem));
             }
             places.push(place);
@@ -181,7 +183,7 @@ impl<'a> Buffers<'a> {
     }
 }
 
-/// True if a URI has its data in itself: schemes are so in any case.
+/// True if a URI contains its data; the scheme is case-insensitive.
 fn is_data(uri: &str) -> bool {
     uri.get(..5).is_some_and(|scheme| scheme.eq_ignore_ascii_case("data:"))
 }
@@ -194,10 +196,10 @@ fn decoded(uri: &str) -> Option<Vec<u8>> {
 /// An entry of one of the document's lists.
 pub(super) fn get<'a, T>(list: &'a [T], what: &str, index: usize) -> Result<&'a T, String> {
     let len = list.len();
-    list.get(index).ok_or_else(|| format!("{what} {index} is named, and there are {len}"))
+    list.get(index).ok_or_else(|| format!("refers to {what} {index} (they count from 0) of {len}"))
 }
 
-/// What one component of an element is.
+/// The type of one component of an element.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Component {
     I8,
@@ -217,17 +219,17 @@ impl Component {
             5123 => Self::U16,
             5125 => Self::U32,
             5126 => Self::F32,
-            other => return Err(format!("there is no component type {other}")),
+            other => return Err(format!("unknown component type {other}")),
         })
     }
 
-    /// The same of numbers of vertices, joints or elements.
+    /// The type of an index: a number of a vertex, joint or element.
     fn of_indices(code: u32) -> Result<Self, String> {
         let component = Self::of(code)?;
         match component {
             Self::U8 | Self::U16 | Self::U32 => Ok(component),
             Self::I8 | Self::I16 | Self::F32 => Err(format!(
-                "indices of component type {code}: legal are 5121, 5123 and 5125, whole numbers without sign"
+                "indices have component type {code}: legal are 5121, 5123 and 5125, unsigned integers"
             )),
         }
     }
@@ -240,7 +242,7 @@ impl Component {
         }
     }
 
-    /// A component of as many bytes as [`Self::size`].
+    /// Decodes a component of [`Self::size`] bytes.
     fn decode(self, bytes: &[u8]) -> f64 {
         let two = || [bytes[0], bytes[1]];
         let four = || [bytes[0], bytes[1], bytes[2], bytes[3]];
@@ -254,7 +256,7 @@ impl Component {
         }
     }
 
-    /// The real for which a normalized number stands (3.11 of the specification).
+    /// The real that a normalized number stands for (3.11 of the specification).
     fn unit(self, value: f64) -> f64 {
         match self {
             Self::I8 => (value / 127.0).max(-1.0),
@@ -271,7 +273,7 @@ pub(super) struct Data<'a> {
     accessors: &'a [Accessor],
     views: &'a [View],
     buffers: Buffers<'a>,
-    /// How many may still be read.
+    /// How many numbers may still be read.
     left: Cell<usize>,
 }
 
@@ -280,18 +282,18 @@ impl<'a> Data<'a> {
         Self { accessors, views, buffers, left: Cell::new(MAX_NUMBERS) }
     }
 
-    /// Counts numbers against the most that are read.
+    /// Counts numbers against the limit.
     pub(super) fn spend(&self, numbers: usize) -> Result<(), String> {
         let left = self.left.get().checked_sub(numbers).ok_or_else(|| {
             format!(
-                "its primitives read more than {MAX_NUMBERS} numbers together, those of a shared accessor each time, and that is the most: simplify it"
+                "its primitives read more than {MAX_NUMBERS} numbers together (those of a shared accessor count each time), the most that is supported: simplify it"
             )
         })?;
         self.left.set(left);
         Ok(())
     }
 
-    /// True if an accessor's own data are there, and aren't zeros by default.
+    /// True if an accessor has its own data, and doesn't default to zeros.
     pub(super) fn has_view(&self, index: usize) -> bool {
         self.accessors.get(index).is_some_and(|accessor| accessor.buffer_view.is_some())
     }
@@ -302,11 +304,11 @@ impl<'a> Data<'a> {
         self.read(accessor, components).map_err(|why| format!("accessor {index}: {why}"))
     }
 
-    /// The same of one that holds numbers of vertices or joints.
+    /// The same for an accessor of vertex or joint numbers.
     pub(super) fn wholes(&self, index: usize, components: usize) -> Result<Vec<usize>, String> {
         let accessor = get(self.accessors, "accessor", index)?;
         if accessor.normalized {
-            let problem = "holds indices, which are never normalized";
+            let problem = "holds indices, which can't be normalized";
             return Err(format!("accessor {index}: {problem}"));
         }
         Component::of_indices(accessor.component_type)
@@ -337,7 +339,10 @@ impl<'a> Data<'a> {
         };
         if let Some(Sparse { count, indices, values: by }) = &accessor.sparse {
             if *count > accessor.count {
-                return Err(format!("{count} sparse elements replace some of {}", accessor.count));
+                return Err(format!(
+                    "has {count} sparse elements, more than its {} elements",
+                    accessor.count
+                ));
             }
             self.spend(count * (components + 1))?;
             let indices = Place {
@@ -351,7 +356,10 @@ impl<'a> Data<'a> {
             for (index, element) in indices.into_iter().zip(by.chunks_exact(components)) {
                 let start = components * cast::usize_of(index);
                 let to = values.get_mut(start..start + components).ok_or_else(|| {
-                    format!("sparse element {index} is named, and there are {}", accessor.count)
+                    format!(
+                        "refers to sparse element {index} (they count from 0) of {}",
+                        accessor.count
+                    )
                 })?;
                 to.copy_from_slice(element);
             }
@@ -362,12 +370,12 @@ impl<'a> Data<'a> {
         Ok(values)
     }
 
-    /// So many elements of a buffer view.
+    /// The first `count` elements of a place in a buffer view.
     fn block(&self, place: Place, count: usize) -> Result<Vec<f64>, String> {
         let view = get(self.views, "buffer view", place.view)?;
         let buffer = get(&self.buffers.places, "buffer", view.buffer)?;
         let buffer = &self.buffers.data[*buffer];
-        let beyond = || "reaches beyond its buffer".to_owned();
+        let beyond = || "extends beyond its buffer".to_owned();
         let bytes = view.byte_offset.checked_add(view.byte_length);
         let bytes = bytes.and_then(|end| buffer.get(view.byte_offset..end)).ok_or_else(beyond)?;
         let size = place.component.size();
@@ -375,11 +383,11 @@ impl<'a> Data<'a> {
         let stride = view.byte_stride.unwrap_or(element);
         if stride < element {
             return Err(format!(
-                "buffer view {} has `byteStride` {stride}, and its elements have {element} bytes",
+                "buffer view {} has `byteStride` {stride}, less than the {element} bytes of its elements",
                 place.view
             ));
         }
-        // So that the count below can't ask for more memory than the file has bytes.
+        // Keeps the allocation below within the number of bytes in the file.
         if count > bytes.len() {
             return Err(beyond());
         }
@@ -394,7 +402,7 @@ impl<'a> Data<'a> {
     }
 }
 
-/// Where elements start, and what they are.
+/// Where elements start, and their type.
 struct Place {
     view: usize,
     byte_offset: usize,
