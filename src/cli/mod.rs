@@ -341,13 +341,21 @@ fn refuse(error: &clap::Error) -> ExitCode {
         let _ = error.print();
         return ExitCode::from(2);
     }
-    // One line, like every other error: the message and its tips, without the usage.
+    // One line, like every other error, then clap's tips, without the usage.
     let text = error.to_string();
     let ends = |line: &str| line.starts_with("Usage:") || line.starts_with("For more info");
     let lines = text.lines().take_while(|line| !ends(line));
-    let parts: Vec<&str> = lines.map(str::trim).filter(|line| !line.is_empty()).collect();
+    let parts = lines.map(str::trim).filter(|line| !line.is_empty());
+    let (tips, parts): (Vec<&str>, Vec<&str>) = parts.partition(|line| line.starts_with("tip:"));
+    let usage = text.lines().find_map(|line| line.strip_prefix("Usage: fixpath "));
+    let command = usage.and_then(|usage| usage.split(' ').next());
+    let is_command = |word: &&str| word.chars().all(|c| c.is_ascii_lowercase());
+    let command = command.filter(is_command).map(|name| format!("{name} ")).unwrap_or_default();
     let told = escape::message(&parts.join(" "));
-    let _ = writeln!(io::stderr(), "{told}: see `fixpath --help`");
+    let _ = writeln!(io::stderr(), "{told}: see `fixpath {command}--help`");
+    for tip in tips {
+        let _ = writeln!(io::stderr(), "  {}", escape::message(tip));
+    }
     ExitCode::from(2)
 }
 

@@ -1,41 +1,9 @@
 //! The text file format for exchanging netlists.
 //!
-//! ```text
-//! fixpath netlist 1
-//! name square
-//! scope tail
-//! function light = add(0.1, mul(0.8, max(x, 0)))
-//! table rom 2 up:s4f1 down:s4f1
-//!   7 -4
-//!   -8 6
-//!   3 5
-//!   0 -1
-//! %0 = input : u2f0 @a
-//! %1 = read rom.up %0 : s4f1 @tail.value means light(%0)
-//! %2 = mul %1 %1 : s7f2 @tail.
-//! %3 = narrow half-even saturate %2 : u5f1
-//! output y = %3
-//! ```
+//! The code of functions ([`Function::with_kernel`]) isn't written: functions that are read have
+//! only their expressions.
 //!
-//! - The first line names the format and its version. Empty lines and anything after `#` are
-//!   ignored.
-//! - `scope PATH` declares a scope; its parents must be declared before. A word after the path
-//!   names the part that it is, such as `scheme`.
-//! - `function NAME = EXPRESSION` names an expression of `x` ([`Expr`]). If the name is taken, the
-//!   form is `function ID named NAME = …`.
-//! - `table NAME BITS COLUMN:FORMAT…` is followed by a line of words for each of its `2^BITS`
-//!   addresses. If the name is taken, the form is `table ID named NAME …`.
-//! - `memory NAME BITS latency CYCLES COLUMN:FORMAT…` is a table whose words are bound for
-//!   simulation, so no words follow.
-//! - `%N = OPERATION %OPERAND… : FORMAT` is a node. Numbers count up from 0, and operands come
-//!   before their users. After the format may follow: what it measures (`turns` or `float20`);
-//!   `per RATE` for a port that doesn't get a word for each pixel; `@SCOPE.NAME` (`@SCOPE.` without
-//!   a name, `@NAME` outside all scopes); and `means EXPRESSION`, its value on reals in terms of
-//!   other nodes.
-//! - `output NAME = %N` is a port.
-//!
-//! Reading drops what no output needs. The code of functions ([`Function::with_kernel`]) isn't
-//! written; functions that are read have only their expressions.
+#![doc = include_str!("../../docs/files/netlist.md")]
 
 use super::{
     Builder, Column, Meaning, Memory, Netlist, NodeId, Part, Quantity, Rate, ScopeId, Table,
@@ -531,13 +499,13 @@ impl Reader {
         let number = word.strip_prefix('%').and_then(|number| number.parse::<usize>().ok());
         match number.and_then(|number| self.nodes.get(number)) {
             Some(id) => Ok(*id),
-            None => wrong(
-                at,
-                format!(
-                    "`{word}` is not a node before this line: legal is %0 to %{}",
-                    self.nodes.len()
-                ),
-            ),
+            None => {
+                let legal = match self.nodes.len().checked_sub(1) {
+                    Some(last) => format!("legal is %0 to %{last}"),
+                    None => "there is none yet".to_owned(),
+                };
+                wrong(at, format!("`{word}` is not a node before this line: {legal}"))
+            }
         }
     }
 

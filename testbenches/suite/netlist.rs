@@ -975,7 +975,11 @@ fn malformed_files_are_refused_with_their_place() {
         ("light(%0)", "light(%1)", "`%1` is neither a finite number"),
         ("light(%0)", "light(%0, 1)", "`light` takes 1 operands, and 2 are given"),
         ("mul %1 %1", "mul %1", "line 11, column 6: `mul` takes 2 operands, and 1 are given"),
-        ("mul %1 %1", "mul %1 %2", "line 11, column 13: `%2` is not a node before this line"),
+        (
+            "mul %1 %1",
+            "mul %1 %2",
+            "line 11, column 13: `%2` is not a node before this line: legal is %0 to %1",
+        ),
         ("mul %1 %1", "cube %1", "line 11, column 6: there is no operation `cube`"),
         (": s8f2", ": s9f2", "line 11, column 18: the result of `mul` is s8f2, not s9f2"),
         (": s8f2 @tail.", ": s8f2 tail", "line 11, column 23: expected turns"),

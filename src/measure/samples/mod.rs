@@ -1,15 +1,10 @@
 //! Tables of values: samples from a CSV, one per row. Every command that reads values uses these
 //! rules.
 //!
-//! An input port `P` is given as its word `P_raw`, its quantised value `P_q`, or a real `P`. If
-//! several are present, the first in this order counts, and the others must mean the same word.
-//! Reals are rounded to the nearest word, angles modulo a turn. A value out of range becomes the
-//! nearest word and is reported. Columns that [`crate::measure::eval`] writes, or that a table of
-//! hard cases has, are skipped. Any other column is an error unless it is to be ignored, since it
-//! may be misspelt. Fields are separated by commas, semicolons or tabs, as in the header.
-//!
 //! Rows are read in blocks of as many as are available. A pipe therefore gets each answer at once,
 //! and files may be larger than memory.
+//!
+#![doc = include_str!("../../../docs/files/samples.md")]
 
 mod records;
 

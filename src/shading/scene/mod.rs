@@ -1,7 +1,7 @@
 //! Scenes: objects, lights, textures and a camera from a TOML file, and the pixels that they cover.
 //!
 //! [`Scene::open`] reads a file. [`Scene::builtin`] returns one of the scenes built into the
-//! program; their TOML text in `src/shading/scene/builtin/` shows the format. [`Scene::trace`]
+//! program. [`Scene::trace`]
 //! computes, row by row, what each covered pixel sees:
 //!
 //! ```
@@ -16,107 +16,8 @@
 //! # Ok::<(), fixpath::error::Error>(())
 //! ```
 //!
-//! The rest of this text specifies a scene completely, so that another renderer can reproduce it.
-//!
-//! # Space
-//! The world is right-handed and z is up. A point of an object maps to
-//! `translate + Rz Ry Rx (scale * point)`: it is scaled along the object's own axes, then rotated
-//! about x, then y, then z, counter-clockwise seen from the tip of the axis. Normals are
-//! transformed by the inverse transpose.
-//!
-//! - *plane*: the square [-1, 1]^2 in z = 0, facing +z; u = (x+1)/2, v = (y+1)/2.
-//! - *cube*: [-1, 1]^3. Faces 0 to 5 are +x, -x, +y, -y, +z, -z; u runs from 0 to 1 along T and v
-//!   along B, which are (+y, +z), (-y, +z), (-x, +z), (+x, +z), (+x, +y), (+x, -y).
-//! - *sphere*: radius 1 about the origin, poles on z. With az the azimuth from +x towards +y and θ
-//!   the angle from +z, u = az/360° in [0, 1) and v = 1 - θ/180°. The sphere is not tessellated
-//!   here: rays intersect it exactly and normals are exact. At the poles az is 0.
-//! - *mesh*: triangles of an `.obj`, `.gltf` or `.glb` file: lists, strips, fans and polygons.
-//!   Coordinates are those of the file (y is up in glTF; `rotate_degrees = [90, 0, 0]` makes it
-//!   upright). With `source = "shell"` instead of a file, the mesh is a dome over [-1, 1]^2 whose
-//!   halves left and right of x = 0 share a texture: u = |x|, v = 2 (y + 1), z = 0.6 (1 - x²) (1 -
-//!   y²). It has 48 x 48 squares, each cut in two from its lower corner nearer to x = 0 to its
-//!   upper corner farther from it.
-//!
-//! # Meshes from files
-//! - A glTF file is read in its rest pose: with nodes, default morph-target weights and skins.
-//!   Texture coordinates are those of the material's colour texture (otherwise of its normal map),
-//!   transformed by KHR_texture_transform. Nodes that mirror reverse the triangles' winding, as
-//!   `scale` does.
-//! - Triangles are counted from 0 in the file's order, without the degenerate ones (zero area),
-//!   which are left out. A triangle's front is the side of its given normals; without normals, the
-//!   side from which its corners run counter-clockwise.
-//! - Missing normals are means of the normals of the triangles around a point, weighted by their
-//!   angles at that point, up to edges sharper than `crease_degrees`. Its default is 60 for `.obj`,
-//!   and 0 for glTF, whose specification requires flat normals: each triangle has its own. Both are
-//!   computed in the file's own space, before `scale`.
-//! - Texture coordinates are needed only where `[texture]` or `[height]` vary with position, and
-//!   for a tangent-space setup.
-//!
-//! # Texture frames
-//! `T = normalise(dP/du - N (N·dP/du))` and `B = h (N x T)`, with handedness h = +1, or -1 where
-//! the texture is mirrored: h is the sign of the determinant of (u, v) over the face. The face
-//! normal points to the side of the sum of its unit vertex normals (where that sum lies in the
-//! plane of the face, to the side from which the corners run counter-clockwise). Each triangle has
-//! its own dP/du. Normals of a mesh are interpolated with barycentric weights and renormalised; a
-//! face whose three normals are equal is flat. Where dP/du is parallel to N,
-//! `T = normalise(h (dP/dv x N))`. On the sphere, before the object is placed, T = (-sin az, cos
-//! az, 0), also at its poles. A face without area in (u, v) is an error, unless every bump vector
-//! is (0, 0, 1) and T doesn't matter; then T is along any of its edges, and h = +1.
-//!
-//! # Maps
-//! u goes right and v goes up, as in OBJ files (v goes down in glTF and is flipped on reading). The
-//! texel of (u, v) is column `floor(u w)` and row `floor((1-v) h)`, both modulo the map's size:
-//! maps repeat, the nearest texel is used, and row 0 is on top. A texel's index is
-//! `row * w + column`. Texture files are sRGB and are decoded to linear light ([`from_srgb`]);
-//! colours in a scene file are linear. A writer of images must encode them
-//! ([`to_srgb8`](crate::shading::picture::Picture::to_srgb8)). Heights are 0 to 1: the grey values
-//! of a file, without sRGB decoding. If the channels differ by at most 16/255, the height is 0.2126
-//! R + 0.7152 G + 0.0722 B; other colours are an error. Transparency is ignored. EXIF orientation
-//! is applied first. The bump vector of a texel is
-//! `normalise(-s (h[x+1] - h[x-1])/2, -s (h[y-1] - h[y+1])/2, 1)` along (T, B, N), where y counts
-//! rows downwards, neighbours wrap around, and the scale s is the height, in texels, of a
-//! difference of 1.
-//!
-//! # Camera and light
-//! With f the direction from eye to target, right = normalise(f x up) and top = right x f, pixel
-//! (x, y) of a w x h image has a = (2 (x+½)/w - 1) w/h and b = 1 - 2 (y+½)/h; y counts rows
-//! downwards. In perspective its ray leaves the eye along `f + tan(fov/2) (a right + b top)`; an
-//! orthographic ray leaves `eye + (height/2) (a right + b top)` along f. The nearest face that the
-//! ray meets from its front (by the face's own normal, not the interpolated one) is visible. Faces
-//! are closed, with a tolerance of 1e-9 of an edge, so that there is no crack between them. There
-//! are no shadows, and light doesn't fade with distance.
-//!
-//! V is the unit vector to the eye (orthographic: -f). L is the unit vector to the light, which for
-//! a directional light is its `direction`; if the point coincides with a point light, L = N. H =
-//! normalise(L+V), and H = -N where |L+V| < 1e-12: a light exactly behind gives no highlight.
-//!
-//! The shaded colour is `Ia ka + Σ I kd max(0, N'·L)` times the texture's colour, plus
-//! `Σ I ks (N'·H)^n` over the lights where N'·H > 0 (also for n = 0: 0^0 is 0 here), whichever side
-//! of the surface a light is on. N' is the bump vector along (T, B, N). The two sums are clamped to
-//! 1, and so is the colour.
-//!
-//! # Emboss
-//! `[emboss]` describes how the same scene is embossed instead, which
-//! [`crate::shading::render::emboss`] does. A scene with this section is embossed if no pipelines
-//! are named. Light is ambient and diffuse, with N in place of N', computed per vertex of the
-//! [`Tessellation`], clamped to 1 and interpolated; it is multiplied by the texture's colour.
-//! Texture coordinates in texels, (u w, v h), are displaced per vertex and light by `strength`
-//! times (T·L, B·L), with L as above and (0, 0) where the vertex coincides with a point light. The
-//! displacement is negated with `light_sign = "vertex-light"`; it is interpolated too. The height
-//! at (x, y) in texels is that of the texel that contains it, or with `filter = "bilinear"`
-//! interpolated between the texels whose centres, at half-integers, surround it. Heights are k/255,
-//! rounded, and of 1 - h where `[height]` has a negative scale. Beyond the map, each axis either
-//! repeats it or extends its border. Each channel adds `2^gain_log2 Σ (height - displaced height)`
-//! over the lights, and is clamped to 0 and 1.
-//!
-//! # In texture space
-//! Pipelines of the tangent-space setup ([`crate::shading::render::tangent`]) light the same
-//! triangles in texture space instead, with shared vertices ([`Scene::assemble`]) and as fine as
-//! `tessellation` in `[emboss]` says.
-//!
-//! # Frames
-//! With `[orbit]` a scene has several pictures: in frame k of n the light is rotated about the axis
-//! by `turns k/n`, counter-clockwise seen from the axis's tip.
+#![doc = include_str!("../../../docs/files/scene.md")]
+#![doc = include_str!("../../../docs/rendering.md")]
 
 mod assembly;
 mod gltf;
