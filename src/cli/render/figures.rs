@@ -239,11 +239,17 @@ pub(super) fn savings(reduced: &[(&str, Vec<SpecialisedStage>)]) -> String {
                 format!("{before} to {pixel}{face}")
             };
             let per = |seconds: f64| seconds / cast::f64_of_count(stage.samples.max(1)) * 1e9;
-            let inputs = |rate: &str| stage.inputs.iter().filter(|port| port.rate == rate).count();
+            let inputs = |rate: &str| {
+                let ports = stage.inputs.iter().filter(|port| port.rate == rate);
+                ports.count().to_string()
+            };
             rows.push(vec![
                 (*name).to_owned(),
-                format!("{}, {}", stage.material, stage.light),
-                format!("{} {} {}", inputs("scene"), inputs("face"), inputs("pixel")),
+                stage.material.to_string(),
+                stage.light.to_string(),
+                inputs("scene"),
+                inputs("face"),
+                inputs("pixel"),
                 change(&|counts| counts.tables),
                 change(&|counts| counts.rom_bits),
                 change(&|counts| counts.rom_bits_dual_port),
@@ -270,8 +276,11 @@ pub(super) fn savings(reduced: &[(&str, Vec<SpecialisedStage>)]) -> String {
     told.push_str(&text::table(
         &[
             "pipeline",
-            "material, light",
-            "ports constant per scene, constant per face, changing",
+            ">material",
+            ">light",
+            ">scene ports",
+            ">face ports",
+            ">pixel ports",
             "tables",
             "ROM bits",
             "with copies",
