@@ -7,14 +7,14 @@
 //   stages=auto rom=block schedule=shared interval=auto share_dot=auto share_mul=1 share_add=auto
 //   share_table=auto share_root=auto share_divide=auto share_latency=auto share_loads=no
 // latency 13 cycles, interval 3 cycles; tables read on the clock
-// absolute errors against the golden of the quantised inputs, over 65536 random inputs
-// (sampler sphere, seed 1), and the input words of the worst:
+// absolute errors against the golden model of the quantised inputs, over 65536 random inputs
+// (sampler sphere, seed 1), and the input words of the worst case:
 //   angle: mean 2.96e-1 rad, largest seen 1.03e0 rad at phi_a=63191 theta_a=16419 phi_n=6223 theta_n=16703
 //   dot: mean 2.93e-1, largest seen 9.83e-1 at phi_a=63191 theta_a=16419 phi_n=6223 theta_n=16703
 //   x: mean 1.90e-1, largest seen 7.70e-1 at phi_a=34757 theta_a=16352 phi_n=57388 theta_n=19960
 //   y: mean 6.21e-2, largest seen 2.97e-1 at phi_a=12448 theta_a=16689 phi_n=28272 theta_n=16284
 //   z: mean 1.80e-1, largest seen 7.54e-1 at phi_a=46723 theta_a=16419 phi_n=40254 theta_n=12730
-// no bound is stated: asin, 1/sin and 1/cos have infinite slopes, which no word length bounds; each table's own error is stated
+// no bound is stated: asin, 1/sin and 1/cos have infinite slopes, so no word length bounds the error; each table's own error is stated
 module rotation_corrected_shared (
     input  wire clk,
     input  wire rst, // clears the valid bits and the phase
@@ -339,14 +339,14 @@ module rotation_corrected_shared (
         else if (ce & phase_0) valid_s13 <= valid_s10;
     assign valid_out = valid_s13 & phase_1;
 
-    // ---- what mul1 takes ----
+    // ---- inputs of mul1 ----
     wire signed [2:-18] mul1_in0 = phase_2 ? {{2{n54_s11[0]}}, n54_s11} : y_double_s5; // s21f18
     wire signed [8:-18] mul1_in1 = phase_1 ? recip_sin_half_recip_sin_s6 : phase_2 ? {{7{prop_theta_prop_s9[1]}}, prop_theta_prop_s9} : recip_cos_half_recip_cos_s6; // s27f18
 
     // ---- mul1, stage 0 ----
     wire signed [11:-36] mul1_n0 = mul1_in0 * mul1_in1; // s48f36
 
-    // ---- what mul1 gives ----
+    // ---- results of mul1 ----
     assign n38 = mul1_n0;
     assign n46 = mul1_n0;
     assign n55 = mul1_n0[2:-36];

@@ -7,14 +7,14 @@
 --   stages=auto rom=block schedule=shared interval=auto share_dot=auto share_mul=1 share_add=auto
 --   share_table=auto share_root=auto share_divide=auto share_latency=auto share_loads=no
 -- latency 13 cycles, interval 3 cycles; tables read on the clock
--- absolute errors against the golden of the quantised inputs, over 65536 random inputs
--- (sampler sphere, seed 1), and the input words of the worst:
+-- absolute errors against the golden model of the quantised inputs, over 65536 random inputs
+-- (sampler sphere, seed 1), and the input words of the worst case:
 --   angle: mean 2.96e-1 rad, largest seen 1.03e0 rad at phi_a=63191 theta_a=16419 phi_n=6223 theta_n=16703
 --   dot: mean 2.93e-1, largest seen 9.83e-1 at phi_a=63191 theta_a=16419 phi_n=6223 theta_n=16703
 --   x: mean 1.90e-1, largest seen 7.70e-1 at phi_a=34757 theta_a=16352 phi_n=57388 theta_n=19960
 --   y: mean 6.21e-2, largest seen 2.97e-1 at phi_a=12448 theta_a=16689 phi_n=28272 theta_n=16284
 --   z: mean 1.80e-1, largest seen 7.54e-1 at phi_a=46723 theta_a=16419 phi_n=40254 theta_n=12730
--- no bound is stated: asin, 1/sin and 1/cos have infinite slopes, which no word length bounds; each table's own error is stated
+-- no bound is stated: asin, 1/sin and 1/cos have infinite slopes, so no word length bounds the error; each table's own error is stated
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -136,8 +136,8 @@ architecture rtl of rotation_corrected_shared is
     constant prop_rom : prop_rom_rows := prop_rom_file;
     attribute rom_style of prop_rom : constant is "block";
 
-    -- Words start at zero: numeric_std would warn of what it compares or looks up before.
-    -- Valid bits don't, so that one that a reset misses shows as unknown.
+    -- Words start at zero: numeric_std warns about comparing or indexing with undefined words.
+    -- Valid bits don't, so a bit that a reset misses shows as unknown.
     -- phase
     signal phase : unsigned(1 downto 0) := (others => '0');
     signal phase_more : unsigned(1 downto 0) := (others => '0');
@@ -270,12 +270,12 @@ architecture rtl of rotation_corrected_shared is
     signal n59 : signed(20 downto 0) := (others => '0'); -- s21f16
     signal theta_next : unsigned(15 downto 0) := (others => '0'); -- u16f16
     signal valid_s13 : std_logic;
-    -- what mul1 takes
+    -- inputs of mul1
     signal mul1_in0 : signed(20 downto 0) := (others => '0'); -- s21f18
     signal mul1_in1 : signed(26 downto 0) := (others => '0'); -- s27f18
     -- mul1, stage 0
     signal mul1_n0 : signed(47 downto 0) := (others => '0'); -- s48f36
-    -- what mul1 gives
+    -- results of mul1
 begin
 
     -- ---- phase ----
@@ -583,14 +583,14 @@ begin
         end if;
     end process;
 
-    -- ---- what mul1 takes ----
+    -- ---- inputs of mul1 ----
     mul1_in0 <= resize(n54_s11, 21) when phase_2(0) = '1' else y_double_s5;
     mul1_in1 <= recip_sin_half_recip_sin_s6 when phase_1(0) = '1' else resize(prop_theta_prop_s9, 27) when phase_2(0) = '1' else recip_cos_half_recip_cos_s6;
 
     -- ---- mul1, stage 0 ----
     mul1_n0 <= mul1_in0 * mul1_in1;
 
-    -- ---- what mul1 gives ----
+    -- ---- results of mul1 ----
     n38 <= mul1_n0;
     n46 <= mul1_n0;
     n55 <= mul1_n0(38 downto 0);

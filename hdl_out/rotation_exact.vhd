@@ -6,8 +6,8 @@
 --   recip_int_bits=8 atan_int_bits=auto quadrants=full cordic_iterations=auto period_ps=5000
 --   stages=auto rom=block
 -- latency 3 cycles, interval 1 cycle; tables read on the clock
--- absolute errors against the golden of the quantised inputs, over 65536 random inputs
--- (sampler sphere, seed 1), and the input words of the worst:
+-- absolute errors against the golden model of the quantised inputs, over 65536 random inputs
+-- (sampler sphere, seed 1), and the input words of the worst case:
 --   angle: mean 1.41e-3 rad, largest seen 4.85e-3 rad at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058
 --   dot: mean 1.65e-3, largest seen 4.85e-3 at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058
 --   x: mean 9.18e-4, largest seen 4.10e-3 (268.8 ulp) at phi_a=29150 theta_a=16832 phi_n=13217 theta_n=8896
@@ -312,8 +312,8 @@ architecture rtl of rotation_exact is
     constant sincos_rom_4 : sincos_rom_rows := sincos_rom;
     attribute rom_style of sincos_rom_4 : constant is "block";
 
-    -- Words start at zero: numeric_std would warn of what it compares or looks up before.
-    -- Valid bits don't, so that one that a reset misses shows as unknown.
+    -- Words start at zero: numeric_std warns about comparing or indexing with undefined words.
+    -- Valid bits don't, so a bit that a reset misses shows as unknown.
     -- stage 0
     signal angles_n4 : signed(16 downto 0) := (others => '0'); -- s17f16
     signal angles_delta : unsigned(15 downto 0) := (others => '0'); -- u16f16

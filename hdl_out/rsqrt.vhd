@@ -3,14 +3,14 @@
 --   input_bits=20 input_frac_bits=18 root_int_bits=9 root_scheme=linear root_addr_bits=9
 --   root_frac_bits=18 rounding=half-up period_ps=5000 stages=auto rom=block
 -- latency 6 cycles, interval 1 cycle; tables read on the clock
--- errors, absolute where nothing else is said, against the golden of the quantised inputs, over 65536 random inputs
--- (sampler sphere, seed 1), and the input words of the worst:
+-- errors, absolute unless a scale is named, against the golden model of the quantised inputs, over 65536 random inputs
+-- (sampler sphere, seed 1), and the input words of the worst case:
 --   r_relative: mean 1.23e-6, largest seen 4.83e-6 over the result, at a=269281
---   r_scaled: mean 9.98e-7, largest seen 4.76e-6 over the result, or 1 where it is less, at a=269281
+--   r_scaled: mean 9.98e-7, largest seen 4.76e-6 over the result, at least 1, at a=269281
 --   r: mean 5.17e-5, largest seen 1.46e-3 (383.0 ulp) at a=1
 --   degenerate: mean 0.00e0, largest seen 0.00e0 (0.0 ulp) at a=155754
--- stated bound on each relative (over the result): 1.37e-5
--- stated bound on each scaled (over the result, or 1 where it is less): 1.18e-5
+-- stated bound on each relative (relative to the result): 1.37e-5
+-- stated bound on each scaled (relative to the result, at least 1): 1.18e-5
 -- stated bound on each absolute: 5.08e-3
 -- stated bound on each flag: 0.00e0
 library ieee;
@@ -167,8 +167,8 @@ architecture rtl of rsqrt is
     );
     attribute rom_style of recip_root_rom : constant is "block";
 
-    -- Words start at zero: numeric_std would warn of what it compares or looks up before.
-    -- Valid bits don't, so that one that a reset misses shows as unknown.
+    -- Words start at zero: numeric_std warns about comparing or indexing with undefined words.
+    -- Valid bits don't, so a bit that a reset misses shows as unknown.
     -- stage 0
     signal reciprocal_root_n1 : unsigned(19 downto 0) := (others => '0'); -- u20f0
     signal reciprocal_root_n2 : unsigned(0 downto 0) := (others => '0'); -- u1f0

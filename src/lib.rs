@@ -97,3 +97,8 @@ pub use number::{format, function, real, trig};
 pub use shading::{picture, render, scene, specialise, texgen};
 #[cfg(feature = "sweeps")]
 pub use sweep::{compare, ladder};
+
+/// Runs the code of the page as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/library.md")]
+struct LibraryPage;

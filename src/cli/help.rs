@@ -1,9 +1,8 @@
 //! `fixpath help`: the formats of files, from the pages that the documentation has, too.
 
-use super::command;
 use super::print::{print, printed};
 use crate::base::error::{Error, Result, nearest};
-use clap::Args;
+use clap::{Args, Command};
 
 /// Name, what it is, and page of each format that has no command of its own name.
 const FILES: &[(&str, &str)] = &[
@@ -19,20 +18,20 @@ pub(super) struct HelpArgs {
     topic: Option<String>,
 }
 
-pub(super) fn run(args: &HelpArgs) -> Result<()> {
+/// `whole` is the command line.
+pub(super) fn run(args: &HelpArgs, mut whole: Command) -> Result<()> {
     let Some(topic) = args.topic.as_deref() else {
-        return printed(command().print_help());
+        return printed(whole.print_help());
     };
     if let Some((_, page)) = FILES.iter().find(|(name, _)| *name == topic) {
         return print(page);
     }
-    let mut whole = command();
     // Gives each command its full name, which its usage line shows.
     whole.build();
     match whole.find_subcommand_mut(topic) {
         Some(found) => printed(found.print_long_help()),
         None => {
-            let commands = whole.get_subcommands().map(clap::Command::get_name);
+            let commands = whole.get_subcommands().map(Command::get_name);
             let known = commands.chain(FILES.iter().map(|(name, _)| *name));
             let near = nearest(topic, known);
             Err(Error::usage(format!(

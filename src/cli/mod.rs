@@ -529,7 +529,7 @@ fn run(command: &Command) -> Result<bool> {
             return broken.map_or(Ok(true), Err);
         }
         Command::Schema => print(json::SCHEMA)?,
-        Command::Help(args) => help::run(args)?,
+        Command::Help(args) => help::run(args, Cli::command())?,
         Command::Demo { out } => return demo::run(out),
     }
     Ok(true)

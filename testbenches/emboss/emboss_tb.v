@@ -8,28 +8,29 @@
 //   rounding=half-up texture_size=256 light=0 source=0 destination=1 period_ps=5000 stages=auto
 //   rom=block
 // latency 14 cycles, interval 1 cycle; tables read on the clock
-// errors, absolute where nothing else is said, against the golden of the quantised inputs, over 65536 random inputs
-// (sampler sphere, seed 1), and the input words of the worst:
+// errors, absolute unless a scale is named, against the golden model of the quantised inputs, over 65536 random inputs
+// (sampler sphere, seed 1), and the input words of the worst case:
 //   ds_texels: mean 5.15e-4 texel, largest seen 4.51e-3 texel at m0_x=-442 m0_y=5407 m0_z=-14755 m1_x=-6142 m1_y=13528 m1_z=5141 m2_x=-14465 m2_y=-5909 m2_z=-1732 tangent_x=17214 tangent_y=6208 tangent_z=1262 binormal_x=6018 binormal_y=-11008 binormal_z=-11948 light_x=21336975 light_y=-15834250 light_z=24525963 vertex_x=21358568 vertex_y=-15697823 vertex_z=24496530 s0=3521428 t0=-2064244
-//   ds_relative: mean 2.03e-6, largest seen 1.43e-5 over the vector's length times its factor, each 1/4 where it is less, at m0_x=4132 m0_y=-131 m0_z=429 m1_x=133 m1_y=4154 m1_z=-11 m2_x=-428 m2_y=25 m2_z=4134 tangent_x=-10615 tangent_y=137 tangent_z=12480 binormal_x=-202 binormal_y=16379 binormal_z=-351 light_x=26912091 light_y=-19929090 light_z=-1678718 vertex_x=27451608 vertex_y=-19638454 vertex_z=-1458906 s0=-3142235 t0=-300807
+//   ds_relative: mean 2.03e-6, largest seen 1.43e-5 over the vector's length times its factor, each at least 1/4, at m0_x=4132 m0_y=-131 m0_z=429 m1_x=133 m1_y=4154 m1_z=-11 m2_x=-428 m2_y=25 m2_z=4134 tangent_x=-10615 tangent_y=137 tangent_z=12480 binormal_x=-202 binormal_y=16379 binormal_z=-351 light_x=26912091 light_y=-19929090 light_z=-1678718 vertex_x=27451608 vertex_y=-19638454 vertex_z=-1458906 s0=-3142235 t0=-300807
 //   ds: mean 2.01e-6, largest seen 1.76e-5 (4.6 ulp) at m0_x=-442 m0_y=5407 m0_z=-14755 m1_x=-6142 m1_y=13528 m1_z=5141 m2_x=-14465 m2_y=-5909 m2_z=-1732 tangent_x=17214 tangent_y=6208 tangent_z=1262 binormal_x=6018 binormal_y=-11008 binormal_z=-11948 light_x=21336975 light_y=-15834250 light_z=24525963 vertex_x=21358568 vertex_y=-15697823 vertex_z=24496530 s0=3521428 t0=-2064244
 //   dt_texels: mean 5.17e-4 texel, largest seen 5.30e-3 texel at m0_x=16045 m0_y=65 m0_z=143 m1_x=-64 m1_y=16045 m1_z=-102 m2_x=-143 m2_y=101 m2_z=16045 tangent_x=8966 tangent_y=7112 tangent_z=-11725 binormal_x=-10345 binormal_y=-5688 binormal_z=-11360 light_x=-522867 light_y=-20208394 light_z=-19716311 vertex_x=689069 vertex_y=-19977840 vertex_z=-24049337 s0=3380560 t0=141093
-//   dt_relative: mean 2.03e-6, largest seen 1.55e-5 over the vector's length times its factor, each 1/4 where it is less, at m0_x=1817 m0_y=-3955 m0_z=169 m1_x=460 m1_y=27 m1_z=-4332 m2_x=3932 m2_y=1825 m2_z=429 tangent_x=6988 tangent_y=-14240 tangent_z=4101 binormal_x=-170 binormal_y=4457 binormal_z=15765 light_x=-9167663 light_y=7142069 light_z=-10596957 vertex_x=-8884124 vertex_y=7444365 vertex_z=-9525055 s0=2333965 t0=3659718
+//   dt_relative: mean 2.03e-6, largest seen 1.55e-5 over the vector's length times its factor, each at least 1/4, at m0_x=1817 m0_y=-3955 m0_z=169 m1_x=460 m1_y=27 m1_z=-4332 m2_x=3932 m2_y=1825 m2_z=429 tangent_x=6988 tangent_y=-14240 tangent_z=4101 binormal_x=-170 binormal_y=4457 binormal_z=15765 light_x=-9167663 light_y=7142069 light_z=-10596957 vertex_x=-8884124 vertex_y=7444365 vertex_z=-9525055 s0=2333965 t0=3659718
 //   dt: mean 2.02e-6, largest seen 2.07e-5 (5.4 ulp) at m0_x=16045 m0_y=65 m0_z=143 m1_x=-64 m1_y=16045 m1_z=-102 m2_x=-143 m2_y=101 m2_z=16045 tangent_x=8966 tangent_y=7112 tangent_z=-11725 binormal_x=-10345 binormal_y=-5688 binormal_z=-11360 light_x=-522867 light_y=-20208394 light_z=-19716311 vertex_x=689069 vertex_y=-19977840 vertex_z=-24049337 s0=3380560 t0=141093
 //   s1: mean 2.01e-6, largest seen 1.76e-5 (4.6 ulp) at m0_x=-442 m0_y=5407 m0_z=-14755 m1_x=-6142 m1_y=13528 m1_z=5141 m2_x=-14465 m2_y=-5909 m2_z=-1732 tangent_x=17214 tangent_y=6208 tangent_z=1262 binormal_x=6018 binormal_y=-11008 binormal_z=-11948 light_x=21336975 light_y=-15834250 light_z=24525963 vertex_x=21358568 vertex_y=-15697823 vertex_z=24496530 s0=3521428 t0=-2064244
 //   t1: mean 2.02e-6, largest seen 2.07e-5 (5.4 ulp) at m0_x=16045 m0_y=65 m0_z=143 m1_x=-64 m1_y=16045 m1_z=-102 m2_x=-143 m2_y=101 m2_z=16045 tangent_x=8966 tangent_y=7112 tangent_z=-11725 binormal_x=-10345 binormal_y=-5688 binormal_z=-11360 light_x=-522867 light_y=-20208394 light_z=-19716311 vertex_x=689069 vertex_y=-19977840 vertex_z=-24049337 s0=3380560 t0=141093
 //   degenerate: mean 0.00e0, largest seen 0.00e0 (0.0 ulp) at m0_x=4674 m0_y=5079 m0_z=-2162 m1_x=-3514 m1_y=4923 m1_z=3966 m2_x=-4257 m2_y=1512 m2_z=-5648 tangent_x=-2894 tangent_y=-19246 tangent_z=1152 binormal_x=-2531 binormal_y=7271 binormal_z=-13448 light_x=22420812 light_y=22017016 light_z=19624152 vertex_x=22724046 vertex_y=26548838 vertex_z=18617859 s0=2750663 t0=-1626897
-// stated bound on each relative displacement (over the vector's length times its factor, each 1/4 where it is less): 5.21e-5
+// stated bound on each relative displacement (relative to the vector's length times its factor, each at least 1/4): 5.21e-5
 // stated bound on each displacement: 1.15e-3
 // stated bound on each displacement in texels: 2.93e-1
 // stated bound on each coordinate: 1.15e-3
 // stated bound on each flag and what is passed: 0.00e0
 //
-// Self-checking testbench of emboss. It reads emboss_vectors.txt: per line the words of the
-// inputs, then of the expected outputs, in hexadecimal. First all vectors go straight through,
-// one a cycle; then, after a reset in mid-stream, the first 303 go again with stalls and
-// gaps. Every bit of every output and the latency are compared. The last line says PASS or
-// FAIL, and a failure ends with a status that isn't 0. With +vcd it writes emboss_tb.vcd.
+// Self-checking testbench of emboss. Each line of emboss_vectors.txt holds the input words
+// and then the expected output words, in hexadecimal. The first pass sends all vectors without
+// stalls, one per cycle. The second pass
+// sends the first 303 again with stalls and gaps, with a reset in mid-stream. Every bit of every
+// output and the latency are compared. The last line says PASS or FAIL; a failure ends with a
+// nonzero status. With +vcd the testbench writes emboss_tb.vcd.
 module emboss_tb;
     localparam LATENCY = 14;
     localparam VECTORS = 303;
@@ -40,7 +41,7 @@ module emboss_tb;
     reg ce = 1'b1;
     reg valid_in = 1'b0;
     wire valid_out;
-    // No port can have a name that stands here for something else.
+    // The prefix port_ keeps the ports' names apart from the names used here.
     reg signed [2:-13] port_m0_x;
     reg signed [2:-13] port_m0_y;
     reg signed [2:-13] port_m0_z;
@@ -103,7 +104,7 @@ module emboss_tb;
         .degenerate(port_degenerate)
     );
 
-    // What should come out, moving beside the pipeline; entry 0 belongs to what goes in.
+    // Expected outputs, shifted along with the pipeline; entry 0 belongs to the current inputs.
     reg [104:0] expected [0:LATENCY];
     reg valid [0:LATENCY];
     integer number [0:LATENCY];
@@ -198,7 +199,7 @@ module emboss_tb;
                 if (mismatches <= SHOWN)
                     $display("mismatch: vector %0d valid_out expected %b got %b", checked, valid[LATENCY], valid_out);
             end
-            // Each word counts once: in the cycle after which the pipeline moves on.
+            // Each word is checked once: in a cycle with ce, after which the pipeline advances.
             if (ce && valid[LATENCY]) begin
                 if (port_ds !== expected[LATENCY][104:78]) begin
                     mismatches = mismatches + 1;
@@ -246,7 +247,7 @@ module emboss_tb;
         end
     endtask
 
-    // What goes in after this edge: words stay where the pipeline stood still.
+    // Sets the inputs after this edge. They don't change while the pipeline is stalled.
     task drive;
         begin
             lfsr = {lfsr[30:0], lfsr[31] ^ lfsr[21] ^ lfsr[1] ^ lfsr[0]};
@@ -289,7 +290,7 @@ module emboss_tb;
                 port_s0 <= valid[0] ? next_s0 : 25'bx;
                 port_t0 <= valid[0] ? next_t0 : 25'bx;
             end
-            // A reset in mid-stream, which a stall doesn't hold up: what is on its way is forgotten.
+            // A reset in mid-stream, which takes effect despite the stall: words in flight are lost.
             if (stalls && !reset_done && sent == 303 / 2) begin
                 rst <= 1'b1;
                 ce <= 1'b0;
@@ -301,7 +302,7 @@ module emboss_tb;
     always @(posedge clk) begin
         check;
         if (rst && stalls) begin
-            // Forgotten, but for what hasn't gone in yet.
+            // Words in flight are lost. The word that hasn't entered yet isn't.
             for (i = 1; i <= LATENCY; i = i + 1) if (valid[i]) checked = checked + 1;
         end
         move_on;

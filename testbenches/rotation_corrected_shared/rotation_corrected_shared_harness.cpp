@@ -7,17 +7,17 @@
 //   stages=auto rom=block schedule=shared interval=auto share_dot=auto share_mul=1 share_add=auto
 //   share_table=auto share_root=auto share_divide=auto share_latency=auto share_loads=no
 // latency 13 cycles, interval 3 cycles; tables read on the clock
-// absolute errors against the golden of the quantised inputs, over 65536 random inputs
-// (sampler sphere, seed 1), and the input words of the worst:
+// absolute errors against the golden model of the quantised inputs, over 65536 random inputs
+// (sampler sphere, seed 1), and the input words of the worst case:
 //   angle: mean 2.96e-1 rad, largest seen 1.03e0 rad at phi_a=63191 theta_a=16419 phi_n=6223 theta_n=16703
 //   dot: mean 2.93e-1, largest seen 9.83e-1 at phi_a=63191 theta_a=16419 phi_n=6223 theta_n=16703
 //   x: mean 1.90e-1, largest seen 7.70e-1 at phi_a=34757 theta_a=16352 phi_n=57388 theta_n=19960
 //   y: mean 6.21e-2, largest seen 2.97e-1 at phi_a=12448 theta_a=16689 phi_n=28272 theta_n=16284
 //   z: mean 1.80e-1, largest seen 7.54e-1 at phi_a=46723 theta_a=16419 phi_n=40254 theta_n=12730
-// no bound is stated: asin, 1/sin and 1/cos have infinite slopes, which no word length bounds; each table's own error is stated
+// no bound is stated: asin, 1/sin and 1/cos have infinite slopes, so no word length bounds the error; each table's own error is stated
 //
-// Verilator's harness of rotation_corrected_shared: feeds vectors from a file, or from the standard input if
-// there is none, with stalls and gaps now and then and a reset in mid-stream, and compares every
+// Verilator harness of rotation_corrected_shared. It feeds vectors from a file, or from standard input if no
+// file is given, with random stalls and gaps and a reset in mid-stream, and compares every
 // bit of every output and the latency. The last line says PASS or FAIL; the status is 0 or 1.
 #include "Vrotation_corrected_shared.h"
 #include "verilated.h"
@@ -35,12 +35,12 @@ static constexpr int kInterval = 3;
 static constexpr uint64_t kShown = 10;  // of the mismatches
 static const char* const kNames[] = {"phi", "theta"};
 
-// Hexadecimal words, 6 a line.
+// Hexadecimal words, 6 per line.
 class Vectors {
   public:
     explicit Vectors(FILE* file) : file_(file), buffer_(1 << 16) {}
 
-    // False at the end; `cut` if it comes in the middle of a line.
+    // False at the end. `cut` is set if a line is incomplete or malformed.
     bool read(uint64_t* words, bool& cut) {
         for (int field = 0; field < kFields; ++field) {
             int c = next();
@@ -100,10 +100,10 @@ int main(int argc, char** argv) {
     Vrotation_corrected_shared dut{&context};
     Vectors vectors(file);
 
-    // What should come out, moving beside the pipeline; the newest at `head`.
+    // Expected outputs, shifted along with the pipeline; the newest entry is at `head`.
     std::vector<Entry> pipe(kLatency + 1);
     int head = 0;
-    // What a reset forgot goes in again.
+    // Words lost in the reset; they are sent again.
     std::deque<Entry> again;
     int phase = 0;  // as the module should count it
     uint64_t sent = 0, checked = 0, mismatches = 0;
@@ -123,8 +123,8 @@ int main(int argc, char** argv) {
         random ^= random << 13;
         random ^= random >> 7;
         random ^= random << 17;
-        // Which cycles stall and which are gaps is no function of the words.
-        // A reset comes while the pipeline is full, during a stall, which doesn't hold it up.
+        // Stalls and gaps don't depend on the words.
+        // The reset comes while the pipeline is full, during a stall, and takes effect despite it.
         const bool reset = !reset_done && sent * kInterval > kLatency && phase == kInterval / 2;
         reset_done = reset_done || reset;
         const bool ce = kLatency == 0 || (!reset && (random & 15) != 0);

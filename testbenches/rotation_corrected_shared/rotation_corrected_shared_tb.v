@@ -7,20 +7,21 @@
 //   stages=auto rom=block schedule=shared interval=auto share_dot=auto share_mul=1 share_add=auto
 //   share_table=auto share_root=auto share_divide=auto share_latency=auto share_loads=no
 // latency 13 cycles, interval 3 cycles; tables read on the clock
-// absolute errors against the golden of the quantised inputs, over 65536 random inputs
-// (sampler sphere, seed 1), and the input words of the worst:
+// absolute errors against the golden model of the quantised inputs, over 65536 random inputs
+// (sampler sphere, seed 1), and the input words of the worst case:
 //   angle: mean 2.96e-1 rad, largest seen 1.03e0 rad at phi_a=63191 theta_a=16419 phi_n=6223 theta_n=16703
 //   dot: mean 2.93e-1, largest seen 9.83e-1 at phi_a=63191 theta_a=16419 phi_n=6223 theta_n=16703
 //   x: mean 1.90e-1, largest seen 7.70e-1 at phi_a=34757 theta_a=16352 phi_n=57388 theta_n=19960
 //   y: mean 6.21e-2, largest seen 2.97e-1 at phi_a=12448 theta_a=16689 phi_n=28272 theta_n=16284
 //   z: mean 1.80e-1, largest seen 7.54e-1 at phi_a=46723 theta_a=16419 phi_n=40254 theta_n=12730
-// no bound is stated: asin, 1/sin and 1/cos have infinite slopes, which no word length bounds; each table's own error is stated
+// no bound is stated: asin, 1/sin and 1/cos have infinite slopes, so no word length bounds the error; each table's own error is stated
 //
-// Self-checking testbench of rotation_corrected_shared. It reads rotation_corrected_shared_vectors.txt: per line the words of the
-// inputs, then of the expected outputs, in hexadecimal. First all vectors go straight through,
-// one each 3 cycles, when it is ready, and between them what isn't to be taken; then, after a reset in mid-stream, the first 358 go again with stalls and
-// gaps. Every bit of every output and the latency are compared. The last line says PASS or
-// FAIL, and a failure ends with a status that isn't 0. With +vcd it writes rotation_corrected_shared_tb.vcd.
+// Self-checking testbench of rotation_corrected_shared. Each line of rotation_corrected_shared_vectors.txt holds the input words
+// and then the expected output words, in hexadecimal. The first pass sends all vectors without
+// stalls, one every 3 cycles when the module is ready, with words that it must ignore in between. The second pass
+// sends the first 358 again with stalls and gaps, with a reset in mid-stream. Every bit of every
+// output and the latency are compared. The last line says PASS or FAIL; a failure ends with a
+// nonzero status. With +vcd the testbench writes rotation_corrected_shared_tb.vcd.
 module rotation_corrected_shared_tb;
     localparam LATENCY = 13;
     localparam INTERVAL = 3;
@@ -33,7 +34,7 @@ module rotation_corrected_shared_tb;
     reg valid_in = 1'b0;
     wire valid_out;
     wire ready;
-    // No port can have a name that stands here for something else.
+    // The prefix port_ keeps the ports' names apart from the names used here.
     reg [-1:-16] port_phi_a;
     reg [-1:-16] port_theta_a;
     reg [-1:-16] port_phi_n;
@@ -53,7 +54,7 @@ module rotation_corrected_shared_tb;
         .theta(port_theta)
     );
 
-    // What should come out, moving beside the pipeline; entry 0 belongs to what goes in.
+    // Expected outputs, shifted along with the pipeline; entry 0 belongs to the current inputs.
     reg [31:0] expected [0:LATENCY];
     reg valid [0:LATENCY];
     integer number [0:LATENCY];
@@ -133,7 +134,7 @@ module rotation_corrected_shared_tb;
                 if (mismatches <= SHOWN)
                     $display("mismatch: vector %0d ready expected %b got %b", sent, phase == 0, ready);
             end
-            // Each word counts once: in the cycle after which the pipeline moves on.
+            // Each word is checked once: in a cycle with ce, after which the pipeline advances.
             if (ce && valid[LATENCY]) begin
                 if (port_phi !== expected[LATENCY][31:16]) begin
                     mismatches = mismatches + 1;
@@ -165,7 +166,7 @@ module rotation_corrected_shared_tb;
         end
     endtask
 
-    // What goes in after this edge: words stay where the pipeline stood still.
+    // Sets the inputs after this edge. They don't change while the pipeline is stalled.
     task drive;
         begin
             lfsr = {lfsr[30:0], lfsr[31] ^ lfsr[21] ^ lfsr[1] ^ lfsr[0]};
@@ -189,7 +190,7 @@ module rotation_corrected_shared_tb;
                 port_phi_n <= valid[0] ? next_phi_n : 16'bx;
                 port_theta_n <= valid[0] ? next_theta_n : 16'bx;
             end
-            // A reset in mid-stream, which a stall doesn't hold up: what is on its way is forgotten.
+            // A reset in mid-stream, which takes effect despite the stall: words in flight are lost.
             if (stalls && !reset_done && sent == 358 / 2 && phase == INTERVAL / 2) begin
                 rst <= 1'b1;
                 ce <= 1'b0;
@@ -201,7 +202,7 @@ module rotation_corrected_shared_tb;
     always @(posedge clk) begin
         check;
         if (rst && stalls) begin
-            // Forgotten, but for what hasn't gone in yet.
+            // Words in flight are lost. The word that hasn't entered yet isn't.
             for (i = 1; i <= LATENCY; i = i + 1) if (valid[i]) checked = checked + 1;
         end
         move_on;

@@ -7,21 +7,21 @@
 --   stages=auto rom=block schedule=shared interval=auto share_dot=auto share_mul=1 share_add=auto
 --   share_table=auto share_root=auto share_divide=auto share_latency=auto share_loads=no
 -- latency 13 cycles, interval 3 cycles; tables read on the clock
--- absolute errors against the golden of the quantised inputs, over 65536 random inputs
--- (sampler sphere, seed 1), and the input words of the worst:
+-- absolute errors against the golden model of the quantised inputs, over 65536 random inputs
+-- (sampler sphere, seed 1), and the input words of the worst case:
 --   angle: mean 2.96e-1 rad, largest seen 1.03e0 rad at phi_a=63191 theta_a=16419 phi_n=6223 theta_n=16703
 --   dot: mean 2.93e-1, largest seen 9.83e-1 at phi_a=63191 theta_a=16419 phi_n=6223 theta_n=16703
 --   x: mean 1.90e-1, largest seen 7.70e-1 at phi_a=34757 theta_a=16352 phi_n=57388 theta_n=19960
 --   y: mean 6.21e-2, largest seen 2.97e-1 at phi_a=12448 theta_a=16689 phi_n=28272 theta_n=16284
 --   z: mean 1.80e-1, largest seen 7.54e-1 at phi_a=46723 theta_a=16419 phi_n=40254 theta_n=12730
--- no bound is stated: asin, 1/sin and 1/cos have infinite slopes, which no word length bounds; each table's own error is stated
+-- no bound is stated: asin, 1/sin and 1/cos have infinite slopes, so no word length bounds the error; each table's own error is stated
 --
--- Self-checking testbench of rotation_corrected_shared. It reads rotation_corrected_shared_vectors.txt: per line the words of the
--- inputs, then of the expected outputs, in hexadecimal. First all vectors go straight through,
--- one each 3 cycles, when it is ready, and between them what isn't to be taken; then, after a reset in mid-stream, the first 358 go again with stalls and
--- gaps. Every bit of every output and the latency are compared. The last line says PASS or
--- FAIL, and a failure ends with a status that isn't 0, of which GHDL says a line more. With
--- --vcd=FILE, GHDL writes waves.
+-- Self-checking testbench of rotation_corrected_shared. Each line of rotation_corrected_shared_vectors.txt holds the input words
+-- and then the expected output words, in hexadecimal. The first pass sends all vectors without
+-- stalls, one every 3 cycles when the module is ready, with words that it must ignore in between. The second pass
+-- sends the first 358 again with stalls and gaps, with a reset in mid-stream. Every bit of every
+-- output and the latency are compared. The last line says PASS or FAIL; a failure ends with a
+-- nonzero status, for which GHDL prints one more line. With --vcd=FILE, GHDL writes waves.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -35,7 +35,7 @@ architecture test of rotation_corrected_shared_tb is
     constant interval : natural := 3;
     constant shown : natural := 10; -- of the mismatches
 
-    -- Each port has its name after dut_, so that it can't be one that is used here.
+    -- The prefix dut_ keeps the ports' names apart from the names used here.
     signal clk : std_logic := '0';
     signal rst : std_logic := '1';
     signal ce : std_logic := '1';
@@ -80,7 +80,7 @@ begin
         type words_t is array (0 to latency) of std_logic_vector(31 downto 0);
         type numbers_t is array (0 to latency) of natural;
 
-        -- What should come out, moving beside the pipeline; entry 0 belongs to what goes in.
+        -- Expected outputs, shifted along with the pipeline; entry 0 belongs to the current inputs.
         variable expected : words_t;
         variable valid : std_logic_vector(0 to latency) := (others => '0');
         variable number : numbers_t;
@@ -177,7 +177,7 @@ begin
                 mismatch("vector " & to_string(sent) & " ready expected "
                     & to_string(should_be_ready) & " got " & to_string(ready));
             end if;
-            -- Each word counts once: in the cycle after which the pipeline moves on.
+            -- Each word is checked once: in a cycle with ce, after which the pipeline advances.
             if ce = '1' and valid(latency) = '1' then
                 check_port("phi", expected(latency)(31 downto 16),
                     std_logic_vector(dut_phi));
@@ -207,7 +207,7 @@ begin
             end if;
         end procedure;
 
-        -- What goes in after this edge: words stay where the pipeline stood still.
+        -- Sets the inputs after this edge. They don't change while the pipeline is stalled.
         procedure drive is
         begin
             lfsr := lfsr(30 downto 0) & (lfsr(31) xor lfsr(21) xor lfsr(1) xor lfsr(0));
@@ -235,7 +235,7 @@ begin
                 if phase /= 0 and lfsr(6) = '1' then
                     valid_in <= '1';
                 end if;
-                -- A gap carries the opposite of the latest word.
+                -- In a gap the inputs are the complement of the latest words.
                 if valid(0) = '1' then
                     dut_phi_a <= unsigned(next_phi_a);
                     dut_theta_a <= unsigned(next_theta_a);
@@ -248,7 +248,7 @@ begin
                     dut_theta_n <= unsigned(not next_theta_n);
                 end if;
             end if;
-            -- A reset in mid-stream, which a stall doesn't hold up: what is on its way is forgotten.
+            -- A reset in mid-stream, which takes effect despite the stall: words in flight are lost.
             if stalls and not reset_done and sent = 358 / 2 and phase = interval / 2 then
                 rst <= '1';
                 ce <= '0';
@@ -277,7 +277,7 @@ begin
             wait until rising_edge(clk);
             check;
             if rst = '1' and stalls then
-                -- Forgotten, but for what hasn't gone in yet.
+                -- Words in flight are lost. The word that hasn't entered yet isn't.
                 for i in 1 to latency loop
                     if valid(i) = '1' then
                         checked := checked + 1;

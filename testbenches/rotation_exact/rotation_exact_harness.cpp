@@ -6,8 +6,8 @@
 //   recip_int_bits=8 atan_int_bits=auto quadrants=full cordic_iterations=auto period_ps=5000
 //   stages=auto rom=block
 // latency 3 cycles, interval 1 cycle; tables read on the clock
-// absolute errors against the golden of the quantised inputs, over 65536 random inputs
-// (sampler sphere, seed 1), and the input words of the worst:
+// absolute errors against the golden model of the quantised inputs, over 65536 random inputs
+// (sampler sphere, seed 1), and the input words of the worst case:
 //   angle: mean 1.41e-3 rad, largest seen 4.85e-3 rad at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058
 //   dot: mean 1.65e-3, largest seen 4.85e-3 at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058
 //   x: mean 9.18e-4, largest seen 4.10e-3 (268.8 ulp) at phi_a=29150 theta_a=16832 phi_n=13217 theta_n=8896
@@ -15,8 +15,8 @@
 //   z: mean 8.46e-4, largest seen 3.82e-3 (250.3 ulp) at phi_a=1717 theta_a=16513 phi_n=13490 theta_n=25983
 // stated bound on each component: 6.05e-3
 //
-// Verilator's harness of rotation_exact: feeds vectors from a file, or from the standard input if
-// there is none, with stalls and gaps now and then and a reset in mid-stream, and compares every
+// Verilator harness of rotation_exact. It feeds vectors from a file, or from standard input if no
+// file is given, with random stalls and gaps and a reset in mid-stream, and compares every
 // bit of every output and the latency. The last line says PASS or FAIL; the status is 0 or 1.
 #include "Vrotation_exact.h"
 #include "verilated.h"
@@ -33,12 +33,12 @@ static constexpr int kLatency = 3;
 static constexpr uint64_t kShown = 10;  // of the mismatches
 static const char* const kNames[] = {"x", "y", "z"};
 
-// Hexadecimal words, 7 a line.
+// Hexadecimal words, 7 per line.
 class Vectors {
   public:
     explicit Vectors(FILE* file) : file_(file), buffer_(1 << 16) {}
 
-    // False at the end; `cut` if it comes in the middle of a line.
+    // False at the end. `cut` is set if a line is incomplete or malformed.
     bool read(uint64_t* words, bool& cut) {
         for (int field = 0; field < kFields; ++field) {
             int c = next();
@@ -98,10 +98,10 @@ int main(int argc, char** argv) {
     Vrotation_exact dut{&context};
     Vectors vectors(file);
 
-    // What should come out, moving beside the pipeline; the newest at `head`.
+    // Expected outputs, shifted along with the pipeline; the newest entry is at `head`.
     std::vector<Entry> pipe(kLatency + 1);
     int head = 0;
-    // What a reset forgot goes in again.
+    // Words lost in the reset; they are sent again.
     std::deque<Entry> again;
     uint64_t sent = 0, checked = 0, mismatches = 0;
     uint64_t random = 0x9e3779b97f4a7c15u;
@@ -120,8 +120,8 @@ int main(int argc, char** argv) {
         random ^= random << 13;
         random ^= random >> 7;
         random ^= random << 17;
-        // Which cycles stall and which are gaps is no function of the words.
-        // A reset comes while the pipeline is full, during a stall, which doesn't hold it up.
+        // Stalls and gaps don't depend on the words.
+        // The reset comes while the pipeline is full, during a stall, and takes effect despite it.
         const bool reset = !reset_done && sent > kLatency;
         reset_done = reset_done || reset;
         const bool ce = kLatency == 0 || (!reset && (random & 15) != 0);

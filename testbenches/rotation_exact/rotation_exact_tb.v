@@ -6,8 +6,8 @@
 //   recip_int_bits=8 atan_int_bits=auto quadrants=full cordic_iterations=auto period_ps=5000
 //   stages=auto rom=block
 // latency 3 cycles, interval 1 cycle; tables read on the clock
-// absolute errors against the golden of the quantised inputs, over 65536 random inputs
-// (sampler sphere, seed 1), and the input words of the worst:
+// absolute errors against the golden model of the quantised inputs, over 65536 random inputs
+// (sampler sphere, seed 1), and the input words of the worst case:
 //   angle: mean 1.41e-3 rad, largest seen 4.85e-3 rad at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058
 //   dot: mean 1.65e-3, largest seen 4.85e-3 at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058
 //   x: mean 9.18e-4, largest seen 4.10e-3 (268.8 ulp) at phi_a=29150 theta_a=16832 phi_n=13217 theta_n=8896
@@ -15,11 +15,12 @@
 //   z: mean 8.46e-4, largest seen 3.82e-3 (250.3 ulp) at phi_a=1717 theta_a=16513 phi_n=13490 theta_n=25983
 // stated bound on each component: 6.05e-3
 //
-// Self-checking testbench of rotation_exact. It reads rotation_exact_vectors.txt: per line the words of the
-// inputs, then of the expected outputs, in hexadecimal. First all vectors go straight through,
-// one a cycle; then, after a reset in mid-stream, the first 358 go again with stalls and
-// gaps. Every bit of every output and the latency are compared. The last line says PASS or
-// FAIL, and a failure ends with a status that isn't 0. With +vcd it writes rotation_exact_tb.vcd.
+// Self-checking testbench of rotation_exact. Each line of rotation_exact_vectors.txt holds the input words
+// and then the expected output words, in hexadecimal. The first pass sends all vectors without
+// stalls, one per cycle. The second pass
+// sends the first 358 again with stalls and gaps, with a reset in mid-stream. Every bit of every
+// output and the latency are compared. The last line says PASS or FAIL; a failure ends with a
+// nonzero status. With +vcd the testbench writes rotation_exact_tb.vcd.
 module rotation_exact_tb;
     localparam LATENCY = 3;
     localparam VECTORS = 358;
@@ -30,7 +31,7 @@ module rotation_exact_tb;
     reg ce = 1'b1;
     reg valid_in = 1'b0;
     wire valid_out;
-    // No port can have a name that stands here for something else.
+    // The prefix port_ keeps the ports' names apart from the names used here.
     reg [-1:-16] port_phi_a;
     reg [-1:-16] port_theta_a;
     reg [-1:-16] port_phi_n;
@@ -51,7 +52,7 @@ module rotation_exact_tb;
         .z(port_z)
     );
 
-    // What should come out, moving beside the pipeline; entry 0 belongs to what goes in.
+    // Expected outputs, shifted along with the pipeline; entry 0 belongs to the current inputs.
     reg [53:0] expected [0:LATENCY];
     reg valid [0:LATENCY];
     integer number [0:LATENCY];
@@ -125,7 +126,7 @@ module rotation_exact_tb;
                 if (mismatches <= SHOWN)
                     $display("mismatch: vector %0d valid_out expected %b got %b", checked, valid[LATENCY], valid_out);
             end
-            // Each word counts once: in the cycle after which the pipeline moves on.
+            // Each word is checked once: in a cycle with ce, after which the pipeline advances.
             if (ce && valid[LATENCY]) begin
                 if (port_x !== expected[LATENCY][53:36]) begin
                     mismatches = mismatches + 1;
@@ -161,7 +162,7 @@ module rotation_exact_tb;
         end
     endtask
 
-    // What goes in after this edge: words stay where the pipeline stood still.
+    // Sets the inputs after this edge. They don't change while the pipeline is stalled.
     task drive;
         begin
             lfsr = {lfsr[30:0], lfsr[31] ^ lfsr[21] ^ lfsr[1] ^ lfsr[0]};
@@ -185,7 +186,7 @@ module rotation_exact_tb;
                 port_phi_n <= valid[0] ? next_phi_n : 16'bx;
                 port_theta_n <= valid[0] ? next_theta_n : 16'bx;
             end
-            // A reset in mid-stream, which a stall doesn't hold up: what is on its way is forgotten.
+            // A reset in mid-stream, which takes effect despite the stall: words in flight are lost.
             if (stalls && !reset_done && sent == 358 / 2) begin
                 rst <= 1'b1;
                 ce <= 1'b0;
@@ -197,7 +198,7 @@ module rotation_exact_tb;
     always @(posedge clk) begin
         check;
         if (rst && stalls) begin
-            // Forgotten, but for what hasn't gone in yet.
+            // Words in flight are lost. The word that hasn't entered yet isn't.
             for (i = 1; i <= LATENCY; i = i + 1) if (valid[i]) checked = checked + 1;
         end
         move_on;

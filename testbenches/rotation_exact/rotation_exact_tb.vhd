@@ -6,8 +6,8 @@
 --   recip_int_bits=8 atan_int_bits=auto quadrants=full cordic_iterations=auto period_ps=5000
 --   stages=auto rom=block
 -- latency 3 cycles, interval 1 cycle; tables read on the clock
--- absolute errors against the golden of the quantised inputs, over 65536 random inputs
--- (sampler sphere, seed 1), and the input words of the worst:
+-- absolute errors against the golden model of the quantised inputs, over 65536 random inputs
+-- (sampler sphere, seed 1), and the input words of the worst case:
 --   angle: mean 1.41e-3 rad, largest seen 4.85e-3 rad at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058
 --   dot: mean 1.65e-3, largest seen 4.85e-3 at phi_a=471 theta_a=18178 phi_n=31386 theta_n=13058
 --   x: mean 9.18e-4, largest seen 4.10e-3 (268.8 ulp) at phi_a=29150 theta_a=16832 phi_n=13217 theta_n=8896
@@ -15,12 +15,12 @@
 --   z: mean 8.46e-4, largest seen 3.82e-3 (250.3 ulp) at phi_a=1717 theta_a=16513 phi_n=13490 theta_n=25983
 -- stated bound on each component: 6.05e-3
 --
--- Self-checking testbench of rotation_exact. It reads rotation_exact_vectors.txt: per line the words of the
--- inputs, then of the expected outputs, in hexadecimal. First all vectors go straight through,
--- one a cycle; then, after a reset in mid-stream, the first 358 go again with stalls and
--- gaps. Every bit of every output and the latency are compared. The last line says PASS or
--- FAIL, and a failure ends with a status that isn't 0, of which GHDL says a line more. With
--- --vcd=FILE, GHDL writes waves.
+-- Self-checking testbench of rotation_exact. Each line of rotation_exact_vectors.txt holds the input words
+-- and then the expected output words, in hexadecimal. The first pass sends all vectors without
+-- stalls, one per cycle. The second pass
+-- sends the first 358 again with stalls and gaps, with a reset in mid-stream. Every bit of every
+-- output and the latency are compared. The last line says PASS or FAIL; a failure ends with a
+-- nonzero status, for which GHDL prints one more line. With --vcd=FILE, GHDL writes waves.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -33,7 +33,7 @@ architecture test of rotation_exact_tb is
     constant latency : natural := 3;
     constant shown : natural := 10; -- of the mismatches
 
-    -- Each port has its name after dut_, so that it can't be one that is used here.
+    -- The prefix dut_ keeps the ports' names apart from the names used here.
     signal clk : std_logic := '0';
     signal rst : std_logic := '1';
     signal ce : std_logic := '1';
@@ -78,7 +78,7 @@ begin
         type words_t is array (0 to latency) of std_logic_vector(53 downto 0);
         type numbers_t is array (0 to latency) of natural;
 
-        -- What should come out, moving beside the pipeline; entry 0 belongs to what goes in.
+        -- Expected outputs, shifted along with the pipeline; entry 0 belongs to the current inputs.
         variable expected : words_t;
         variable valid : std_logic_vector(0 to latency) := (others => '0');
         variable number : numbers_t;
@@ -168,7 +168,7 @@ begin
                 mismatch("vector " & to_string(checked) & " valid_out expected "
                     & to_string(valid(latency)) & " got " & to_string(valid_out));
             end if;
-            -- Each word counts once: in the cycle after which the pipeline moves on.
+            -- Each word is checked once: in a cycle with ce, after which the pipeline advances.
             if ce = '1' and valid(latency) = '1' then
                 check_port("x", expected(latency)(53 downto 36),
                     std_logic_vector(dut_x));
@@ -195,7 +195,7 @@ begin
             end loop;
         end procedure;
 
-        -- What goes in after this edge: words stay where the pipeline stood still.
+        -- Sets the inputs after this edge. They don't change while the pipeline is stalled.
         procedure drive is
         begin
             lfsr := lfsr(30 downto 0) & (lfsr(31) xor lfsr(21) xor lfsr(1) xor lfsr(0));
@@ -221,7 +221,7 @@ begin
                     end if;
                 end if;
                 valid_in <= valid(0);
-                -- A gap carries the opposite of the latest word.
+                -- In a gap the inputs are the complement of the latest words.
                 if valid(0) = '1' then
                     dut_phi_a <= unsigned(next_phi_a);
                     dut_theta_a <= unsigned(next_theta_a);
@@ -234,7 +234,7 @@ begin
                     dut_theta_n <= unsigned(not next_theta_n);
                 end if;
             end if;
-            -- A reset in mid-stream, which a stall doesn't hold up: what is on its way is forgotten.
+            -- A reset in mid-stream, which takes effect despite the stall: words in flight are lost.
             if stalls and not reset_done and sent = 358 / 2 then
                 rst <= '1';
                 ce <= '0';
@@ -263,7 +263,7 @@ begin
             wait until rising_edge(clk);
             check;
             if rst = '1' and stalls then
-                -- Forgotten, but for what hasn't gone in yet.
+                -- Words in flight are lost. The word that hasn't entered yet isn't.
                 for i in 1 to latency loop
                     if valid(i) = '1' then
                         checked := checked + 1;

@@ -3,19 +3,19 @@
 //   input_bits=20 input_frac_bits=18 root_int_bits=9 root_scheme=linear root_addr_bits=9
 //   root_frac_bits=18 rounding=half-up period_ps=5000 stages=auto rom=block
 // latency 6 cycles, interval 1 cycle; tables read on the clock
-// errors, absolute where nothing else is said, against the golden of the quantised inputs, over 65536 random inputs
-// (sampler sphere, seed 1), and the input words of the worst:
+// errors, absolute unless a scale is named, against the golden model of the quantised inputs, over 65536 random inputs
+// (sampler sphere, seed 1), and the input words of the worst case:
 //   r_relative: mean 1.23e-6, largest seen 4.83e-6 over the result, at a=269281
-//   r_scaled: mean 9.98e-7, largest seen 4.76e-6 over the result, or 1 where it is less, at a=269281
+//   r_scaled: mean 9.98e-7, largest seen 4.76e-6 over the result, at least 1, at a=269281
 //   r: mean 5.17e-5, largest seen 1.46e-3 (383.0 ulp) at a=1
 //   degenerate: mean 0.00e0, largest seen 0.00e0 (0.0 ulp) at a=155754
-// stated bound on each relative (over the result): 1.37e-5
-// stated bound on each scaled (over the result, or 1 where it is less): 1.18e-5
+// stated bound on each relative (relative to the result): 1.37e-5
+// stated bound on each scaled (relative to the result, at least 1): 1.18e-5
 // stated bound on each absolute: 5.08e-3
 // stated bound on each flag: 0.00e0
 //
-// Verilator's harness of rsqrt: feeds vectors from a file, or from the standard input if
-// there is none, with stalls and gaps now and then and a reset in mid-stream, and compares every
+// Verilator harness of rsqrt. It feeds vectors from a file, or from standard input if no
+// file is given, with random stalls and gaps and a reset in mid-stream, and compares every
 // bit of every output and the latency. The last line says PASS or FAIL; the status is 0 or 1.
 #include "Vrsqrt.h"
 #include "verilated.h"
@@ -32,12 +32,12 @@ static constexpr int kLatency = 6;
 static constexpr uint64_t kShown = 10;  // of the mismatches
 static const char* const kNames[] = {"r", "degenerate"};
 
-// Hexadecimal words, 3 a line.
+// Hexadecimal words, 3 per line.
 class Vectors {
   public:
     explicit Vectors(FILE* file) : file_(file), buffer_(1 << 16) {}
 
-    // False at the end; `cut` if it comes in the middle of a line.
+    // False at the end. `cut` is set if a line is incomplete or malformed.
     bool read(uint64_t* words, bool& cut) {
         for (int field = 0; field < kFields; ++field) {
             int c = next();
@@ -97,10 +97,10 @@ int main(int argc, char** argv) {
     Vrsqrt dut{&context};
     Vectors vectors(file);
 
-    // What should come out, moving beside the pipeline; the newest at `head`.
+    // Expected outputs, shifted along with the pipeline; the newest entry is at `head`.
     std::vector<Entry> pipe(kLatency + 1);
     int head = 0;
-    // What a reset forgot goes in again.
+    // Words lost in the reset; they are sent again.
     std::deque<Entry> again;
     uint64_t sent = 0, checked = 0, mismatches = 0;
     uint64_t random = 0x9e3779b97f4a7c15u;
@@ -119,8 +119,8 @@ int main(int argc, char** argv) {
         random ^= random << 13;
         random ^= random >> 7;
         random ^= random << 17;
-        // Which cycles stall and which are gaps is no function of the words.
-        // A reset comes while the pipeline is full, during a stall, which doesn't hold it up.
+        // Stalls and gaps don't depend on the words.
+        // The reset comes while the pipeline is full, during a stall, and takes effect despite it.
         const bool reset = !reset_done && sent > kLatency;
         reset_done = reset_done || reset;
         const bool ce = kLatency == 0 || (!reset && (random & 15) != 0);

@@ -3,22 +3,23 @@
 //   input_bits=20 input_frac_bits=18 root_int_bits=9 root_scheme=linear root_addr_bits=9
 //   root_frac_bits=18 rounding=half-up period_ps=5000 stages=auto rom=block
 // latency 6 cycles, interval 1 cycle; tables read on the clock
-// errors, absolute where nothing else is said, against the golden of the quantised inputs, over 65536 random inputs
-// (sampler sphere, seed 1), and the input words of the worst:
+// errors, absolute unless a scale is named, against the golden model of the quantised inputs, over 65536 random inputs
+// (sampler sphere, seed 1), and the input words of the worst case:
 //   r_relative: mean 1.23e-6, largest seen 4.83e-6 over the result, at a=269281
-//   r_scaled: mean 9.98e-7, largest seen 4.76e-6 over the result, or 1 where it is less, at a=269281
+//   r_scaled: mean 9.98e-7, largest seen 4.76e-6 over the result, at least 1, at a=269281
 //   r: mean 5.17e-5, largest seen 1.46e-3 (383.0 ulp) at a=1
 //   degenerate: mean 0.00e0, largest seen 0.00e0 (0.0 ulp) at a=155754
-// stated bound on each relative (over the result): 1.37e-5
-// stated bound on each scaled (over the result, or 1 where it is less): 1.18e-5
+// stated bound on each relative (relative to the result): 1.37e-5
+// stated bound on each scaled (relative to the result, at least 1): 1.18e-5
 // stated bound on each absolute: 5.08e-3
 // stated bound on each flag: 0.00e0
 //
-// Self-checking testbench of rsqrt. It reads rsqrt_vectors.txt: per line the words of the
-// inputs, then of the expected outputs, in hexadecimal. First all vectors go straight through,
-// one a cycle; then, after a reset in mid-stream, the first 213 go again with stalls and
-// gaps. Every bit of every output and the latency are compared. The last line says PASS or
-// FAIL, and a failure ends with a status that isn't 0. With +vcd it writes rsqrt_tb.vcd.
+// Self-checking testbench of rsqrt. Each line of rsqrt_vectors.txt holds the input words
+// and then the expected output words, in hexadecimal. The first pass sends all vectors without
+// stalls, one per cycle. The second pass
+// sends the first 213 again with stalls and gaps, with a reset in mid-stream. Every bit of every
+// output and the latency are compared. The last line says PASS or FAIL; a failure ends with a
+// nonzero status. With +vcd the testbench writes rsqrt_tb.vcd.
 module rsqrt_tb;
     localparam LATENCY = 6;
     localparam VECTORS = 213;
@@ -29,7 +30,7 @@ module rsqrt_tb;
     reg ce = 1'b1;
     reg valid_in = 1'b0;
     wire valid_out;
-    // No port can have a name that stands here for something else.
+    // The prefix port_ keeps the ports' names apart from the names used here.
     reg [1:-18] port_a;
     wire [8:-18] port_r;
     wire port_degenerate;
@@ -42,7 +43,7 @@ module rsqrt_tb;
         .degenerate(port_degenerate)
     );
 
-    // What should come out, moving beside the pipeline; entry 0 belongs to what goes in.
+    // Expected outputs, shifted along with the pipeline; entry 0 belongs to the current inputs.
     reg [27:0] expected [0:LATENCY];
     reg valid [0:LATENCY];
     integer number [0:LATENCY];
@@ -112,7 +113,7 @@ module rsqrt_tb;
                 if (mismatches <= SHOWN)
                     $display("mismatch: vector %0d valid_out expected %b got %b", checked, valid[LATENCY], valid_out);
             end
-            // Each word counts once: in the cycle after which the pipeline moves on.
+            // Each word is checked once: in a cycle with ce, after which the pipeline advances.
             if (ce && valid[LATENCY]) begin
                 if (port_r !== expected[LATENCY][27:1]) begin
                     mismatches = mismatches + 1;
@@ -142,7 +143,7 @@ module rsqrt_tb;
         end
     endtask
 
-    // What goes in after this edge: words stay where the pipeline stood still.
+    // Sets the inputs after this edge. They don't change while the pipeline is stalled.
     task drive;
         begin
             lfsr = {lfsr[30:0], lfsr[31] ^ lfsr[21] ^ lfsr[1] ^ lfsr[0]};
@@ -163,7 +164,7 @@ module rsqrt_tb;
                 valid_in <= valid[0];
                 port_a <= valid[0] ? next_a : 20'bx;
             end
-            // A reset in mid-stream, which a stall doesn't hold up: what is on its way is forgotten.
+            // A reset in mid-stream, which takes effect despite the stall: words in flight are lost.
             if (stalls && !reset_done && sent == 213 / 2) begin
                 rst <= 1'b1;
                 ce <= 1'b0;
@@ -175,7 +176,7 @@ module rsqrt_tb;
     always @(posedge clk) begin
         check;
         if (rst && stalls) begin
-            // Forgotten, but for what hasn't gone in yet.
+            // Words in flight are lost. The word that hasn't entered yet isn't.
             for (i = 1; i <= LATENCY; i = i + 1) if (valid[i]) checked = checked + 1;
         end
         move_on;

@@ -3,23 +3,23 @@
 --   input_bits=20 input_frac_bits=18 root_int_bits=9 root_scheme=linear root_addr_bits=9
 --   root_frac_bits=18 rounding=half-up period_ps=5000 stages=auto rom=block
 -- latency 6 cycles, interval 1 cycle; tables read on the clock
--- errors, absolute where nothing else is said, against the golden of the quantised inputs, over 65536 random inputs
--- (sampler sphere, seed 1), and the input words of the worst:
+-- errors, absolute unless a scale is named, against the golden model of the quantised inputs, over 65536 random inputs
+-- (sampler sphere, seed 1), and the input words of the worst case:
 --   r_relative: mean 1.23e-6, largest seen 4.83e-6 over the result, at a=269281
---   r_scaled: mean 9.98e-7, largest seen 4.76e-6 over the result, or 1 where it is less, at a=269281
+--   r_scaled: mean 9.98e-7, largest seen 4.76e-6 over the result, at least 1, at a=269281
 --   r: mean 5.17e-5, largest seen 1.46e-3 (383.0 ulp) at a=1
 --   degenerate: mean 0.00e0, largest seen 0.00e0 (0.0 ulp) at a=155754
--- stated bound on each relative (over the result): 1.37e-5
--- stated bound on each scaled (over the result, or 1 where it is less): 1.18e-5
+-- stated bound on each relative (relative to the result): 1.37e-5
+-- stated bound on each scaled (relative to the result, at least 1): 1.18e-5
 -- stated bound on each absolute: 5.08e-3
 -- stated bound on each flag: 0.00e0
 --
--- Self-checking testbench of rsqrt. It reads rsqrt_vectors.txt: per line the words of the
--- inputs, then of the expected outputs, in hexadecimal. First all vectors go straight through,
--- one a cycle; then, after a reset in mid-stream, the first 213 go again with stalls and
--- gaps. Every bit of every output and the latency are compared. The last line says PASS or
--- FAIL, and a failure ends with a status that isn't 0, of which GHDL says a line more. With
--- --vcd=FILE, GHDL writes waves.
+-- Self-checking testbench of rsqrt. Each line of rsqrt_vectors.txt holds the input words
+-- and then the expected output words, in hexadecimal. The first pass sends all vectors without
+-- stalls, one per cycle. The second pass
+-- sends the first 213 again with stalls and gaps, with a reset in mid-stream. Every bit of every
+-- output and the latency are compared. The last line says PASS or FAIL; a failure ends with a
+-- nonzero status, for which GHDL prints one more line. With --vcd=FILE, GHDL writes waves.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -32,7 +32,7 @@ architecture test of rsqrt_tb is
     constant latency : natural := 6;
     constant shown : natural := 10; -- of the mismatches
 
-    -- Each port has its name after dut_, so that it can't be one that is used here.
+    -- The prefix dut_ keeps the ports' names apart from the names used here.
     signal clk : std_logic := '0';
     signal rst : std_logic := '1';
     signal ce : std_logic := '1';
@@ -69,7 +69,7 @@ begin
         type words_t is array (0 to latency) of std_logic_vector(27 downto 0);
         type numbers_t is array (0 to latency) of natural;
 
-        -- What should come out, moving beside the pipeline; entry 0 belongs to what goes in.
+        -- Expected outputs, shifted along with the pipeline; entry 0 belongs to the current inputs.
         variable expected : words_t;
         variable valid : std_logic_vector(0 to latency) := (others => '0');
         variable number : numbers_t;
@@ -147,7 +147,7 @@ begin
                 mismatch("vector " & to_string(checked) & " valid_out expected "
                     & to_string(valid(latency)) & " got " & to_string(valid_out));
             end if;
-            -- Each word counts once: in the cycle after which the pipeline moves on.
+            -- Each word is checked once: in a cycle with ce, after which the pipeline advances.
             if ce = '1' and valid(latency) = '1' then
                 check_port("r", expected(latency)(27 downto 1),
                     std_logic_vector(dut_r));
@@ -172,7 +172,7 @@ begin
             end loop;
         end procedure;
 
-        -- What goes in after this edge: words stay where the pipeline stood still.
+        -- Sets the inputs after this edge. They don't change while the pipeline is stalled.
         procedure drive is
         begin
             lfsr := lfsr(30 downto 0) & (lfsr(31) xor lfsr(21) xor lfsr(1) xor lfsr(0));
@@ -197,14 +197,14 @@ begin
                     end if;
                 end if;
                 valid_in <= valid(0);
-                -- A gap carries the opposite of the latest word.
+                -- In a gap the inputs are the complement of the latest words.
                 if valid(0) = '1' then
                     dut_a <= unsigned(next_a);
                 else
                     dut_a <= unsigned(not next_a);
                 end if;
             end if;
-            -- A reset in mid-stream, which a stall doesn't hold up: what is on its way is forgotten.
+            -- A reset in mid-stream, which takes effect despite the stall: words in flight are lost.
             if stalls and not reset_done and sent = 213 / 2 then
                 rst <= '1';
                 ce <= '0';
@@ -233,7 +233,7 @@ begin
             wait until rising_edge(clk);
             check;
             if rst = '1' and stalls then
-                -- Forgotten, but for what hasn't gone in yet.
+                -- Words in flight are lost. The word that hasn't entered yet isn't.
                 for i in 1 to latency loop
                     if valid(i) = '1' then
                         checked := checked + 1;

@@ -865,7 +865,7 @@ fn a_render_that_is_wrong_writes_nothing() {
     command = fixpath();
     command.current_dir(folder.path()).args(["render", "plane", "--out", "good.toml"]);
     let stderr = String::from_utf8(command.output().unwrap().stderr).unwrap();
-    assert!(stderr.contains("good.toml: is no folder"), "{stderr}");
+    assert!(stderr.contains("good.toml: is not a folder"), "{stderr}");
 }
 
 /// Figures of different machines are compared side by side. The system library takes other code

@@ -37,11 +37,12 @@ pub(crate) fn done(args: &[&str]) -> String {
 }
 
 /// Expects a usage error: exit code 2, nothing on standard output, and one line that contains
-/// `message`.
+/// `message`, followed by tips at most.
 pub(crate) fn refused(args: &[&str], message: &str) {
     let (code, stdout, stderr) = run(args);
     assert_eq!((code, stdout.as_str()), (2, ""), "{args:?}: {stderr}");
-    assert_eq!(stderr.trim_end().lines().count(), 1, "{args:?}: {stderr}");
+    let lines = stderr.lines().filter(|line| !line.starts_with("  tip: "));
+    assert_eq!(lines.count(), 1, "{args:?}: {stderr}");
     assert!(stderr.contains(message), "{args:?}: {stderr}");
 }
 

@@ -128,7 +128,7 @@ fn a_sweep_over_a_scene_has_the_figures_of_its_pictures() {
     // Ranking by another measure needs no new picture.
     let before = fs::read_to_string(out.join("sweep.json")).unwrap();
     let told = done(&[&args[..], &["--error", "flip"]].concat());
-    assert!(told.contains("by the FLIP"), "{told}");
+    assert!(told.contains("by FLIP (0 to 1) against the golden picture"), "{told}");
     let after = fs::read_to_string(out.join("sweep.json")).unwrap();
     assert_eq!(after.replace("\"error\": \"flip\"", "\"error\": \"max\""), before);
 

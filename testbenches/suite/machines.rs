@@ -311,7 +311,7 @@ fn slow_rates_come_first_and_are_held() {
     let error = Schedule::pipeline(&netlist, Rom::Distributed, Depth::Stages(0)).unwrap_err();
     assert!(error.to_string().contains("the words of a memory arrive on a clock edge"), "{error}");
     let by_hand = Schedule::from_stages(&netlist, Rom::Block, vec![0; 8], 9).unwrap_err();
-    assert!(by_hand.to_string().contains("ports of one rate"), "{by_hand}");
+    assert!(by_hand.to_string().contains("ports of a single rate"), "{by_hand}");
 }
 
 /// A product of slow words is computed once for any number of pixels. In between, the multiplier's
@@ -357,7 +357,11 @@ fn words_are_bound_once_and_checked() {
     wrong("mp", &[Arc::clone(&words)], "netlist `mixed` has no memory `mp`: there is map");
     wrong("maps", &[Arc::clone(&words)], "did you mean `map`");
     wrong("map", &[], "memory `map`: 0 columns are given: it takes one for each of height");
-    wrong("map", &[Arc::from([1, 2])], "column `height` has 2 words and 16 rows");
+    wrong(
+        "map",
+        &[Arc::from([1, 2])],
+        "column `height` has 2 words and must have one for each of 16 addresses",
+    );
     wrong("map", &[Arc::from([200; 16])], "word 200 at address 0, outside s8f7");
     // Simulation without words reports which memories lack them.
     let missing = "no words are bound to memory `map`";
@@ -553,7 +557,10 @@ fn memories_and_rates_on_the_command_line() {
     bad("", "bad.csv: the file is empty: it needs a line of headings");
     bad("height,height\n1,1\n", "line 1: two columns are called `height`");
     bad("height\n1\n2\n3\n4\n", "its file has no column `slope`: it has height");
-    bad("height,slope\n1,1\n2,2\n", "column `height` has 2 words and 4 rows");
+    bad(
+        "height,slope\n1,1\n2,2\n",
+        "column `height` has 2 words and must have one for each of 4 addresses",
+    );
     bad("height,slope\n1,1\n2,x\n3,y\n4,4\n", "bad.csv, line 3, column `slope`: `x` is not a word");
     bad("height,slope\n1,1\n2\n3,3\n4,4\n", "line 3");
     bad("height,slope\n1,1\n2,2\n300,3\n4,4\n", "word 300 at address 2, outside s8f7");

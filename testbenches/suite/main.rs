@@ -18,6 +18,7 @@ mod cycle;
 mod emboss;
 mod embossed;
 mod engines;
+mod features;
 mod files;
 mod format;
 mod formats;

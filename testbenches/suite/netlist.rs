@@ -892,7 +892,7 @@ fn functions_that_call_too_much_are_refused() {
     );
     assert!(read("").is_err_and(|error| error.contains("it is empty")));
     let text = SMALL_FILE.replace("input : u1f0 @a", "const 0 : u1f0");
-    assert!(read(&text).is_err_and(|error| error.contains("it has no input")));
+    assert!(read(&text).is_err_and(|error| error.contains("the netlist has no input")));
 }
 
 /// Ports of 63 bits are measured, too.
@@ -984,7 +984,11 @@ fn malformed_files_are_refused_with_their_place() {
         (": s8f2", ": s9f2", "line 11, column 18: the result of `mul` is s8f2, not s9f2"),
         (": s8f2 @tail.", ": s8f2 tail", "line 11, column 23: expected turns"),
         ("half-even", "half", "line 13, column 13: `half` is not a rounding"),
-        ("output y = %3", "output y = %4", "line 14, column 12: `%4` is no node"),
+        (
+            "output y = %3",
+            "output y = %4",
+            "line 14, column 12: `%4` is not a node before this line: legal is %0 to %3",
+        ),
         ("output y = %3", "outputs y = %3", "line 14, column 1: `outputs` can't start a line"),
         ("output y = %3\n", "", "line 13, column 1: the netlist has no output"),
     ];

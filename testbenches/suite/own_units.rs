@@ -8,17 +8,22 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-/// The example, built like this suite.
-pub(crate) static PROGRAM: LazyLock<PathBuf> = LazyLock::new(|| {
+/// The folder of the examples, built like this suite.
+pub(crate) static EXAMPLES: LazyLock<PathBuf> = LazyLock::new(|| {
     let folder = cargo_bin("fixpath").parent().unwrap().to_owned();
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
-    cargo.args(["build", "--quiet", "--example", "own_units"]);
+    cargo.args(["build", "--quiet", "--examples"]);
     if folder.ends_with("release") {
         cargo.arg("--release");
     }
+    // `testbenches/timed` sets it, and with it everything would be built again.
+    cargo.env_remove("RUSTC_BOOTSTRAP");
     cargo.current_dir(env!("CARGO_MANIFEST_DIR")).assert().success();
-    folder.join("examples/own_units")
+    folder.join("examples")
 });
+
+/// A program with units of its own.
+static PROGRAM: LazyLock<PathBuf> = LazyLock::new(|| EXAMPLES.join("own_units"));
 
 const OWN: [&str; 3] = ["sigmoid", "complex_product", "biquad_step"];
 

@@ -1,6 +1,6 @@
 //! README and `docs/`: every command runs, every link leads somewhere.
 
-use crate::own_units::PROGRAM;
+use crate::own_units::EXAMPLES;
 use assert_cmd::cargo::cargo_bin;
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TagEnd};
 use rayon::prelude::*;
@@ -11,8 +11,8 @@ use std::process::{Command, Stdio};
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 /// Languages of code blocks: commands, which are run; example files, which the tests of their
-/// readers read; printed output.
-const LANGUAGES: [&str; 4] = ["sh", "toml", "csv", "text"];
+/// readers read; printed output. Rust is run by `cargo test`, in `src/lib.rs`.
+const LANGUAGES: [&str; 5] = ["sh", "rust", "toml", "csv", "text"];
 
 fn pages() -> Vec<PathBuf> {
     let root = Path::new(ROOT);
@@ -113,8 +113,8 @@ fn command(line: &str, folder: &Path) -> Option<Command> {
         ["fixpath", rest @ ..] | ["cargo", "run", "--release", "--", rest @ ..] => {
             (cargo_bin("fixpath"), rest)
         }
-        ["cargo", "run", "--release", "--example", "own_units", "--", rest @ ..] => {
-            (PROGRAM.clone(), rest)
+        ["cargo", "run", "--release", "--example", name, rest @ ..] => {
+            (EXAMPLES.join(name), rest.strip_prefix(&["--"]).unwrap_or(rest))
         }
         ["make", rest @ ..] => (PathBuf::from("make"), rest),
         // gtkwave opens a window; the wave tests run it without a screen. Only its files are

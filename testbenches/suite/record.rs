@@ -21,10 +21,11 @@ fn records() -> Map<String, Value> {
     serde_json::from_str(&text).expect("records.json is an object")
 }
 
-/// A text without the lines that are comments in Verilog, VHDL or Rust: no result depends on them.
+/// A text without the lines that are comments in Verilog, VHDL, Rust, makefiles or scripts: no result
+/// depends on them.
 fn code_of(text: &str) -> String {
     let is_code =
-        |line: &&str| !["//", "--"].iter().any(|mark| line.trim_start().starts_with(mark));
+        |line: &&str| !["//", "--", "# "].iter().any(|mark| line.trim_start().starts_with(mark));
     text.split_inclusive('\n').filter(is_code).collect()
 }
 

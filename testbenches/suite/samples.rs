@@ -92,7 +92,7 @@ fn columns_that_disagree_are_refused_with_the_row() {
          correct one, or leave its column out\n"
     );
     let table = "phi_a,phi_a_q,theta_a,phi_n,theta_n\n90,91,1,2,3\n";
-    assert!(refused(&DEGREES, table).contains("line 2, column `phi_a`: `90` is word 16384, and"));
+    assert!(refused(&DEGREES, table).contains("line 2, column `phi_a`: `90` is word 16384, but"));
 }
 
 #[test]
