@@ -353,7 +353,8 @@ fn refuse(error: &clap::Error) -> ExitCode {
     let command = command.filter(is_command).map(|name| format!("{name} ")).unwrap_or_default();
     let told = escape::message(&parts.join(" "));
     let _ = writeln!(io::stderr(), "{told}: see `fixpath {command}--help`");
-    for tip in tips {
+    // A tip repeats the argument: a long one is no help.
+    for tip in tips.iter().filter(|tip| tip.len() < 200) {
         let _ = writeln!(io::stderr(), "  {}", escape::message(tip));
     }
     ExitCode::from(2)

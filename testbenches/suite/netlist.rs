@@ -998,7 +998,7 @@ fn malformed_files_are_refused_with_their_place() {
         assert!(error.contains(message), "{to}: {error}");
     }
     let cut = SMALL_FILE.split("  -8 6").next().unwrap();
-    assert!(read(cut).is_err_and(|error| error.contains("ends inside of table `rom` of line 6")));
+    assert!(read(cut).is_err_and(|error| error.contains("ends inside table `rom` of line 6")));
     // For any truncation or change: an error or a netlist, no panic.
     for at in 0..SMALL_FILE.len() {
         let _ = read(&SMALL_FILE[..at]);
