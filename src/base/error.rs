@@ -280,6 +280,11 @@ impl Error {
     pub fn is_broken_pipe(&self) -> bool {
         matches!(&*self.0, Kind::Io { source, .. } if source.kind() == std::io::ErrorKind::BrokenPipe)
     }
+
+    /// True if a file couldn't be opened, read or written.
+    pub(crate) fn is_io(&self) -> bool {
+        matches!(&*self.0, Kind::Io { .. })
+    }
 }
 
 /// The longest text that is compared with known names: the search takes time proportional to its

@@ -212,7 +212,7 @@ enum Command {
         axes: Vec<String>,
         #[command(flatten)]
         inputs: InputArgs,
-        /// Take the inputs from the pixels of a scene: a scene file, or plane, cube, sphere. The
+        /// Take the inputs from the pixels of a scene: a scene file, or a built-in scene. The
         /// error is then that of the picture. Material parameters default to the scene's. One set
         /// by `-p` or an axis also changes the golden picture.
         #[arg(long, value_name = "SCENE", conflicts_with_all = ["samples", "seed", "sampler"])]

@@ -48,7 +48,7 @@ fn error_axis(record: &Record) -> (String, Along) {
 
 /// Caption on what the errors are relative to.
 fn caption(record: &Record) -> Vec<String> {
-    vec![format!("Bit-true against {}; {}.", against(record), inputs(record))]
+    vec![format!("Against {}; {}.", against(record), inputs(record))]
 }
 
 /// Axes with more than one value.

@@ -183,6 +183,13 @@ fn commands_run() {
     assert!(ran > 15, "{ran}");
 }
 
+/// A new reader decides by the README: what doesn't fit goes to `docs/`.
+#[test]
+fn the_readme_stays_short() {
+    let lines = fs::read_to_string(Path::new(ROOT).join("README.md")).unwrap().lines().count();
+    assert!(lines <= 150, "{lines}");
+}
+
 /// Commands in inline code exist.
 #[test]
 fn commands_within_text_are_known() {

@@ -20,11 +20,12 @@ pub(in crate::cli) struct RenderArgs {
     /// Folder to write; pictures that an earlier run wrote there are removed.
     #[arg(long, value_name = "DIR")]
     pub(super) out: PathBuf,
-    /// Pipelines to compare. Default: emboss-gx,emboss-nv for a scene with an [emboss] section; for
-    /// a ladder, all that shade bumps; otherwise printed,corrected,exact-polar,exact-cartesian.
-    /// Emboss pipelines have their own golden and must go into a folder of their own.
-    /// tangent-smooth and tangent-faceted set up triangles and light them in texture space; their
-    /// difference is reported in two parts.
+    /// Pipelines to compare. Those that shade bumps: printed, corrected, exact-polar,
+    /// exact-cartesian (settings of the unit bump), ernst, kim, kugler. Those that emboss:
+    /// emboss-gx, emboss-nv; they have their own golden and need a folder of their own. Those that
+    /// set up triangles and light them in texture space: tangent-smooth, tangent-faceted; their
+    /// difference is reported in two parts. Default: those that emboss for a scene with an
+    /// [emboss] section; for a ladder, all that shade bumps; otherwise the first four.
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     pub(super) pipelines: Vec<String>,
     /// Set a parameter of every pipeline that has it. Material parameters come from the scene.
@@ -41,8 +42,10 @@ pub(in crate::cli) struct RenderArgs {
     /// pixel, and report what that saves.
     #[arg(long)]
     pub(super) specialise: bool,
-    /// Instead of pictures, write a report of error against cost and speed: every pipeline over a
-    /// ladder of widths (default 8,10,12,14,16 bits), and the light tables over exponents.
+    /// Instead of pictures, write a report of error against cost and speed: the pipelines that
+    /// shade bumps over a ladder of widths w, with direct tables of 2^(w-2) entries, and their
+    /// light tables over exponents; or the pipelines that emboss, one parameter at a time. Widths
+    /// are 4 to 22 bits (24 to emboss), written with =, as in --ladder=8,12; default 8,10,12,14,16.
     #[arg(long, value_name = "BITS,…", conflicts_with = "specialise", num_args = 0..=1, require_equals = true, default_missing_value = "")]
     pub(super) ladder: Option<String>,
     /// Highlight exponents at which the ladder judges the light tables; default 1,8,32,128,255.

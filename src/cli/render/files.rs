@@ -68,13 +68,15 @@ pub(super) fn write_figures(set: Set, value: &Value, told: &str) -> Result<()> {
 pub(super) fn write_pictures(out: &Path, rendered: &Rendered) -> Result<()> {
     let golden = rendered.golden.to_srgb8();
     golden.save_png(&out.join("golden.png"))?;
-    let mut pictures = Vec::new();
+    let (mut pictures, mut own_goldens) = (Vec::new(), Vec::new());
     for shot in &rendered.shots {
         let name = &shot.pipeline.name;
         let picture = shot.picture.to_srgb8();
         picture.save_png(&out.join(format!("{name}.png")))?;
         if let Some(golden) = &shot.golden {
-            golden.to_srgb8().save_png(&out.join(format!("{name}_golden.png")))?;
+            let golden = golden.to_srgb8();
+            golden.save_png(&out.join(format!("{name}_golden.png")))?;
+            own_goldens.push((format!("golden of {name}"), golden));
         }
         let difference = absolute_map(&shot.picture, rendered.golden_of(shot), Amplify::Fit)?;
         difference.save_png(&out.join(format!("{name}_difference.png")))?;
@@ -99,7 +101,9 @@ pub(super) fn write_pictures(out: &Path, rendered: &Rendered) -> Result<()> {
         panels.push(if row == 0 { first } else { blank });
         panels.extend(some.iter().map(|(name, picture, _)| Panel { caption: name, picture }));
         panels.resize((2 * row + 1) * (columns + 1), blank);
-        panels.push(blank);
+        // Below the golden, the one of a pipeline with its own.
+        let own = own_goldens.get(row).map(|(caption, picture)| Panel { caption, picture });
+        panels.push(own.unwrap_or(blank));
         let caption = "difference";
         panels.extend(some.iter().map(|(_, _, difference)| Panel { caption, picture: difference }));
         panels.resize((2 * row + 2) * (columns + 1), blank);

@@ -110,7 +110,7 @@ struct MaterialText {
 #[serde(default, deny_unknown_fields)]
 struct MapText {
     source: Option<Source>,
-    file: Option<PathBuf>,
+    file: Option<Spanned<PathBuf>>,
     width: Integer,
     height: Integer,
     color: Triple,
@@ -560,9 +560,9 @@ impl Reader<'_> {
         let map = given.map_or(&default, Spanned::get_ref);
         self.refuse("scale", &map.scale, "it is for `[height]`")?;
         match self.origin(map, given)? {
-            Origin::File(path) => {
+            Origin::File(file) => {
                 self.refuse("color", &map.color, "colours come from the file")?;
-                Ok((Texture::open(&path)?, None))
+                Ok((self.opened(file, Texture::open)?, None))
             }
             Origin::Pattern(pattern, width, height) => {
                 self.refuse("color", &map.color, "colours come from `source`")?;
@@ -587,7 +587,7 @@ impl Reader<'_> {
         self.refuse("color", &map.color, "it is for `[texture]`")?;
         let scale = self.real("scale", &map.scale, 4.0, -FAR..=FAR)?;
         match self.origin(map, given)? {
-            Origin::File(path) => Bumps::open(&path, scale),
+            Origin::File(file) => self.opened(file, |path| Bumps::open(path, scale)),
             Origin::Pattern(pattern, width, height) => {
                 let wanted = (pattern, width, height);
                 let made = made.filter(|made| (made.pattern, made.width, made.height) == wanted);
@@ -598,7 +598,11 @@ impl Reader<'_> {
         }
     }
 
-    fn origin(&self, map: &MapText, given: Option<&Spanned<Table<MapText>>>) -> Result<Origin> {
+    fn origin<'m>(
+        &self,
+        map: &'m MapText,
+        given: Option<&Spanned<Table<MapText>>>,
+    ) -> Result<Origin<'m>> {
         let span = given.map(Spanned::span).unwrap_or_default();
         if let Some(file) = &map.file {
             if map.source.is_some() {
@@ -607,7 +611,7 @@ impl Reader<'_> {
             }
             self.refuse("width", &map.width, "the size is that of the file")?;
             self.refuse("height", &map.height, "the size is that of the file")?;
-            return Ok(Origin::File(self.beside(file)));
+            return Ok(Origin::File(file));
         }
         let pattern = match map.source {
             Some(Source::Wood) => Some(Pattern::Wood),
@@ -678,8 +682,8 @@ impl Reader<'_> {
                             .to_owned();
                     self.fail(&given.span(), problem)
                 })?;
+                let mesh = self.opened(file, |path| files.open(path))?;
                 let file = self.beside(file.get_ref());
-                let mesh = files.open(&file)?;
                 let default = if mesh.is_faceted { 0.0 } else { CREASE_DEGREES };
                 let crease_degrees = &object.crease_degrees;
                 let crease_degrees =
@@ -690,6 +694,17 @@ impl Reader<'_> {
         Ok((shape, placement))
     }
 
+    /// What is read from a file; one that can't be opened is an error of the line that names it.
+    fn opened<T>(
+        &self,
+        file: &Spanned<PathBuf>,
+        open: impl FnOnce(&Path) -> Result<T>,
+    ) -> Result<T> {
+        open(&self.beside(file.get_ref())).map_err(|error| {
+            if error.is_io() { self.fail(&file.span(), error.to_string()) } else { error }
+        })
+    }
+
     /// A path relative to the scene's folder.
     fn beside(&self, file: &Path) -> PathBuf {
         self.document.path.parent().unwrap_or(Path::new("")).join(file)
@@ -697,8 +712,8 @@ impl Reader<'_> {
 }
 
 /// Where a map comes from.
-enum Origin {
-    File(PathBuf),
+enum Origin<'m> {
+    File(&'m Spanned<PathBuf>),
     Pattern(Pattern, u32, u32),
     Constant(u32, u32),
 }
