@@ -9,7 +9,7 @@
 
 use fixpath::format::{Format, Overflow, Round, quantize};
 use fixpath::function::Function;
-use fixpath::netlist::{Builder, Quantity};
+use fixpath::netlist::Quantity;
 use fixpath::table::{self, Scheme, Tabulated};
 use fixpath::trig::Real;
 use fixpath::units::{Bound, Bounds, Design, Golden, Param, Role, Unit, Values};
@@ -67,7 +67,7 @@ fn complex_product() -> Unit {
         .param(Param::bits("frac_bits", 2..=24).default(15).help("fraction bits of all parts"))
         .param(Param::rounding("rounding"))
         .design(|p| {
-            let mut b = Builder::new("complex_product");
+            let mut b = p.builder("complex_product");
             let frac_bits = p.bits("frac_bits").cast_signed();
             let part = Format::signed(p.bits("frac_bits") + 1, frac_bits)?; // -1 <= a, b < 1
             let result = Format::signed(p.bits("frac_bits") + 3, frac_bits)?; // -2 <= re, im <= 2
@@ -112,7 +112,7 @@ fn biquad_step() -> Unit {
         )
         .param(Param::rounding("rounding"))
         .design(|p| {
-            let mut b = Builder::new("biquad_step");
+            let mut b = p.builder("biquad_step");
             let format =
                 Format::signed(p.bits("frac_bits") + 2, p.bits("frac_bits").cast_signed())?;
             let mut terms = Vec::new();

@@ -14,12 +14,18 @@ pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 /// An error in what the caller gave: data, parameters or files. Its message is one line of bounded
 /// length without terminal control characters, whatever the input was.
-#[derive(Debug)]
 pub struct Error(Box<Kind>);
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&escape::message(&self.0.to_string()))
+    }
+}
+
+/// As [`Display`](fmt::Display): a `main` that returns an error prints it by `Debug`.
+impl fmt::Debug for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
     }
 }
 

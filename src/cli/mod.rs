@@ -166,7 +166,7 @@ enum Command {
     },
     /// Simulate the pipeline cycle by cycle and write a VCD, with a GTKWave save file beside it.
     #[command(
-        after_help = "Examples:\n  fixpath wave rotation --out rotation.vcd\n  fixpath wave rotation --in vectors.csv --cycles 0..50 --signals 'x*' --out short.vcd\n  fixpath wave rotation --signals '*error' --out errors.vcd\n  fixpath wave rotation -p stages=0 -p rom=distributed --out combinational.vcd"
+        after_help = "In a pipeline the words of one sample appear in successive cycles. To see them in one cycle, with\nthe node where an error arises, add -p stages=0 -p rom=distributed.\n\nExamples:\n  fixpath wave rotation --out rotation.vcd\n  fixpath wave rotation --in vectors.csv --cycles 0..50 --signals 'x*' --out short.vcd\n  fixpath wave rotation --signals '*error' --out errors.vcd\n  fixpath wave rotation -p stages=0 -p rom=distributed --out combinational.vcd"
     )]
     Wave {
         #[command(flatten)]
@@ -292,13 +292,13 @@ pub fn command() -> clap::Command {
 ///
 /// ```no_run
 /// use fixpath::format::{Overflow, Round};
-/// use fixpath::netlist::{Builder, Quantity};
+/// use fixpath::netlist::Quantity;
 /// use fixpath::units::{Design, Golden, Unit};
 /// use std::process::ExitCode;
 ///
 /// fn half() -> Unit {
 ///     Unit::new("half", "half of a word, rounded").design(|p| {
-///         let mut b = Builder::new("half");
+///         let mut b = p.builder("half");
 ///         let x = b.input("x", "s8f4".parse()?, Quantity::Number);
 ///         let exact = b.shift(x, -1);
 ///         let y = b.narrow(exact, "s8f4".parse()?, Round::HalfEven, Overflow::Saturate);
@@ -347,10 +347,9 @@ fn refuse(error: &clap::Error) -> ExitCode {
     let lines = text.lines().take_while(|line| !ends(line));
     let parts = lines.map(str::trim).filter(|line| !line.is_empty());
     let (tips, parts): (Vec<&str>, Vec<&str>) = parts.partition(|line| line.starts_with("tip:"));
-    let usage = text.lines().find_map(|line| line.strip_prefix("Usage: fixpath "));
-    let command = usage.and_then(|usage| usage.split(' ').next());
-    let is_command = |word: &&str| word.chars().all(|c| c.is_ascii_lowercase());
-    let command = command.filter(is_command).map(|name| format!("{name} ")).unwrap_or_default();
+    let given = std::env::args_os().nth(1).unwrap_or_default();
+    let command = given.to_str().filter(|name| Cli::command().find_subcommand(name).is_some());
+    let command = command.map(|name| format!("{name} ")).unwrap_or_default();
     let told = escape::message(&parts.join(" "));
     let _ = writeln!(io::stderr(), "{told}: see `fixpath {command}--help`");
     // A tip repeats the argument: a long one is no help.

@@ -17,8 +17,8 @@ use std::path::Path;
 pub(super) struct UnitArgs {
     /// Unit name (see `fixpath list`), or a netlist file written by `fixpath show UNIT --netlist`.
     pub(super) unit: String,
-    /// Set a parameter. format.NODE=s20f18 sets the format of a node, scheme.TABLE=linear the
-    /// scheme of a table; `fixpath show` lists both. memory.NAME=FILE.csv sets the words of a
+    /// Set a parameter. format.NODE=s20f18 sets the format of a node that rounds or of a table's
+    /// words, scheme.TABLE=linear the scheme of a table; `fixpath show` lists the names. memory.NAME=FILE.csv sets the words of a
     /// memory: one CSV column for each of its columns, one line per address.
     #[arg(short = 'p', long = "param", value_name = "KEY=VALUE")]
     pub(super) params: Vec<String>,
@@ -69,10 +69,11 @@ impl AngleArg {
 
 #[derive(Clone, Copy, ValueEnum)]
 pub(super) enum SamplerArg {
-    /// Samples suited to the unit's inputs: vectors uniform on the sphere, with the light on the
-    /// lit side of the surface (`fixpath list` says where a unit differs).
+    /// Samples suited to the unit's inputs. Units that shade: vectors uniform on the sphere, with
+    /// the light on the lit side of the surface. Other units draw as `fixpath list UNIT` says; if
+    /// it doesn't, as do netlist files: half of the samples uniform, half log-uniform.
     Lit,
-    /// The same on both sides of the surface: vectors uniform on the sphere.
+    /// The same without regard to the lit side: vectors uniform on the sphere.
     Sphere,
     /// Every combination of input words (up to 2^32).
     Exhaustive,

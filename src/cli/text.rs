@@ -93,7 +93,7 @@ pub(super) fn list_unit(unit: &Unit) -> String {
     let own = parameter_table(&unit.params);
     if !own.is_empty() {
         text.push_str(&own);
-        text.push_str("  the largest widths can't all be combined: a word has at most 63 bits, and more is refused\n");
+        text.push_str("  a word has at most 63 bits: a setting that needs more is refused\n");
     }
     text.push_str("  plus the pipeline parameters, which `fixpath list` prints\n");
     text

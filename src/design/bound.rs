@@ -10,7 +10,7 @@ pub type BoundFn = dyn Fn(&Values, &dyn Fn(&str) -> f64) -> f64 + Send + Sync;
 /// A stated bound on the error against the golden of the quantised inputs.
 #[derive(Clone)]
 pub struct Bound {
-    /// What is bounded, in a few words.
+    /// What is bounded, in a few words: they complete "stated bound on each …".
     pub what: String,
     /// The quantities that it bounds, by their names in reports.
     pub quantities: Vec<String>,

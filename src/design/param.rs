@@ -429,7 +429,7 @@ pub static PIPELINE: LazyLock<Vec<Param>> = LazyLock::new(|| {
         share(Shared::Adder, "share_add")
             .help("adders, with the same exceptions: units, with schedule=shared"),
         share(Shared::Table, "share_table")
-            .help("table schemes: units for each structure, with schedule=shared"),
+            .help("table schemes, all reads of one being one operation: units for each structure, with schedule=shared"),
         share(Shared::Root, "share_root")
             .help("roots and reciprocal roots: units for each structure, with schedule=shared"),
         share(Shared::Divider, "share_divide")

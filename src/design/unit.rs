@@ -22,14 +22,14 @@ use std::sync::{Arc, Mutex, PoisonError};
 ///
 /// ```
 /// use fixpath::format::{Format, Overflow};
-/// use fixpath::netlist::{Builder, Quantity};
+/// use fixpath::netlist::Quantity;
 /// use fixpath::units::{Design, Golden, Param, Unit};
 ///
 /// let square = Unit::new("square", "x times x, rounded")
 ///     .param(Param::bits("x_bits", 2..=24).default(16).help("bits of x, from -1 to 1"))
 ///     .param(Param::rounding("rounding"))
 ///     .design(|p| {
-///         let mut b = Builder::new("square");
+///         let mut b = p.builder("square"); // takes `-p format.NODE=…` into account
 ///         let format = Format::signed(p.bits("x_bits"), p.bits("x_bits").cast_signed() - 1)?;
 ///         let x = b.input("x", format, Quantity::Number);
 ///         let exact = b.mul(x, x);

@@ -213,7 +213,9 @@ pub struct ConeReport {
 fn named(netlist: &Netlist, label: &str) -> Option<NodeId> {
     let by_label = netlist.ids().find(|id| netlist.label(*id) == label);
     let port = || netlist.outputs().iter().find(|output| output.name == label);
-    let number = || label.strip_prefix('%')?.parse::<usize>().ok();
+    // `%12`, or `n12` with the scopes that waves put before it.
+    let last = label.rsplit('.').next().unwrap_or_default();
+    let number = || label.strip_prefix('%').or(last.strip_prefix('n'))?.parse::<usize>().ok();
     by_label.or_else(|| port().map(|output| output.node)).or_else(|| {
         number()
             .filter(|number| *number < netlist.nodes().len())

@@ -28,7 +28,8 @@ pub fn measure(
     measure_on(&Basis::ALL, designs, inputs, progress)
 }
 
-/// As [`measure`], on some bases only; the work for the others is skipped.
+/// As [`measure`], on some bases only, such as `measure_on(&[Basis::Total], &[&design], &inputs,
+/// &|_| ())`; the work for the others is skipped.
 /// [`BoundCheck`](crate::measure::BoundCheck) needs [`Basis::Total`].
 ///
 /// # Errors
