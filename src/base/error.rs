@@ -287,9 +287,10 @@ impl Error {
         matches!(&*self.0, Kind::Io { source, .. } if source.kind() == std::io::ErrorKind::BrokenPipe)
     }
 
-    /// True if a file couldn't be opened, read or written.
-    pub(crate) fn is_io(&self) -> bool {
-        matches!(&*self.0, Kind::Io { .. })
+    /// True if the error is about a file as a whole, not about a place in it.
+    #[cfg(feature = "pictures")]
+    pub(crate) fn is_of_file(&self) -> bool {
+        matches!(&*self.0, Kind::Io { .. } | Kind::File { .. })
     }
 }
 

@@ -4,7 +4,7 @@ use super::print::{print, printed};
 use crate::base::error::{Error, Result, nearest};
 use clap::{Args, Command};
 
-/// Name, what it is, and page of each format that has no command of its own name.
+/// Name and page of each format, except that of `texgen`, which is in the command's own help.
 const FILES: &[(&str, &str)] = &[
     ("scene", include_str!("../../docs/files/scene.md")),
     ("netlist", include_str!("../../docs/files/netlist.md")),
@@ -26,17 +26,14 @@ pub(super) fn run(args: &HelpArgs, mut whole: Command) -> Result<()> {
     if let Some((_, page)) = FILES.iter().find(|(name, _)| *name == topic) {
         return print(page);
     }
-    // Gives each command its full name, which its usage line shows.
-    whole.build();
-    match whole.find_subcommand_mut(topic) {
-        Some(found) => printed(found.print_long_help()),
-        None => {
-            let commands = whole.get_subcommands().map(Command::get_name);
-            let known = commands.chain(FILES.iter().map(|(name, _)| *name));
-            let near = nearest(topic, known);
-            Err(Error::usage(format!(
-                "there is no help on `{topic}`{near}: `fixpath help` lists the commands"
-            )))
-        }
+    if whole.find_subcommand(topic).is_none() {
+        let commands = whole.get_subcommands().map(Command::get_name);
+        let known = commands.chain(FILES.iter().map(|(name, _)| *name));
+        let near = nearest(topic, known);
+        return Err(Error::usage(format!(
+            "there is no help on `{topic}`{near}: `fixpath help` lists the commands"
+        )));
     }
+    let told = whole.try_get_matches_from_mut(["fixpath", topic, "--help"]);
+    printed(told.map_or_else(|help| help.print(), |_| Ok(())))
 }

@@ -347,9 +347,10 @@ fn refuse(error: &clap::Error) -> ExitCode {
     let lines = text.lines().take_while(|line| !ends(line));
     let parts = lines.map(str::trim).filter(|line| !line.is_empty());
     let (tips, parts): (Vec<&str>, Vec<&str>) = parts.partition(|line| line.starts_with("tip:"));
-    let given = std::env::args_os().nth(1).unwrap_or_default();
-    let command = given.to_str().filter(|name| Cli::command().find_subcommand(name).is_some());
-    let command = command.map(|name| format!("{name} ")).unwrap_or_default();
+    let whole = Cli::command();
+    let mut given = std::env::args_os().skip(1);
+    let command = given.find(|name| whole.find_subcommand(name).is_some());
+    let command = command.map(|name| format!("{} ", name.display())).unwrap_or_default();
     let told = escape::message(&parts.join(" "));
     let _ = writeln!(io::stderr(), "{told}: see `fixpath {command}--help`");
     // A tip repeats the argument: a long one is no help.

@@ -573,7 +573,7 @@ impl Reader {
             } else {
                 return wrong(
                     at,
-                    format!("expected turns, float20, per, @NAME or means, not `{word}`"),
+                    format!("expected number, turns, float20, per, @NAME or means, not `{word}`"),
                 );
             }
         }

@@ -33,10 +33,11 @@ use crate::number::trig::Real;
 pub fn unit() -> Unit {
     Unit::new("bump", "light of a bump-mapped pixel from light, halfway vector, normal and bump vector")
         .source("Lee et al., Fig. 8; the turn psi and the exact pipelines are this project's")
-        .formula(
+        .formula(format!(
             "L' and H' are L and H rotated into the frame of N, as the unit rotation does; N' = (phi_p + psi, theta_p)\n\
-         diffuse = ka + kd max(0, N'.L'); specular = ks max(0, N'.H')^n; intensity = diffuse + specular, as the unit illumination does",
-        )
+             {}",
+            illumination::REFLECTION
+        ))
         .params([
             Param::choice("pipeline", ["printed", "corrected", "exact-polar", "exact-cartesian"])
                 .role(Role::Pipeline)

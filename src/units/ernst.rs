@@ -21,10 +21,11 @@ use crate::number::trig::Real;
 pub fn unit() -> Unit {
     Unit::new("ernst", "light of a bump-mapped pixel by matrix, normalisation and Cartesian dot products")
         .source("Ernst et al. 1998, as Lee et al. count it in Table 1 and section 4.3")
-        .formula(
-            "L' = [T; B; N] L/|L|, H' = [T; B; N] H/|H|, N' normalised, as the unit peercy does\n\
-         diffuse = ka + kd max(0, N'.L'); specular = ks max(0, N'.H')^n; intensity = diffuse + specular",
-        )
+        .formula(format!(
+            "L' = v/|v| with v = (T.L, B.L, N.L); H' = w/|w| with w = (T.H, B.H, N.H); N' = p/|p|, as in the unit peercy\n\
+             {}",
+            illumination::REFLECTION
+        ))
         .params(setup::params())
         .params([
             illumination::highlight(),

@@ -31,11 +31,13 @@ use crate::table::{self, Tabulated};
 pub fn unit() -> Unit {
     Unit::new("illumination", "light of a pixel from light, halfway and perturbed normal vector in the texture frame")
         .source("Lee et al., sections 3.2 and 4.2, Fig. 8; variant kim: its eqs (3) and (4)")
-        .formula(
-            "N.L = [cos(theta_l+theta_n) + cos(theta_l-theta_n)]/2 + [cos(theta_l-theta_n) - cos(theta_l+theta_n)]/2 cos(phi_l-phi_n)\n\
-         (variant=printed has the second bracket with the other sign), N.H likewise\n\
-         diffuse = ka + kd max(0, N.L); specular = ks max(0, N.H)^n; intensity = diffuse + specular",
-        )
+        .formula(format!(
+            "L' = (phi_lt, theta_lt), H' = (phi_ht, theta_ht), N' = (phi_p, theta_p); N'.H' as N'.L':\n\
+             variant=corrected: N'.L' = [cos(theta_lt+theta_p) + cos(theta_lt-theta_p)]/2\n\
+             + [cos(theta_lt-theta_p) - cos(theta_lt+theta_p)]/2 cos(phi_lt-phi_p); printed: the second bracket with the other sign\n\
+             kim: N'.L' = cos(theta_lt) cos(theta_p) + sin(theta_lt) sin(theta_p) cos(phi_lt-phi_p); cartesian: the sum of products of components\n\
+             {REFLECTION}"
+        ))
         .params([
             Param::choice("variant", ["printed", "corrected", "kim", "cartesian"])
                 .role(Role::Variant)
@@ -65,6 +67,11 @@ pub fn unit() -> Unit {
         .shades(Shading::Part)
         .design(design)
 }
+
+/// The light of dot products, for the formulas of units that shade.
+pub(super) const REFLECTION: &str = "with ka, kd, ks, n the parameters ambient, diffuse, specular, exponent:\n\
+     diffuse = min(1, ka + kd max(0, N'.L')); specular = ks (N'.H')^n, 0 where N'.H' <= 0; both dot products at most 1\n\
+     intensity = min(1, diffuse + specular); highlight=off: no H', and intensity = diffuse";
 
 pub(super) fn cos_addr_bits() -> Param {
     Param::bits("cos_addr_bits", 2..=20)

@@ -25,11 +25,12 @@ use crate::number::trig::Real;
 pub fn unit() -> Unit {
     Unit::new("kim", "light of a bump-mapped pixel by a matrix of sines and cosines and polar dot products")
         .source("Kim et al. 2001: eqs (3), (4) of Lee et al.; the set-up is a reconstruction")
-        .formula(
-            "L' and H' are L and H in the frame of N, by a matrix of sines and cosines, as angles; N' = (phi_p + psi, theta_p)\n\
-         N'.L' = cos(theta_l) cos(theta_p) + sin(theta_l) sin(theta_p) cos(phi_l-phi_p), N'.H' likewise\n\
-         diffuse = ka + kd max(0, N'.L'); specular = ks max(0, N'.H')^n; intensity = diffuse + specular",
-        )
+        .formula(format!(
+            "L' = (phi', theta') is L in the frame of N, by a matrix of sines and cosines, as angles; H' likewise\n\
+             N'.L' = cos(theta') cos(theta_p) + sin(theta') sin(theta_p) cos(phi' - phi_p - psi)\n\
+             {}",
+            illumination::REFLECTION
+        ))
         .params([
             Param::choice("conversion", ["table", "cordic"]).help("how components are converted to angles"),
             plan::angle_bits(),

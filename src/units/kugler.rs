@@ -31,10 +31,12 @@ use std::sync::Arc;
 pub fn unit() -> Unit {
     Unit::new("kugler", "light of a bump-mapped pixel by rotations and light maps, without dot products")
         .source("Kugler 1998 (IMEM), as Lee et al. describe it; largely a reconstruction")
-        .formula(
-            "N' turned by psi about z, by theta_n about y, by phi_n about z; then so that L (or H) is at the pole: c = cos of its polar angle\n\
-         diffuse = ka + kd max(0, c of L); specular = ks max(0, c of H)^n; intensity = diffuse + specular, each from a light map",
-        )
+        .formula(format!(
+            "(phi_n, theta_n) are the angles of N; N' is (phi_p, theta_p) turned by psi about z, by theta_n about y, by phi_n about z\n\
+             N'.L is the cosine of the polar angle of N' once L is turned to the pole; N'.H likewise; L' = L and H' = H below\n\
+             {}",
+            illumination::REFLECTION
+        ))
         .params([
             Param::choice("conversion", ["table", "cordic"]).help("how the normal is converted to angles"),
             Param::bits("tilt_addr_bits", 6..=20)

@@ -22,7 +22,7 @@ pub fn unit() -> Unit {
     Unit::new("normalise", "block normalisation: three words shifted by the leading zeros of the largest")
         .source("the light vector of US 6,980,218 in fixed point: a displacement doesn't depend on its length")
         .formula(
-            "x, y, z = v_x, v_y, v_z times 2^places, as fractions of full scale: the largest |component| has no leading zero",
+            "x, y, z = v_x, v_y, v_z times 2^places / 2^(v_bits-v_frac_bits): the largest of them in size is from 1/2 to below 1",
         )
         .params([
             Param::bits("v_bits", 2..=32).default(16).help("bits of the components, signed"),

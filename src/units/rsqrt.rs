@@ -23,7 +23,7 @@ pub fn unit() -> Unit {
     )
     .source("the inverse square root unit of US 6,980,218, FIG. 8")
     .formula(
-        "r = 1/sqrt(a), 0 for a = 0\n\
+        "r = 1/sqrt(a), 0 for a = 0, saturated at 2^root_int_bits\n\
      root_scheme=newton: r = y (3 - a y^2)/2 with y from the table",
     )
     .params([

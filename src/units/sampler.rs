@@ -27,7 +27,8 @@ pub fn unit() -> Unit {
         .source("US 6,980,218, texture look-ups of the emboss; texel centres as in OpenGL")
         .formula(
             "i = floor(s 2^log2_width), j = floor(t 2^log2_height) (nearest)\n\
-         u = s 2^log2_width - 1/2, i0 = floor(u), i1 = i0 + 1, a = u - i0; j0, j1, b from t likewise (bilinear)",
+         u = s 2^log2_width - 1/2, i0 = floor(u), i1 = i0 + 1, a = u - i0; j0, j1, b from t likewise (bilinear)\n\
+         columns and rows then wrap around the map or are clamped to it (address_s, address_t)",
         )
         .params([
             filter(),

@@ -143,6 +143,11 @@ fn committed_hardware_is_up_to_date() {
         let folder = folder.clone();
         entries.into_iter().map(move |entry| folder.join(entry.unwrap().file_name()))
     };
+    for entry in fs::read_dir(root().join("testbenches")).unwrap().map(Result::unwrap) {
+        let folder = Path::new("testbenches").join(entry.file_name());
+        let kept = folders.contains(&folder) || folder.ends_with("suite") || entry.path().is_file();
+        assert!(kept, "{} is no longer generated", folder.display());
+    }
     for path in folders.iter().flat_map(names).filter(|path| !is_left(path)) {
         if bless && !made.contains(&path) {
             fs::remove_file(root().join(&path)).unwrap();

@@ -39,7 +39,18 @@ fn help_prints_each_page() {
     let (_, whole, _) = run(&["--help"]);
     assert!(TOPICS.iter().all(|topic| whole.contains(topic)), "{whole}");
     assert_eq!(run(&["help"]), run(&["--help"]));
-    assert_eq!(run(&["help", "sim"]), run(&["sim", "--help"]));
+    let commands: Vec<&str> = whole
+        .lines()
+        .skip_while(|line| *line != "Commands:")
+        .skip(1)
+        .take_while(|line| !line.is_empty())
+        .filter_map(|line| line.strip_prefix("  ")?.split(' ').next())
+        .filter(|name| !name.is_empty())
+        .collect();
+    assert!(commands.len() > 12, "{commands:?}");
+    for command in commands {
+        assert_eq!(run(&["help", command]), run(&[command, "--help"]), "{command}");
+    }
     refused(&["help", "scenes"], "there is no help on `scenes`, did you mean `scene`");
 }
 
@@ -51,8 +62,69 @@ fn defaults_of_scenes_are_those_of_the_page() {
     assert_eq!(least, object);
     let debug = |text: &str| format!("{:?}", scene(text).unwrap());
     assert_eq!(debug(every), debug(least));
+    // Keys that only some values of others allow.
+    let given = |start: &str| {
+        let line = every.lines().chain(off.lines()).find(|line| line.starts_with(start));
+        line.unwrap_or_else(|| panic!("no line `{start}`")).trim_start_matches("# ").to_owned()
+    };
+    for (before, key) in [
+        ("[camera]\nprojection = \"orthographic\"\n", "# height = "),
+        ("[[light]]\nkind = \"point\"\n", "# position = "),
+        ("[[light]]\nkind = \"point\"\n[orbit]\n", "# center = "),
+    ] {
+        let with = format!("{before}{}\n{object}", given(key));
+        assert_eq!(debug(&with), debug(&format!("{before}{object}")), "{key}");
+    }
     // Sections that do something by being there.
     assert_eq!(debug(&format!("{off}{object}")), debug(&format!("[emboss]\n[orbit]\n{object}")));
+}
+
+/// A value at each end of a range that the page gives is taken, and one beyond is refused.
+#[test]
+fn ranges_of_scenes_are_those_of_the_page() {
+    let page = page("scene");
+    let blocks = blocks(&page, "toml");
+    let (mut section, mut ranges) = ("", 0);
+    for line in blocks[1..].iter().flat_map(|block| block.lines()) {
+        if line.starts_with('[') {
+            section = line.split(' ').next().unwrap();
+        }
+        let Some((key, rest)) = line.trim_start_matches("# ").split_once(" = ") else { continue };
+        let Some((value, told)) = rest.split_once('#') else { continue };
+        let number = |word: &str| word.trim_end_matches([',', ';']).parse::<f64>().ok();
+        let words: Vec<&str> = told.split_whitespace().collect();
+        let to = words.iter().position(|word| *word == "to");
+        let Some((low, high)) = to
+            .filter(|at| *at > 0)
+            .and_then(|at| Some((number(words[at - 1])?, number(words[at + 1])?)))
+        else {
+            continue;
+        };
+        let with = |x: f64| {
+            let whole = !value.contains('.');
+            let x = if whole { format!("{x}") } else { format!("{x:?}") };
+            // Colours are three of them.
+            let value = if value.trim().starts_with('[') { format!("[{x}, {x}, {x}]") } else { x };
+            let needs = match (section, key) {
+                ("[camera]", "height") => "projection = \"orthographic\"\n",
+                // A map of a single row or column, so that only the side is too long.
+                ("[texture]", "width") => "height = 1\n",
+                ("[texture]", "height") => "width = 1\n",
+                _ => "",
+            };
+            let object = "\n[[object]]\nshape = \"sphere\"\n";
+            scene(&format!("{section}\n{needs}{key} = {value}{object}"))
+        };
+        let step = if value.contains('.') { 1e-7_f64.max(high.abs() * 1e-9) } else { 1.0 };
+        for end in [low, high] {
+            assert!(with(end).is_ok(), "{section} {key} = {end}: {}", with(end).unwrap_err());
+        }
+        for beyond in [low - step, high + step] {
+            assert!(with(beyond).is_err(), "{section} {key} = {beyond}");
+        }
+        ranges += 1;
+    }
+    assert!(ranges > 15, "{ranges}");
 }
 
 /// Every key that a section takes is on the page, and no other.
@@ -109,6 +181,12 @@ fn netlists_are_as_their_page_says() {
     let [example] = &blocks(&page, "text")[..] else { panic!() };
     let netlist = Netlist::parse(example, Path::new("square.netlist")).unwrap();
     assert_eq!(netlist.name(), "square");
+    // A node is a number unless its line says otherwise, whatever its operands are.
+    let turns = example.replace("u2f0 @a", "u2f0 turns @a");
+    let netlist = Netlist::parse(&turns, Path::new("turns.netlist")).unwrap();
+    let quantities: Vec<Quantity> = netlist.nodes().iter().map(|node| node.quantity).collect();
+    assert_eq!(quantities[0], Quantity::Turns);
+    assert!(quantities[1..].iter().all(|quantity| *quantity == Quantity::Number));
     let mut named: Vec<&str> = Op::ALL.iter().map(|op| op.name()).collect();
     named.extend(Primitive::ALL.iter().map(|primitive| primitive.name()));
     named.extend(Round::ALL.iter().map(|round| round.name()));
@@ -140,5 +218,8 @@ fn tables_are_as_their_pages_say() {
     let words = put("words.csv", "memory");
     let netlist = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/fetch.netlist");
     let binding = format!("memory.map={}", words.display());
-    refused(&["sim", netlist.to_str().unwrap(), "-p", &binding], "64");
+    refused(
+        &["sim", netlist.to_str().unwrap(), "-p", &binding],
+        "has 3 words and must have one for each of 64 addresses",
+    );
 }

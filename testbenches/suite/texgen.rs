@@ -1281,10 +1281,22 @@ fn the_example_of_the_help_runs() {
     assert!(refused.is_empty(), "{refused:?}");
     assert_eq!((outcome.events.len(), outcome.emboss.len()), (6, 1));
     assert_eq!(outcome.undefined[0].coords.len(), 1);
-    // The limits that it writes out are the defaults.
-    let (before, rest) = example.split_once("[limits]").unwrap();
-    let without = format!("{before}{}", &rest[rest.find("[[nv]]").unwrap()..]);
-    assert_eq!(format!("{:?}", run(&without).emboss), format!("{:?}", outcome.emboss));
+    // The limits that it writes out are the defaults: the last light and unit are taken, the next
+    // ones refused, with and without them.
+    let limits = &example[example.find("[limits]").unwrap()..];
+    let limits = &limits[..limits.find("[[nv]]").unwrap()];
+    for limits in ["", limits] {
+        for (last, taken) in [(7, true), (8, false)] {
+            let call = format!("[[nv]]\ncall = \"Enable\"\ncap = \"LIGHT{last}\"\n");
+            let events = run(&format!("{limits}{call}")).events;
+            assert_eq!(events[0].outcome.is_ok(), taken, "{limits} LIGHT{last}");
+        }
+        for (last, taken) in [(3, true), (4, false)] {
+            let call = format!("[[nv]]\ncall = \"ActiveTexture\"\ntexture = \"TEXTURE{last}\"\n");
+            let events = run(&format!("{limits}{call}")).events;
+            assert_eq!(events[0].outcome.is_ok(), taken, "{limits} TEXTURE{last}");
+        }
+    }
 }
 
 #[test]

@@ -14,6 +14,7 @@ use fixpath::units::{
 use fixpath::verify::Proof;
 use rand_core::{RngCore, SeedableRng};
 use rand_pcg::Pcg64Mcg;
+use std::collections::BTreeSet;
 use std::sync::Mutex;
 
 /// A legal value of a parameter; tables stay small, so that builds are fast.
@@ -673,4 +674,36 @@ fn a_netlist_stands_for_a_unit() {
     // Angles are compared modulo a turn: a value next to 0 is also next to 1.
     assert!(report.figures("phi", Basis::Total).max < 0.5);
     assert!(report.figures("theta", Basis::Total).max < 1e-3);
+}
+
+/// A formula defines each output, in names of ports and parameters.
+#[test]
+fn every_unit_has_a_formula_in_its_own_names() {
+    for unit in UNITS.iter() {
+        assert!(!unit.formula.is_empty(), "{}", unit.name);
+        let longest = unit.formula.lines().map(|line| line.chars().count()).max().unwrap();
+        assert!(longest <= 150, "{}: a line of {longest}", unit.name);
+        // Words with an underscore are names; ports may be those of another setting.
+        let mut names: BTreeSet<String> = unit.params.iter().map(|p| p.name.clone()).collect();
+        let mut ports = |design: &Design| {
+            let netlist = &design.netlist;
+            names.extend((0..netlist.inputs().len()).map(|at| netlist.input_name(at).to_owned()));
+            names.extend(netlist.outputs().iter().map(|output| output.name.clone()));
+        };
+        ports(&unit.values::<&str>(&[]).unwrap().build().unwrap());
+        for param in &unit.params {
+            if let Kind::Choice(choices) = &param.kind {
+                for choice in choices {
+                    let set = format!("{}={choice}", param.name);
+                    if let Ok(design) = unit.values(&[set]).and_then(|values| values.build()) {
+                        ports(&design);
+                    }
+                }
+            }
+        }
+        let word = |c: char| !(c.is_ascii_alphanumeric() || c == '_');
+        for name in unit.formula.split(word).filter(|word| word.contains('_')) {
+            assert!(names.contains(name), "{}: `{name}` in\n{}", unit.name, unit.formula);
+        }
+    }
 }

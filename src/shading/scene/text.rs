@@ -694,14 +694,14 @@ impl Reader<'_> {
         Ok((shape, placement))
     }
 
-    /// What is read from a file; one that can't be opened is an error of the line that names it.
+    /// What is read from a file. An error about the file as a whole names the line that names it.
     fn opened<T>(
         &self,
         file: &Spanned<PathBuf>,
         open: impl FnOnce(&Path) -> Result<T>,
     ) -> Result<T> {
         open(&self.beside(file.get_ref())).map_err(|error| {
-            if error.is_io() { self.fail(&file.span(), error.to_string()) } else { error }
+            if error.is_of_file() { self.fail(&file.span(), error.to_string()) } else { error }
         })
     }
 
