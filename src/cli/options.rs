@@ -18,8 +18,9 @@ pub(super) struct UnitArgs {
     /// Unit name (see `fixpath list`), or a netlist file written by `fixpath show UNIT --netlist`.
     pub(super) unit: String,
     /// Set a parameter. format.NODE=s20f18 sets the format of a node that rounds or of a table's
-    /// words, scheme.TABLE=linear the scheme of a table; `fixpath show` lists the names. memory.NAME=FILE.csv sets the words of a
-    /// memory: one CSV column for each of its columns, one line per address.
+    /// words, scheme.TABLE=linear the scheme of a table; `fixpath show` lists the names.
+    /// memory.NAME=FILE.csv sets the words of a memory: one CSV column for each of its columns, one
+    /// line per address.
     #[arg(short = 'p', long = "param", value_name = "KEY=VALUE")]
     pub(super) params: Vec<String>,
 }

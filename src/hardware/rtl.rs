@@ -13,8 +13,8 @@
 //!
 //! * **Phase.** A counter of [`Rtl::phase_bits`] bits cycles through the phases from reset on.
 //!   Inputs of a rate with interval I are accepted only in phases that are 0 modulo I (the flag
-//!   `ready`). The events of stage s happen in phases that are s modulo I
-//!   ([`Schedule::phases_of`](crate::schedule::Schedule::phases_of)).
+//!   `ready`). The events of stage s happen in phases that are s modulo the interval of the stage's
+//!   rate ([`Schedule::phases_of`](crate::schedule::Schedule::phases_of)).
 //! * **Free nodes** ([`Rtl::is_free`]) are logic as in a flat pipeline; their operands are the
 //!   signals of [`Rtl::operand`]. Their words are meaningful in the phase of their stage.
 //! * **Hold registers** ([`Rtl::registers`]) load [`Rtl::held`] at the edges that end the phases

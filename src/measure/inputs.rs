@@ -29,7 +29,7 @@ impl Inputs {
     /// Number of samples for a design.
     ///
     /// # Errors
-    /// If an exhaustive run would be too long.
+    /// If an exhaustive run has more than 2^32 combinations.
     pub fn count(&self, design: &Design) -> Result<u64> {
         match self.sampler {
             Sampler::Lit | Sampler::Sphere => Ok(self.samples),

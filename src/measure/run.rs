@@ -18,8 +18,8 @@ use std::time::Instant;
 /// of samples done.
 ///
 /// # Errors
-/// If an exhaustive run would be too long, a `narrow` under overflow mode `error` overflowed, or
-/// the designs belong to different units.
+/// If an exhaustive run has more than 2^32 combinations, a `narrow` under overflow mode `error`
+/// overflowed, or the designs belong to different units.
 pub fn measure(
     designs: &[&Design],
     inputs: &Inputs,

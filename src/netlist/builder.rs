@@ -669,7 +669,12 @@ impl Builder {
         let op = Op::Read { table, column: cast::id_of(column) };
         let found = self.netlist.tables.get(table.index()).filter(|_| table.owner == self.owner);
         let Some(found) = found else {
-            return self.refuse(op, &[address], None, "the table belongs to another builder");
+            return self.refuse(
+                op,
+                &[address],
+                None,
+                "the table belongs to another builder: use one builder per netlist",
+            );
         };
         if column >= found.columns.len() {
             let names: Vec<&str> = found.columns.iter().map(|column| &column.name[..]).collect();

@@ -27,7 +27,7 @@ pub struct Operators {
     pub rounders: u64,
 }
 
-/// Ports of a block RAM. A table with more reads is copied.
+/// Ports of a block RAM. A table with more ports is copied.
 pub const RAM_PORTS: u64 = 2;
 
 /// Counts over a whole netlist.

@@ -102,8 +102,8 @@ fn image(op: Op, of: &[(&Words, Format)], out: Format, tables: &[Table]) -> Word
         Op::Equal => {
             let (a, b) = aligned(0, 1);
             let meet = pairs(&a, &b, |a, b| (a.0.max(b.0), a.1.min(b.1)));
-            // Constant operands were handled above, so a common word means both results are
-            // possible.
+            // If both operands are constant, that was handled above; so a common word means that
+            // both results are possible.
             vec![(0, i128::from(meet.into_iter().any(|(lo, hi)| lo <= hi)))]
         }
         Op::Less => {

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 ///
 /// # Errors
 /// If a `narrow` under overflow mode `error` overflowed, no pixel sees an object, or
-/// `pixels_per_degree` is too large for FLIP.
+/// `pixels_per_degree` is outside FLIP's range (1 to 1000).
 pub fn shots(
     scene: &Scene,
     shaders: &[&Shader],

@@ -217,19 +217,22 @@ impl Schedule {
         self.stages[id.index()]
     }
 
-    /// Stage in which a node uses its operands: earlier than its own for a read on a clock.
+    /// Stage in which a node uses its operands: earlier than its own for a clocked read or a read
+    /// of a memory.
     #[must_use]
     pub fn operand_stage(&self, netlist: &Netlist, id: NodeId) -> u32 {
         self.stage(id) - self.clocks(netlist, id)
     }
 
-    /// True for a read on a clock; false inside a unit, which handles its own clocks.
+    /// True for a clocked read or a read of a memory; false inside a unit, which handles its own
+    /// clocks.
     #[must_use]
     pub fn is_clocked(&self, netlist: &Netlist, id: NodeId) -> bool {
         self.clocks(netlist, id) > 0
     }
 
-    /// Cycles from a node's operands to its word: 0 except for reads on a clock and of memories.
+    /// Cycles from a node's operands to its word: 0 except for clocked reads and reads of
+    /// memories.
     #[must_use]
     pub fn clocks(&self, netlist: &Netlist, id: NodeId) -> u32 {
         if self.seat(id).is_some() { 0 } else { clocks(netlist, self.rom, id) }

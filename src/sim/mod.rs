@@ -1,5 +1,4 @@
-//! Simulation of a netlist: [`batch`] bit-true over many independent samples, [`real`] the same on
-//! reals.
+//! Simulation of a netlist: [`batch`] bit-true over many samples, [`real`] the same on reals.
 
 pub mod batch;
 mod columns;

@@ -29,7 +29,9 @@ pub fn unit() -> Unit {
     Unit::new("combine", "diffuse light plus the differences of height samples: the emboss of one to eight lights")
         .source("US 6,980,218, the texture combination of the emboss; US 7,307,640 has the same text")
         .formula(
-            "out = clamp(diffuse + sum over lights of (h - d) 2^gain_log2), for each channel; h and d are samples\n\
+            "out = clamp(diffuse + sum over lights of (h - d) 2^gain_log2), for each channel\n\
+         h: undisplaced sample, d: displaced one of each light\n\
+         difference=displaced-undisplaced: d - h instead of h - d\n\
          bilinear: top = h_00 + a (h_10 - h_00), bottom = h_01 + a (h_11 - h_01), h = top + b (bottom - top)",
         )
         .params([

@@ -46,7 +46,7 @@ pub(super) fn params() -> [Param; 8] {
         Param::bits("out_bits", 2..=63).default(24).help("bits of each result, signed"),
         Param::bits("out_frac_bits", 0..=56).default(18).help("fraction bits of the results"),
         ending_overflow()
-            .help("overflow of results; saturate and symmetric clamp the golden to the same range"),
+            .help("overflow of results; with overflow=saturate or symmetric, the golden is clamped to the same range"),
         Param::rounding("rounding"),
     ]
 }

@@ -1,7 +1,7 @@
 //! The intelligent memory IMEM of Kugler 1998, as Lee et al. describe and count it: polar, with
 //! maps.
 //!
-//! The paper says that the normal comes in Cartesian form and is converted to angles. It is
+//! Lee et al. say that the normal comes in Cartesian form and is converted to angles. It is
 //! perturbed "by using three rotations, which are executed by two additions and one look-up table
 //! access", a map of 32 KB. Light maps of 2^20 × 16 bits, addressed by the perturbed direction,
 //! give the light. The rest is a reconstruction. The three rotations of N' are about z by psi (an
@@ -9,7 +9,7 @@
 //! z by phi_n (an addition). The address of a light map is N' rotated so that the light is at the
 //! pole, which takes a subtraction and the same map.
 //!
-//! A map entry is exact in the middle of its cell. The maps' sizes are parameters: the paper's are
+//! A map entry is exact in the middle of its cell. The maps' sizes are parameters: Kugler's are
 //! `tilt_addr_bits=14` and `map_addr_bits=20`.
 
 use super::illumination::{self, Curve, components, golden_dot, golden_light};

@@ -160,7 +160,7 @@ pub(super) fn root_error(values: &Values, worst: &dyn Fn(&str) -> f64) -> f64 {
         }
         _ => worst("recip_root"),
     };
-    // The mantissa's dropped bits multiply the error.
+    // The relative error from the mantissa's dropped bits compounds with that of the table.
     (1.0 + table) * (1.0 + dropped) - 1.0
 }
 

@@ -8,8 +8,9 @@
 //!
 //! Texels outside the map follow `wrap` (the map repeats) or `clamp` (its border continues), for
 //! each axis separately. The position u is truncated to `fraction_bits`, never rounded up, so
-//! texels are always those of the exact position. The truncation, less than an ulp of the
-//! fractions, is common to all samples and nearly cancels in their differences.
+//! texels are always those of the exact position. The truncation takes less than an ulp of the
+//! fractions off every sample's position, in the same direction, so their differences hardly
+//! change.
 
 use crate::base::cast;
 use crate::base::error::Result;

@@ -1,6 +1,6 @@
 //! The generated hardware of every unit at its defaults, and of some other settings, doesn't change
-//! unnoticed: a few settings are committed in full in `hdl_out/` and `testbenches/`, the others as a
-//! digest of each file.
+//! unnoticed: a few settings are committed in full in `hdl_out/` and `testbenches/`, the others as
+//! a digest of each file.
 
 use crate::common::design;
 use fixpath::emit::{Package, Settings};

@@ -512,8 +512,8 @@ fn what_is_wrong_is_said() {
         mode: m.gltf: mesh 0, primitive 0: its mode is 7: legal are 0 to 6, of which lists (4), strips (5) and fans (6) of triangles are supported
         weights: m.gltf: mesh 0, primitive 0: 2 morph targets but 1 weights
         target: m.gltf: mesh 0, primitive 0: points and those of a morph target differ in number
-        sparse: m.gltf: mesh 0, primitive 0: accessor 4: refers to sparse element 3 (they count from 0) of 3
-        joint: m.gltf: mesh 0, primitive 0: vertex 0 refers to joint 1 (they count from 0) of 1
+        sparse: m.gltf: mesh 0, primitive 0: accessor 4: refers to sparse element 3, but there are 3 (they count from 0)
+        joint: m.gltf: mesh 0, primitive 0: vertex 0 refers to joint 1, but there are 1 (they count from 0)
         skin: m.gltf: skin 0: joint 1 isn't in the scene
         set: m.gltf: triangle 0 (they count from 0) has no texture coordinates, which [texture] needs: unwrap the mesh, or leave [texture] out
         matrix: m.gltf: isn't glTF 2.0: trailing characters at line 1 column 156

@@ -391,8 +391,8 @@ fn tables_are_whole() {
     );
 }
 
-/// A node and a table of another builder, of an earlier state of this one, and of a finished
-/// netlist, with indices that exist here, too.
+/// A node and a table of another builder, and a node of a finished netlist, with indices that exist
+/// here, too.
 #[test]
 fn what_is_another_builders_is_seen() {
     let mut other = Builder::new("other");
@@ -440,7 +440,10 @@ fn what_is_another_builders_is_seen() {
         let address = b.slice(x, 0, 3);
         b.read(table, 0, address);
     });
-    assert_eq!(message, "read of %1 (u3f0): the table belongs to another builder");
+    assert_eq!(
+        message,
+        "read of %1 (u3f0): the table belongs to another builder: use one builder per netlist"
+    );
 }
 
 #[test]

@@ -21,8 +21,8 @@ fn records() -> Map<String, Value> {
     serde_json::from_str(&text).expect("records.json is an object")
 }
 
-/// A text without the lines that are comments in Verilog, VHDL, Rust, makefiles or scripts: no result
-/// depends on them.
+/// A text without the lines that are comments in Verilog, VHDL, Rust, makefiles or scripts: no
+/// result depends on them.
 fn code_of(text: &str) -> String {
     // Some tools obey comments that name them.
     let obeyed =

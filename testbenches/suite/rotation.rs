@@ -200,8 +200,8 @@ fn the_seeds_variants_on_reals_are_the_seeds_equations() {
         let samples = words(&design, 3, 30_000);
         for words in &samples {
             let turns = turns_of(netlist, words);
-            // The printed equations reduce no angles. Input words are reduced, so only those up to
-            // half a turn are compared.
+            // The printed equations reduce no angles. Input words are modulo a turn, so only polar
+            // angles up to half a turn are compared.
             if turns[1] > 0.5 || turns[3] > 0.5 {
                 continue;
             }

@@ -1105,9 +1105,9 @@ fn wrong_files_are_refused() {
         little.obj: the text is UTF-16: save it as UTF-8
         big.obj: the text is UTF-16: save it as UTF-8
         painted.obj, line 11: triangle 1 (they count from 0) has no texture coordinates, which [texture] needs: unwrap the mesh, or leave [texture] out
-        accessor.glb: mesh 0, primitive 0: refers to accessor 9 (they count from 0) of 4
+        accessor.glb: mesh 0, primitive 0: refers to accessor 9, but there are 4 (they count from 0)
         kind.glb: mesh 0, primitive 0: accessor 2: is VEC2 where VEC3 is needed
-        count.glb: mesh 0, primitive 0: 35 corners, not a multiple of 3
+        count.glb: mesh 0, primitive 0: 35 corners in a list of triangles: legal is a multiple of 3
         beyond.glb: mesh 0, primitive 0: accessor 1: extends beyond its buffer
         overflow.glb: mesh 0, primitive 0: accessor 1: extends beyond its buffer
         stride.glb: mesh 0, primitive 0: accessor 2: buffer view 1 has `byteStride` 4, less than the 8 bytes of its elements
@@ -1119,11 +1119,11 @@ fn wrong_files_are_refused() {
         huge.glb: mesh 0, primitive 0: vertex 0 has 1e9: legal is -1000000 to 1000000
         draco.glb: needs the extension `KHR_draco_mesh_compression`: export without it
         json.glb: isn't glTF 2.0: expected value at line 1 column 40
-        scene.glb: refers to scene 1 (they count from 0) of 1
+        scene.glb: refers to scene 1, but there are 1 (they count from 0)
         buffer.glb: buffer 0 has 1224 of 1228 bytes: the file is truncated
         none.glb: has no triangles
         nan.glb: mesh 0, primitive 0: vertex 0 has NaN: legal is -1000000 to 1000000
-        index.glb: mesh 0, primitive 0: refers to vertex 36 (they count from 0) of 36
+        index.glb: mesh 0, primitive 0: refers to vertex 36, but there are 36 (they count from 0)
         cut.glb: its .glb container has 1936 of 2036 bytes: the file is truncated; export or copy it again
         head.glb: its .glb container has 9 of 12 bytes: the file is truncated; export or copy it again
         old.glb: is a .glb file of version 1: only version 2 is supported

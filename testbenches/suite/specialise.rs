@@ -219,6 +219,14 @@ fn nothing_grows_and_nothing_is_cut_where_nothing_is_known() {
 }
 
 #[test]
+#[should_panic(expected = "bug: no output of `rotation` is wanted")]
+fn at_least_one_output_must_be_wanted() {
+    let netlist = rotation(&[]);
+    let known = turns(&netlist, &[None, None, None, None]);
+    drop(specialise(&netlist, &known, &[]));
+}
+
+#[test]
 fn constant_inputs_give_a_constant_netlist() {
     for seed in 0..200 {
         let netlist = random_netlist_of(seed, 30);

@@ -503,7 +503,7 @@ fn a_texture_unit_with_all_conditions_met_configures_the_emboss_unit() {
     // Tokens by their numbers, as listed in the extension.
     let numbers = DEFINED.replace("EMBOSS_MAP_NV", "0x855F");
     assert_eq!(nv(&numbers).emboss, nv(DEFINED).emboss);
-    // Floats too: the patent has TexGen{ifd}.
+    // Floats too: the extension has TexGen{ifd}.
     let light = |param| {
         let calls =
             ["S", "T"].map(|c| format!("TexGen coord={c} pname=EMBOSS_LIGHT_NV param={param}\n"));

@@ -21,8 +21,8 @@ enum Effort {
     Long,
     /// As [`Effort::Long`], with 10^5 vectors in Verilator.
     Normal,
-    /// 10^5 in Verilator, 10^3 in Icarus and GHDL: for hardware that differs in structure, but not
-    /// in its interface.
+    /// 10^5 in Verilator, 10^3 in Icarus and GHDL: for hardware that differs in structure, but is
+    /// driven in the same way.
     Brief,
 }
 

@@ -309,7 +309,8 @@ impl Graph {
         self.words[bit.word.index()][index(bit.bit)]
     }
 
-    /// A sum or difference; low bits where one operand is zero are copies of the other.
+    /// A sum or difference. Without a carry in, low bits where b is zero are copies of a; in a sum,
+    /// those where a is zero are copies of b.
     fn sum(&mut self, kind: Kind, a: Vec<Net>, b: Vec<Net>, carry: Option<Net>) -> Vec<Net> {
         let bits = a.len();
         let none = carry.is_none();

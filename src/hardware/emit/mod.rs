@@ -143,13 +143,12 @@ impl Package {
 fn header(design: &Design, rtl: &Rtl, figures: bool) -> Result<Vec<String>> {
     let unit = design.values.unit();
     let schedule = rtl.schedule();
-    let mut lines = vec![
-        format!("{}: {}", unit.name, unit.summary),
-        match unit.source.as_str() {
-            "" => format!("made by fixpath {}", env!("CARGO_PKG_VERSION")),
-            source => format!("made by fixpath {}; {source}", env!("CARGO_PKG_VERSION")),
-        },
-    ];
+    let mut lines = vec![format!("{}: {}", unit.name, unit.summary)];
+    let made = match unit.source.as_str() {
+        "" => format!("made by fixpath {}", env!("CARGO_PKG_VERSION")),
+        source => format!("made by fixpath {}; {source}", env!("CARGO_PKG_VERSION")),
+    };
+    lines.extend(wrapped("", made.split(' ').map(str::to_owned)));
     let parameters = design.values.told().map(|(name, value)| format!("{name}={value}"));
     lines.extend(wrapped("  ", parameters));
     let rom = match schedule.rom() {

@@ -215,7 +215,7 @@ impl Expr {
         Self(Arc::new([Term::Variable(number)]))
     }
 
-    /// The first `N` variables.
+    /// Variables 0 to `N` - 1.
     #[must_use]
     pub fn variables<const N: usize>() -> [Self; N] {
         std::array::from_fn(|i| Self::variable(cast::id_of(i)))

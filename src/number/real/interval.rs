@@ -97,7 +97,7 @@ impl Interval {
     /// sin or cos, whose maxima are at `top` plus a whole number of turns.
     fn wave(self, function: impl Fn(f64) -> f64, top: f64) -> Self {
         let full = Self { lo: -1.0, hi: 1.0 };
-        // Beyond this, an `f64` can't resolve quarter turns.
+        // Beyond this, angles are coarse: use the full range.
         if !(self.lo.abs() < 1e12 && self.hi.abs() < 1e12) || self.hi - self.lo >= 1.0 {
             return full;
         }

@@ -38,7 +38,7 @@ impl Rows {
         &self.0.name
     }
 
-    /// The value at `x`; NaN if `x` is NaN.
+    /// The value at `x`; NaN unless `x` is finite.
     #[must_use]
     pub fn at(&self, x: f64) -> f64 {
         let values = &self.0.values;

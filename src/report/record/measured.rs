@@ -155,7 +155,7 @@ pub struct Measured {
     pub output_ports: Vec<String>,
     /// Counts of operators, tables and bits, by the names of their CSV columns.
     pub counts: Map<String, serde_json::Value>,
-    /// Formats of the input ports in order, each with its number of repetitions.
+    /// Formats of the input ports in order, each after its number of repetitions.
     #[serde(default)]
     pub input_formats: String,
     /// Samples measured.

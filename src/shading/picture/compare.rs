@@ -64,7 +64,8 @@ pub struct Extreme {
 }
 
 impl Extreme {
-    /// The larger of two; the first if they are equal.
+    /// The larger of two, where NaN is largest; the first if neither is larger (equal, or both
+    /// NaN).
     fn or_later(self, later: Self) -> Self {
         let larger = later.difference > self.difference
             || later.difference.is_nan() && !self.difference.is_nan();

@@ -31,9 +31,9 @@ type Face = (u32, u32);
 /// A design of a pipeline, specialised to a scene.
 #[derive(Clone, Debug, Serialize)]
 pub struct SpecialisedStage {
-    /// The first material that uses it.
+    /// Index of the material of the first pair of material and light that uses it.
     pub material: usize,
-    /// The first light that uses it.
+    /// Index of the light of that pair.
     pub light: usize,
     /// Words that occur at each input port, and how often they change.
     pub inputs: Vec<SeenPort>,

@@ -31,7 +31,9 @@ impl Topology {
     pub fn triangles(self, corners: usize) -> Result<usize, String> {
         match self {
             Self::List if corners.is_multiple_of(3) => Ok(corners / 3),
-            Self::List => Err(format!("{corners} corners, not a multiple of 3")),
+            Self::List => {
+                Err(format!("{corners} corners in a list of triangles: legal is a multiple of 3"))
+            }
             Self::Strip | Self::Fan if corners >= 3 => Ok(corners - 2),
             Self::Strip => Err(format!("a strip of {corners} corners: it needs 3 or more")),
             Self::Fan => Err(format!("a fan of {corners} corners: it needs 3 or more")),

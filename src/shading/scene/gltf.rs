@@ -417,7 +417,7 @@ impl File<'_> {
                 let indices = self.data.wholes(accessor, 1)?;
                 if let Some(index) = indices.iter().find(|index| **index >= vertices) {
                     return Err(format!(
-                        "refers to vertex {index} (they count from 0) of {vertices}"
+                        "refers to vertex {index}, but there are {vertices} (they count from 0)"
                     ));
                 }
                 mesh.indices += cast::count_of(indices.len());

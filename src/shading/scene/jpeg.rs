@@ -512,8 +512,8 @@ mod tests {
             }
             // Like tools that repair a file by only appending an end marker: a picture with fewer
             // scans is complete, but no part of a scan is.
-            let mended = |len: &usize| check(&[&picture[..*len], b"\xff\xd9"].concat()).is_ok();
-            let whole: Vec<usize> = (0..picture.len() - 2).filter(mended).collect();
+            let repaired = |len: &usize| check(&[&picture[..*len], b"\xff\xd9"].concat()).is_ok();
+            let whole: Vec<usize> = (0..picture.len() - 2).filter(repaired).collect();
             assert_eq!(whole.is_empty(), !progressive);
             // Right before the next segment, or in its leading 0xff bytes.
             let segment =

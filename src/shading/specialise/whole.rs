@@ -15,10 +15,11 @@ use std::collections::BTreeSet;
 /// Reduces a netlist to the wanted outputs and to the words that occur at its inputs.
 ///
 /// # Panics
-/// If there isn't one `Known` per input, with words of its format, or if a name in `outputs` isn't
-/// that of an output.
+/// If there isn't one `Known` per input, with words of its format, if `outputs` is empty, or if a
+/// name in it isn't that of an output.
 #[must_use]
 pub fn specialise(netlist: &Netlist, inputs: &[Known], outputs: &[&str]) -> Specialised {
+    assert!(!outputs.is_empty(), "bug: no output of `{}` is wanted", netlist.name());
     let wanted = netlist.outputs().iter().filter(|output| outputs.contains(&output.name.as_str()));
     let wanted: Vec<(String, NodeId)> =
         wanted.map(|output| (output.name.clone(), output.node)).collect();

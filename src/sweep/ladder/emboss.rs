@@ -120,7 +120,7 @@ pub fn pictures(pipelines: &[Pipeline], widths: &[u32]) -> usize {
 ///
 /// # Errors
 /// If the scene can't be embossed, nothing is in view, every rung fails, or `pixels_per_degree` is
-/// too large for FLIP.
+/// outside FLIP's range (1 to 1000).
 pub fn climb(
     scene: &Scene,
     name: &str,

@@ -120,7 +120,8 @@ impl Ladder {
     /// Renders everything; `progress` receives the number of pictures done.
     ///
     /// # Errors
-    /// If nothing is in view, every rung fails, or `pixels_per_degree` is too large for FLIP.
+    /// If nothing is in view, every rung fails, or `pixels_per_degree` is outside FLIP's range (1
+    /// to 1000).
     pub fn climb(
         &self,
         scene: &Scene,

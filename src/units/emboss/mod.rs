@@ -62,7 +62,7 @@ pub fn unit() -> Unit {
             Param::choice("s_vector", ["auto", "tangent", "binormal"])
                 .help("the vector that displaces s (gx: tangent; nv: binormal); the other one displaces t"),
             Param::choice("l_sign", ["light-vertex", "vertex-light"])
-                .help("L = light - vertex, or as the patents print it (from the light to the vertex), from which the default departs; swaps raised and sunken"),
+                .help("L = light - vertex, or as the patents print it (from the light to the vertex), from which the default departs; vertex-light swaps raised and sunken"),
             Param::choice("t_sign", ["auto", "plus", "minus"])
                 .help("sign of the displacement of t (gx: plus; nv: minus)"),
             Param::choice("scale_q", ["auto", "off", "on"])
@@ -106,7 +106,7 @@ pub fn unit() -> Unit {
             Param::bits("texture_frac_bits", 2..=24)
                 .default(18)
                 .help("fraction bits of texture coordinates and displacements"),
-            ending_overflow().help("overflow of s1 and t1; saturate and symmetric clamp the golden to the same range"),
+            ending_overflow().help("overflow of s1 and t1; with overflow=saturate or symmetric, the golden is clamped to the same range"),
             Param::rounding("rounding"),
             Param::int("texture_size", 1..=65_536)
                 .role(Role::MapSize)

@@ -72,10 +72,12 @@ pub fn unit() -> Unit {
     Unit::new("tangent", "tangent-space set-up of a triangle's vertex: map, view vector and lights in texture space")
         .source("US 7,843,463, with its mirroring rule and facets as printed and corrected")
         .formula(
-            "e1 = p1 - p0, e2 = p2 - p0, (du1, dv1) = uv1 - uv0, (du2, dv2) = uv2 - uv0, det = du1 dv2 - du2 dv1\n\
-         T = direction of (dv2 e1 - dv1 e2)/det, B = N x T; a vector v in texture space is (T.v, B.v, N.v)\n\
-         frame=faceted: second tangent along (du1 e2 - du2 e1)/det, N the direction of the cross product of both\n\
-         mirror=handed: B negated if det < 0; printed: T negated; off: neither",
+            "e1 = p1 - p0, e2 = p2 - p0, (du1, dv1) = uv1 - uv0, (du2, dv2) = uv2 - uv0\n\
+         det = du1 dv2 - du2 dv1, dP/du = (dv2 e1 - dv1 e2)/det, dP/dv = (du1 e2 - du2 e1)/det\n\
+         frame=smooth: T along dP/du, B = N x T; basis=orthonormal: B normalised, then T = B x N\n\
+         frame=faceted: T, B along dP/du, dP/dv, N along T x B; basis=orthonormal: then B = N x T\n\
+         then, if det < 0: mirror=handed negates B (faceted: N), printed T and B (T and N)\n\
+         a vector v in texture space is (T.v, B.v, N.v)",
         )
         .params([
             Param::choice("frame", ["smooth", "faceted"])

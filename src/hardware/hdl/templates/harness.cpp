@@ -1,9 +1,10 @@
 {% for line in header %}//{% if line %} {{ line }}{% endif %}
 {% endfor -%}
 //
-// Verilator harness of {{ name }}. It feeds vectors from a file, or from standard input if no
-// file is given, with random stalls and gaps{% if not state %} and a reset in mid-stream{% endif %}, and compares every
-// bit of every output and the latency. The last line says PASS or FAIL; the status is 0 or 1.
+// Verilator harness of {{ name }}.
+// It feeds vectors from a file, or from standard input if no file is given, with random stalls
+// and gaps{% if not state %} and a reset in mid-stream{% endif %}, and compares every bit of every output and the latency.
+// The last line says PASS or FAIL; the status is 0 or 1.
 #include "V{{ top }}.h"
 #include "verilated.h"
 #include <cinttypes>

@@ -1,12 +1,14 @@
 {% for line in header %}//{% if line %} {{ line }}{% endif %}
 {% endfor -%}
 //
-// Self-checking testbench of {{ name }}. Each line of {{ vectors }} holds the input words
-// and then the expected output words, in hexadecimal. The first pass sends all vectors without
-// stalls, one {% if interval > 1 %}every {{ interval }} cycles when the module is ready, with words that it must ignore in between{% else %}per cycle{% endif %}. The second pass
-// sends the first {{ again }} again with stalls and gaps, {% if state %}starting with a reset{% else %}with a reset in mid-stream{% endif %}. Every bit of every
-// output and the latency are compared. The last line says PASS or FAIL; a failure ends with a
-// nonzero status. With +vcd the testbench writes {{ name }}_tb.vcd.
+// Self-checking testbench of {{ name }}.
+// Each line of {{ vectors }} holds the input words and then the
+// expected output words, in hexadecimal. The first pass sends all vectors without stalls, one
+// {% if interval > 1 %}every {{ interval }} cycles when the module is ready, with words that it must ignore in between.
+// The{% else %}per cycle. The{% endif %} second pass sends the first {{ again }} again with stalls and gaps,
+// {% if state %}starting with a reset{% else %}with a reset in mid-stream{% endif %}. Every bit of every output and the latency are compared.
+// The last line says PASS or FAIL; a failure ends with a nonzero status.
+// With +vcd the testbench writes {{ name }}_tb.vcd.
 module {{ name }}_tb;
     localparam LATENCY = {{ latency }};
 {%- if interval > 1 %}
@@ -188,7 +190,7 @@ module {{ name }}_tb;
                 port_{{ port.name }} <= valid[0] ? next_{{ port.name }} : {{ port.bits }}'bx;
 {%- endfor %}
             end
-            // A reset in mid-stream, which takes effect despite the stall: words in flight are lost.
+            // A reset in mid-stream takes effect despite the stall: words in flight are lost.
             if (stalls && !reset_done && sent == {{ again }} / 2{% if interval > 1 %} && phase == INTERVAL / 2{% endif %}) begin
                 rst <= 1'b1;
                 ce <= 1'b0;

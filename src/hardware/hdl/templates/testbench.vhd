@@ -1,12 +1,14 @@
 {% for line in header %}--{% if line %} {{ line }}{% endif %}
 {% endfor -%}
 --
--- Self-checking testbench of {{ name }}. Each line of {{ vectors }} holds the input words
--- and then the expected output words, in hexadecimal. The first pass sends all vectors without
--- stalls, one {% if interval > 1 %}every {{ interval }} cycles when the module is ready, with words that it must ignore in between{% else %}per cycle{% endif %}. The second pass
--- sends the first {{ again }} again with stalls and gaps, {% if state %}starting with a reset{% else %}with a reset in mid-stream{% endif %}. Every bit of every
--- output and the latency are compared. The last line says PASS or FAIL; a failure ends with a
--- nonzero status, for which GHDL prints one more line. With --vcd=FILE, GHDL writes waves.
+-- Self-checking testbench of {{ name }}.
+-- Each line of {{ vectors }} holds the input words and then the
+-- expected output words, in hexadecimal. The first pass sends all vectors without stalls, one
+-- {% if interval > 1 %}every {{ interval }} cycles when the module is ready, with words that it must ignore in between.
+-- The{% else %}per cycle. The{% endif %} second pass sends the first {{ again }} again with stalls and gaps,
+-- {% if state %}starting with a reset{% else %}with a reset in mid-stream{% endif %}. Every bit of every output and the latency are compared.
+-- The last line says PASS or FAIL; a failure ends with a nonzero status, for which GHDL prints one
+-- more line. With --vcd=FILE, GHDL writes waves.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -238,7 +240,7 @@ begin
 {%- endfor %}
                 end if;
             end if;
-            -- A reset in mid-stream, which takes effect despite the stall: words in flight are lost.
+            -- A reset in mid-stream takes effect despite the stall: words in flight are lost.
             if stalls and not reset_done and sent = {{ again }} / 2{% if interval > 1 %} and phase = interval / 2{% endif %} then
                 rst <= '1';
                 ce <= '0';

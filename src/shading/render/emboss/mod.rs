@@ -23,13 +23,13 @@
 //! `[height]` matters: a negative one turns bumps into dents.
 //!
 //! # Binary points
-//! The unit `emboss` counts texture coordinates in steps of 2^k texels, the same along both axes.
+//! The unit `emboss` counts texture coordinates in units of 2^k texels, the same along both axes.
 //! This lets the matrix and the displacements use the range of their words; the map's size is a
 //! power of two away. k is the smallest that leaves room for every coordinate of the scene.
 //!
-//! - `emboss-gx`: the matrix is the camera's times the strength in those steps. So its scale is the
+//! - `emboss-gx`: the matrix is the camera's times the strength in those units. So its scale is the
 //!   strength, and T and B are unit vectors.
-//! - `emboss-nv`: Ks and Kt are the strength in those steps. The extension's current texture
+//! - `emboss-nv`: Ks and Kt are the strength in those units. The extension's current texture
 //!   coordinate CT is B, along which t grows, so that its BN is -T and its T is B. N × CT doesn't
 //!   depend on mirroring, so Ks is negative where a texture is mirrored.
 //!

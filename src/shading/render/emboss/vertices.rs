@@ -35,11 +35,12 @@ pub(super) fn displaced(
         ))
     })?;
     let scale = strength / step;
-    // With a scale of only a few ulps of the matrix, the relief would silently disappear.
+    // With a scale of less than a few ulps of the matrix, the relief would silently be lost or
+    // coarsely rounded.
     let ulp = stage.port("m0_x").map_or(0.0, Format::ulp);
     if strength > 0.0 && scale < LEAST_SCALE_ULPS * ulp {
         return Err(Error::usage(format!(
-            "a strength of {strength} texels is {scale:.3e} in the emboss unit's steps of {step} texels, but its matrix has \
+            "a strength of {strength} texels is {scale:.3e} in the emboss unit's coordinates, whose unit is {step} texels, but its matrix has \
              steps of {ulp:.3e}: give the object smaller texture coordinates, or the unit more texture_int_bits or matrix_bits"
         )));
     }

@@ -196,7 +196,8 @@ fn decoded(uri: &str) -> Option<Vec<u8>> {
 /// An entry of one of the document's lists.
 pub(super) fn get<'a, T>(list: &'a [T], what: &str, index: usize) -> Result<&'a T, String> {
     let len = list.len();
-    list.get(index).ok_or_else(|| format!("refers to {what} {index} (they count from 0) of {len}"))
+    list.get(index)
+        .ok_or_else(|| format!("refers to {what} {index}, but there are {len} (they count from 0)"))
 }
 
 /// The type of one component of an element.
@@ -357,7 +358,7 @@ impl<'a> Data<'a> {
                 let start = components * cast::usize_of(index);
                 let to = values.get_mut(start..start + components).ok_or_else(|| {
                     format!(
-                        "refers to sparse element {index} (they count from 0) of {}",
+                        "refers to sparse element {index}, but there are {} (they count from 0)",
                         accessor.count
                     )
                 })?;
