@@ -1,5 +1,6 @@
 // rotation: turns a direction in polar form into the frame of a surface normal
-// made by fixpath 0.1.0; Lee et al., An Effective Hardware Architecture for Bump Mapping Using Angular Operation, section 3.1 and Fig. 7
+// made by fixpath 0.1.0; Lee et al., An Effective Hardware Architecture for Bump Mapping Using
+// Angular Operation, section 3.1 and Fig. 7
 //   variant=exact output=auto angle_bits=16 table_addr_bits=10 scheme=direct quarter_wave=off
 //   frac_bits=16 int_bits=1 guard_bits=2 rounding=half-up overflow=saturate sincos_addr_bits=auto
 //   asin_addr_bits=auto recip_addr_bits=auto atan_addr_bits=auto prop_addr_bits=auto

@@ -32,7 +32,7 @@ pub fn unit() -> Unit {
     Unit::new("kugler", "light of a bump-mapped pixel by rotations and light maps, without dot products")
         .source("Kugler 1998 (IMEM), as Lee et al. describe it; largely a reconstruction")
         .formula(format!(
-            "(phi_n, theta_n) are the angles of N; N' is (phi_p, theta_p) turned by psi about z, by theta_n about y, by phi_n about z\n\
+            "N = (phi, theta) by its components; N' is (phi_p, theta_p) turned by psi about z, by theta about y, by phi about z\n\
              N'.L is the cosine of the polar angle of N' once L is turned to the pole; N'.H likewise; L' = L and H' = H below\n\
              {}",
             illumination::REFLECTION

@@ -25,12 +25,13 @@
 // stated bound on each coordinate: 1.15e-3
 // stated bound on each flag and what is passed: 0.00e0
 //
-// Self-checking testbench of emboss. Each line of emboss_vectors.txt holds the input words
-// and then the expected output words, in hexadecimal. The first pass sends all vectors without
-// stalls, one per cycle. The second pass
-// sends the first 303 again with stalls and gaps, with a reset in mid-stream. Every bit of every
-// output and the latency are compared. The last line says PASS or FAIL; a failure ends with a
-// nonzero status. With +vcd the testbench writes emboss_tb.vcd.
+// Self-checking testbench of emboss.
+// Each line of emboss_vectors.txt holds the input words and then the
+// expected output words, in hexadecimal. The first pass sends all vectors without stalls, one
+// per cycle. The second pass sends the first 303 again with stalls and gaps,
+// with a reset in mid-stream. Every bit of every output and the latency are compared.
+// The last line says PASS or FAIL; a failure ends with a nonzero status.
+// With +vcd the testbench writes emboss_tb.vcd.
 module emboss_tb;
     localparam LATENCY = 14;
     localparam VECTORS = 303;
@@ -290,7 +291,7 @@ module emboss_tb;
                 port_s0 <= valid[0] ? next_s0 : 25'bx;
                 port_t0 <= valid[0] ? next_t0 : 25'bx;
             end
-            // A reset in mid-stream, which takes effect despite the stall: words in flight are lost.
+            // A reset in mid-stream takes effect despite the stall: words in flight are lost.
             if (stalls && !reset_done && sent == 303 / 2) begin
                 rst <= 1'b1;
                 ce <= 1'b0;

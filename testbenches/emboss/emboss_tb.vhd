@@ -25,12 +25,13 @@
 -- stated bound on each coordinate: 1.15e-3
 -- stated bound on each flag and what is passed: 0.00e0
 --
--- Self-checking testbench of emboss. Each line of emboss_vectors.txt holds the input words
--- and then the expected output words, in hexadecimal. The first pass sends all vectors without
--- stalls, one per cycle. The second pass
--- sends the first 303 again with stalls and gaps, with a reset in mid-stream. Every bit of every
--- output and the latency are compared. The last line says PASS or FAIL; a failure ends with a
--- nonzero status, for which GHDL prints one more line. With --vcd=FILE, GHDL writes waves.
+-- Self-checking testbench of emboss.
+-- Each line of emboss_vectors.txt holds the input words and then the
+-- expected output words, in hexadecimal. The first pass sends all vectors without stalls, one
+-- per cycle. The second pass sends the first 303 again with stalls and gaps,
+-- with a reset in mid-stream. Every bit of every output and the latency are compared.
+-- The last line says PASS or FAIL; a failure ends with a nonzero status, for which GHDL prints one
+-- more line. With --vcd=FILE, GHDL writes waves.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -393,7 +394,7 @@ begin
                     dut_t0 <= signed(not next_t0);
                 end if;
             end if;
-            -- A reset in mid-stream, which takes effect despite the stall: words in flight are lost.
+            -- A reset in mid-stream takes effect despite the stall: words in flight are lost.
             if stalls and not reset_done and sent = 303 / 2 then
                 rst <= '1';
                 ce <= '0';

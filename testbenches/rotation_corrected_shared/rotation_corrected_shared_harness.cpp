@@ -1,5 +1,6 @@
 // rotation: turns a direction in polar form into the frame of a surface normal
-// made by fixpath 0.1.0; Lee et al., An Effective Hardware Architecture for Bump Mapping Using Angular Operation, section 3.1 and Fig. 7
+// made by fixpath 0.1.0; Lee et al., An Effective Hardware Architecture for Bump Mapping Using
+// Angular Operation, section 3.1 and Fig. 7
 //   variant=corrected output=auto angle_bits=16 table_addr_bits=10 scheme=direct quarter_wave=off
 //   frac_bits=16 int_bits=1 guard_bits=2 rounding=half-up overflow=saturate sincos_addr_bits=auto
 //   asin_addr_bits=auto recip_addr_bits=auto atan_addr_bits=auto prop_addr_bits=auto
@@ -16,9 +17,10 @@
 //   z: mean 1.80e-1, largest seen 7.54e-1 at phi_a=46723 theta_a=16419 phi_n=40254 theta_n=12730
 // no bound is stated: asin, 1/sin and 1/cos have infinite slopes, so no word length bounds the error; each table's own error is stated
 //
-// Verilator harness of rotation_corrected_shared. It feeds vectors from a file, or from standard input if no
-// file is given, with random stalls and gaps and a reset in mid-stream, and compares every
-// bit of every output and the latency. The last line says PASS or FAIL; the status is 0 or 1.
+// Verilator harness of rotation_corrected_shared.
+// It feeds vectors from a file, or from standard input if no file is given, with random stalls
+// and gaps and a reset in mid-stream, and compares every bit of every output and the latency.
+// The last line says PASS or FAIL; the status is 0 or 1.
 #include "Vrotation_corrected_shared.h"
 #include "verilated.h"
 #include <cinttypes>

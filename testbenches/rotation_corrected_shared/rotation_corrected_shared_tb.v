@@ -1,5 +1,6 @@
 // rotation: turns a direction in polar form into the frame of a surface normal
-// made by fixpath 0.1.0; Lee et al., An Effective Hardware Architecture for Bump Mapping Using Angular Operation, section 3.1 and Fig. 7
+// made by fixpath 0.1.0; Lee et al., An Effective Hardware Architecture for Bump Mapping Using
+// Angular Operation, section 3.1 and Fig. 7
 //   variant=corrected output=auto angle_bits=16 table_addr_bits=10 scheme=direct quarter_wave=off
 //   frac_bits=16 int_bits=1 guard_bits=2 rounding=half-up overflow=saturate sincos_addr_bits=auto
 //   asin_addr_bits=auto recip_addr_bits=auto atan_addr_bits=auto prop_addr_bits=auto
@@ -16,12 +17,14 @@
 //   z: mean 1.80e-1, largest seen 7.54e-1 at phi_a=46723 theta_a=16419 phi_n=40254 theta_n=12730
 // no bound is stated: asin, 1/sin and 1/cos have infinite slopes, so no word length bounds the error; each table's own error is stated
 //
-// Self-checking testbench of rotation_corrected_shared. Each line of rotation_corrected_shared_vectors.txt holds the input words
-// and then the expected output words, in hexadecimal. The first pass sends all vectors without
-// stalls, one every 3 cycles when the module is ready, with words that it must ignore in between. The second pass
-// sends the first 358 again with stalls and gaps, with a reset in mid-stream. Every bit of every
-// output and the latency are compared. The last line says PASS or FAIL; a failure ends with a
-// nonzero status. With +vcd the testbench writes rotation_corrected_shared_tb.vcd.
+// Self-checking testbench of rotation_corrected_shared.
+// Each line of rotation_corrected_shared_vectors.txt holds the input words and then the
+// expected output words, in hexadecimal. The first pass sends all vectors without stalls, one
+// every 3 cycles when the module is ready, with words that it must ignore in between.
+// The second pass sends the first 358 again with stalls and gaps,
+// with a reset in mid-stream. Every bit of every output and the latency are compared.
+// The last line says PASS or FAIL; a failure ends with a nonzero status.
+// With +vcd the testbench writes rotation_corrected_shared_tb.vcd.
 module rotation_corrected_shared_tb;
     localparam LATENCY = 13;
     localparam INTERVAL = 3;
@@ -190,7 +193,7 @@ module rotation_corrected_shared_tb;
                 port_phi_n <= valid[0] ? next_phi_n : 16'bx;
                 port_theta_n <= valid[0] ? next_theta_n : 16'bx;
             end
-            // A reset in mid-stream, which takes effect despite the stall: words in flight are lost.
+            // A reset in mid-stream takes effect despite the stall: words in flight are lost.
             if (stalls && !reset_done && sent == 358 / 2 && phase == INTERVAL / 2) begin
                 rst <= 1'b1;
                 ce <= 1'b0;

@@ -1,5 +1,6 @@
 // rotation: turns a direction in polar form into the frame of a surface normal
-// made by fixpath 0.1.0; Lee et al., An Effective Hardware Architecture for Bump Mapping Using Angular Operation, section 3.1 and Fig. 7
+// made by fixpath 0.1.0; Lee et al., An Effective Hardware Architecture for Bump Mapping Using
+// Angular Operation, section 3.1 and Fig. 7
 //   variant=exact output=auto angle_bits=16 table_addr_bits=10 scheme=direct quarter_wave=off
 //   frac_bits=16 int_bits=1 guard_bits=2 rounding=half-up overflow=saturate sincos_addr_bits=auto
 //   asin_addr_bits=auto recip_addr_bits=auto atan_addr_bits=auto prop_addr_bits=auto
@@ -15,9 +16,10 @@
 //   z: mean 8.46e-4, largest seen 3.82e-3 (250.3 ulp) at phi_a=1717 theta_a=16513 phi_n=13490 theta_n=25983
 // stated bound on each component: 6.05e-3
 //
-// Verilator harness of rotation_exact. It feeds vectors from a file, or from standard input if no
-// file is given, with random stalls and gaps and a reset in mid-stream, and compares every
-// bit of every output and the latency. The last line says PASS or FAIL; the status is 0 or 1.
+// Verilator harness of rotation_exact.
+// It feeds vectors from a file, or from standard input if no file is given, with random stalls
+// and gaps and a reset in mid-stream, and compares every bit of every output and the latency.
+// The last line says PASS or FAIL; the status is 0 or 1.
 #include "Vrotation_exact.h"
 #include "verilated.h"
 #include <cinttypes>

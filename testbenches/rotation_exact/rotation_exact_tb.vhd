@@ -1,5 +1,6 @@
 -- rotation: turns a direction in polar form into the frame of a surface normal
--- made by fixpath 0.1.0; Lee et al., An Effective Hardware Architecture for Bump Mapping Using Angular Operation, section 3.1 and Fig. 7
+-- made by fixpath 0.1.0; Lee et al., An Effective Hardware Architecture for Bump Mapping Using
+-- Angular Operation, section 3.1 and Fig. 7
 --   variant=exact output=auto angle_bits=16 table_addr_bits=10 scheme=direct quarter_wave=off
 --   frac_bits=16 int_bits=1 guard_bits=2 rounding=half-up overflow=saturate sincos_addr_bits=auto
 --   asin_addr_bits=auto recip_addr_bits=auto atan_addr_bits=auto prop_addr_bits=auto
@@ -15,12 +16,13 @@
 --   z: mean 8.46e-4, largest seen 3.82e-3 (250.3 ulp) at phi_a=1717 theta_a=16513 phi_n=13490 theta_n=25983
 -- stated bound on each component: 6.05e-3
 --
--- Self-checking testbench of rotation_exact. Each line of rotation_exact_vectors.txt holds the input words
--- and then the expected output words, in hexadecimal. The first pass sends all vectors without
--- stalls, one per cycle. The second pass
--- sends the first 358 again with stalls and gaps, with a reset in mid-stream. Every bit of every
--- output and the latency are compared. The last line says PASS or FAIL; a failure ends with a
--- nonzero status, for which GHDL prints one more line. With --vcd=FILE, GHDL writes waves.
+-- Self-checking testbench of rotation_exact.
+-- Each line of rotation_exact_vectors.txt holds the input words and then the
+-- expected output words, in hexadecimal. The first pass sends all vectors without stalls, one
+-- per cycle. The second pass sends the first 358 again with stalls and gaps,
+-- with a reset in mid-stream. Every bit of every output and the latency are compared.
+-- The last line says PASS or FAIL; a failure ends with a nonzero status, for which GHDL prints one
+-- more line. With --vcd=FILE, GHDL writes waves.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -234,7 +236,7 @@ begin
                     dut_theta_n <= unsigned(not next_theta_n);
                 end if;
             end if;
-            -- A reset in mid-stream, which takes effect despite the stall: words in flight are lost.
+            -- A reset in mid-stream takes effect despite the stall: words in flight are lost.
             if stalls and not reset_done and sent = 358 / 2 then
                 rst <= '1';
                 ce <= '0';

@@ -14,9 +14,10 @@
 // stated bound on each absolute: 5.08e-3
 // stated bound on each flag: 0.00e0
 //
-// Verilator harness of rsqrt. It feeds vectors from a file, or from standard input if no
-// file is given, with random stalls and gaps and a reset in mid-stream, and compares every
-// bit of every output and the latency. The last line says PASS or FAIL; the status is 0 or 1.
+// Verilator harness of rsqrt.
+// It feeds vectors from a file, or from standard input if no file is given, with random stalls
+// and gaps and a reset in mid-stream, and compares every bit of every output and the latency.
+// The last line says PASS or FAIL; the status is 0 or 1.
 #include "Vrsqrt.h"
 #include "verilated.h"
 #include <cinttypes>

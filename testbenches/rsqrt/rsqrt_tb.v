@@ -14,12 +14,13 @@
 // stated bound on each absolute: 5.08e-3
 // stated bound on each flag: 0.00e0
 //
-// Self-checking testbench of rsqrt. Each line of rsqrt_vectors.txt holds the input words
-// and then the expected output words, in hexadecimal. The first pass sends all vectors without
-// stalls, one per cycle. The second pass
-// sends the first 213 again with stalls and gaps, with a reset in mid-stream. Every bit of every
-// output and the latency are compared. The last line says PASS or FAIL; a failure ends with a
-// nonzero status. With +vcd the testbench writes rsqrt_tb.vcd.
+// Self-checking testbench of rsqrt.
+// Each line of rsqrt_vectors.txt holds the input words and then the
+// expected output words, in hexadecimal. The first pass sends all vectors without stalls, one
+// per cycle. The second pass sends the first 213 again with stalls and gaps,
+// with a reset in mid-stream. Every bit of every output and the latency are compared.
+// The last line says PASS or FAIL; a failure ends with a nonzero status.
+// With +vcd the testbench writes rsqrt_tb.vcd.
 module rsqrt_tb;
     localparam LATENCY = 6;
     localparam VECTORS = 213;
@@ -164,7 +165,7 @@ module rsqrt_tb;
                 valid_in <= valid[0];
                 port_a <= valid[0] ? next_a : 20'bx;
             end
-            // A reset in mid-stream, which takes effect despite the stall: words in flight are lost.
+            // A reset in mid-stream takes effect despite the stall: words in flight are lost.
             if (stalls && !reset_done && sent == 213 / 2) begin
                 rst <= 1'b1;
                 ce <= 1'b0;

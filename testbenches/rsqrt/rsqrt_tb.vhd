@@ -14,12 +14,13 @@
 -- stated bound on each absolute: 5.08e-3
 -- stated bound on each flag: 0.00e0
 --
--- Self-checking testbench of rsqrt. Each line of rsqrt_vectors.txt holds the input words
--- and then the expected output words, in hexadecimal. The first pass sends all vectors without
--- stalls, one per cycle. The second pass
--- sends the first 213 again with stalls and gaps, with a reset in mid-stream. Every bit of every
--- output and the latency are compared. The last line says PASS or FAIL; a failure ends with a
--- nonzero status, for which GHDL prints one more line. With --vcd=FILE, GHDL writes waves.
+-- Self-checking testbench of rsqrt.
+-- Each line of rsqrt_vectors.txt holds the input words and then the
+-- expected output words, in hexadecimal. The first pass sends all vectors without stalls, one
+-- per cycle. The second pass sends the first 213 again with stalls and gaps,
+-- with a reset in mid-stream. Every bit of every output and the latency are compared.
+-- The last line says PASS or FAIL; a failure ends with a nonzero status, for which GHDL prints one
+-- more line. With --vcd=FILE, GHDL writes waves.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -204,7 +205,7 @@ begin
                     dut_a <= unsigned(not next_a);
                 end if;
             end if;
-            -- A reset in mid-stream, which takes effect despite the stall: words in flight are lost.
+            -- A reset in mid-stream takes effect despite the stall: words in flight are lost.
             if stalls and not reset_done and sent = 213 / 2 then
                 rst <= '1';
                 ce <= '0';

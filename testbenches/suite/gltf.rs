@@ -498,36 +498,36 @@ fn what_is_wrong_is_said() {
     refused("encoding", &utf_16);
     refused("raw", &File::square().text(|_| "data:no comma".to_owned()));
     expect_test::expect![[r#"
-        none: m.gltf: has no `asset.version`, which every glTF file has: export it again as glTF 2.0
-        empty: m.gltf: has no `asset.version`, which every glTF file has: export it again as glTF 2.0
-        old: m.gltf: its `asset.version` is "1.0": only "2.0" is supported; export it as that
-        number: m.gltf: its `asset.version` is 2.0: only "2.0" is supported; export it as that
-        new: m.gltf: needs a reader of glTF "2.1" (`asset.minVersion`), but this one supports "2.0": export it as that
-        word: m.gltf: needs a reader of glTF "two" (`asset.minVersion`), but this one supports "2.0": export it as that
-        extension: m.gltf: needs the extension `KHR_draco_mesh_compression`: export without it
-        extension: m.gltf: needs the extension `EXT_meshopt_compression`: export without it
-        extension: m.gltf: needs the extension `EXT_mesh_gpu_instancing`: export without it
-        compressed: m.gltf: mesh 0, primitive 0: its data is compressed with `KHR_draco_mesh_compression`: export without it
-        lines: m.gltf: has no triangles, only 1 primitives of lines or points: export a surface
-        mode: m.gltf: mesh 0, primitive 0: its mode is 7: legal are 0 to 6, of which lists (4), strips (5) and fans (6) of triangles are supported
-        weights: m.gltf: mesh 0, primitive 0: 2 morph targets but 1 weights
-        target: m.gltf: mesh 0, primitive 0: points and those of a morph target differ in number
-        sparse: m.gltf: mesh 0, primitive 0: accessor 4: refers to sparse element 3, but there are 3 (they count from 0)
-        joint: m.gltf: mesh 0, primitive 0: vertex 0 refers to joint 1, but there are 1 (they count from 0)
-        skin: m.gltf: skin 0: joint 1 isn't in the scene
+        none: s.toml, line 16: m.gltf: has no `asset.version`, which every glTF file has: export it again as glTF 2.0
+        empty: s.toml, line 16: m.gltf: has no `asset.version`, which every glTF file has: export it again as glTF 2.0
+        old: s.toml, line 16: m.gltf: its `asset.version` is "1.0": only "2.0" is supported; export it as that
+        number: s.toml, line 16: m.gltf: its `asset.version` is 2.0: only "2.0" is supported; export it as that
+        new: s.toml, line 16: m.gltf: needs a reader of glTF "2.1" (`asset.minVersion`), but this one supports "2.0": export it as that
+        word: s.toml, line 16: m.gltf: needs a reader of glTF "two" (`asset.minVersion`), but this one supports "2.0": export it as that
+        extension: s.toml, line 16: m.gltf: needs the extension `KHR_draco_mesh_compression`: export without it
+        extension: s.toml, line 16: m.gltf: needs the extension `EXT_meshopt_compression`: export without it
+        extension: s.toml, line 16: m.gltf: needs the extension `EXT_mesh_gpu_instancing`: export without it
+        compressed: s.toml, line 16: m.gltf: mesh 0, primitive 0: its data is compressed with `KHR_draco_mesh_compression`: export without it
+        lines: s.toml, line 16: m.gltf: has no triangles, only 1 primitives of lines or points: export a surface
+        mode: s.toml, line 16: m.gltf: mesh 0, primitive 0: its mode is 7: legal are 0 to 6, of which lists (4), strips (5) and fans (6) of triangles are supported
+        weights: s.toml, line 16: m.gltf: mesh 0, primitive 0: 2 morph targets but 1 weights
+        target: s.toml, line 16: m.gltf: mesh 0, primitive 0: points and those of a morph target differ in number
+        sparse: s.toml, line 16: m.gltf: mesh 0, primitive 0: accessor 4: refers to sparse element 3, but there are 3 (they count from 0)
+        joint: s.toml, line 16: m.gltf: mesh 0, primitive 0: vertex 0 refers to joint 1, but there are 1 (they count from 0)
+        skin: s.toml, line 16: m.gltf: skin 0: joint 1 isn't in the scene
         set: m.gltf: triangle 0 (they count from 0) has no texture coordinates, which [texture] needs: unwrap the mesh, or leave [texture] out
-        matrix: m.gltf: isn't glTF 2.0: trailing characters at line 1 column 156
-        matrix: m.gltf: node 0: has both a `matrix` and `translation`, `rotation` or `scale`: remove one of them
-        matrix: m.gltf: node 0: the last row of its `matrix` is [0.5, 0, 0, 1]: legal is [0, 0, 0, 1], without perspective
-        joints: m.gltf: mesh 0, primitive 0: accessor 7: indices have component type 5120: legal are 5121, 5123 and 5125, unsigned integers
-        elements: m.gltf: mesh 0, primitive 0: accessor 4: indices have component type 5126: legal are 5121, 5123 and 5125, unsigned integers
-        corners: m.gltf: mesh 0, primitive 0: accessor 4: indices have component type 5122: legal are 5121, 5123 and 5125, unsigned integers
-        corners: m.gltf: mesh 0, primitive 0: accessor 3: holds indices, which can't be normalized
-        stride: m.gltf: mesh 0, primitive 0: accessor 0: buffer view 0 has `byteStride` 8, less than the 12 bytes of its elements
-        cut: m.glb: its .glb container has 839 of 840 bytes: the file is truncated; export or copy it again
-        chunk: m.glb: the chunk at byte 572 of its .glb container has 2066513208 bytes and extends beyond the container's 840: the file is damaged
-        encoding: m.gltf: the text is UTF-16: save it as UTF-8
-        raw: m.gltf: buffer 0: its data URI can't be decoded: legal are `data:;base64,` with base64, and `data:,` with bytes as %00 to %ff
+        matrix: s.toml, line 16: m.gltf: isn't glTF 2.0: trailing characters at line 1 column 156
+        matrix: s.toml, line 16: m.gltf: node 0: has both a `matrix` and `translation`, `rotation` or `scale`: remove one of them
+        matrix: s.toml, line 16: m.gltf: node 0: the last row of its `matrix` is [0.5, 0, 0, 1]: legal is [0, 0, 0, 1], without perspective
+        joints: s.toml, line 16: m.gltf: mesh 0, primitive 0: accessor 7: indices have component type 5120: legal are 5121, 5123 and 5125, unsigned integers
+        elements: s.toml, line 16: m.gltf: mesh 0, primitive 0: accessor 4: indices have component type 5126: legal are 5121, 5123 and 5125, unsigned integers
+        corners: s.toml, line 16: m.gltf: mesh 0, primitive 0: accessor 4: indices have component type 5122: legal are 5121, 5123 and 5125, unsigned integers
+        corners: s.toml, line 16: m.gltf: mesh 0, primitive 0: accessor 3: holds indices, which can't be normalized
+        stride: s.toml, line 16: m.gltf: mesh 0, primitive 0: accessor 0: buffer view 0 has `byteStride` 8, less than the 12 bytes of its elements
+        cut: s.toml, line 16: m.glb: its .glb container has 839 of 840 bytes: the file is truncated; export or copy it again
+        chunk: s.toml, line 16: m.glb: the chunk at byte 572 of its .glb container has 2066513208 bytes and extends beyond the container's 840: the file is damaged
+        encoding: s.toml, line 16: m.gltf: the text is UTF-16: save it as UTF-8
+        raw: s.toml, line 16: m.gltf: buffer 0: its data URI can't be decoded: legal are `data:;base64,` with base64, and `data:,` with bytes as %00 to %ff
     "#]].assert_eq(&seen);
 }
 
@@ -584,7 +584,7 @@ fn work_has_a_limit() {
     }
     assert_eq!(
         scene(&file.glb(), "glb").unwrap_err(),
-        "m.glb: mesh 0, primitive 22: accessor 4: its primitives read more than 33554432 numbers together (those of a shared accessor count each time), the most that is supported: simplify it"
+        "s.toml, line 16: m.glb: mesh 0, primitive 22: accessor 4: its primitives read more than 33554432 numbers together (those of a shared accessor count each time), the most that is supported: simplify it"
     );
 }
 

@@ -985,7 +985,7 @@ fn malformed_files_are_refused_with_their_place() {
         ),
         ("mul %1 %1", "cube %1", "line 11, column 6: there is no operation `cube`"),
         (": s8f2", ": s9f2", "line 11, column 18: the result of `mul` is s8f2, not s9f2"),
-        (": s8f2 @tail.", ": s8f2 tail", "line 11, column 23: expected turns"),
+        (": s8f2 @tail.", ": s8f2 tail", "line 11, column 23: expected number"),
         ("half-even", "half", "line 13, column 13: `half` is not a rounding"),
         (
             "output y = %3",
@@ -1001,7 +1001,10 @@ fn malformed_files_are_refused_with_their_place() {
         assert!(error.contains(message), "{to}: {error}");
     }
     let cut = SMALL_FILE.split("  -8 6").next().unwrap();
-    assert!(read(cut).is_err_and(|error| error.contains("ends inside table `rom` of line 6")));
+    assert!(
+        read(cut)
+            .is_err_and(|error| error.contains("ends inside table `rom`, which starts in line 6"))
+    );
     // For any truncation or change: an error or a netlist, no panic.
     for at in 0..SMALL_FILE.len() {
         let _ = read(&SMALL_FILE[..at]);

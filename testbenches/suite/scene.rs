@@ -754,11 +754,11 @@ fn heights_are_grey() {
     let refused = |of: &dyn Fn(u32, u32) -> [u8; 3], name| read(picture(of), name).unwrap_err();
     assert_eq!(
         refused(&one, "one.png"),
-        "one.png: has colours (texel (5, 2) is [100, 117, 100] of 255), but [height] needs heights: grey values whose channels differ by at most 16. Give a height map, or save it as greyscale if bright means high"
+        "s.toml, line 2: one.png: has colours (texel (5, 2) is [100, 117, 100] of 255), but [height] needs heights: grey values whose channels differ by at most 16. Give a height map, or save it as greyscale if bright means high"
     );
     assert_eq!(
         refused(&normals, "normals.png"),
-        "normals.png: is a tangent-space normal map (texel (0, 10) is [77, 140, 244] of 255), but [height] needs heights: give the height or displacement map from which it was baked"
+        "s.toml, line 2: normals.png: is a tangent-space normal map (texel (0, 10) is [77, 140, 244] of 255), but [height] needs heights: give the height or displacement map from which it was baked"
     );
     let why = refused(&|x, y| [(16 * x) as u8, 40, (16 * y) as u8], "colours.jpg");
     assert!(why.starts_with("colours.jpg: has colours (texel ("), "{why}");
@@ -891,7 +891,7 @@ fn wrong_scenes_are_refused() {
         s.toml, line 2: `scale` has no effect here: it is for `[height]`; leave it out
         s.toml, line 2: `color` = -1: legal is 0 to 1
         s.toml, line 3: `width` has no effect here: the size is that of the file; leave it out
-        none.png: can't read: No such file or directory (os error 2)
+        s.toml, line 2: none.png: can't read: No such file or directory (os error 2)
         s.toml, line 2: `color` has no effect here: it is for `[texture]`; leave it out
         s.toml, line 2: `scale` = inf: legal is -1000000 to 1000000
         s.toml, line 2: `width` = 8193: legal are whole numbers 1 to 8192
@@ -911,7 +911,7 @@ fn wrong_scenes_are_refused() {
         s.toml, line 3: `file` has no effect here: it is for `shape = "mesh"`; leave it out
         s.toml, line 3: `source` has no effect here: it is for `shape = "mesh"`; leave it out
         s.toml, line 4: `file` has no effect here: the mesh comes from `source`; leave it out
-        none.obj: can't read: No such file or directory (os error 2)
+        s.toml, line 3: none.obj: can't read: No such file or directory (os error 2)
         s.toml, line 3: `scale` = 0: legal is 0.000001 to 1000000, or the negative of that, which mirrors
         s.toml, line 3: `scale` = NaN: legal is 0.000001 to 1000000, or the negative of that, which mirrors
         s.toml, line 3: scale is a number or three numbers in brackets in `scale = "big"`
@@ -1070,15 +1070,15 @@ fn wrong_files_are_refused() {
     let f = traced(&scene);
     assert!((0..f.len()).all(|i| tangent(&f, i).dot(normal(&f, i)).abs() < 1e-12));
     expect![[r#"
-        text.png: can't be decoded as PNG or JPEG: The image format could not be determined
-        empty.png: can't be decoded as PNG or JPEG: The image format could not be determined
-        cut.png: can't be decoded as PNG or JPEG: unexpected end of file
-        flipped.png: can't be decoded as PNG or JPEG: Format error decoding Png: Corrupt deflate stream. InvalidCodeLengthRepeat
-        huge.png: the map has 100000 x 100000 texels: legal are sides of 1 to 8192 and at most 33554432 texels; scale it down
-        wide.png: the map has 8193 x 1 texels: legal are sides of 1 to 8192 and at most 33554432 texels; scale it down
-        many.png: the map has 8000 x 8000 texels: legal are sides of 1 to 8192 and at most 33554432 texels; scale it down
-        header.png: can't be decoded as PNG or JPEG: unexpected end of file
-        cut.jpg: can't be decoded as PNG or JPEG: Format error decoding Jpeg: I/O errors Not enough bytes, expected 1 but found 0
+        s.toml, line 2: text.png: can't be decoded as PNG or JPEG: The image format could not be determined
+        s.toml, line 2: empty.png: can't be decoded as PNG or JPEG: The image format could not be determined
+        s.toml, line 2: cut.png: can't be decoded as PNG or JPEG: unexpected end of file
+        s.toml, line 2: flipped.png: can't be decoded as PNG or JPEG: Format error decoding Png: Corrupt deflate stream. InvalidCodeLengthRepeat
+        s.toml, line 2: huge.png: the map has 100000 x 100000 texels: legal are sides of 1 to 8192 and at most 33554432 texels; scale it down
+        s.toml, line 2: wide.png: the map has 8193 x 1 texels: legal are sides of 1 to 8192 and at most 33554432 texels; scale it down
+        s.toml, line 2: many.png: the map has 8000 x 8000 texels: legal are sides of 1 to 8192 and at most 33554432 texels; scale it down
+        s.toml, line 2: header.png: can't be decoded as PNG or JPEG: unexpected end of file
+        s.toml, line 2: cut.jpg: can't be decoded as PNG or JPEG: Format error decoding Jpeg: I/O errors Not enough bytes, expected 1 but found 0
         no_uv.obj, line 10: triangle 0 (they count from 0) has no texture coordinates, which [height] needs: unwrap the mesh, or leave [height] out
         points.obj, line 10: triangle 0 (they count from 0) has no texture coordinates, which [height] needs: unwrap the mesh, or leave [height] out
         nan.obj, line 11: point 5 has NaN: legal is -1000000 to 1000000
@@ -1093,42 +1093,42 @@ fn wrong_files_are_refused() {
         letters.obj, line 10: corner `c/3/1` refers to point c, but up to here there are 4 (they count from 1)
         many.obj, line 10: corner `1/1/1/1` has more than three indices (v/vt/vn)
         slash.obj, line 10: corner `/1/1` names no point
-        two.obj: has no triangles; triangles without area left out: 1, the first in line 12; faces of fewer than 3 corners left out: 1, the first in line 10; lines (`l`) ignored: 1, the first in line 13; points (`p`) ignored: 1, the first in line 14; statements of free-form curves and surfaces ignored: 1, the first in line 15; unknown statements ignored, such as `Call`: 2, the first in line 16
+        s.toml, line 7: two.obj: has no triangles; triangles without area left out: 1, the first in line 12; faces of fewer than 3 corners left out: 1, the first in line 10; lines (`l`) ignored: 1, the first in line 13; points (`p`) ignored: 1, the first in line 14; statements of free-form curves and surfaces ignored: 1, the first in line 15; unknown statements ignored, such as `Call`: 2, the first in line 16
         crossing.obj, line 10: the polygon crosses itself, so it has no inside: cut it into polygons that don't
-        nul.obj: isn't text: it is binary, or UTF-16 without a byte order mark; save it as UTF-8
-        empty.obj: has no triangles
+        s.toml, line 7: nul.obj: isn't text: it is binary, or UTF-16 without a byte order mark; save it as UTF-8
+        s.toml, line 7: empty.obj: has no triangles
         flat_uv.obj, line 11: triangle 1 (they count from 0) has no area in the texture, so bumps have no direction: unwrap the mesh, or leave [height] out
-        mesh.stl: isn't a mesh: legal extensions are .obj, .gltf and .glb
+        s.toml, line 7: mesh.stl: isn't a mesh: legal extensions are .obj, .gltf and .glb
         late.obj, line 6: the first `vn` comes after line 5, whose corners refer to one: move it before that line
         no_index.obj, line 5: corner `1/1/x` refers to normal x, but up to here there are 0 (they count from 1)
         no_zero.obj, line 4: corner `1/0` refers to texture coordinate 0, but up to here there are 0 (they count from 1)
-        little.obj: the text is UTF-16: save it as UTF-8
-        big.obj: the text is UTF-16: save it as UTF-8
+        s.toml, line 7: little.obj: the text is UTF-16: save it as UTF-8
+        s.toml, line 7: big.obj: the text is UTF-16: save it as UTF-8
         painted.obj, line 11: triangle 1 (they count from 0) has no texture coordinates, which [texture] needs: unwrap the mesh, or leave [texture] out
-        accessor.glb: mesh 0, primitive 0: refers to accessor 9, but there are 4 (they count from 0)
-        kind.glb: mesh 0, primitive 0: accessor 2: is VEC2 where VEC3 is needed
-        count.glb: mesh 0, primitive 0: 35 corners in a list of triangles: legal is a multiple of 3
-        beyond.glb: mesh 0, primitive 0: accessor 1: extends beyond its buffer
-        overflow.glb: mesh 0, primitive 0: accessor 1: extends beyond its buffer
-        stride.glb: mesh 0, primitive 0: accessor 2: buffer view 1 has `byteStride` 4, less than the 8 bytes of its elements
-        memory.glb: isn't glTF 2.0: missing field `count` at line 7 column 82
-        lines.glb: has no triangles, only 1 primitives of lines or points: export a surface
-        strip.glb: mesh 0, primitive 0: a strip of 2 corners: it needs 3 or more
-        loop.glb: node 0 has two parents
-        hidden.glb: has no triangles; triangles without area left out: 12
-        huge.glb: mesh 0, primitive 0: vertex 0 has 1e9: legal is -1000000 to 1000000
-        draco.glb: needs the extension `KHR_draco_mesh_compression`: export without it
-        json.glb: isn't glTF 2.0: expected value at line 1 column 40
-        scene.glb: refers to scene 1, but there are 1 (they count from 0)
-        buffer.glb: buffer 0 has 1224 of 1228 bytes: the file is truncated
-        none.glb: has no triangles
-        nan.glb: mesh 0, primitive 0: vertex 0 has NaN: legal is -1000000 to 1000000
-        index.glb: mesh 0, primitive 0: refers to vertex 36, but there are 36 (they count from 0)
-        cut.glb: its .glb container has 1936 of 2036 bytes: the file is truncated; export or copy it again
-        head.glb: its .glb container has 9 of 12 bytes: the file is truncated; export or copy it again
-        old.glb: is a .glb file of version 1: only version 2 is supported
-        away.bin: can't read: No such file or directory (os error 2)
-        base.gltf: buffer 0: its data URI can't be decoded: legal are `data:;base64,` with base64, and `data:,` with bytes as %00 to %ff
+        s.toml, line 3: accessor.glb: mesh 0, primitive 0: refers to accessor 9, but there are 4 (they count from 0)
+        s.toml, line 3: kind.glb: mesh 0, primitive 0: accessor 2: is VEC2 where VEC3 is needed
+        s.toml, line 3: count.glb: mesh 0, primitive 0: 35 corners in a list of triangles: legal is a multiple of 3
+        s.toml, line 3: beyond.glb: mesh 0, primitive 0: accessor 1: extends beyond its buffer
+        s.toml, line 3: overflow.glb: mesh 0, primitive 0: accessor 1: extends beyond its buffer
+        s.toml, line 3: stride.glb: mesh 0, primitive 0: accessor 2: buffer view 1 has `byteStride` 4, less than the 8 bytes of its elements
+        s.toml, line 3: memory.glb: isn't glTF 2.0: missing field `count` at line 7 column 82
+        s.toml, line 3: lines.glb: has no triangles, only 1 primitives of lines or points: export a surface
+        s.toml, line 3: strip.glb: mesh 0, primitive 0: a strip of 2 corners: it needs 3 or more
+        s.toml, line 3: loop.glb: node 0 has two parents
+        s.toml, line 3: hidden.glb: has no triangles; triangles without area left out: 12
+        s.toml, line 3: huge.glb: mesh 0, primitive 0: vertex 0 has 1e9: legal is -1000000 to 1000000
+        s.toml, line 3: draco.glb: needs the extension `KHR_draco_mesh_compression`: export without it
+        s.toml, line 3: json.glb: isn't glTF 2.0: expected value at line 1 column 40
+        s.toml, line 3: scene.glb: refers to scene 1, but there are 1 (they count from 0)
+        s.toml, line 3: buffer.glb: buffer 0 has 1224 of 1228 bytes: the file is truncated
+        s.toml, line 3: none.glb: has no triangles
+        s.toml, line 3: nan.glb: mesh 0, primitive 0: vertex 0 has NaN: legal is -1000000 to 1000000
+        s.toml, line 3: index.glb: mesh 0, primitive 0: refers to vertex 36, but there are 36 (they count from 0)
+        s.toml, line 3: cut.glb: its .glb container has 1936 of 2036 bytes: the file is truncated; export or copy it again
+        s.toml, line 3: head.glb: its .glb container has 9 of 12 bytes: the file is truncated; export or copy it again
+        s.toml, line 3: old.glb: is a .glb file of version 1: only version 2 is supported
+        s.toml, line 3: away.bin: can't read: No such file or directory (os error 2)
+        s.toml, line 3: base.gltf: buffer 0: its data URI can't be decoded: legal are `data:;base64,` with base64, and `data:,` with bytes as %00 to %ff
     "#]].assert_eq(&seen);
 }
 
