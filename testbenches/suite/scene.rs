@@ -761,7 +761,7 @@ fn heights_are_grey() {
         "s.toml, line 2: normals.png: is a tangent-space normal map (texel (0, 10) is [77, 140, 244] of 255), but [height] needs heights: give the height or displacement map from which it was baked"
     );
     let why = refused(&|x, y| [(16 * x) as u8, 40, (16 * y) as u8], "colours.jpg");
-    assert!(why.starts_with("colours.jpg: has colours (texel ("), "{why}");
+    assert!(why.starts_with("s.toml, line 2: colours.jpg: has colours (texel ("), "{why}");
 }
 
 /// Messages of wrong scenes, one line each.
